@@ -1,0 +1,3 @@
+"""An image that anyone can run for every robotics repository."""
+
+__version__ = "1.0.0"

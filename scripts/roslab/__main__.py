@@ -1,0 +1,8 @@
+"""``python -m roslab``."""
+
+import sys
+
+from roslab.cli import main
+
+if __name__ == "__main__":
+    sys.exit(main())

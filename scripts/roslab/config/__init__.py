@@ -1,0 +1,1 @@
+"""roslab.yaml, every generation of it, as one typed model."""

@@ -1,0 +1,1 @@
+"""Evidence, configuration and knowledge → one decision per question, each with its reasons."""

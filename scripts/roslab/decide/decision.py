@@ -1,0 +1,102 @@
+"""What ``decide`` answers: one value per question, each with the reasons for and against."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from roslab.config.model import BuildTool, Kind
+from roslab.config.model import Source as SourceDependency
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Reason:
+    """One piece of evidence for one answer to one question."""
+
+    question: str
+    """``kind``, ``ros_distro``, ``ubuntu``, ``base_image``, ``build_tool``, ``python``, ``cuda``, ``dependencies``,
+    ``dockerfile``, ``command``, ``platforms``, ``workspace`` …"""
+    answer: str
+    reason: str
+    file: str | None = None
+    line: int | None = None
+    weight: int = 0
+    """Its rank among the evidence for the question; negative: it speaks against the answer."""
+    decisive: bool = True
+    """False for evidence that was outweighed: only ``--explain`` shows it."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Warning_:
+    """Something the author should know; it does not stop the build."""
+
+    message: str
+    file: str | None = None
+    line: int | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Python:
+    """The Python part of the image."""
+
+    version: str | None
+    """``3.8``; ``None`` where the image needs none of its own."""
+    manager: Literal["system", "venv", "conda"]
+    """``system``: the base's own interpreter (ROS); ``venv``: /opt/venv over it; ``conda``: a micromamba environment."""
+    pip: tuple[str, ...] = ()
+    """Requirement lines that are declared and must install."""
+    pip_guessed: tuple[str, ...] = ()
+    """Names read from imports or prose: installed where pip can, reported where not."""
+    requirements: tuple[str, ...] = ()
+    """Requirement files of the tree to install as they are, relative to the root."""
+    projects: tuple[str, ...] = ()
+    """Folders to ``pip install``, ``.`` for the root; installed in this order, editable, after the source is copied."""
+    conda_file: str | None = None
+    first: tuple[str, ...] = ()
+    """Requirement lines that must be there before the others are built (numpy, torch, Cython)."""
+    options: tuple[str, ...] = ()
+    """pip options: index URLs and find-links of the framework's own wheels."""
+    python2: tuple[str, ...] = ()
+    """Requirement lines for a Python 2 beside it (``pip`` of the old formats)."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Decision:
+    """The whole answer; ``plan`` turns it into what is built."""
+
+    kind: Kind
+    ros_distro: str | None
+    ubuntu: str | None
+    base_image: str
+    build_tool: BuildTool
+    rosdep: tuple[str, ...] = ()
+    """Keys of the repository's package.xml files, sorted, its own packages left out."""
+    skip_keys: tuple[str, ...] = ()
+    """Keys known to be no package (or built from source): rosdep is told to leave them."""
+    apt: tuple[str, ...] = ()
+    """Declared: must install."""
+    apt_guessed: tuple[str, ...] = ()
+    """Only read in prose or guessed: installed where the image's apt knows them, reported where not."""
+    python: Python
+    source: tuple[SourceDependency, ...] = ()
+    vcs: tuple[str, ...] = ()
+    """vcs files to import into the workspace, relative to the root."""
+    packages: tuple[str, ...] = ()
+    """Paths of the package.xml files that are built (not ignored, no asset)."""
+    workspace: Literal["none", "overlay", "root"] = "none"
+    """``overlay``: the repository is a folder of ``ws/src``; ``root``: the repository itself is the workspace."""
+    cmake_folder: str = ""
+    """Folder of the top-level CMakeLists.txt of a plain CMake project, ``""`` for the root."""
+    dockerfile: str | None = None
+    context: str | None = None
+    """Build context of the author's recipe, relative to the root."""
+    command: tuple[str, ...] | str = ("bash",)
+    command_candidates: tuple[tuple[str, ...], ...] = ()
+    platforms: tuple[str, ...] = ("linux/amd64", "linux/arm64")
+    platforms_refused: tuple[tuple[str, str], ...] = ()
+    cuda: str | None = None
+    cudnn: str | None = None
+    gpu: bool = False
+    gui: bool = False
+    warnings: tuple[Warning_, ...] = ()
+    reasons: tuple[Reason, ...] = ()

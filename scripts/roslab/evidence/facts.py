@@ -1,0 +1,214 @@
+"""The facts that readers return; every one says where it stands. Readers report, ``decide`` judges."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Strength = Literal["declared", "used", "optional", "prose"]
+"""How far a dependency can be trusted.
+
+``declared``: a manifest made for installing says so (package.xml, requirements.txt, a required ``find_package``);
+``used``: the code uses it (an include, an import, a launch file's package); ``optional``: behind a condition or
+``QUIET``; ``prose``: written for humans (README) or for another machine (an author's Dockerfile, CI).
+"""
+Namespace = Literal["rosdep", "apt", "pip", "cmake", "ros", "pkg-config", "include", "import", "link"]
+"""Whose name it is: ``ros`` is a ROS package, ``cmake`` a name given to ``find_package``."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Dependency:
+    """One thing that the repository needs, by the name its source calls it."""
+
+    namespace: Namespace
+    name: str
+    """For ``pip`` the whole requirement line, for the others a bare name."""
+    strength: Strength
+    file: str
+    line: int
+    components: tuple[str, ...] = ()
+    """Components of ``find_package``."""
+    version: str | None = None
+    role: str = ""
+    """``build``, ``exec``, ``test``, ``doc`` … as its source has it."""
+    condition: str | None = None
+    """Its condition as written (``$ROS_VERSION == 1``, ``sys_platform == 'win32'``, a CMake ``if``)."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class GitSource:
+    """A repository that should be cloned beside this one or built before it."""
+
+    name: str
+    url: str
+    ref: str | None
+    strength: Strength
+    file: str
+    line: int
+    kind: Literal["vcs", "submodule", "git_url", "clone", "fetch"]
+    """Where it was named: a vcs file, .gitmodules, package.xml's export, a clone line, CMake's FetchContent."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class PackageManifest:
+    """A package.xml. https://ros.org/reps/rep-0149.html (formats 1 and 2: REP 127, REP 140)."""
+
+    file: str
+    line: int
+    name: str | None
+    format: int
+    build_types: tuple[tuple[str, str | None], ...]
+    """``(type, condition)``: ``catkin``, ``ament_cmake``, ``ament_python``, ``cmake`` …; catkin where none is said."""
+    dependencies: tuple[Dependency, ...]
+    sources: tuple[GitSource, ...] = ()
+    metapackage: bool = False
+    ignored: bool = False
+    """Below a COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE."""
+    malformed: str | None = None
+    """The parser's message where it is no well-formed XML; what could be read is here all the same."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class CMakeProject:
+    """A CMakeLists.txt."""
+
+    file: str
+    line: int
+    name: str | None
+    top_level: bool
+    """It calls ``project()`` and no CMakeLists.txt above it adds its folder."""
+    languages: tuple[str, ...]
+    macros: tuple[str, ...]
+    """Macro families that it calls: ``catkin``, ``ament``, ``rosbuild``, ``cuda``."""
+    executables: tuple[tuple[str, int], ...]
+    """Targets of ``add_executable`` and its kin, with their lines."""
+    dependencies: tuple[Dependency, ...]
+    sources: tuple[GitSource, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class PythonProject:
+    """A folder that Python's tools can install: setup.py, setup.cfg or pyproject.toml."""
+
+    file: str
+    line: int
+    folder: str
+    name: str | None
+    installable: bool
+    """False for a pyproject.toml that only configures tools, and for a setup.py of catkin or ament."""
+    requires_python: str | None
+    build_requires: tuple[str, ...]
+    dependencies: tuple[Dependency, ...]
+    scripts: tuple[tuple[str, int], ...] = ()
+    """Console scripts, with their lines."""
+    extensions: tuple[str, ...] = ()
+    """What it compiles: ``c``, ``cuda``, ``cython``, ``cmake``."""
+    classifiers: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RequirementFile:
+    """A requirements file, in any spelling."""
+
+    file: str
+    line: int
+    dependencies: tuple[Dependency, ...]
+    includes: tuple[str, ...]
+    """Paths of files that it includes by ``-r``, relative to the repository's root."""
+    constraints: tuple[str, ...]
+    options: tuple[str, ...]
+    """Lines such as ``--extra-index-url …`` and ``-f …``."""
+    purpose: Literal["run", "docs", "test", "dev", "vendored"]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class CondaEnvironment:
+    """A conda environment file."""
+
+    file: str
+    line: int
+    name: str | None
+    python: str | None
+    channels: tuple[str, ...]
+    packages: tuple[str, ...]
+    dependencies: tuple[Dependency, ...]
+    """The ``pip:`` part."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Recipe:
+    """A Dockerfile of the author's."""
+
+    file: str
+    line: int
+    base: str | None
+    """The FROM of the last stage that has one outside the file, ARGs filled in with their defaults."""
+    base_line: int
+    copies_repository: bool
+    clones: tuple[GitSource, ...]
+    build_tool: str | None
+    dependencies: tuple[Dependency, ...]
+    command: tuple[str, ...]
+    purpose: Literal["project", "documentation", "vendored", "ci", "deploy", "broken"]
+    """What it seems to be for; ``broken`` where it does not parse."""
+    arguments: tuple[tuple[str, str | None], ...] = ()
+    problem: str | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Mention:
+    """A name of the world (a distro, an Ubuntu, a CUDA or Python version) written somewhere."""
+
+    topic: Literal["distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command"]
+    value: str
+    source: Literal["branch", "recipe", "ci", "readme", "vcs", "filename", "manifest", "launch", "script", "code"]
+    file: str
+    line: int
+    text: str
+    """The words around it, for the reason that a person reads."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class LaunchFile:
+    """A launch file, ROS 1 (XML) or ROS 2 (Python, XML, YAML)."""
+
+    file: str
+    line: int
+    package: str | None
+    """The package.xml's name of the folder it lies in."""
+    ros: Literal[1, 2]
+    dependencies: tuple[Dependency, ...]
+    gui: bool
+    """It starts rviz, rqt, Gazebo's client or the like."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Script:
+    """A Python program that can be started: it has a ``__main__`` guard or lies where programs lie."""
+
+    file: str
+    line: int
+    kind: Literal["main", "console", "node"]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Evidence:
+    """Everything that was read, sorted by file within each source."""
+
+    manifests: tuple[PackageManifest, ...] = ()
+    cmake: tuple[CMakeProject, ...] = ()
+    python: tuple[PythonProject, ...] = ()
+    requirements: tuple[RequirementFile, ...] = ()
+    conda: tuple[CondaEnvironment, ...] = ()
+    recipes: tuple[Recipe, ...] = ()
+    launch: tuple[LaunchFile, ...] = ()
+    scripts: tuple[Script, ...] = ()
+    code: tuple[Dependency, ...] = ()
+    """Includes and imports."""
+    prose: tuple[Dependency, ...] = ()
+    """Install lines of README and scripts."""
+    sources: tuple[GitSource, ...] = ()
+    mentions: tuple[Mention, ...] = ()
+    cuda_files: tuple[str, ...] = ()
+    problems: tuple[tuple[str, str, int], ...] = ()
+    """``(message, file, line)``: what was malformed and passed over."""

@@ -1,0 +1,260 @@
+"""The one reader of a checkout: lists it once, reads lazily, caps sizes, never leaves the tree, runs nothing from it."""
+
+from __future__ import annotations
+
+import os
+import re
+import stat
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+from functools import cached_property
+from pathlib import Path
+
+from roslab.errors import ConfigurationError, NothingToBuildError, Problem
+
+MAX_TEXT = 2 * 1024 * 1024
+"""Bytes read of one file: beyond it a file is data, whatever its name says."""
+MAX_FILES = 500_000
+"""Files listed; a larger tree is read as far as that, with a warning."""
+SKIPPED_FOLDERS = frozenset(
+    {".git", ".hg", ".svn", "__pycache__", "node_modules", ".venv", ".tox", ".mypy_cache", ".pytest_cache"}
+)
+"""Folders that hold no source of the author's."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class File:
+    """A regular file: its path relative to the root (``/`` between parts) and its size in bytes."""
+
+    path: str
+    size: int
+
+    @property
+    def name(self) -> str:
+        """Last part of the path."""
+        return self.path.rpartition("/")[2]
+
+    @property
+    def folder(self) -> str:
+        """Path of the folder it lies in, ``""`` for the root."""
+        return self.path.rpartition("/")[0]
+
+
+@dataclass(frozen=True)
+class Repository:
+    """A folder on disk, listed once.
+
+    ``branch`` is what the caller says where there is no ``.git`` (a tarball, an action's shallow checkout).
+    """
+
+    root: Path
+    branch_hint: str | None = None
+    _texts: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
+
+    @classmethod
+    def open(cls, path: str | Path, *, branch: str | None = None) -> Repository:
+        """Open a folder.
+
+        Raises ``ConfigurationError`` where the path is no folder or cannot be read, ``NothingToBuildError``
+        where it is empty.
+        """
+        root = Path(path)
+        try:
+            if not root.is_dir():
+                why = "it is a file" if root.exists() else "there is nothing at that path"
+                raise ConfigurationError(Problem(message=f"not a directory: {printable(str(path))}: {why}", hint="give the root of a repository"))
+            root = root.resolve()
+            if not any(True for _ in os.scandir(root)):
+                raise NothingToBuildError(Problem(message=f"{printable(str(path))} is empty", hint="check the repository out first"))
+        except (OSError, ValueError, RuntimeError) as error:
+            raise ConfigurationError(Problem(message=f"cannot read {printable(str(path))}: {error}")) from None
+        return cls(root, branch)
+
+    @cached_property
+    def listing(self) -> Listing:
+        """Everything in the tree, sorted by path; unreadable folders are left out and named."""
+        return _list(self.root)
+
+    @property
+    def files(self) -> tuple[File, ...]:
+        """Regular files of the tree, sorted by path."""
+        return self.listing.files
+
+    @cached_property
+    def by_name(self) -> dict[str, tuple[File, ...]]:
+        """Files by their last path part, lower-cased."""
+        return self._group(lambda file: file.name.lower())
+
+    @cached_property
+    def by_suffix(self) -> dict[str, tuple[File, ...]]:
+        """Files by their suffix, lower-cased, with its dot; ``""`` for none."""
+        return self._group(lambda file: os.path.splitext(file.name)[1].lower())
+
+    def _group(self, key: object) -> dict[str, tuple[File, ...]]:
+        groups: dict[str, list[File]] = {}
+        for file in self.files:
+            groups.setdefault(key(file), []).append(file)  # type: ignore[operator]
+        return {name: tuple(files) for name, files in groups.items()}
+
+    def named(self, *names: str) -> tuple[File, ...]:
+        """Return the files whose last path part is one of ``names``, whatever their case."""
+        return tuple(file for name in names for file in self.by_name.get(name.lower(), ()))
+
+    def suffixed(self, *suffixes: str) -> tuple[File, ...]:
+        """Return the files with one of the suffixes (``.cpp``), whatever their case."""
+        return tuple(file for suffix in suffixes for file in self.by_suffix.get(suffix.lower(), ()))
+
+    def matching(self, pattern: str) -> Iterator[File]:
+        """Yield the files whose lower-cased last path part matches a shell pattern."""
+        return (file for name, files in self.by_name.items() if fnmatchcase(name, pattern) for file in files)
+
+    def has(self, path: str) -> bool:
+        """Tell whether a regular file lies at a relative path."""
+        return path in self._paths
+
+    @cached_property
+    def _paths(self) -> frozenset[str]:
+        return frozenset(file.path for file in self.files)
+
+    @cached_property
+    def folders(self) -> frozenset[str]:
+        """Every folder that holds a file, at any depth; ``""`` is the root."""
+        found = {""}
+        for file in self.files:
+            folder = file.folder
+            while folder and folder not in found:
+                found.add(folder)
+                folder = folder.rpartition("/")[0]
+        return frozenset(found)
+
+    def read(self, file: File | str, *, limit: int = MAX_TEXT) -> str:
+        """Return a file's text, ``""`` for one that is missing, binary, unreadable or outside the tree.
+
+        At most ``limit`` bytes are read, invalid UTF-8 becomes U+FFFD. Texts of ordinary size are kept.
+        """
+        path = file.path if isinstance(file, File) else file
+        if path not in self._texts:
+            text = self._read(path, limit)
+            if len(text) > 262_144:
+                return text
+            self._texts[path] = text
+        return self._texts[path]
+
+    def read_bytes(self, file: File | str, *, limit: int = MAX_TEXT) -> bytes:
+        """Return at most ``limit`` bytes of a file, ``b""`` where it is missing or outside the tree."""
+        path = file.path if isinstance(file, File) else file
+        if path not in self._paths:
+            return b""
+        try:
+            # O_NOFOLLOW guards the last part; the listing never descended through a link. O_NONBLOCK: never wait on a FIFO.
+            descriptor = os.open(self.root / path, os.O_RDONLY | os.O_NONBLOCK | (0 if path in self.listing.links else os.O_NOFOLLOW))
+            with os.fdopen(descriptor, "rb") as stream:
+                return stream.read(limit)
+        except (OSError, ValueError):
+            return b""
+
+    def _read(self, path: str, limit: int) -> str:
+        data = self.read_bytes(path, limit=limit)
+        if b"\0" in data[:8192]:
+            if data[:2] in (b"\xff\xfe", b"\xfe\xff"):  # Windows editors write requirements.txt in UTF-16
+                return data.decode("utf-16", errors="replace")
+            return ""
+        return data.decode("utf-8-sig", errors="replace").replace("\r\n", "\n").replace("\r", "\n")
+
+    @cached_property
+    def git_folder(self) -> Path | None:
+        """The git directory of the checkout: ``.git`` itself, or where a ``.git`` file points to."""
+        entry = self.root / ".git"
+        try:
+            if entry.is_dir():
+                return entry
+            if entry.is_file() and (match := re.match(r"gitdir: (.+)", entry.read_text(errors="replace"))):
+                return (self.root / match[1].strip()).resolve()
+        except OSError:
+            pass
+        return None
+
+    @cached_property
+    def branch(self) -> str | None:
+        """Name of the branch: the caller's word, else what ``.git/HEAD`` says, ``None`` where it is detached."""
+        if self.branch_hint:
+            return self.branch_hint
+        head = self._git_text("HEAD")
+        return match[1].strip() if (match := re.match(r"ref: refs/heads/(.+)", head)) else None
+
+    @cached_property
+    def origin(self) -> str | None:
+        """URL of the remote ``origin``, as ``.git/config`` has it."""
+        match = re.search(r'\[remote "origin"\][^\[]*?\burl\s*=\s*(\S+)', self._git_text("config"))
+        return match[1] if match else None
+
+    def _git_text(self, name: str) -> str:
+        try:
+            return (self.git_folder / name).read_text(errors="replace")[:65536] if self.git_folder else ""
+        except OSError:
+            return ""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Listing:
+    """What a walk of the tree found."""
+
+    files: tuple[File, ...]
+    links: frozenset[str]
+    """Files among ``files`` that are links to a regular file inside the tree."""
+    outside: tuple[str, ...]
+    """Links that lead out of the tree or nowhere; never read."""
+    unreadable: tuple[str, ...]
+    truncated: bool
+
+
+def _list(root: Path) -> Listing:
+    files: list[File] = []
+    links: set[str] = set()
+    outside: list[str] = []
+    unreadable: list[str] = []
+    pending = [""]
+    while pending and len(files) < MAX_FILES:
+        folder = pending.pop()
+        try:
+            with os.scandir(root / folder) as entries:
+                for entry in entries:
+                    path = f"{folder}/{entry.name}" if folder else entry.name
+                    if entry.is_symlink():
+                        _follow(root, path, files, links, outside)
+                    elif entry.is_dir(follow_symlinks=False):
+                        if entry.name not in SKIPPED_FOLDERS:
+                            pending.append(path)
+                    elif entry.is_file(follow_symlinks=False):
+                        files.append(File(path=path, size=entry.stat(follow_symlinks=False).st_size))
+        except OSError:
+            unreadable.append(folder)
+    return Listing(
+        files=tuple(sorted(files, key=lambda file: file.path)),
+        links=frozenset(links),
+        outside=tuple(sorted(outside)),
+        unreadable=tuple(sorted(unreadable)),
+        truncated=bool(pending),
+    )
+
+
+def _follow(root: Path, path: str, files: list[File], links: set[str], outside: list[str]) -> None:
+    """Keep a link to a regular file of the tree; a link to a folder is left out, so no walk can run in circles."""
+    try:
+        target = (root / path).resolve(strict=True)
+        inside = target.is_relative_to(root) and ".git" not in target.relative_to(root).parts
+        status = target.stat()
+    except (OSError, RuntimeError):
+        outside.append(path)
+        return
+    if not inside:
+        outside.append(path)
+    elif stat.S_ISREG(status.st_mode):
+        files.append(File(path=path, size=status.st_size))
+        links.add(path)
+
+
+def printable(text: str) -> str:
+    """Return text that can be printed on one line: control characters and stray bytes escaped."""
+    return "".join(c if c.isprintable() and not "\ud800" <= c <= "\udfff" else c.encode("unicode_escape", "surrogatepass").decode() for c in text)
