@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 Strength = Literal["declared", "used", "optional", "prose"]
 """How far a dependency can be trusted.
@@ -212,3 +212,11 @@ class Evidence:
     cuda_files: tuple[str, ...] = ()
     problems: tuple[tuple[str, str, int], ...] = ()
     """``(message, file, line)``: what was malformed and passed over."""
+
+
+class Prose(NamedTuple):
+    """What a text for humans, or for another machine, says in passing (README, CI, install scripts)."""
+
+    dependencies: tuple[Dependency, ...] = ()
+    sources: tuple[GitSource, ...] = ()
+    mentions: tuple[Mention, ...] = ()
