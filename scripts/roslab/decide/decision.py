@@ -83,6 +83,8 @@ class Decision:
     """vcs files to import into the workspace, relative to the root."""
     packages: tuple[str, ...] = ()
     """Paths of the package.xml files that are built (not ignored, no asset)."""
+    package_names: tuple[str, ...] = ()
+    """Names of those packages, sorted."""
     workspace: Literal["none", "overlay", "root"] = "none"
     """``overlay``: the repository is a folder of ``ws/src``; ``root``: the repository itself is the workspace."""
     cmake_folder: str = ""

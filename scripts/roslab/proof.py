@@ -1,0 +1,96 @@
+"""What is run inside an image before it gets a tag: the repository's own test, else a default one for its kind."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from dataclasses import dataclass
+
+from roslab.config.model import Config
+from roslab.decide.decision import Decision
+
+IMPORT_SCRIPT = """\
+import importlib, importlib.metadata as metadata, sys
+failed = []
+for name in sys.argv[1:]:
+    try:
+        distribution = metadata.distribution(name)
+    except metadata.PackageNotFoundError:
+        failed.append(name + ": not installed")
+        continue
+    listed = distribution.read_text("top_level.txt") or ""
+    modules = listed.split() or sorted({str(f).split("/")[0] for f in distribution.files or () if str(f).endswith("/__init__.py")})
+    for module in [m for m in modules if m.isidentifier() and not m.startswith("_") and m not in ("tests", "test", "docs", "examples")]:
+        try:
+            importlib.import_module(module)
+        except Exception as error:
+            failed.append(f"{name}: import {module}: {type(error).__name__}: {error}")
+print("imported", len(sys.argv) - 1 - len({f.split(":")[0] for f in failed}), "of", len(sys.argv) - 1, "packages")
+sys.exit("\\n".join(failed))
+"""
+
+AMENT_SCRIPT = """\
+import os, sys
+prefixes = os.environ.get("AMENT_PREFIX_PATH", "").split(":")
+failed = 0
+for name in sys.argv[1:]:
+    marker = os.path.join("share", "ament_index", "resource_index", "packages", name)
+    found = [prefix for prefix in prefixes if os.path.exists(os.path.join(prefix, marker))]
+    print(name, "in", found[0] if found else "none of AMENT_PREFIX_PATH")
+    failed |= not found
+sys.exit(failed)
+"""
+"""The index that ``ros2 pkg`` and ament_index_python read; a base without ros2cli has it too.
+https://github.com/ament/ament_cmake/blob/rolling/ament_cmake_core/doc/resource_index.md"""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Proof:
+    """One thing that is run in a container of the image."""
+
+    name: str
+    command: tuple[str, ...]
+    """An argv, started through the image's entry point."""
+    may_run_on: bool = False
+    """A program that has no end: still alive after the proof's seconds counts as passed, as ending with 0 does."""
+
+
+def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
+    """Return the proofs of an image, in the order in which they are run."""
+    if config.test:
+        command = ("bash", "-c", config.test) if isinstance(config.test, str) else config.test
+        return (Proof(name="the repository's test", command=command),)
+    found = []
+    if decision.dockerfile is None:
+        found += _workspace_proofs(decision)
+        distributions = sorted({n for line in decision.python.pip if (n := _distribution(line))})
+        if distributions:
+            found.append(Proof(name="declared Python packages import", command=("python3", "-c", IMPORT_SCRIPT, *distributions)))
+    # An author's own recipe says itself what it starts: its CMD, which an empty command runs.
+    command = () if decision.dockerfile else decision.command
+    argv = ("bash", "-c", command) if isinstance(command, str) else command
+    found.append(Proof(name="the default command starts", command=argv, may_run_on=True))
+    return tuple(found)
+
+
+def _workspace_proofs(decision: Decision) -> list[Proof]:
+    if decision.kind not in ("ros1", "ros2") or not decision.package_names or decision.workspace == "none":
+        return []
+    if decision.kind == "ros1":
+        script = 'failed=0; for package in "$@"; do rospack find "$package" || failed=1; done; exit $failed'
+        command = ("bash", "-c", script, "proof", *decision.package_names)
+    else:
+        command = ("python3", "-c", AMENT_SCRIPT, *decision.package_names)
+    return [Proof(name="the workspace's packages are found", command=command)]
+
+
+def _distribution(line: str) -> str | None:
+    """Name of the distribution that a requirement line installs, ``None`` for a URL, an option or a line for another platform."""
+    match = re.match(r"([A-Za-z0-9][A-Za-z0-9._-]*)\s*(\[[^]]*\])?\s*([=<>!~].*)?$", line.split("#")[0].strip())
+    return match[1] if match else None
+
+
+def describe(proof: Proof) -> str:
+    """Return the command as a person would type it, long scripts cut."""
+    text = shlex.join(proof.command) or "(the image's own command)"
+    return text if len(text) <= 100 else text[:97] + "…"
