@@ -1,0 +1,141 @@
+"""The one way through, from a folder to a plan and to the files that are built."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from roslab import config as configuration
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.errors import ConfigurationError, Problem, RefusedError
+from roslab.evidence.facts import Evidence
+from roslab.evidence.gather import gather
+from roslab.knowledge.distros import rosdistro_tag
+from roslab.plan import Plan, image_name, make_plan
+from roslab.render import OutputFile, render_all
+from roslab.repository import Repository, printable
+
+MAX_CONFIG = 1024 * 1024
+"""Bytes of a roslab.yaml: the longest of 78 real ones has two thousand."""
+READMES = ("README.md", "Readme.md", "readme.md", "README.markdown", "README.rst", "README.txt", "README")
+CONFIG_NAMES = ("roslab.yaml", "roslab.yml", ".roslab.yaml", "repolab.yaml")
+"""Where a configuration is looked for, at the root: the first one counts."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Overrides:
+    """What an action's input or a command's option says; it wins over roslab.yaml. ``None``: not said."""
+
+    platforms: tuple[str, ...] | None = None
+    command: tuple[str, ...] | str | None = None
+    test: tuple[str, ...] | str | None = None
+    name: str | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Planned:
+    """A plan and everything it came from."""
+
+    repository: Repository
+    evidence: Evidence
+    config: Config
+    decision: Decision
+    plan: Plan
+
+
+def plan_repository(
+    path: str | Path,
+    *,
+    branch: str | None = None,
+    config_file: str | None = None,
+    overrides: Overrides | None = None,
+    folder_name: str | None = None,
+) -> Planned:
+    """Read a repository and plan its image; nothing of it is executed and no network is used.
+
+    ``config_file`` is relative to the repository; ``folder_name`` names the image where nothing else does.
+    Raises ``ConfigurationError``, ``NothingToBuildError`` or ``RefusedError``.
+    """
+    repository = Repository.open(path, branch=branch)
+    config = _override(_read_config(repository, config_file), overrides or Overrides())
+    evidence = gather(repository)
+    name = folder_name or _folder_name(repository)
+    decision = decide(evidence, config, folder_name=name)
+    ignore = tuple(repository.read(".dockerignore").splitlines())
+    plan = make_plan(decision, config, folder_name=name, ignore=ignore, rosdistro_tag=rosdistro_tag(decision.ros_distro))
+    return Planned(repository=repository, evidence=evidence, config=config, decision=decision, plan=plan)
+
+
+def _folder_name(repository: Repository) -> str:
+    """Name a checkout as its origin does: a runner's folder may be called anything."""
+    if repository.origin:
+        return repository.origin.rstrip("/").rpartition("/")[2].removesuffix(".git")
+    return repository.root.name
+
+
+def config_path(repository: Repository, config_file: str | None) -> str | None:
+    """Return the configuration's path, relative to the repository, ``None`` where there is none.
+
+    Raises ``ConfigurationError`` where a named file is missing, ``RefusedError`` where it is a link out of the tree.
+    """
+    for name in (config_file,) if config_file else CONFIG_NAMES:
+        if name in repository.listing.outside:
+            raise RefusedError(Problem(message=f"{printable(name)} is a link that leads out of the repository", hint="make it a file of the repository"))
+        if repository.has(name):
+            return name
+    if config_file:
+        raise ConfigurationError(Problem(message=f"no file {printable(config_file)} in the repository", hint="give a path relative to its root"))
+    return None
+
+
+def config_text(repository: Repository, file: str) -> str:
+    """Return a configuration's text. Raises ``ConfigurationError`` where it is too large or not UTF-8."""
+    size = next(entry.size for entry in repository.files if entry.path == file)
+    if size > MAX_CONFIG:
+        raise ConfigurationError(Problem(message=f"{size} bytes, a configuration has at most {MAX_CONFIG}", file=file))
+    data = repository.read_bytes(file)
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data[: error.start].count(b"\n") + 1
+        raise ConfigurationError(Problem(message="not UTF-8 text", hint="save the file as UTF-8", file=file, line=line)) from None
+
+
+def _read_config(repository: Repository, config_file: str | None) -> Config:
+    file = config_path(repository, config_file)
+    return configuration.read(config_text(repository, file), file=file) if file else Config()
+
+
+def rendered(planned: Planned, folder: Path) -> tuple[OutputFile, ...]:
+    """Return the files of a plan, as they are to be written to ``folder``."""
+    root = planned.repository.root
+    target = folder.resolve()
+    readme = next((planned.repository.read(name) for name in READMES if planned.repository.has(name)), None)
+    return render_all(planned.plan, readme=readme, output_is_root=target == root, context=os.path.relpath(root, target))
+
+
+def write_recipe(planned: Planned, folder: Path) -> tuple[Path, Path]:
+    """Write what a build needs to an empty folder; return the Dockerfile to use and its context.
+
+    The author's own recipe is used where it stands.
+    """
+    root = planned.repository.root
+    if recipe := planned.plan.recipe:
+        return root / recipe.dockerfile, root / recipe.context
+    for file in rendered(planned, folder):
+        if file.path.startswith("Dockerfile"):
+            (folder / file.path).write_text(file.text, encoding="utf-8")
+    return folder / "Dockerfile", root
+
+
+def _override(config: Config, overrides: Overrides) -> Config:
+    """Put an action's inputs over roslab.yaml: the one place where that precedence stands."""
+    said = {key: value for key in Overrides.__dataclass_fields__ if (value := getattr(overrides, key)) is not None}
+    if "name" in said and image_name(said["name"]) != said["name"]:
+        raise ConfigurationError(
+            Problem(message=f"{said['name']!r} is no image name", hint=f"write {image_name(said['name'])!r}: lower case, digits, - _ .")
+        )
+    return replace(config, **said)

@@ -1,0 +1,1 @@
+"""Blocks of a Dockerfile, one function each; ``dockerfile`` puts them in order."""

@@ -1,0 +1,71 @@
+"""Layer 7: the author's own commands, environment, entry point, default command."""
+
+from __future__ import annotations
+
+from roslab.plan import Plan
+from roslab.render import quote
+from roslab.render.layers import shell
+from roslab.render.layers.workspace import WS, source_folder
+
+ENVIRONMENT = "/usr/local/share/roslab/environment.bash"
+ENTRY_POINT = """\
+#!/bin/bash
+# Makes the workspace known, then becomes the command
+set -e
+source /usr/local/share/roslab/environment.bash
+exec "$@"
+"""
+
+
+def custom(plan: Plan) -> str:
+    """Run the commands of ``custom`` as their format always did."""
+    if not plan.custom or not plan.custom.commands:
+        return ""
+    workdir = {"root": "/", "home": "/home/${NB_USER}", "source": source_folder(plan)}[plan.custom.workdir]
+    user = "root" if plan.custom.as_root else "${NB_USER}"
+    if plan.custom.chained:
+        # One shell for all, so that `cd` and variables carry over
+        runs = [shell.run(*plan.custom.commands)]
+    else:
+        runs = [f"RUN {command}" for command in plan.custom.commands]
+    home = "" if user != "root" else "ENV HOME=/home/${NB_USER}\n"
+    return "\n".join((f"# Commands of roslab.yaml\n{home}USER {user}", f"WORKDIR {quote.docker_path(workdir)}", *runs))
+
+
+def environment(plan: Plan) -> str:
+    """Source ROS and the workspace in every shell and for every command."""
+    if plan.kind not in ("ros1", "ros2"):
+        return ""
+    # ROS 1 and ROS 2 scripts read unset variables and the caller's arguments: hence the empty `--`
+    setups = ['source "/opt/ros/${ROS_DISTRO}/setup.bash" --']
+    if plan.workspace.layout in ("overlay", "root") or plan.workspace.sources:
+        overlay = "install" if plan.workspace.tool == "colcon" else "devel"
+        setups.append(f'source "{WS}/{overlay}/setup.bash" --')
+    return "\n".join(
+        (
+            "USER root",
+            shell.heredoc(ENVIRONMENT, "\n".join(setups)),
+            shell.heredoc("/usr/local/bin/roslab-entrypoint", ENTRY_POINT, executable=True),
+            f"RUN echo 'source {ENVIRONMENT}' >>/etc/bash.bashrc",
+        )
+    )
+
+
+def variables(plan: Plan) -> str:
+    """Set the environment variables of roslab.yaml and those that a GPU needs."""
+    pairs = [("HOME", "/home/${NB_USER}", False)]
+    if plan.run.gpu:
+        pairs += [("NVIDIA_VISIBLE_DEVICES", "all", True), ("NVIDIA_DRIVER_CAPABILITIES", "all", True)]
+    pairs += [(name, value, True) for name, value in plan.env]
+    body = " \\\n    ".join(f"{name}={quote.docker(value) if literal else value}" for name, value, literal in pairs)
+    return f"ENV {body}"
+
+
+def command(plan: Plan) -> str:
+    """Set the user, the folder it starts in, the entry point and the default command."""
+    lines = ["USER ${NB_USER}", f"WORKDIR {quote.docker_path(source_folder(plan))}"]
+    if plan.kind in ("ros1", "ros2"):
+        lines.append(f"ENTRYPOINT {quote.json_form(['roslab-entrypoint'])}")
+    argv = ["bash", "-c", plan.run.command] if isinstance(plan.run.command, str) else list(plan.run.command)
+    lines.append(f"CMD {quote.json_form(argv)}")
+    return "\n".join(lines)

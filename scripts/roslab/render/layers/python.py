@@ -1,0 +1,131 @@
+"""Layer 4, Python's part: an environment, what is declared, what was guessed, JupyterLab."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from roslab.plan import Plan
+from roslab.render import quote
+from roslab.render.layers import shell
+
+MICROMAMBA = "mambaorg/micromamba:2.3.2"
+"""Statically linked, amd64 and arm64. https://hub.docker.com/r/mambaorg/micromamba, 2026-08-22."""
+MANIFESTS = "/tmp/manifests"  # noqa: S108 - a folder of the image while it is built
+
+
+def environment(plan: Plan) -> str:
+    """Make the Python environment: the base's own interpreter, a virtual environment over it, or a conda one."""
+    python = plan.python
+    if python.manager == "conda":
+        return _conda(plan)
+    if python.manager == "venv":
+        tools = _tools(plan)
+        return "\n".join(
+            (
+                "# A virtual environment of the user's own; the base's Python packages stay visible in it",
+                "ENV VIRTUAL_ENV=/opt/venv \\\n    PATH=/opt/venv/bin:${PATH}",
+                shell.run(
+                    "python3 -m venv --system-site-packages /opt/venv",
+                    f"python3 -m pip install --no-cache-dir --upgrade{shell.words(tools)}",
+                ),
+            )
+        )
+    lines = []
+    if python.pip or python.pip_guessed or python.requirements or python.projects or plan.rosdep:
+        lines.append("# This image is the environment: packages go beside the distribution's own\nENV PIP_BREAK_SYSTEM_PACKAGES=1")
+    if (python.pip or python.pip_guessed or python.requirements or python.projects) and plan.python_tools.pip != "pip":
+        # An old distribution's pip knows no wheels of today, and today's pip does not run on its Python
+        lines.append(shell.run(f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}"))
+    return "\n".join(lines)
+
+
+def interpreter(plan: Plan) -> str:
+    """Name of the interpreter that the packages are for."""
+    return "python2" if (plan.python.version or "").startswith("2") and plan.python.manager == "system" else "python3"
+
+
+def _tools(plan: Plan) -> tuple[str, ...]:
+    return (plan.python_tools.pip, plan.python_tools.setuptools, plan.python_tools.wheel)
+
+
+def _conda(plan: Plan) -> str:
+    python = plan.python
+    source = f"--file {quote.shell(f'{MANIFESTS}/{python.conda_file}')}" if python.conda_file else f"--channel conda-forge {quote.shell(f'python={python.version}')} pip"
+    copy = f"COPY --from=manifests /manifests/ {MANIFESTS}/\n" if python.conda_file else ""
+    return (
+        f"# A conda environment, for a Python that the base does not have\n"
+        f"COPY --from={MICROMAMBA} /bin/micromamba /usr/local/bin/micromamba\n{copy}"
+        "ENV MAMBA_ROOT_PREFIX=/opt/mamba \\\n    CONDA_PREFIX=/opt/conda \\\n    PATH=/opt/conda/bin:${PATH}\n"
+        + shell.run(f"micromamba create --yes --quiet --prefix /opt/conda {source}", "micromamba clean --all --yes --quiet")
+    )
+
+
+def packages(plan: Plan) -> str:
+    """Install the declared packages from the manifests alone, so that an edit of the source reuses the layer."""
+    python = plan.python
+    blocks = []
+    pip = f"{interpreter(plan)} -m pip install --no-cache-dir{_options(python.options)}"
+    commands = [f"{pip}{shell.words(python.first)}"] if python.first else []
+    if python.pip:
+        commands.append(f"{pip}{shell.words(_arguments(python.pip))}")
+    if commands:
+        blocks.append(shell.run(*commands, comment="Python packages that are declared"))
+    if python.requirements:
+        files = "".join(f" --requirement {quote.shell(f'{MANIFESTS}/{name}')}" for name in python.requirements)
+        blocks.append(f"COPY --from=manifests /manifests/ {MANIFESTS}/\n" + shell.run(f"{pip}{files}", comment="Requirement files"))
+    if python.python2:
+        tools = "".join(f" {quote.shell(name)}" for name in ("pip<21", "setuptools<45", "wheel<0.38"))
+        install = f"python2 -m pip install --no-cache-dir{shell.words(_arguments(python.python2))}"
+        blocks.append(
+            shell.run(f"python2 -m pip install --no-cache-dir --upgrade{tools}", install, comment="Packages of Python 2")
+        )
+    return "\n\n".join(blocks)
+
+
+def guessed_packages(plan: Plan) -> str:
+    """Install what is imported but declared nowhere, one by one: a wrong guess is named and breaks nothing."""
+    if not plan.python.pip_guessed:
+        return ""
+    options = _options(plan.python.options)
+    return f"""\
+# Imported but declared nowhere: installed where pip finds them, named where it does not
+RUN for package in{shell.words(plan.python.pip_guessed, indent=4)}; do \\
+      {interpreter(plan)} -m pip install --no-cache-dir{options} "${{package}}" || echo "pip ${{package}}" | tee --append {shell.REPORT}; \\
+    done"""
+
+
+def projects(plan: Plan) -> str:
+    """Install the repository's own Python projects, editable: the reader changes a line and runs it."""
+    folders = plan.workspace.python_projects
+    if not folders:
+        return ""
+    isolation = " --no-build-isolation" if plan.python.first else ""
+    editable = "".join(f" --editable {quote.shell('./' + folder if folder not in ('', '.') else '.')}" for folder in folders)
+    return shell.run(
+        f"{interpreter(plan)} -m pip install --no-cache-dir{isolation}{_options(plan.python.options)}{editable}",
+        comment="The repository's own Python packages",
+    )
+
+
+def jupyter(plan: Plan) -> str:
+    """Install JupyterLab with a bash kernel in an environment of its own, so that it disturbs no package of the author's."""
+    if not plan.notebook:
+        return ""
+    tools = plan.python_tools
+    return shell.run(
+        "python3 -m venv /opt/jupyter",
+        f"/opt/jupyter/bin/python -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}",
+        f"/opt/jupyter/bin/python -m pip install --no-cache-dir{shell.words((tools.jupyterlab, tools.notebook, tools.bash_kernel))}",
+        "/opt/jupyter/bin/python -m bash_kernel.install --sys-prefix",
+        "ln --symbolic /opt/jupyter/bin/jupyter /opt/jupyter/bin/jupyter-lab /opt/jupyter/bin/jupyter-notebook /usr/local/bin/",
+        comment="JupyterLab with a bash kernel; docker_run.sh --notebook starts it",
+    )
+
+
+def _options(options: Sequence[str]) -> str:
+    return "".join(f" {quote.shell(word)}" for option in options for word in option.split())
+
+
+def _arguments(lines: Sequence[str]) -> list[str]:
+    """Split requirement lines that carry a flag of pip (``-U matplotlib``) into words; others stay one word."""
+    return [word for line in lines for word in (line.split() if line.startswith("-") else [line])]

@@ -1,0 +1,150 @@
+"""Layers 2 and 3: system packages, and libraries that are built from their source."""
+
+from __future__ import annotations
+
+import shlex
+
+from roslab.config.model import Source
+from roslab.plan import Plan
+from roslab.render import quote
+from roslab.render.layers import shell
+
+CMAKE_URL = "https://cmake.org/files"
+"""Kitware's own archive of every release, ``vX.Y/cmake-X.Y.Z.tar.gz``."""
+
+
+def packages(plan: Plan) -> str:
+    """Install what is declared; a name that apt does not know stops the build."""
+    return f"# System packages\n{shell.apt_install(plan.apt)}" if plan.apt else ""
+
+
+def guessed_packages(plan: Plan) -> str:
+    """Install what was only read in code or prose, where the base's apt knows it; name what it does not."""
+    if not plan.apt_guessed:
+        return ""
+    names = shell.words(plan.apt_guessed, indent=4)
+    return f"""\
+# Read in code or prose, declared nowhere: installed where this base's apt knows them, named where it does not
+RUN apt-get update; \\
+    known=(); \\
+    for package in{names}; do \\
+      if apt-get install --simulate --no-install-recommends "${{package}}" >/dev/null 2>&1; then \\
+        known+=("${{package}}"); \\
+      else \\
+        echo "apt ${{package}}" >>{shell.REPORT}; \\
+      fi; \\
+    done; \\
+    if [ "${{#known[@]}}" -gt 0 ] && ! apt-get install --yes --no-install-recommends "${{known[@]}}"; then \\
+      for package in "${{known[@]}}"; do \\
+        apt-get install --yes --no-install-recommends "${{package}}" || echo "apt ${{package}}" >>{shell.REPORT}; \\
+      done; \\
+    fi; \\
+    if [ -s {shell.REPORT} ]; then sed 's/^/roslab: left out: /' {shell.REPORT}; fi; \\
+    rm -rf /var/lib/apt/lists/*"""
+
+
+def newer_cmake(plan: Plan) -> str:
+    """Build the CMake that ``base.cmake_update`` asks for over the distribution's."""
+    if not plan.cmake_update:
+        return ""
+    version = plan.cmake_update
+    name = f"cmake-{version}"
+    url = f"{CMAKE_URL}/v{'.'.join(version.split('.')[:2])}/{name}.tar.gz"
+    return shell.run(
+        f"curl --fail --silent --show-error --location {quote.shell(url)} | tar --extract --gzip --directory /tmp",
+        f"cd /tmp/{quote.shell(name)}",
+        shell.JOBS,
+        './bootstrap --parallel="${jobs}" -- -DCMAKE_USE_OPENSSL=OFF',
+        'make --jobs="${jobs}" install',
+        f"rm -rf /tmp/{quote.shell(name)}",
+        comment=f"CMake {version}, newer than the distribution's",
+    )
+
+
+def library_stages(plan: Plan) -> str:
+    """Build each library in a stage of its own, on the base and what the libraries before it installed.
+
+    A new system package of the repository therefore rebuilds none of them.
+    """
+    if plan.libraries_in_place:
+        return ""
+    stages: list[str] = []
+    for index, library in enumerate(plan.libraries):
+        lines = [f"FROM base AS {stage_name(index, library)}"]
+        depends = ("build-essential", "ca-certificates", "cmake", "git", *library.depends)
+        lines.append(shell.apt_install(tuple(dict.fromkeys(depends))))
+        lines += [f"COPY --from={stage_name(i, earlier)} /installed/ /" for i, earlier in enumerate(plan.libraries[:index])]
+        lines.append(shell.run(*_fetch(library), *_compile(library, "export DESTDIR=/installed"), "mkdir --parents /installed"))
+        stages.append("\n".join(lines))
+    return "\n\n".join(stages)
+
+
+def libraries(plan: Plan) -> str:
+    """Bring the libraries into the image: out of their stages, or built in place as the old formats did."""
+    if not plan.libraries:
+        return ""
+    if plan.libraries_in_place:
+        return "\n\n".join(_in_place(library) for library in plan.libraries)
+    copies = "\n".join(f"COPY --from={stage_name(i, library)} /installed/ /" for i, library in enumerate(plan.libraries))
+    return f"# Libraries built from their source\n{copies}\nRUN ldconfig"
+
+
+def stage_name(index: int, library: Source) -> str:
+    """Name of a library's stage: a valid one for any library name, unlike every other."""
+    slug = "".join(c if c.isalnum() and c.isascii() else "-" for c in library.name.lower()).strip("-")
+    return f"library-{index + 1}-{slug}" if slug else f"library-{index + 1}"
+
+
+def _in_place(library: Source) -> str:
+    keep = [f"cp --recursive {_folder(library)} /home/${{NB_USER}}/"] if library.keep_source else []
+    depends = f"{shell.apt_install(library.depends)}\n" if library.depends else ""
+    comment = f"{library.name}, from its source"
+    return depends + shell.run(*_fetch(library), *_compile(library), "ldconfig", *keep, f"rm -rf {_folder(library)}", comment=comment)
+
+
+def _folder(library: Source) -> str:
+    return quote.shell(f"/tmp/sources/{library.name}")
+
+
+def _fetch(library: Source) -> list[str]:
+    folder = _folder(library)
+    if library.zip:
+        # The archive's own top folder is not always named as its file: strip it, whatever it is called
+        return [
+            "mkdir --parents /tmp/archive /tmp/sources",
+            f"curl --fail --silent --show-error --location --output /tmp/archive.zip {quote.shell(library.zip)}",
+            "unzip -q /tmp/archive.zip -d /tmp/archive",
+            f"mv /tmp/archive/* {folder}",
+            "rm -rf /tmp/archive /tmp/archive.zip",
+        ]
+    return clone(library, folder)
+
+
+def clone(source: Source, folder: str) -> list[str]:
+    """Return the commands that clone a source at its ref, submodules included, into an already quoted folder."""
+    commands = [f"git clone {quote.shell(source.repo or '')} {folder}"]
+    if source.ref:
+        commands.append(f"git -C {folder} -c advice.detachedHead=false checkout {quote.shell(source.ref)}")
+    return [*commands, f"git -C {folder} submodule update --init --recursive"]
+
+
+def _compile(library: Source, *first: str) -> list[str]:
+    folder = _folder(library)
+    staged = bool(first)
+    if library.build == "pip":
+        return [f"python3 -m pip install --no-cache-dir {folder}"]
+    if library.build != "cmake":
+        return []
+    words = shlex.split(library.cmake_options)
+    if staged and not any("CMAKE_BUILD_TYPE" in word for word in words):
+        words.insert(0, "-DCMAKE_BUILD_TYPE=Release")  # the old formats gave none: there it stays as it was
+    options = "".join(f" {quote.shell(word)}" for word in words)
+    make = library.make_command or 'make --jobs="${jobs}" install'
+    return [
+        f"mkdir --parents {folder}/build",
+        f"cd {folder}/build",
+        f"cmake{options} {quote.shell(library.cmake_folder or '../')}",
+        shell.JOBS,
+        *first,
+        f"{{ {make}; }}" if library.make_command else make,
+    ]

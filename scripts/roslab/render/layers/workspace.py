@@ -1,0 +1,154 @@
+"""Layers 4 to 6, the workspace's part: manifests, rosdep, the source, the compilation."""
+
+from __future__ import annotations
+
+import shlex
+
+from roslab.plan import Plan
+from roslab.render import quote
+from roslab.render.layers import shell
+from roslab.render.layers.python import MANIFESTS
+from roslab.render.layers.system import clone
+
+WS = "/home/${NB_USER}/ws"
+ROSDISTRO = "https://raw.githubusercontent.com/ros/rosdistro"
+
+
+def source_folder(plan: Plan) -> str:
+    """Folder of the repository inside the image, with ``${NB_USER}`` for the user's name."""
+    if plan.workspace.layout == "overlay":
+        return f"{WS}/src/{plan.name}"
+    return WS if plan.workspace.layout == "root" else f"/home/${{NB_USER}}/{plan.name}"
+
+
+def manifest_stage(plan: Plan) -> str:
+    """Set the manifests apart: what is installed from them is reused until one of them changes, whatever else does."""
+    names = _manifests(plan)
+    if not names:
+        return ""
+    copy = f"cp --parents --target-directory=/manifests{shell.words(quote.path(name) for name in names)}"
+    return "\n".join(("FROM base AS manifests", "WORKDIR /repository", "COPY . .", shell.run("mkdir /manifests", copy)))
+
+
+def _manifests(plan: Plan) -> tuple[str, ...]:
+    python = plan.python
+    rosdep = plan.rosdep.manifests if plan.rosdep else ()
+    conda = (python.conda_file,) if python.conda_file else ()
+    return tuple(sorted({*rosdep, *python.manifests, *python.requirements, *conda}))
+
+
+def sister_sources(plan: Plan) -> str:
+    """Clone the sister packages into the workspace, each at its ref."""
+    sources = plan.workspace.sources
+    if not sources:
+        return ""
+    blocks = [shell.apt_install(depends)] if (depends := tuple(dict.fromkeys(d for s in sources for d in s.depends))) else []
+    runs = [shell.run(*clone(s, quote.shell_with_user(f"{WS}/src/{s.name}"))) for s in sources]
+    return "# Sister packages, from their source\n" + "\n".join([*blocks, f"RUN mkdir --parents {WS}/src", *runs])
+
+
+def rosdep(plan: Plan) -> str:
+    """Install what the package.xml files name, by rosdep inside the image; name the keys that it does not know."""
+    if plan.rosdep is None:
+        return ""
+    pin = ""
+    if tag := plan.rosdep.rosdistro_tag:
+        pin = (
+            f"# The last tables that know this release of Ubuntu\n"
+            f"ARG ROSDISTRO_INDEX_URL={ROSDISTRO}/{tag}/index-v4.yaml\n"
+            f"ARG ROSDEP_TABLES={ROSDISTRO}/{tag}/rosdep\n"
+        )
+    sources = (
+        'for table in base python ruby; do echo "yaml ${ROSDEP_TABLES}/${table}.yaml"; done >/etc/ros/rosdep/sources.list.d/20-default.list'
+        if plan.rosdep.rosdistro_tag
+        else "{ ls /etc/ros/rosdep/sources.list.d/*.list >/dev/null 2>&1 || rosdep init; }"
+    )
+    copy = f"COPY --from=manifests /manifests/ {MANIFESTS}/\n" if plan.rosdep.manifests else ""
+    paths = f"{MANIFESTS}" + (f" {WS}/src" if plan.workspace.sources else "")
+    if not plan.rosdep.manifests:
+        paths = f"{WS}/src"
+    skip = " ".join(plan.rosdep.skip_keys)
+    return f"""\
+# What the package.xml files name; keys that rosdep does not know are named and left out
+{pin}{copy}RUN apt-get update; \\
+    {sources}; \\
+    rosdep update --rosdistro "${{ROS_DISTRO}}"; \\
+    skip={quote.shell(skip)}; \\
+    for _ in {{1..50}}; do \\
+      missing="$({{ rosdep install --simulate --reinstall --ignore-src --from-paths {paths} --rosdistro "${{ROS_DISTRO}}" --skip-keys "${{skip}}" 2>&1 || true; }} \\
+        | sed --quiet --regexp-extended 's/.*(definition for|definition of) \\[([^]]+)\\].*/\\2/p' | sort --unique)"; \\
+      [ -n "${{missing}}" ] || break; \\
+      for key in ${{missing}}; do echo "rosdep ${{key}}" >>{shell.REPORT}; skip="${{skip}} ${{key}}"; done; \\
+    done; \\
+    if [ -s {shell.REPORT} ]; then sed 's/^/roslab: left out: /' {shell.REPORT}; fi; \\
+    rosdep install --default-yes --ignore-src --from-paths {paths} --rosdistro "${{ROS_DISTRO}}" --skip-keys "${{skip}}"; \\
+    rm -rf /var/lib/apt/lists/*"""
+
+
+def copy_source(plan: Plan) -> str:
+    """Copy the repository and make the user its owner."""
+    folder = source_folder(plan)
+    return f"# The source\nCOPY --chown=${{NB_UID}}:${{NB_UID}} . {quote.docker_path(folder)}\nWORKDIR {quote.docker_path(folder)}"
+
+
+def own_home(_: Plan) -> str:
+    """Give the user what root made in its home while installing."""
+    return 'RUN chown --recursive "${NB_UID}:${NB_UID}" "/home/${NB_USER}"'
+
+
+def compile_workspace(plan: Plan) -> str:
+    """Compile the workspace or the CMake project as the user, who can then compile it again."""
+    workspace = plan.workspace
+    ros = plan.kind in ("ros1", "ros2")
+    if ros and (workspace.layout in ("overlay", "root") or workspace.sources):
+        arguments = "".join(f" {quote.shell(word)}" for word in workspace.arguments)
+        setup = 'source "/opt/ros/${ROS_DISTRO}/setup.bash"'
+        return "\n".join(
+            (
+                f"WORKDIR {WS}",
+                shell.run(setup, shell.JOBS, _command(plan) + arguments, comment="The workspace"),
+            )
+        )
+    if workspace.tool == "cmake":
+        return _plain_cmake(plan)
+    return ""
+
+
+def _command(plan: Plan) -> str:
+    options = _cmake_options(plan)
+    match plan.workspace.tool:
+        case "catkin_make":
+            return f'catkin_make -j"${{jobs}}"{options}'
+        case "catkin_tools":
+            arguments = f" --cmake-args{options}" if options else ""
+            return f'catkin build --no-status --jobs "${{jobs}}" --parallel-packages "${{jobs}}"{arguments}'
+        case _:
+            arguments = f" --cmake-args{options}" if options else ""
+            return f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" colcon build --event-handlers console_direct+ --parallel-workers "${{jobs}}"{arguments}'
+
+
+def _cmake_options(plan: Plan) -> str:
+    words = shlex.split(plan.workspace.cmake_options)
+    if plan.generation == "today" and not any("CMAKE_BUILD_TYPE" in word for word in words):
+        words.insert(0, "-DCMAKE_BUILD_TYPE=Release")  # the old formats gave none: there it stays as it was
+    return "".join(f" {quote.shell(word)}" for word in words)
+
+
+def _plain_cmake(plan: Plan) -> str:
+    """Compile beside the source: a ``build`` folder that the repository ships is its own, not ours to fill."""
+    folder = source_folder(plan)
+    source = f"{folder}/{plan.workspace.cmake_folder}".rstrip("/")
+    build = f"{folder}-build" if plan.generation == "today" else f"{source}/build"
+    arguments = "".join(f" {quote.shell(word)}" for word in plan.workspace.arguments)
+    return "\n".join(
+        (
+            f"RUN mkdir --parents {quote.shell_with_user(build)}",
+            f"WORKDIR {quote.docker_path(build)}",
+            shell.run(
+                shell.JOBS,
+                f"cmake{_cmake_options(plan)} {quote.shell_with_user(source)}",
+                f'make --jobs="${{jobs}}"{arguments}',
+                comment="The program",
+            ),
+        )
+    )

@@ -1,0 +1,126 @@
+"""What ``inspect`` prints: the contract's JSON object, and the same for a person."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections.abc import Iterable
+from typing import Any
+
+from roslab.decide.decision import Decision, Reason
+from roslab.plan import Plan
+from roslab.repository import printable
+
+
+def inspection(decision: Decision, plan: Plan) -> dict[str, Any]:
+    """Return the object of ``inspect --format json``; its keys are a contract with other programs."""
+    python = decision.python
+    pip = (*python.first, *python.pip, *python.pip_guessed, *(f"-r {name}" for name in python.requirements))
+    return {
+        "kind": decision.kind,
+        "ros_distro": decision.ros_distro,
+        "ubuntu": decision.ubuntu,
+        "base_image": decision.base_image,
+        "build_tool": decision.build_tool,
+        "dependencies": {
+            "rosdep": list(decision.rosdep),
+            "apt": list(dict.fromkeys((*plan.apt, *plan.apt_guessed))),
+            "pip": list(dict.fromkeys((*pip, *python.python2))),
+            "conda": python.conda_file,
+            "source": [{"name": s.name, "url": s.repo or s.zip, "ref": s.ref} for s in decision.source],
+        },
+        "dockerfile": decision.dockerfile,
+        "command": ["bash", "-c", decision.command] if isinstance(decision.command, str) else list(decision.command),
+        "command_candidates": [list(candidate) for candidate in decision.command_candidates],
+        "platforms": list(decision.platforms),
+        "platforms_refused": dict(decision.platforms_refused),
+        "warnings": [{"message": w.message, "file": w.file, "line": w.line} for w in decision.warnings],
+        "evidence": [
+            {"question": r.question, "answer": r.answer, "file": r.file, "line": r.line, "reason": r.reason}
+            for r in decision.reasons
+            if r.decisive
+        ],
+    }
+
+
+def inspection_json(decision: Decision, plan: Plan) -> str:
+    """Return the contract's object as text; stray bytes of file names are escaped, so that it is always valid JSON."""
+    return json.dumps(inspection(decision, plan), indent=2, ensure_ascii=True) + "\n"
+
+
+def inspection_text(decision: Decision, plan: Plan) -> str:
+    """Return what was found and why, as a person reads it."""
+    lines = [f"{plan.name}: a {_kind(decision)} repository", ""]
+    rows = [
+        ("base image", decision.base_image, "base_image"),
+        ("ROS", decision.ros_distro, "ros_distro"),
+        ("Ubuntu", decision.ubuntu, "ubuntu"),
+        ("built with", decision.build_tool, "build_tool"),
+        ("Python", _python(decision), "python"),
+        ("CUDA", decision.cuda, "cuda"),
+        ("recipe", decision.dockerfile, "dockerfile"),
+        ("command", decision.command if isinstance(decision.command, str) else shlex.join(decision.command), "command"),
+        ("platforms", ", ".join(decision.platforms), "platforms"),
+    ]
+    for label, value, question in rows:
+        if value:
+            lines.append(f"  {label:<11} {printable(value)}{_because(decision, question)}")
+    lines += _section("rosdep keys", decision.rosdep)
+    lines += _section("apt packages", plan.apt)
+    lines += _section("apt packages, where this base knows them", plan.apt_guessed)
+    python = decision.python
+    lines += _section("pip packages", (*python.first, *python.pip, *(f"-r {name}" for name in python.requirements), *python.python2))
+    lines += _section("pip packages, guessed", python.pip_guessed)
+    lines += _section("from source", (f"{s.name} {s.repo or s.zip or ''} {s.ref or '(no fixed ref)'}".strip() for s in decision.source), rows=True)
+    lines += _section("other commands", (shlex.join(c) for c in decision.command_candidates), rows=True)
+    lines += _section("not built for", (f"{name}: {why}" for name, why in decision.platforms_refused), rows=True)
+    lines += _section("warnings", (_placed(w.message, w.file, w.line) for w in decision.warnings), rows=True)
+    lines += ["", "`roslab inspect --explain QUESTION` shows all evidence for and against one answer."]
+    return "\n".join(lines) + "\n"
+
+
+def explanation(reasons: Iterable[Reason], question: str) -> str:
+    """Return every piece of evidence for one question, the strongest first; the answers that lost are there too."""
+    found = sorted((r for r in reasons if r.question == question), key=lambda r: (not r.decisive, -r.weight))
+    lines = [f"{question}:"]
+    for reason in found:
+        mark = "+" if reason.decisive else "-"
+        lines.append(f"  {mark} {printable(reason.answer)}: {_placed(reason.reason, reason.file, reason.line)}")
+    return "\n".join(lines) + "\n"
+
+
+def _kind(decision: Decision) -> str:
+    names = {"ros1": "ROS 1", "ros2": "ROS 2", "cuda": "CUDA", "python": "Python", "cpp": "C++"}
+    return names[decision.kind]
+
+
+def _python(decision: Decision) -> str | None:
+    python = decision.python
+    if not python.version:
+        return None
+    return f"{python.version} ({'conda' if python.manager == 'conda' else 'virtual environment' if python.manager == 'venv' else 'the base image’s own'})"
+
+
+def _because(decision: Decision, question: str) -> str:
+    reason = next((r for r in decision.reasons if r.question == question and r.decisive), None)
+    return f"    {_placed(reason.reason, reason.file, reason.line)}" if reason else ""
+
+
+def _placed(text: str, file: str | None, line: int | None) -> str:
+    place = f" ({printable(file)}{f':{line}' if line else ''})" if file else ""
+    return printable(text) + place
+
+
+def _section(title: str, items: Iterable[str], *, rows: bool = False) -> list[str]:
+    values = [printable(item) for item in items]
+    if not values:
+        return []
+    if rows:
+        return ["", f"{title}:", *(f"  {value}" for value in values)]
+    lines, current = [], " "
+    for value in values:
+        if len(current) + len(value) > 98:
+            lines.append(current)
+            current = " "
+        current += f" {value}"
+    return ["", f"{title} ({len(values)}):", *lines, current]
