@@ -1,12 +1,96 @@
-"""Continuous integration files: what another machine installs before it builds."""
+"""Continuous integration files: what another machine installs before it builds, and for which distros.
+
+Read line by line, not as YAML: an install line is the same in every service's dialect, and a broken file still speaks.
+"""
 
 from __future__ import annotations
 
-from roslab.evidence.facts import Prose
-from roslab.repository import Repository
+import re
+
+from roslab.evidence import mentions
+from roslab.evidence.facts import Mention, Prose
+from roslab.evidence.installs import Collector, merge
+from roslab.repository import File, Repository
+
+MAX_SIZE = 128 * 1024
+_NAMES = (
+    ".travis.yml", ".gitlab-ci.yml", "azure-pipelines.yml", "Jenkinsfile", "appveyor.yml", ".appveyor.yml", "bitbucket-pipelines.yml", ".drone.yml",
+    "circle.yml", ".cirrus.yml",
+)  # fmt: skip
+_FOLDERS = re.compile(
+    r"^(?:.*/)?(?:\.github/workflows|\.github/actions/[^/]+|\.circleci|\.gitlab(?:-ci)?|\.azure-pipelines|\.jenkins|\.ci)/[^/]+\.ya?ml$"
+)
+_OTHER = re.compile(
+    r"(?:^|/)(?:.*(?:docs?|pages|release|publish|deploy|stale|label|lint|format|windows|macos?|osx|cla|pre-commit|codeql).*)\.ya?ml$"
+)
+_PREFIX = re.compile(
+    r"^\s*(?:-\s+)?(?:(?:run|script|command|sh|bash|cmd|install|before_install|before_script)\s*:\s*)?(?:-\s+)?[|>]?-?\s*"
+)
+_EXPRESSION = re.compile(r"\$\{\{[^}\n]*\}\}")
+_IMAGE = re.compile(
+    r"^\s*(?:-\s*)?(?:image|container|docker_image|DOCKER_IMAGE|docker)\s*:\s*[\"']?([\w./-]+:[\w.${}-]+)",
+    re.MULTILINE,
+)
+_DEBS = re.compile(
+    r"^\s*(?:-\s*)?(?:ADDITIONAL_DEBS|apt_packages|apt-packages|extra_packages|packages)\s*[:=]\s*[\"']?([a-z][\w .+-]{2,})[\"']?\s*$",
+    re.MULTILINE,
+)
+_TRAVIS_APT = re.compile(r"^(\s*)packages:\s*\n((?:\1\s*-\s*[\w.+-]+\s*\n?)+)", re.MULTILINE)
+_FOLDED = re.compile(r"^(\s*)(?:-\s+)?\w+:\s*>-?\s*\n((?:\1\s+\S.*\n?)+)", re.MULTILINE)
 
 
 def read(repository: Repository) -> Prose:
-    """Return the install lines and the names of the world that stand there."""
-    del repository
-    return Prose()
+    """Return the install lines, container images and versions of CI files; a release or documentation job's are left out."""
+    files = [
+        file
+        for file in (*repository.suffixed(".yml", ".yaml"), *repository.named("Jenkinsfile"))
+        if _is_ci(file)
+    ]
+    return merge(
+        _read(repository.read(file), file.path)
+        for file in sorted(files, key=lambda file: file.path)
+        if file.size < MAX_SIZE
+    )
+
+
+def _is_ci(file: File) -> bool:
+    return (file.name in _NAMES or bool(_FOLDERS.match(file.path))) and not _OTHER.search(
+        file.path.lower().rpartition("/")[2]
+    )
+
+
+def _read(text: str, path: str) -> Prose:
+    text = _FOLDED.sub(
+        lambda match: match[0].split("\n", 1)[0] + "\n" + match[2].rstrip("\n").replace("\n", " \\\n") + "\n",
+        text,
+    )
+    collector = Collector(path, "ci")
+    shell = "\n".join(_PREFIX.sub("", line) for line in text.split("\n"))
+    collector.text(
+        _EXPRESSION.sub(lambda match: match[0] if "distro" in match[0].lower() else "$UNKNOWN", shell)
+    )
+    for match in _DEBS.finditer(text):
+        if "cache-apt-pkgs" in text or not match[0].lstrip().startswith("packages"):
+            collector.logical(f"apt-get install {match[1]}", _line(text, match))
+    for match in _TRAVIS_APT.finditer(text):
+        for offset, line in enumerate(match[2].split("\n")):
+            if line.strip():
+                collector.logical(f"apt-get install {line.strip(' -')}", _line(text, match) + 1 + offset)
+    found = collector.prose()
+    images = tuple(
+        Mention(
+            topic="base",
+            value=match[1],
+            source="ci",
+            file=path,
+            line=_line(text, match),
+            text=match[0].strip(),
+        )
+        for match in _IMAGE.finditer(text)
+    )
+    uncommented = re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
+    return found._replace(mentions=(*found.mentions, *images, *mentions.read(uncommented, path, "ci")))
+
+
+def _line(text: str, match: re.Match[str]) -> int:
+    return text.count("\n", 0, match.start()) + 1

@@ -2,11 +2,81 @@
 
 from __future__ import annotations
 
-from roslab.evidence.facts import CondaEnvironment
-from roslab.repository import Repository
+import re
+
+from roslab.evidence.facts import CondaEnvironment, Dependency
+from roslab.evidence.requirements import requirement
+from roslab.evidence.yaml_text import load
+from roslab.repository import File, Repository
+
+_NAME = re.compile(
+    r"^(?:.*[-_.])?(?:conda|env|environment|mamba|robostack)(?:[-_.\d].*)?\.ya?ml$|^conda.*\.ya?ml$|^env\w*\.ya?ml$"
+)
+_SHAPE = re.compile(r"^dependencies:", re.MULTILINE)
+_PYTHON = re.compile(r"^(?:[\w-]+::)?python\s*[=<>~! ]+\s*(\d+(?:\.\d+)*)")
+MAX_SIZE = 256 * 1024
 
 
 def read(repository: Repository) -> tuple[CondaEnvironment, ...]:
     """Return every conda environment file of the tree, sorted by path."""
-    del repository
-    return ()
+    candidates = [file for file in repository.suffixed(".yml", ".yaml") if _NAME.match(file.name.lower())]
+    found = (_environment(repository, file) for file in sorted(candidates, key=lambda file: file.path))
+    return tuple(environment for environment in found if environment)
+
+
+def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
+    text = repository.read(file, limit=MAX_SIZE)
+    if not _SHAPE.search(text):
+        return None
+    data = load(text)
+    entries = data.get("dependencies") if isinstance(data, dict) else None
+    if not isinstance(entries, list):
+        return None
+    lines = text.split("\n")
+
+    def line_of(entry: str) -> int:
+        return next((number for number, line in enumerate(lines, 1) if entry in line), 1)
+
+    packages = tuple(entry.strip() for entry in entries if isinstance(entry, str))
+    pip: list[Dependency] = []
+    for entry in entries:
+        if isinstance(entry, dict) and isinstance(entry.get("pip"), list):
+            for item in entry["pip"]:
+                if not isinstance(item, str):
+                    continue
+                if item.startswith(("-r ", "--requirement ")):
+                    pip.append(
+                        Dependency(
+                            namespace="pip",
+                            name=item.split()[-1],
+                            strength="declared",
+                            file=file.path,
+                            line=line_of(item),
+                            role="file",
+                        )
+                    )
+                elif item.startswith(("-f ", "-i ", "--extra-index-url", "--find-links", "--index-url")):
+                    pip.append(
+                        Dependency(
+                            namespace="pip",
+                            name=item,
+                            strength="declared",
+                            file=file.path,
+                            line=line_of(item),
+                            role="option",
+                        )
+                    )
+                elif dependency := requirement(item.split(" #")[0].strip(), file.path, line_of(item)):
+                    pip.append(dependency)
+    python = next((match[1] for package in packages if (match := _PYTHON.match(package))), None)
+    channels = data.get("channels")
+    name = data.get("name")
+    return CondaEnvironment(
+        file=file.path,
+        line=1,
+        name=name if isinstance(name, str) else None,
+        python=".".join(python.split(".")[:2]) if python else None,
+        channels=tuple(c for c in channels if isinstance(c, str)) if isinstance(channels, list) else (),
+        packages=packages,
+        dependencies=tuple(pip),
+    )

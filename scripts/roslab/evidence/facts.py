@@ -153,6 +153,8 @@ class Recipe:
     """What it seems to be for; ``broken`` where it does not parse."""
     arguments: tuple[tuple[str, str | None], ...] = ()
     problem: str | None = None
+    context: str | None = None
+    """Build context that its COPY lines fit, relative to the root; ``None`` where nothing is copied."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

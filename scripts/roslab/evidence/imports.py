@@ -2,17 +2,107 @@
 
 from __future__ import annotations
 
+import re
+import sys
+
+from roslab.evidence import places
 from roslab.evidence.facts import Dependency, Script
-from roslab.repository import Repository
+from roslab.repository import File, Repository
+
+MAX_READ = 128 * 1024
+"""Bytes of a module that are searched: imports stand at its top."""
+MAX_MODULES = 6_000
+"""Modules opened: in a larger tree the first ones, nearest to the root, name what matters."""
+_IMPORT = re.compile(
+    r"^(?P<indent>[ \t]*)(?:import[ \t]+(?P<plain>[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?(?:[ \t]*,[ \t]*[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?)*)"
+    r"|from[ \t]+(?P<module>[A-Za-z_][\w.]*)[ \t]+import\b)",
+    re.MULTILINE,
+)
+_MAIN = re.compile(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
+_NODE = re.compile(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
+_STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
+    {
+        "__builtin__", "ConfigParser", "Queue", "StringIO", "cPickle", "commands", "copy_reg", "cStringIO", "distutils", "httplib", "imp", "md5",
+        "sets", "thread", "Tkinter", "tkMessageBox", "tkFileDialog", "urllib2", "urlparse", "xmlrpclib", "SimpleHTTPServer", "SocketServer",
+        "BaseHTTPServer", "cookielib", "HTMLParser", "dummy_thread", "asyncore", "asynchat", "smtpd", "exceptions", "ttk", "typing", "tomllib",
+    }
+)  # fmt: skip
 
 
 def read(repository: Repository) -> tuple[Dependency, ...]:
-    """Return what the tree's Python files import from outside the tree and the standard library."""
-    del repository
-    return ()
+    """Return what the tree's Python files import from outside the tree and the standard library.
+
+    Each name once, at its first place; ``optional`` where it is only imported inside a function or a ``try``.
+    """
+    local = _local(repository)
+    found: dict[str, Dependency] = {}
+    for file in _modules(repository):
+        text = repository.read(file, limit=MAX_READ)
+        if "import" not in text:
+            continue
+        for match in _IMPORT.finditer(text):
+            names = (
+                [match["module"]]
+                if match["module"]
+                else [part.split()[0] for part in match["plain"].split(",")]
+            )
+            for name in names:
+                top = name.partition(".")[0]
+                if top in _STANDARD or top in local or top.startswith("_"):
+                    continue
+                known = found.get(top)
+                if known is not None and (known.strength == "used" or match["indent"]):
+                    continue
+                found[top] = Dependency(
+                    namespace="import",
+                    name=top,
+                    strength="optional" if match["indent"] else "used",
+                    file=file.path,
+                    line=text.count("\n", 0, match.start()) + 1,
+                )
+    return tuple(sorted(found.values(), key=lambda dependency: (dependency.file, dependency.line)))
 
 
 def scripts(repository: Repository) -> tuple[Script, ...]:
-    """Return the Python files that are programs."""
-    del repository
-    return ()
+    """Return the Python files that are programs: a ``__main__`` guard, ``__main__.py``, a ROS node."""
+    found = []
+    for file in _modules(repository):
+        if places.test(file.path) or file.name in {"setup.py", "conftest.py"}:
+            continue
+        text = repository.read(file, limit=MAX_READ)
+        if file.name == "__main__.py":
+            found.append(Script(file=file.path, line=1, kind="main"))
+        elif "__main__" in text and (match := _MAIN.search(text)):
+            node = bool(_NODE.search(text))
+            found.append(
+                Script(
+                    file=file.path,
+                    line=text.count("\n", 0, match.start()) + 1,
+                    kind="node" if node else "main",
+                )
+            )
+    return tuple(sorted(found, key=lambda script: script.file))
+
+
+def _modules(repository: Repository) -> list[File]:
+    """Return the modules worth reading, nearest to the root first; copies, documentation and CI are left out."""
+    kept = [
+        file
+        for file in repository.suffixed(".py")
+        if not places.vendored(file.path)
+        and not places.documentation(file.path)
+        and file.size < 16 * MAX_READ
+        and file.name != "setup.py"
+    ]
+    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:MAX_MODULES]
+
+
+def _local(repository: Repository) -> frozenset[str]:
+    """Return every name that could be a module of the tree: its Python files and the folders that hold them."""
+    names: set[str] = set()
+    for file in repository.suffixed(".py", ".pyx", ".so"):
+        names.add(file.name.partition(".")[0])
+        names.update(file.folder.split("/"))
+    for file in repository.named("package.xml"):
+        names.add(file.folder.rpartition("/")[2])
+    return frozenset(names)

@@ -1,12 +1,113 @@
-"""README, INSTALL and installation pages: what humans are told to install and run."""
+"""README, INSTALL and installation pages: what humans are told to install and run.
+
+Markdown, reStructuredText and plain text are read by one reader of lines: a Markdown library would take longer than
+everything else together, and says nothing of the other two.
+"""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
+
+from roslab.evidence import mentions, places
 from roslab.evidence.facts import Prose
-from roslab.repository import Repository
+from roslab.evidence.installs import TRIGGER, Collector, merge
+from roslab.repository import File, Repository
+
+MAX_SIZE = 256 * 1024
+MAX_PAGES = 60
+_PAGE = re.compile(
+    r"^(?:readme|install|installation|building|build|getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
+)
+_TEXTS = (".md", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
+_DOCS_PAGE = re.compile(
+    r"install|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite"
+)
+_FENCE = re.compile(r"^\s*(?:[-*>]\s*)*(```+|~~~+)")
+_START = re.compile(
+    r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
+    r"(?:apt|apt-get|aptitude|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|rosrun|catkin|catkin_make|colcon|cmake|uv|mkdir|cd)\s.*)$"
+)
+_SPAN = re.compile(r"(`+)(.+?)\1")
+_HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*$")
+_ELSEWHERE = re.compile(
+    r"\b(?:windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry|nvidia driver|uninstall|docker (?:install|engine)|real[- ]robots?|"
+    r"hardware(?: setup)?|kernel|contribut|changelog|news|acknowledg|citation|licen[sc]e)",
+    re.IGNORECASE,
+)
+_RST_LINE = re.compile(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
 
 
 def read(repository: Repository) -> Prose:
-    """Return the install lines and the names of the world that stand there."""
-    del repository
-    return Prose()
+    """Return the install and run lines and the versions of the pages that explain how to install."""
+    return merge(_read(repository.read(file), file) for file in _pages(repository))
+
+
+def _pages(repository: Repository) -> list[File]:
+    found = []
+    for file in repository.suffixed(*_TEXTS):
+        name = file.name.lower()
+        if (
+            file.size > MAX_SIZE
+            or places.vendored(file.path)
+            or places.test(file.path)
+            or name.endswith("lists.txt")
+        ):
+            continue
+        if (name.endswith(".txt") or "." not in name) and not re.match(r"readme|install", name):
+            continue
+        page = _PAGE.match(name.rpartition(".")[0] or name)
+        docs = places.documentation(file.path) and _DOCS_PAGE.search(name)
+        if (page and file.path.count("/") <= 3) or docs:
+            found.append(file)
+    return sorted(found, key=lambda file: (file.path.count("/"), file.path))[:MAX_PAGES]
+
+
+def _read(text: str, file: File) -> Prose:
+    collector = Collector(file.path, "readme")
+    if TRIGGER.search(text):
+        for line, code in _code(text):
+            collector.text(code, line)
+    found = collector.prose()
+    return found._replace(mentions=(*found.mentions, *mentions.read(text, file.path, "readme")))
+
+
+def _code(text: str) -> Iterator[tuple[int, str]]:
+    """Yield ``(line, shell text)``: fenced and indented blocks' lines, lines that begin with a command, inline code."""
+    lines = text.split("\n")
+    elsewhere = 0
+    fence = ""
+    index = 0
+    while index < len(lines):
+        line = lines[index]
+        start = index
+        index += 1
+        if opening := _FENCE.match(line):
+            fence = "" if fence else opening[1]
+            continue
+        if not fence:
+            heading = _HEADING.match(line)
+            underlined = index < len(lines) and line.strip() and _RST_LINE.match(lines[index])
+            if heading or underlined:
+                level = len(heading[1]) if heading else 2
+                title = heading[2] if heading else line
+                if _ELSEWHERE.search(title):
+                    elsewhere = elsewhere or level
+                elif elsewhere and level <= elsewhere:
+                    elsewhere = 0
+        if elsewhere or not TRIGGER.search(line):
+            continue
+        while line.rstrip().endswith("\\") and index < len(lines):
+            line = line.rstrip() + "\n" + lines[index].lstrip()
+            index += 1
+        if match := _START.match(line.replace("\\\n", "\\\x01")):
+            yield (
+                start + 1,
+                re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n").replace("`", ""),
+            )
+        elif fence:
+            yield start + 1, line
+        else:
+            for span in _SPAN.finditer(line):
+                if TRIGGER.search(span[2]) and " " in span[2]:
+                    yield start + 1, span[2]

@@ -1,0 +1,326 @@
+"""Install commands read as facts: what apt, pip and conda are asked for, what is cloned, what is built and run."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from roslab.evidence.facts import Dependency, GitSource, Mention, Prose
+from roslab.evidence.shell import UNKNOWN, Command, commands, logical_lines
+
+MentionSource = Literal["recipe", "ci", "readme", "script"]
+TRIGGER = re.compile(
+    r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|\s+build|\s+init)|"
+    r"\bcolcon\b|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b"
+)
+"""A line without one of these words says nothing here."""
+_APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
+_APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
+_APT_NAME = re.compile(r"^(?:ros-\{distro\}-)?[a-z0-9][a-z0-9+.-]+$")
+_STOP = frozenset(
+    "and or the to for if on with then is as in it a an from via by into version you your this that "
+    "sudo apt apt-get pip pip3 will should can which using command following".split()
+)
+_PIP = re.compile(r"^pip(?:[23](?:\.\d+)?)?$")
+_PYTHON = re.compile(r"^(?:i?python)(\d(?:\.\d+)?)?$")
+_PIP_VALUED = frozenset(
+    {
+        "-c", "--constraint", "-t", "--target", "--prefix", "--root", "--python", "--timeout", "--default-timeout",
+        "--retries", "--proxy", "--trusted-host", "--cache-dir", "--src", "--progress-bar", "--global-option",
+        "--install-option", "--config-settings", "-C", "--log", "--upgrade-strategy", "--only-binary", "--no-binary",
+        "--platform", "--python-version", "--abi", "--implementation",
+    }
+)  # fmt: skip
+_PIP_OPTIONS = {
+    "-f": "--find-links", "--find-links": "--find-links", "-i": "--index-url", "--index-url": "--index-url",
+    "--extra-index-url": "--extra-index-url",
+}  # fmt: skip
+_PIP_SPEC = re.compile(
+    r"^[A-Za-z0-9][A-Za-z0-9._-]*(?:\[[\w\s,.-]*\])?\s*(?:(?:[=<>!~]=|[<>]|@|;)\s*[^\s].*)?$"
+)
+_URL = re.compile(r"^(?:git\+)?(?:https?|ssh|git|file)://\S+$|^git@\S+:\S+$")
+_BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_make", "colcon": "colcon"}
+_CONDA = frozenset({"conda", "mamba", "micromamba"})
+_CONDA_NAMES = {
+    "pytorch": "torch",
+    "pytorch-gpu": "torch",
+    "pytorch-cpu": "torch",
+    "opencv": "opencv-python",
+    "pytables": "tables",
+}
+_NOT_PIP = frozenset({"python", "pip", "cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit", "cudnn", "mamba", "conda", "git", "cmake", "ninja", "ffmpeg", "gcc", "gxx", "mkl", "nodejs"})  # fmt: skip
+_VERSION = re.compile(r"\d+(?:\.\d+)*")
+
+
+@dataclass
+class Collector:
+    """Gathers the facts of one file's commands; ``prose()`` hands them over."""
+
+    file: str
+    source: MentionSource
+    variables: Mapping[str, str] = field(default_factory=dict)
+    dependencies: list[Dependency] = field(default_factory=list)
+    sources: list[GitSource] = field(default_factory=list)
+    mentions: list[Mention] = field(default_factory=list)
+    fresh: int | None = None
+    """Index of the clone that a ``git checkout`` would belong to."""
+
+    def text(self, text: str, line: int = 1) -> None:
+        """Read every logical line of a shell text whose first line has the given number."""
+        if TRIGGER.search(text):
+            for start, logical in logical_lines(text, line):
+                self.logical(logical, start)
+
+    def logical(self, text: str, line: int) -> None:
+        """Read one logical line."""
+        if TRIGGER.search(text):
+            for command in commands(text, line, self.variables):
+                self.command(command)
+
+    def command(self, command: Command) -> None:
+        """Read one simple command."""
+        words = command.words
+        program = words[0].rpartition("/")[2]
+        if program == "uv" and words[1:2] == ("pip",):
+            command, program = Command(words[1:], command.lines[1:]), "pip"
+        elif (
+            (python := _PYTHON.match(program))
+            and words[1:2] == ("-m",)
+            and len(words) > 2
+            and _PIP.match(words[2])
+        ):
+            name = "pip2" if (python[1] or "").startswith("2") else "pip"
+            command, program = Command(words[2:], command.lines[2:]), name
+        if program in _APT:
+            self._apt(command)
+        elif _PIP.match(program):
+            self._pip(command)
+        elif program in _CONDA:
+            self._conda(command)
+        elif program == "git":
+            self._git(command)
+        else:
+            self._program(program, command)
+
+    def prose(self) -> Prose:
+        """Return what was gathered, each thing once."""
+        return Prose(
+            tuple(dict.fromkeys(self.dependencies)),
+            tuple(dict.fromkeys(self.sources)),
+            tuple(dict.fromkeys(self.mentions)),
+        )
+
+    def _depend(
+        self,
+        namespace: Literal["apt", "pip"],
+        name: str,
+        line: int,
+        role: str = "",
+        version: str | None = None,
+    ) -> None:
+        self.dependencies.append(
+            Dependency(
+                namespace=namespace,
+                name=name,
+                strength="prose",
+                file=self.file,
+                line=line,
+                role=role,
+                version=version,
+            )
+        )
+
+    def _mention(
+        self,
+        topic: Literal["python", "cuda", "build_tool", "command", "framework"],
+        value: str,
+        command: Command,
+    ) -> None:
+        words = " ".join(command.words).replace(UNKNOWN, "…")[:200]
+        self.mentions.append(
+            Mention(
+                topic=topic, value=value, source=self.source, file=self.file, line=command.line, text=words
+            )
+        )
+
+    def _apt(self, command: Command) -> None:
+        words = command.words
+        if "install" not in words:
+            return
+        index = words.index("install") + 1
+        while index < len(words):
+            word, line = words[index].strip("\"'`"), command.lines[index]
+            index += 1
+            if word in _APT_VALUED:
+                index += 1
+                continue
+            if word.startswith("-") or UNKNOWN in word:
+                continue
+            name = word.rstrip(",.:;)") if not word.endswith("++") else word
+            if name in _STOP:
+                break
+            name, _, version = name.partition("=")
+            name = name.partition("/")[0].partition(":")[0]
+            if _APT_NAME.match(name):
+                self._depend("apt", name, line, version=version or None)
+
+    def _pip(self, command: Command) -> None:
+        words = command.words
+        if "install" not in words:
+            return
+        two = words[0].rpartition("/")[2].startswith("pip2")
+        index = words.index("install") + 1
+        while index < len(words):
+            word, line = words[index].strip(), command.lines[index]
+            following = words[index + 1] if index + 1 < len(words) else ""
+            index += 1
+            if word in _PIP_VALUED:
+                index += 1
+                continue
+            flag, _, glued = word.partition("=") if word.startswith("--") else (word, "", "")
+            if flag in _PIP_OPTIONS:
+                index += not glued
+                if UNKNOWN not in (glued or following) and (glued or following):
+                    self._depend("pip", f"{_PIP_OPTIONS[flag]} {glued or following}", line, role="option")
+            elif flag in {"-r", "--requirement", "--requirements"} or (
+                word.startswith("-r") and len(word) > 2 and not word.startswith("--")
+            ):
+                target = glued or (word[2:] if word.startswith("-r") and len(word) > 2 else following)
+                index += target == following
+                self._depend("pip", target, line, role="file")
+            elif flag in {"-e", "--editable"}:
+                continue  # what it names comes next, and is read as a path or a URL
+            elif not word.startswith("-") and not self._pip_word(word, line, two=two):
+                break
+
+    def _pip_word(self, word: str, line: int, *, two: bool) -> bool:
+        """Keep one argument of ``pip install``; False where the sentence goes on in prose."""
+        if UNKNOWN in word:
+            return True
+        if _URL.match(word):
+            self._depend("pip", word, line, role="python2" if two else "")
+        elif word.startswith((".", "/", "~")) or word.endswith((".whl", ".tar.gz", "/")):
+            self._depend("pip", word, line, role="project")
+        else:
+            name = word.rstrip(",:)") if not word.endswith(".") else word.rstrip(".")
+            if name.lower() in _STOP:
+                return False
+            if _PIP_SPEC.match(name):
+                self._depend("pip", name, line, role="python2" if two else "")
+        return True
+
+    def _conda(self, command: Command) -> None:
+        words = command.words
+        if not {"install", "create"} & set(words[1:3]):
+            return
+        skip = False
+        for word, line in zip(words[2:], command.lines[2:], strict=True):
+            if skip or word.startswith("-") or UNKNOWN in word:
+                skip = not skip and word in {
+                    "-n",
+                    "-c",
+                    "--name",
+                    "--channel",
+                    "-p",
+                    "--prefix",
+                    "-f",
+                    "--file",
+                }
+                continue
+            name, _, version = word.rpartition("::")[2].strip("\"'").replace("==", "=").partition("=")
+            number = _VERSION.match(version)
+            name = name.lower().partition(">")[0].partition("<")[0]
+            if name == "python" and number:
+                self._mention("python", number[0], command)
+            elif name in {"cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit"} and number:
+                self._mention("cuda", number[0], command)
+            elif (
+                name not in _NOT_PIP
+                and re.fullmatch(r"[a-z][a-z0-9._-]*", name)
+                and name not in _STOP
+                and name not in {"install", "create"}
+            ):
+                exact = f"=={number[0]}" if number and number[0] == version else ""
+                self._depend("pip", _CONDA_NAMES.get(name, name) + exact, line, role="conda")
+
+    def _git(self, command: Command) -> None:
+        words = command.words
+        if words[1:2] == ("checkout",) and self.fresh is not None and len(words) > 2:
+            clone = self.sources[self.fresh]
+            ref = words[-1] if words[-1] != "--" else ""
+            if clone.ref is None and re.fullmatch(r"[\w./-]+", ref) and not ref.startswith("-"):
+                self.sources[self.fresh] = GitSource(
+                    name=clone.name,
+                    url=clone.url,
+                    ref=ref.removeprefix("tags/"),
+                    strength=clone.strength,
+                    file=clone.file,
+                    line=clone.line,
+                    kind=clone.kind,
+                )
+            self.fresh = None
+            return
+        if "clone" not in words:
+            return
+        url = next(
+            (
+                w
+                for w in words
+                if re.match(r"^(?:https?://|git://|ssh://|git@)\S+$", w) and UNKNOWN not in w and "<" not in w
+            ),
+            None,
+        )
+        if url is None:
+            return
+        branch = next((words[i + 1] for i, w in enumerate(words[:-1]) if w in {"-b", "--branch"}), None)
+        url = url.rstrip(".,;)")
+        name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
+        self.fresh = len(self.sources)
+        branch = None if branch is None or UNKNOWN in branch else branch
+        self.sources.append(
+            GitSource(
+                name=name,
+                url=url,
+                ref=branch,
+                strength="prose",
+                file=self.file,
+                line=command.line,
+                kind="clone",
+            )
+        )
+
+    def _program(self, program: str, command: Command) -> None:
+        words = command.words
+        if program in _BUILD_TOOLS:
+            self._mention("build_tool", _BUILD_TOOLS[program], command)
+        elif program == "catkin" and words[1:2] in {("build",), ("init",), ("config",), ("b",)}:
+            self._mention("build_tool", "catkin_tools", command)
+        elif program == "cmake":
+            self._mention("build_tool", "cmake", command)
+        elif program in {"roslaunch", "rosrun"} or (
+            program == "ros2" and words[1:2] in {("launch",), ("run",)}
+        ):
+            self._run(command)
+        elif (python := _PYTHON.match(program)) and len(words) > 1:
+            if python[1] and "." in python[1]:
+                self._mention("python", python[1], command)
+            if words[1].endswith("setup.py"):
+                self._depend("pip", words[1].removesuffix("setup.py") or ".", command.line, role="project")
+            elif words[1].endswith(".py") or words[1] == "-m":
+                self._run(command)
+
+    def _run(self, command: Command) -> None:
+        if not any(UNKNOWN in word or "<" in word for word in command.words):
+            self._mention("command", " ".join(command.words), command)
+
+
+def merge(parts: Iterable[Prose]) -> Prose:
+    """Return several texts' facts as one."""
+    parts = tuple(parts)
+    return Prose(
+        tuple(d for part in parts for d in part.dependencies),
+        tuple(s for part in parts for s in part.sources),
+        tuple(m for part in parts for m in part.mentions),
+    )

@@ -1,0 +1,36 @@
+"""What a path says about a file before it is opened: copied in, documentation, a test, an example."""
+
+from __future__ import annotations
+
+import re
+
+_VENDORED = re.compile(
+    r"(?:^|/)(?:third[_-]?part(?:y|ies)|3rd[_-]?party|thirdparty|vendor(?:ed)?|externals?|extern|ext|deps|submodules?|_deps|site-packages|node_modules|"
+    r"contrib|attic|deprecated|archived?|old|legacy)(?:/|$)",
+    re.IGNORECASE,
+)
+_DOCUMENTATION = re.compile(
+    r"(?:^|/)(?:\.?docs?|documentation|site|website|sphinx|tutorials?|doxygen)(?:/|$)", re.IGNORECASE
+)
+_TEST = re.compile(r"(?:^|/)(?:tests?|testing|ci|\.ci|\.github|\.circleci|benchmarks?)(?:/|$)", re.IGNORECASE)
+_EXAMPLE = re.compile(r"(?:^|/)(?:examples?|demos?|samples?|templates?|tutorials?)(?:/|$)", re.IGNORECASE)
+
+
+def vendored(path: str) -> bool:
+    """Tell whether a path lies among copies of other people's code."""
+    return bool(_VENDORED.search(path.rpartition("/")[0]))
+
+
+def documentation(path: str) -> bool:
+    """Tell whether a path lies in a documentation folder."""
+    return bool(_DOCUMENTATION.search(path.rpartition("/")[0]))
+
+
+def test(path: str) -> bool:
+    """Tell whether a path belongs to tests or CI."""
+    return bool(_TEST.search(path.rpartition("/")[0]))
+
+
+def example(path: str) -> bool:
+    """Tell whether a path belongs to an example."""
+    return bool(_EXAMPLE.search(path.rpartition("/")[0]))

@@ -1,0 +1,181 @@
+"""A setup.py, read by its syntax tree: constants, lists and names are followed, nothing of it is run."""
+
+from __future__ import annotations
+
+import ast
+import re
+from dataclasses import dataclass, field
+
+_FILE = re.compile(r"^[\w./-]*(?:require|dep)[\w./-]*\.(?:txt|in)$", re.IGNORECASE)
+_KEYS = {"install_requires": "", "requires": "", "tests_require": "test"}
+_STRINGS = re.compile(r"[\"']([A-Za-z][^\"'\n]*)[\"']")
+MAX_DEPTH = 12
+
+
+@dataclass
+class SetupScript:
+    """What the call of ``setup`` is given."""
+
+    line: int = 1
+    name: str | None = None
+    requires_python: str | None = None
+    catkin: bool = False
+    """It is called by catkin, not by people."""
+    requirements: dict[str, tuple[list[str], list[str]]] = field(default_factory=dict)
+    """By role: requirement lines, and files they are read from."""
+    build_requires: tuple[str, ...] = ()
+    scripts: tuple[str, ...] = ()
+    classifiers: tuple[str, ...] = ()
+
+
+def extensions(text: str) -> tuple[str, ...]:
+    """Return what a build script compiles, by the names it uses."""
+    found = []
+    if re.search(r"CUDAExtension|\bnvcc\b|\.cu['\"]", text):
+        found.append("cuda")
+    if re.search(r"CppExtension|\bExtension\s*\(|Pybind11Extension|pybind11", text):
+        found.append("c")
+    if re.search(r"cythonize|[Cc]ython", text):
+        found.append("cython")
+    if re.search(r"CMakeExtension|CMakeBuild|skbuild|scikit_build|['\"]cmake['\"]", text):
+        found.append("cmake")
+    return tuple(found)
+
+
+def read(text: str) -> SetupScript:
+    """Return what the script says; one of Python 2 is read by patterns."""
+    script = SetupScript(catkin="catkin_pkg" in text or "generate_distutils_setup" in text)
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return _by_pattern(text, script)
+    names: dict[str, ast.expr] = {}
+    functions: dict[str, ast.AST] = {}
+    call: ast.Call | None = None
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Assign):
+            for target in node.targets:
+                if isinstance(target, ast.Name):
+                    names[target.id] = node.value
+        elif (
+            isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name) and node.target.id in names
+        ):
+            names[node.target.id] = ast.BinOp(names[node.target.id], node.op, node.value)
+        elif isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            functions[node.name] = node
+        elif isinstance(node, ast.With):
+            for item in node.items:
+                if isinstance(item.optional_vars, ast.Name):
+                    names[item.optional_vars.id] = item.context_expr
+        elif isinstance(node, ast.Call) and _called(node) == "setup":
+            call = node
+    if call is None:
+        return script
+    script.line = call.lineno
+    keywords = {keyword.arg: keyword.value for keyword in call.keywords if keyword.arg}
+    for keyword in call.keywords:
+        if keyword.arg is None:
+            keywords.update(_dictionary(keyword.value, names))
+    reader = _Reader(names, functions)
+    for key, role in _KEYS.items():
+        if key in keywords:
+            lines, files = script.requirements.setdefault(role, ([], []))
+            lines += reader.strings(keywords[key])
+            files += reader.files(keywords[key])
+    extras = keywords.get("extras_require")
+    for extra, value in _dictionary(extras, names).items() if extras else ():
+        script.requirements[f"extra:{extra}"] = (reader.strings(value), [])
+    script.name = next(iter(reader.strings(keywords["name"])), None) if "name" in keywords else None
+    script.requires_python = (
+        next(iter(reader.strings(keywords["python_requires"])), None)
+        if "python_requires" in keywords
+        else None
+    )
+    script.build_requires = (
+        tuple(reader.strings(keywords["setup_requires"])) if "setup_requires" in keywords else ()
+    )
+    script.classifiers = tuple(reader.strings(keywords["classifiers"])) if "classifiers" in keywords else ()
+    entries = (
+        _dictionary(keywords["entry_points"], names).get("console_scripts")
+        if "entry_points" in keywords
+        else None
+    )
+    script.scripts = (
+        tuple(line.partition("=")[0].strip() for line in reader.strings(entries)) if entries else ()
+    )
+    return script
+
+
+def _called(node: ast.Call) -> str:
+    return (
+        node.func.id
+        if isinstance(node.func, ast.Name)
+        else node.func.attr
+        if isinstance(node.func, ast.Attribute)
+        else ""
+    )
+
+
+def _dictionary(node: ast.expr | None, names: dict[str, ast.expr], depth: int = 0) -> dict[str, ast.expr]:
+    if isinstance(node, ast.Name) and depth < MAX_DEPTH:
+        return _dictionary(names.get(node.id), names, depth + 1)
+    if isinstance(node, ast.Dict):
+        return {
+            key.value: value
+            for key, value in zip(node.keys, node.values, strict=True)
+            if isinstance(key, ast.Constant) and isinstance(key.value, str)
+        }
+    if isinstance(node, ast.Call) and _called(node) == "dict":
+        return {keyword.arg: keyword.value for keyword in node.keywords if keyword.arg}
+    return {}
+
+
+class _Reader:
+    """Follows names from an expression to the strings, or to the file, that it would be."""
+
+    def __init__(self, names: dict[str, ast.expr], functions: dict[str, ast.AST]) -> None:
+        self.names, self.functions = names, functions
+
+    def strings(self, node: ast.expr, depth: int = 0) -> list[str]:
+        """Return the strings of a constant, list, tuple, sum, f-string's constant parts or name."""
+        if depth > MAX_DEPTH:
+            return []
+        if isinstance(node, ast.Constant):
+            return (
+                [line.strip() for line in node.value.splitlines() if line.strip()]
+                if isinstance(node.value, str)
+                else []
+            )
+        if isinstance(node, (ast.List, ast.Tuple, ast.Set)):
+            return [text for element in node.elts for text in self.strings(element, depth + 1)]
+        if isinstance(node, ast.Starred):
+            return self.strings(node.value, depth + 1)
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+            return self.strings(node.left, depth + 1) + self.strings(node.right, depth + 1)
+        if isinstance(node, ast.IfExp):
+            return self.strings(node.body, depth + 1)
+        if isinstance(node, ast.Name) and node.id in self.names:
+            return self.strings(self.names[node.id], depth + 1)
+        return []
+
+    def files(self, node: ast.AST, depth: int = 0, seen: frozenset[str] = frozenset()) -> list[str]:
+        """Return the requirement files named on the way to a value: ``open("requirements.txt")``, a helper's argument."""
+        found: list[str] = []
+        if depth > MAX_DEPTH or isinstance(node, (ast.List, ast.Tuple)):
+            return found
+        for part in ast.walk(node):
+            if isinstance(part, ast.Constant) and isinstance(part.value, str) and _FILE.match(part.value):
+                found.append(part.value)
+            elif isinstance(part, ast.Name) and part.id not in seen:
+                following = self.names.get(part.id) or self.functions.get(part.id)
+                if following is not None:
+                    found += self.files(following, depth + 1, seen | {part.id})
+        return list(dict.fromkeys(found))
+
+
+def _by_pattern(text: str, script: SetupScript) -> SetupScript:
+    if match := re.search(r"install_requires\s*=\s*\[(.*?)\]", text, re.DOTALL):
+        script.requirements[""] = (_STRINGS.findall(match[1]), [])
+    if match := re.search(r"\bname\s*=\s*[\"']([\w.-]+)", text):
+        script.name = match[1]
+    return script

@@ -1,0 +1,239 @@
+"""Shell text cut into commands: what a Dockerfile, a CI file, a README and an install script have in common.
+
+No shell is run and none is imitated: quotes, continuations, separators and simple variables are enough to read install
+lines. What a command substitution would yield is unknown, so a word that holds one is dropped.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+UNKNOWN = "\x00"
+"""Stands in a word for what only a running shell would know."""
+MAX_LOGICAL = 20_000
+"""Characters of one logical line; a longer one is data."""
+_PLACEHOLDER = re.compile(
+    r"""\bros-(?:
+        \$?\{\{\s*[\w.]*distro[\w.]*\s*\}\}                      # ${{ matrix.ros_distro }}
+      | "?'?\$\{?\(?\w*(?:distro|version|rosver)\w*\}?\)?'?"?    # $ROS_DISTRO, "${ROS_DISTRO}"
+      | \$\(\s*rosversion\s+-d\s*\) | `\s*rosversion\s+-d\s*`
+      | <[^<>\n]{1,40}> | \[[^\[\]\n]{1,30}\] | \{[\w\s-]{1,30}\} | %\w+% | \#+
+      | [A-Z][A-Z0-9_]*                                          # YOUR_DISTRO, XXX
+      | (?:your[-_]?)?(?:ros[-_]?)?distro(?:[-_]?name)?
+    )-(?=[a-z0-9])""",
+    re.VERBOSE | re.IGNORECASE,
+)
+_CAPITALS = re.compile(r"^ros-([A-Za-z0-9_]+)-$")
+_TOKEN = re.compile(
+    r"""(?P<space>[^\S\n]+|\n)
+      | (?P<single>'[^']*') | (?P<double>"(?:\\.|[^"\\])*")
+      | (?P<unknown>\$\((?:[^()]|\([^()]*\))*\)|`[^`]*`)
+      | (?P<variable>\$\{[^}\n]*\}|\$\w+)
+      | (?P<separator>&&|\|\||;;|[;|&(){}](?=\s|$|[^\w])|[;|&()])
+      | (?P<version>[<>!=~]=|[<>](?=\d))
+      | (?P<redirect>\d?[<>]{1,3}&?\d?)
+      | (?P<escape>\\.)
+      | (?P<plain>[^\s'"$`;|&()<>\\{}!=~]+)
+      | (?P<other>.)""",
+    re.VERBOSE | re.DOTALL,
+)
+_WRAPPERS = frozenset(
+    {
+        "sudo",
+        "time",
+        "exec",
+        "nice",
+        "command",
+        "then",
+        "do",
+        "else",
+        "if",
+        "!",
+        "while",
+        "RUN",
+        "$",
+        "%",
+        "yes",
+        "eval",
+        "retry",
+        "-",
+        "*",
+        "run:",
+    }
+)
+_VALUED_SUDO = frozenset({"-u", "-g", "-n", "--user"})
+_ASSIGNMENT = re.compile(r"^([A-Za-z_]\w*)=(.*)$", re.DOTALL)
+_SHELLS = frozenset({"bash", "sh", "zsh", "dash"})
+
+
+class Command(NamedTuple):
+    """One simple command: its words without wrappers such as sudo, the line of each."""
+
+    words: tuple[str, ...]
+    lines: tuple[int, ...]
+
+    @property
+    def line(self) -> int:
+        """Line of the first word."""
+        return self.lines[0]
+
+
+def fill_placeholders(text: str) -> str:
+    """Return the text with every placeholder of a ROS distro (``ros-YOUR_DISTRO-x``) as ``ros-{distro}-x``."""
+    if "ros-" not in text:
+        return text
+
+    def fill(match: re.Match[str]) -> str:
+        bare = _CAPITALS.match(match[0])
+        # IGNORECASE lets the capitals' branch match any word: a lower-case one is a distro's name, or a package's.
+        return (
+            match[0] if bare and not (bare[1].isupper() or "distro" in bare[1].lower()) else "ros-{distro}-"
+        )
+
+    return _PLACEHOLDER.sub(fill, text)
+
+
+def logical_lines(text: str, first: int = 1) -> Iterator[tuple[int, str]]:
+    """Yield ``(line, text)`` with continuations joined; newlines stay inside, comment lines become empty ones."""
+    pending: list[str] = []
+    start = first
+    for number, line in enumerate(text.split("\n"), first):
+        stripped = line.strip()
+        if not pending:
+            start = number
+            if stripped.startswith("#"):
+                continue
+        elif stripped.startswith(
+            "#"
+        ):  # Docker drops comments inside a continuation; shells' authors mean the same
+            pending.append("")
+            continue
+        if stripped.endswith("\\") and not stripped.endswith("\\\\"):
+            pending.append(line.rstrip()[:-1])
+            continue
+        pending.append(line)
+        joined = "\n".join(pending)
+        pending = []
+        if len(joined) <= MAX_LOGICAL:
+            yield start, joined
+    if pending and sum(map(len, pending)) <= MAX_LOGICAL:
+        yield start, "\n".join(pending)
+
+
+def commands(text: str, line: int = 1, variables: Mapping[str, str] | None = None) -> Iterator[Command]:
+    """Yield the simple commands of one logical line; ``variables`` are filled in, assignments seen are kept."""
+    known = dict(variables or {})
+    for words in _split(_filled(fill_placeholders(text)), line, known):
+        yield from _unwrapped(words, known)
+
+
+def _filled(text: str) -> str:
+    # Braces of the token would read as a group of commands; private characters carry it through.
+    return text.replace("ros-{distro}-", "ros-\x02distro\x03-")
+
+
+def _split(text: str, line: int, known: Mapping[str, str]) -> Iterator[list[tuple[str, int]]]:
+    words: list[tuple[str, int]] = []
+    word, started, redirected, comment = "", 0, False, False
+
+    def finish() -> None:
+        nonlocal word, started, redirected
+        if started:
+            if not redirected:
+                words.append((word.replace("\x02", "{").replace("\x03", "}"), started))
+            redirected = False
+        word, started = "", 0
+
+    for match in _TOKEN.finditer(text):
+        kind, token = match.lastgroup, match[0]
+        if kind == "space":
+            finish()
+            line += token.count("\n")
+            comment = comment and "\n" not in token
+            continue
+        comment = comment or (not started and token.startswith("#"))
+        if comment:
+            continue
+        if kind == "separator":
+            finish()
+            if words:
+                yield words
+            words = []
+            continue
+        if kind == "redirect" or (kind == "version" and not started):
+            finish()
+            redirected = not token.endswith(("&1", "&2", "&"))
+            continue
+        started = started or line
+        word += _value(kind or "other", token, known)
+        line += token.count("\n")
+    finish()
+    if words:
+        yield words
+
+
+def _value(kind: str, token: str, known: Mapping[str, str]) -> str:
+    if kind == "single":
+        return token[1:-1]
+    if kind == "double":
+        return _expand(token[1:-1].replace('\\"', '"'), known)
+    if kind == "unknown":
+        return UNKNOWN
+    if kind == "variable":
+        return _expand(token, known)
+    if kind == "escape":
+        return token[1:] if token[1:] != "\n" else ""
+    return token
+
+
+_REFERENCE = re.compile(r"\$\{(\w+)(?::?[-=]([^}]*))?[^}]*\}|\$(\w+)|\$\([^)]*\)|`[^`]*`")
+
+
+def _expand(text: str, known: Mapping[str, str]) -> str:
+    def value(match: re.Match[str]) -> str:
+        name = match[1] or match[3]
+        if name is None:
+            return UNKNOWN
+        return known.get(name) or match[2] or UNKNOWN
+
+    return _REFERENCE.sub(value, text) if "$" in text or "`" in text else text
+
+
+def expand(text: str, known: Mapping[str, str]) -> str:
+    """Return the text with ``$NAME`` and ``${NAME:-default}`` filled in; one without a value stays as written."""
+
+    def value(match: re.Match[str]) -> str:
+        name = match[1] or match[3]
+        return (known.get(name) if name else None) or match[2] or match[0]
+
+    return _REFERENCE.sub(value, text) if "$" in text else text
+
+
+def _unwrapped(words: list[tuple[str, int]], known: dict[str, str], depth: int = 0) -> Iterator[Command]:
+    index = 0
+    while index < len(words):
+        word = words[index][0]
+        if assignment := _ASSIGNMENT.match(word):
+            if UNKNOWN not in assignment[2]:
+                known[assignment[1]] = assignment[2]
+        elif word in {"export", "ARG", "ENV"}:
+            pass
+        elif word not in _WRAPPERS and not (index and words[index - 1][0] == "sudo" and word.startswith("-")):
+            break
+        elif word == "sudo":
+            while index + 1 < len(words) and words[index + 1][0].startswith("-"):
+                index += 2 if words[index + 1][0] in _VALUED_SUDO else 1
+        index += 1
+    rest = words[index:]
+    if not rest:
+        return
+    program = rest[0][0].rpartition("/")[2]
+    if program in _SHELLS and depth < 3:
+        for position, (word, line) in enumerate(rest[1:], 1):
+            if re.fullmatch(r"-\w*c", word) and position + 1 < len(rest):
+                for inner in _split(_filled(rest[position + 1][0]), line, known):
+                    yield from _unwrapped(inner, known, depth + 1)
+                return
+    yield Command(tuple(word for word, _ in rest), tuple(line for _, line in rest))
