@@ -42,31 +42,62 @@ def parser() -> argparse.ArgumentParser:
 
 
 def _command(
-    commands: argparse._SubParsersAction[argparse.ArgumentParser], name: str, handler: str, summary: str, *, path: bool = True
+    commands: argparse._SubParsersAction[argparse.ArgumentParser],
+    name: str,
+    handler: str,
+    summary: str,
+    *,
+    path: bool = True,
 ) -> argparse.ArgumentParser:
-    command = commands.add_parser(name, help=summary, description=summary, epilog=EXIT_CODES, formatter_class=argparse.RawDescriptionHelpFormatter)
+    command = commands.add_parser(
+        name,
+        help=summary,
+        description=summary,
+        epilog=EXIT_CODES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     command.set_defaults(handler=handler)
     if path:
-        command.add_argument("path", nargs="?", default=".", metavar="PATH", help="the repository (default: this folder)")
+        command.add_argument(
+            "path", nargs="?", default=".", metavar="PATH", help="the repository (default: this folder)"
+        )
         command.add_argument("--config", metavar="FILE", help="roslab.yaml to read, relative to the repository")
-        command.add_argument("--branch", metavar="NAME", help="the branch's name, where there is no .git to read it from")
-        command.add_argument("--name", metavar="NAME", help="the image's name (default: roslab.yaml's, else the repository's)")
+        command.add_argument(
+            "--branch", metavar="NAME", help="the branch's name, where there is no .git to read it from"
+        )
+        command.add_argument(
+            "--name", metavar="NAME", help="the image's name (default: roslab.yaml's, else the repository's)"
+        )
     return command
 
 
 def _reading_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     inspect = _command(commands, "inspect", "inspect", "Show what was found in a repository and what follows from it.")
-    inspect.add_argument("--format", choices=("text", "json"), default="text", help="json is for programs (default: text)")
-    inspect.add_argument("--explain", metavar="QUESTION", help="show all evidence for and against one answer: kind, ros_distro, base_image …")
+    inspect.add_argument(
+        "--format", choices=("text", "json"), default="text", help="json is for programs (default: text)"
+    )
+    inspect.add_argument(
+        "--explain",
+        metavar="QUESTION",
+        help="show all evidence for and against one answer: kind, ros_distro, base_image …",
+    )
     plan = _command(commands, "plan", "plan", "Print the plan of the image as JSON, for workflows.")
     _overrides(plan)
     check = _command(commands, "check", "check", "Validate roslab.yaml and say which format it has.")
-    check.add_argument("--format", choices=("text", "json"), default="text", help="json is for programs (default: text)")
-    migrate = _command(commands, "migrate", "migrate", "Print today's form of an old roslab.yaml, with a line per change.")
+    check.add_argument(
+        "--format", choices=("text", "json"), default="text", help="json is for programs (default: text)"
+    )
+    migrate = _command(
+        commands, "migrate", "migrate", "Print today's form of an old roslab.yaml, with a line per change."
+    )
     migrate.add_argument("--write", action="store_true", help="replace the file; the old one is kept as FILE.old")
-    create = _command(commands, "create", "create", "Write Dockerfile, docker_build.sh, docker_run.sh and README.ipynb.")
+    create = _command(
+        commands, "create", "create", "Write Dockerfile, docker_build.sh, docker_run.sh and README.ipynb."
+    )
     create.add_argument("--output", metavar="DIR", help="folder to write to (default: the repository)")
-    create.add_argument("--force", action="store_true", help="replace files that roslab wrote before; never one of yours")
+    create.add_argument(
+        "--force", action="store_true", help="replace files that roslab wrote before; never one of yours"
+    )
     _overrides(create)
     explain = _command(commands, "explain", "explain", "Say in plain words why a build failed.", path=False)
     explain.add_argument("log", metavar="LOG", help="the saved log of a build, - for standard input")
@@ -78,8 +109,19 @@ def _building_commands(commands: argparse._SubParsersAction[argparse.ArgumentPar
     build.add_argument("--tag", metavar="TAG", default="latest", help="tag of the image (default: latest)")
     build.add_argument("--no-proof", action="store_true", help="do not run the image before it gets its name")
     build.add_argument("--no-cache", action="store_true", help="build every layer anew")
-    build.add_argument("--build-arg", action="append", default=[], metavar="NAME=VALUE", help="pass a build argument; may be repeated")
-    run = _command(commands, "run", "run", "Run the image that `roslab build` made, with its volumes, ports, display and GPU.")
+    build.add_argument(
+        "--build-arg",
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="pass a build argument; may be repeated",
+    )
+    run = _command(
+        commands,
+        "run",
+        "run",
+        "Run the image that `roslab build` made, with its volumes, ports, display and GPU.",
+    )
     run.add_argument("--notebook", action="store_true", help="open JupyterLab instead of the default command")
     run.add_argument("--tag", metavar="TAG", default="latest", help="tag of the image (default: latest)")
     run.add_argument("arguments", nargs="*", metavar="-- COMMAND", help="a command to run instead of the default one")
@@ -87,7 +129,9 @@ def _building_commands(commands: argparse._SubParsersAction[argparse.ArgumentPar
 
 def _overrides(command: argparse.ArgumentParser) -> None:
     command.add_argument("--platform", metavar="LIST", help="platforms, linux/amd64,linux/arm64 …")
-    command.add_argument("--command", dest="default_command", metavar="TEXT", help="default command of the image, run by bash")
+    command.add_argument(
+        "--command", dest="default_command", metavar="TEXT", help="default command of the image, run by bash"
+    )
     command.add_argument("--test", metavar="TEXT", help="command that proves the image, run by bash")
 
 
@@ -112,7 +156,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     except Exception as error:  # the last line of defence: a bug of ours
         if debug:
             raise
-        sys.stderr.write(f"roslab: a bug: {type(error).__name__}: {error}\nPlease report it; ROSLAB_DEBUG=1 shows where it happened.\n")
+        sys.stderr.write(
+            f"roslab: a bug: {type(error).__name__}: {error}\nPlease report it; ROSLAB_DEBUG=1 shows where it happened.\n"
+        )
         return 1
 
 

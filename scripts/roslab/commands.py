@@ -33,7 +33,9 @@ def inspect(options: argparse.Namespace) -> int:
     if options.explain:
         questions = sorted({reason.question for reason in planned.decision.reasons})
         if options.explain not in questions:
-            raise ConfigurationError(Problem(message=f"no question {options.explain!r} here", hint=f"one of: {', '.join(questions)}"))
+            raise ConfigurationError(
+                Problem(message=f"no question {options.explain!r} here", hint=f"one of: {', '.join(questions)}")
+            )
         sys.stdout.write(report.explanation(planned.decision.reasons, options.explain))
     elif options.format == "json":
         sys.stdout.write(report.inspection_json(planned.decision, planned.plan))
@@ -54,14 +56,31 @@ def check(options: argparse.Namespace) -> int:
     """Validate roslab.yaml, and that the repository can be planned with it."""
     planned = _plan(options)
     config = planned.config
-    formats = {"paper": "the 2019 paper's", "later": "the later old", "interim": "the interim (repolab)", "today": "today's"}
+    formats = {
+        "paper": "the 2019 paper's",
+        "later": "the later old",
+        "interim": "the interim (repolab)",
+        "today": "today's",
+    }
     if options.format == "json":
         warnings = [{"message": w.message, "file": w.file, "line": w.line} for w in planned.decision.warnings]
-        sys.stdout.write(json.dumps({"file": config.file, "format": config.generation, "warnings": warnings}, indent=2) + "\n")
+        sys.stdout.write(
+            json.dumps({"file": config.file, "format": config.generation, "warnings": warnings}, indent=2) + "\n"
+        )
         return 0
-    sys.stdout.write(f"{config.file}: valid, {formats[config.generation]} format\n" if config.file else "no roslab.yaml: everything comes from the repository\n")
+    sys.stdout.write(
+        f"{config.file}: valid, {formats[config.generation]} format\n"
+        if config.file
+        else "no roslab.yaml: everything comes from the repository\n"
+    )
     for warning in planned.decision.warnings:
-        place = f"{warning.file}:{warning.line}: " if warning.file and warning.line else f"{warning.file}: " if warning.file else ""
+        place = (
+            f"{warning.file}:{warning.line}: "
+            if warning.file and warning.line
+            else f"{warning.file}: "
+            if warning.file
+            else ""
+        )
         sys.stdout.write(f"{place}warning: {warning.message}\n")
     return 0
 
@@ -104,47 +123,56 @@ def create(options: argparse.Namespace) -> int:
 
 def build(options: argparse.Namespace) -> int:
     """Build, prove, and only then name the image; the name stays with the old image where anything fails."""
-    from roslab import containers, engine  # noqa: PLC0415
+    from roslab import engine  # noqa: PLC0415
     from roslab.pipeline import write_recipe  # noqa: PLC0415
 
     arguments = tuple(_argument(text) for text in options.build_arg)
     planned = _plan(options)
     _warn(planned)
     version = engine.check()
-    platforms = planned.plan.platforms if options.platform else ()
+    platforms = planned.plan.platforms if options.platform else (engine.native_platform(),)
     name = f"{planned.plan.name}:{options.tag}"
-    engine.say(f"roslab: building {name} with Docker {version}")
-    candidates = []
-    with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
-        dockerfile, context = write_recipe(planned, Path(folder))
-        for platform in platforms or (engine.native_platform(),):
-            candidate = f"{planned.plan.name}:roslab-candidate-{os.getpid()}-{platform.replace('/', '-')}"
-            job = engine.Build(
-                context=context,
-                dockerfile=dockerfile,
-                platforms=(platform,),
-                tags=(candidate,),
-                labels=engine.commit_labels(planned.repository.root),
-                arguments=arguments,
-                extra=("--no-cache",) if options.no_cache else (),
-            )
-            try:
+    engine.say(f"roslab: building {name} for {', '.join(platforms)} with Docker {version}")
+    candidates: list[str] = []
+    try:
+        with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
+            dockerfile, context = write_recipe(planned, Path(folder))
+            for platform in platforms:
+                candidates.append(f"{planned.plan.name}:roslab-candidate-{os.getpid()}-{platform.replace('/', '-')}")
+                job = engine.Build(
+                    context=context,
+                    dockerfile=dockerfile,
+                    platforms=(platform,),
+                    tags=(candidates[-1],),
+                    labels=engine.commit_labels(planned.repository.root),
+                    arguments=arguments,
+                    extra=("--no-cache",) if options.no_cache else (),
+                )
                 engine.build(job)
                 if not options.no_proof:
-                    outcomes = containers.prove(candidate, platform, planned.plan.proofs)
-                    if failed := [outcome for outcome in outcomes if not outcome.passed]:
-                        raise BuildError(Problem(message=f"{name} was not named: on {platform}, {failed[0].proof.name}: {failed[0].summary}"))
-            except BaseException:
-                for reference in (*candidates, candidate):
-                    engine.remove_image(reference)
-                raise
-            candidates.append(candidate)
-    suffixes = [f"-{platform.rpartition('/')[2]}" for platform in platforms] if len(platforms) > 1 else [""]
-    for candidate, suffix in zip(candidates, suffixes, strict=True):
-        engine.name_image(candidate, name + suffix)
-        engine.remove_image(candidate)
-        sys.stdout.write(f"{name}{suffix}\n")
+                    _prove(planned, candidates[-1], platform, name)
+        for candidate, platform in zip(candidates, platforms, strict=True):
+            # The engine's image store may hold one platform a name: several get one name each
+            suffix = f"-{platform.rpartition('/')[2]}" if len(platforms) > 1 else ""
+            engine.name_image(candidate, name + suffix)
+            sys.stdout.write(f"{name}{suffix}\n")
+    finally:
+        for candidate in candidates:
+            engine.remove_image(candidate)
     return 0
+
+
+def _prove(planned: Planned, candidate: str, platform: str, name: str) -> None:
+    from roslab import containers  # noqa: PLC0415
+
+    for outcome in containers.prove(candidate, platform, planned.plan.proofs):
+        if not outcome.passed:
+            message = f"{name} was not named: on {platform}, {outcome.proof.name}: {outcome.summary}"
+            raise BuildError(
+                Problem(
+                    message=message, hint="its output stands above; correct it, or name another `test` in roslab.yaml"
+                )
+            )
 
 
 def run(options: argparse.Namespace) -> int:
@@ -159,8 +187,16 @@ def run(options: argparse.Namespace) -> int:
         text = next(file.text for file in rendered(planned, Path(folder)) if file.path == "docker_run.sh")
         script.write_text(text, encoding="utf-8")
         arguments = ["--notebook"] if options.notebook else []
-        environment = {**os.environ, "ROSLAB_IMAGE": os.environ.get("ROSLAB_IMAGE", f"{planned.plan.name}:{options.tag}")}
-        return subprocess.run(["bash", str(script), *arguments, *options.arguments], env=environment, cwd=planned.repository.root, check=False).returncode
+        environment = {
+            **os.environ,
+            "ROSLAB_IMAGE": os.environ.get("ROSLAB_IMAGE", f"{planned.plan.name}:{options.tag}"),
+        }
+        return subprocess.run(
+            ["bash", str(script), *arguments, *options.arguments],
+            env=environment,
+            cwd=planned.repository.root,
+            check=False,
+        ).returncode
 
 
 def explain(options: argparse.Namespace) -> int:
@@ -168,7 +204,9 @@ def explain(options: argparse.Namespace) -> int:
     from roslab.knowledge.failures import diagnose  # noqa: PLC0415
 
     try:
-        log = sys.stdin.read() if options.log == "-" else Path(options.log).read_text(encoding="utf-8", errors="replace")
+        log = (
+            sys.stdin.read() if options.log == "-" else Path(options.log).read_text(encoding="utf-8", errors="replace")
+        )
     except OSError as error:
         raise ConfigurationError(Problem(message=f"cannot read {options.log}: {error.strerror}")) from None
     found = diagnose(log)

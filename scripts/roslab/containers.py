@@ -33,7 +33,9 @@ class Outcome:
     output: str
 
 
-def prove(reference: str, platform: str, proofs: Sequence[Proof], *, pull: bool = False, tell: Say = say) -> tuple[Outcome, ...]:
+def prove(
+    reference: str, platform: str, proofs: Sequence[Proof], *, pull: bool = False, tell: Say = say
+) -> tuple[Outcome, ...]:
     """Run an image's proofs on one platform, in order, up to the first that fails; never raises for a failed proof.
 
     ``pull`` fetches the image first: the proof then runs what the registry holds.
@@ -56,11 +58,25 @@ def prove(reference: str, platform: str, proofs: Sequence[Proof], *, pull: bool 
 def _prove_once(reference: str, platform: str, proof: Proof) -> Outcome:
     with tempfile.TemporaryDirectory() as folder:
         identity = Path(folder) / "container"
-        command = ["docker", "run", "--rm", "--init", "--cidfile", str(identity), "--platform", platform, reference, *proof.command]
+        command = [
+            "docker",
+            "run",
+            "--rm",
+            "--init",
+            "--cidfile",
+            str(identity),
+            "--platform",
+            platform,
+            reference,
+            *proof.command,
+        ]
         limit = PROOF_SECONDS if proof.may_run_on else PROOF_LIMIT
         start = time.monotonic()
         log = Path(folder) / "log"
-        with log.open("wb") as stream, subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=stream, stderr=subprocess.STDOUT) as process:
+        with (
+            log.open("wb") as stream,
+            subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=stream, stderr=subprocess.STDOUT) as process,
+        ):
             try:
                 _wait_for_start(identity, process)
                 code: int | None = process.wait(limit)

@@ -22,7 +22,7 @@ Say = Callable[[str], None]
 
 def say(text: str) -> None:
     """Print progress; the default of everything here."""
-    print(text, file=sys.stderr, flush=True)  # noqa: T201 - progress goes to standard error
+    print(text, file=sys.stderr, flush=True)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -43,15 +43,27 @@ class Build:
 def check() -> str:
     """Return the engine's version. Raises ``BuildError`` where it is absent, does not answer or is too old."""
     if not shutil.which("docker"):
-        raise BuildError(Problem(message="docker is not installed", hint="install Docker Engine 23 or newer: https://docs.docker.com/engine/install/"))
+        raise BuildError(
+            Problem(
+                message="docker is not installed",
+                hint="install Docker Engine 23 or newer: https://docs.docker.com/engine/install/",
+            )
+        )
     answer = output(["docker", "version", "--format", "{{.Server.Version}}"])
     if answer.returncode:
         error = last_line(answer.stderr)
-        raise BuildError(Problem(message=f"the Docker engine does not answer: {error}", hint="start it, or set DOCKER_HOST to one that runs"))
+        raise BuildError(
+            Problem(
+                message=f"the Docker engine does not answer: {error}",
+                hint="start it, or set DOCKER_HOST to one that runs",
+            )
+        )
     version = answer.stdout.strip()
     major = re.match(r"\d+", version)
     if not major or int(major[0]) < MINIMUM:
-        raise BuildError(Problem(message=f"Docker engine {version} is too old", hint=f"version {MINIMUM} or newer is needed"))
+        raise BuildError(
+            Problem(message=f"Docker engine {version} is too old", hint=f"version {MINIMUM} or newer is needed")
+        )
     if output(["docker", "buildx", "version"]).returncode:
         raise BuildError(Problem(message="docker has no buildx", hint="install the docker-buildx-plugin package"))
     return version
@@ -65,7 +77,15 @@ def build(job: Build, *, environment: Mapping[str, str] | None = None) -> tuple[
     """
     with tempfile.TemporaryDirectory() as folder:
         metadata = Path(folder) / "metadata.json"
-        command = ["docker", "buildx", "build", "--file", str(job.dockerfile), "--metadata-file", str(metadata)]
+        command = [
+            "docker",
+            "buildx",
+            "build",
+            "--file",
+            str(job.dockerfile),
+            "--metadata-file",
+            str(metadata),
+        ]
         command += ["--platform", ",".join(job.platforms)] if job.platforms else []
         for tag in job.tags:
             command += ["--tag", tag]
@@ -83,7 +103,15 @@ def _stream(command: Sequence[str], environment: Mapping[str, str] | None) -> st
     """Run a command, pass its output on line by line, and return the last 400 lines of it."""
     lines: list[str] = []
     settings = {**os.environ, **(environment or {})}
-    with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=settings, text=True, errors="replace") as process:
+    with subprocess.Popen(
+        command,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        env=settings,
+        text=True,
+        errors="replace",
+    ) as process:
         try:
             for line in process.stdout or ():
                 sys.stderr.write(line)
@@ -94,7 +122,12 @@ def _stream(command: Sequence[str], environment: Mapping[str, str] | None) -> st
             raise
     log = "".join(lines)
     if process.returncode:
-        raise BuildError(Problem(message=f"the build failed: {failed_step(log)}", hint="the lines above say why; `roslab explain` reads a saved log"))
+        raise BuildError(
+            Problem(
+                message=f"the build failed: {failed_step(log)}",
+                hint="the lines above say why; `roslab explain` reads a saved log",
+            )
+        )
     return log
 
 
@@ -139,7 +172,15 @@ def remove_image(reference: str) -> None:
 def output(command: Sequence[str], timeout: float = 120.0) -> subprocess.CompletedProcess[str]:
     """Run a short command and return what it printed; exit code 124 where it gave no answer within ``timeout`` seconds."""
     try:
-        return subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, text=True, errors="replace", timeout=timeout, check=False)
+        return subprocess.run(
+            command,
+            capture_output=True,
+            stdin=subprocess.DEVNULL,
+            text=True,
+            errors="replace",
+            timeout=timeout,
+            check=False,
+        )
     except subprocess.TimeoutExpired:
         return subprocess.CompletedProcess(command, 124, "", f"no answer within {timeout:.0f} s")
 

@@ -65,7 +65,9 @@ def plan_repository(
     name = folder_name or _folder_name(repository)
     decision = decide(evidence, config, folder_name=name)
     ignore = tuple(repository.read(".dockerignore").splitlines())
-    plan = make_plan(decision, config, folder_name=name, ignore=ignore, rosdistro_tag=rosdistro_tag(decision.ros_distro))
+    plan = make_plan(
+        decision, config, folder_name=name, ignore=ignore, rosdistro_tag=rosdistro_tag(decision.ros_distro)
+    )
     return Planned(repository=repository, evidence=evidence, config=config, decision=decision, plan=plan)
 
 
@@ -83,11 +85,21 @@ def config_path(repository: Repository, config_file: str | None) -> str | None:
     """
     for name in (config_file,) if config_file else CONFIG_NAMES:
         if name in repository.listing.outside:
-            raise RefusedError(Problem(message=f"{printable(name)} is a link that leads out of the repository", hint="make it a file of the repository"))
+            raise RefusedError(
+                Problem(
+                    message=f"{printable(name)} is a link that leads out of the repository",
+                    hint="make it a file of the repository",
+                )
+            )
         if repository.has(name):
             return name
     if config_file:
-        raise ConfigurationError(Problem(message=f"no file {printable(config_file)} in the repository", hint="give a path relative to its root"))
+        raise ConfigurationError(
+            Problem(
+                message=f"no file {printable(config_file)} in the repository",
+                hint="give a path relative to its root",
+            )
+        )
     return None
 
 
@@ -101,7 +113,9 @@ def config_text(repository: Repository, file: str) -> str:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data[: error.start].count(b"\n") + 1
-        raise ConfigurationError(Problem(message="not UTF-8 text", hint="save the file as UTF-8", file=file, line=line)) from None
+        raise ConfigurationError(
+            Problem(message="not UTF-8 text", hint="save the file as UTF-8", file=file, line=line)
+        ) from None
 
 
 def _read_config(repository: Repository, config_file: str | None) -> Config:
@@ -136,6 +150,9 @@ def _override(config: Config, overrides: Overrides) -> Config:
     said = {key: value for key in Overrides.__dataclass_fields__ if (value := getattr(overrides, key)) is not None}
     if "name" in said and image_name(said["name"]) != said["name"]:
         raise ConfigurationError(
-            Problem(message=f"{said['name']!r} is no image name", hint=f"write {image_name(said['name'])!r}: lower case, digits, - _ .")
+            Problem(
+                message=f"{said['name']!r} is no image name",
+                hint=f"write {image_name(said['name'])!r}: lower case, digits, - _ .",
+            )
         )
     return replace(config, **said)

@@ -1,4 +1,4 @@
-"""The plan: everything that is built, run and published, as one versioned value; after it nothing reads the repository."""
+"""The plan: all that is built, run and published, as one versioned value; after it nothing reads the repository."""
 
 from __future__ import annotations
 
@@ -120,7 +120,12 @@ def image_name(text: str) -> str:
 
 
 def make_plan(
-    decision: Decision, config: Config, *, folder_name: str, ignore: tuple[str, ...] = (), rosdistro_tag: str | None = None
+    decision: Decision,
+    config: Config,
+    *,
+    folder_name: str,
+    ignore: tuple[str, ...] = (),
+    rosdistro_tag: str | None = None,
 ) -> Plan:
     """Turn one decision into the plan of an image.
 
@@ -129,7 +134,9 @@ def make_plan(
     old_format = config.generation != "today"
     recipe = Recipe(dockerfile=decision.dockerfile, context=decision.context or ".") if decision.dockerfile else None
     ros = decision.kind in ("ros1", "ros2")
-    in_workspace = tuple(s for s in decision.source if ros and s.build in ("catkin_make", "catkin_tools", "colcon", "none"))
+    in_workspace = tuple(
+        s for s in decision.source if ros and s.build in ("catkin_make", "catkin_tools", "colcon", "none")
+    )
     libraries = tuple(s for s in decision.source if s not in in_workspace)
     name = config.name or image_name(folder_name)
     run = Run(
@@ -211,9 +218,14 @@ def from_json(text: str) -> Plan:
         data: Any = json.loads(text)
         if not isinstance(data, dict) or data.get("version") != VERSION:
             found = data.get("version") if isinstance(data, dict) else type(data).__name__
-            raise ConfigurationError(Problem(message=f"a plan of version {found!r}, this program reads version {VERSION}"))
+            raise ConfigurationError(
+                Problem(message=f"a plan of version {found!r}, this program reads version {VERSION}")
+            )
         converter = Converter(forbid_extra_keys=True)
-        converter.register_structure_hook(tuple[str, ...] | str, lambda value, _: value if isinstance(value, str) else tuple(map(str, value)))
+        converter.register_structure_hook(
+            tuple[str, ...] | str,
+            lambda value, _: value if isinstance(value, str) else tuple(map(str, value)),
+        )
         return converter.structure(data, Plan)
     except (ValueError, RecursionError, BaseValidationError) as error:
         hint = "give a file that `roslab plan` wrote"

@@ -11,23 +11,26 @@ from roslab.decide.decision import Decision
 
 IMPORT_SCRIPT = """\
 import importlib, importlib.metadata as metadata, sys
-failed = []
-for name in sys.argv[1:]:
+names, failed = sys.argv[1:], {}
+for name in names:
     try:
         distribution = metadata.distribution(name)
     except metadata.PackageNotFoundError:
-        failed.append(name + ": not installed")
+        failed[name] = "not installed"
         continue
-    listed = distribution.read_text("top_level.txt") or ""
-    modules = listed.split() or sorted({str(f).split("/")[0] for f in distribution.files or () if str(f).endswith("/__init__.py")})
-    for module in [m for m in modules if m.isidentifier() and not m.startswith("_") and m not in ("tests", "test", "docs", "examples")]:
+    listed = (distribution.read_text("top_level.txt") or "").split()
+    packages = {str(f).split("/")[0] for f in distribution.files or () if str(f).endswith("/__init__.py")}
+    for module in listed or sorted(packages):
+        if not module.isidentifier() or module.startswith("_") or module in ("docs", "examples", "test", "tests"):
+            continue
         try:
             importlib.import_module(module)
         except Exception as error:
-            failed.append(f"{name}: import {module}: {type(error).__name__}: {error}")
-print("imported", len(sys.argv) - 1 - len({f.split(":")[0] for f in failed}), "of", len(sys.argv) - 1, "packages")
-sys.exit("\\n".join(failed))
+            failed[name] = f"import {module}: {type(error).__name__}: {error}"
+print("imported", len(names) - len(failed), "of", len(names), "packages")
+sys.exit("\\n".join(f"{name}: {why}" for name, why in failed.items()))
 """
+"""A distribution's name is not its module's (``opencv-python`` is ``cv2``): its own record says what to import."""
 
 AMENT_SCRIPT = """\
 import os, sys
@@ -65,7 +68,12 @@ def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
         found += _workspace_proofs(decision)
         distributions = sorted({n for line in decision.python.pip if (n := _distribution(line))})
         if distributions:
-            found.append(Proof(name="declared Python packages import", command=("python3", "-c", IMPORT_SCRIPT, *distributions)))
+            found.append(
+                Proof(
+                    name="declared Python packages import",
+                    command=("python3", "-c", IMPORT_SCRIPT, *distributions),
+                )
+            )
     # An author's own recipe says itself what it starts: its CMD, which an empty command runs.
     command = () if decision.dockerfile else decision.command
     argv = ("bash", "-c", command) if isinstance(command, str) else command
@@ -84,9 +92,19 @@ def _workspace_proofs(decision: Decision) -> list[Proof]:
     return [Proof(name="the workspace's packages are found", command=command)]
 
 
+def _import_proof(version: str | None, distributions: list[str]) -> Proof:
+    if version and tuple(map(int, version.split(".")[:2])) < (3, 8):
+        # No importlib.metadata before 3.8: pip itself must know each of them
+        python = "python2" if version.startswith("2") else "python3"
+        return Proof(
+            name="declared Python packages are installed", command=(python, "-m", "pip", "show", *distributions)
+        )
+    return Proof(name="declared Python packages import", command=("python3", "-c", IMPORT_SCRIPT, *distributions))
+
+
 def _distribution(line: str) -> str | None:
-    """Name of the distribution that a requirement line installs, ``None`` for a URL, an option or a line for another platform."""
-    match = re.match(r"([A-Za-z0-9][A-Za-z0-9._-]*)\s*(\[[^]]*\])?\s*([=<>!~].*)?$", line.split("#")[0].strip())
+    """Name of the distribution that a requirement line installs; ``None`` for a URL, an option, a marked line."""
+    match = re.match(r"([A-Za-z0-9][A-Za-z0-9._-]*)\s*(\[[^]]*\])?\s*([=<>!~].*)?$", line.split("#", maxsplit=1)[0].strip())
     return match[1] if match else None
 
 

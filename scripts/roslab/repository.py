@@ -1,11 +1,11 @@
-"""The one reader of a checkout: lists it once, reads lazily, caps sizes, never leaves the tree, runs nothing from it."""
+"""The one reader of a checkout: lists once, reads lazily, caps sizes, never leaves the tree, runs nothing from it."""
 
 from __future__ import annotations
 
 import os
 import re
 import stat
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from functools import cached_property
@@ -36,6 +36,12 @@ class File:
         return self.path.rpartition("/")[2]
 
     @property
+    def suffix(self) -> str:
+        """Suffix of the name, lower-cased, with its dot; ``""`` for none and for ``.bashrc``."""
+        stem, dot, suffix = self.name.rpartition(".")
+        return f".{suffix.lower()}" if dot and stem else ""
+
+    @property
     def folder(self) -> str:
         """Path of the folder it lies in, ``""`` for the root."""
         return self.path.rpartition("/")[0]
@@ -63,10 +69,17 @@ class Repository:
         try:
             if not root.is_dir():
                 why = "it is a file" if root.exists() else "there is nothing at that path"
-                raise ConfigurationError(Problem(message=f"not a directory: {printable(str(path))}: {why}", hint="give the root of a repository"))
+                raise ConfigurationError(
+                    Problem(
+                        message=f"not a directory: {printable(str(path))}: {why}",
+                        hint="give the root of a repository",
+                    )
+                )
             root = root.resolve()
             if not any(True for _ in os.scandir(root)):
-                raise NothingToBuildError(Problem(message=f"{printable(str(path))} is empty", hint="check the repository out first"))
+                raise NothingToBuildError(
+                    Problem(message=f"{printable(str(path))} is empty", hint="check the repository out first")
+                )
         except (OSError, ValueError, RuntimeError) as error:
             raise ConfigurationError(Problem(message=f"cannot read {printable(str(path))}: {error}")) from None
         return cls(root, branch)
@@ -89,12 +102,12 @@ class Repository:
     @cached_property
     def by_suffix(self) -> dict[str, tuple[File, ...]]:
         """Files by their suffix, lower-cased, with its dot; ``""`` for none."""
-        return self._group(lambda file: os.path.splitext(file.name)[1].lower())
+        return self._group(lambda file: file.suffix)
 
-    def _group(self, key: object) -> dict[str, tuple[File, ...]]:
+    def _group(self, key: Callable[[File], str]) -> dict[str, tuple[File, ...]]:
         groups: dict[str, list[File]] = {}
         for file in self.files:
-            groups.setdefault(key(file), []).append(file)  # type: ignore[operator]
+            groups.setdefault(key(file), []).append(file)
         return {name: tuple(files) for name, files in groups.items()}
 
     def named(self, *names: str) -> tuple[File, ...]:
@@ -147,8 +160,12 @@ class Repository:
         if path not in self._paths:
             return b""
         try:
-            # O_NOFOLLOW guards the last part; the listing never descended through a link. O_NONBLOCK: never wait on a FIFO.
-            descriptor = os.open(self.root / path, os.O_RDONLY | os.O_NONBLOCK | (0 if path in self.listing.links else os.O_NOFOLLOW))
+            # O_NOFOLLOW guards the last part; the listing never descended through a link.
+            # O_NONBLOCK: never wait for the other end of a pipe.
+            descriptor = os.open(
+                self.root / path,
+                os.O_RDONLY | os.O_NONBLOCK | (0 if path in self.listing.links else os.O_NOFOLLOW),
+            )
             with os.fdopen(descriptor, "rb") as stream:
                 return stream.read(limit)
         except (OSError, ValueError):
@@ -257,4 +274,7 @@ def _follow(root: Path, path: str, files: list[File], links: set[str], outside: 
 
 def printable(text: str) -> str:
     """Return text that can be printed on one line: control characters and stray bytes escaped."""
-    return "".join(c if c.isprintable() and not "\ud800" <= c <= "\udfff" else c.encode("unicode_escape", "surrogatepass").decode() for c in text)
+    return "".join(
+        c if c.isprintable() and not "\ud800" <= c <= "\udfff" else c.encode("unicode_escape", "surrogatepass").decode()
+        for c in text
+    )

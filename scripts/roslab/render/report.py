@@ -59,7 +59,11 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
         ("Python", _python(decision), "python"),
         ("CUDA", decision.cuda, "cuda"),
         ("recipe", decision.dockerfile, "dockerfile"),
-        ("command", decision.command if isinstance(decision.command, str) else shlex.join(decision.command), "command"),
+        (
+            "command",
+            decision.command if isinstance(decision.command, str) else shlex.join(decision.command),
+            "command",
+        ),
         ("platforms", ", ".join(decision.platforms), "platforms"),
     ]
     for label, value, question in rows:
@@ -69,9 +73,16 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
     lines += _section("apt packages", plan.apt)
     lines += _section("apt packages, where this base knows them", plan.apt_guessed)
     python = decision.python
-    lines += _section("pip packages", (*python.first, *python.pip, *(f"-r {name}" for name in python.requirements), *python.python2))
+    lines += _section(
+        "pip packages",
+        (*python.first, *python.pip, *(f"-r {name}" for name in python.requirements), *python.python2),
+    )
     lines += _section("pip packages, guessed", python.pip_guessed)
-    lines += _section("from source", (f"{s.name} {s.repo or s.zip or ''} {s.ref or '(no fixed ref)'}".strip() for s in decision.source), rows=True)
+    lines += _section(
+        "from source",
+        (f"{s.name} {s.repo or s.zip or ''} {s.ref or '(no fixed ref)'}".strip() for s in decision.source),
+        rows=True,
+    )
     lines += _section("other commands", (shlex.join(c) for c in decision.command_candidates), rows=True)
     lines += _section("not built for", (f"{name}: {why}" for name, why in decision.platforms_refused), rows=True)
     lines += _section("warnings", (_placed(w.message, w.file, w.line) for w in decision.warnings), rows=True)
@@ -98,7 +109,8 @@ def _python(decision: Decision) -> str | None:
     python = decision.python
     if not python.version:
         return None
-    return f"{python.version} ({'conda' if python.manager == 'conda' else 'virtual environment' if python.manager == 'venv' else 'the base image’s own'})"
+    managers = {"conda": "conda", "venv": "virtual environment", "system": "the base image's own"}
+    return f"{python.version} ({managers[python.manager]})"
 
 
 def _because(decision: Decision, question: str) -> str:
