@@ -116,7 +116,12 @@ class Config:
     """One package an entry, ``name``, ``name=version`` or a glob."""
     pip: tuple[str, ...] = ()
     """Python 2's in the old formats, the image's Python today: requirement lines (specifiers, URLs, git+)."""
+    pip_options: tuple[str, ...] = ()
+    """Options of the one ``pip install`` that takes all of ``pip``, one word an entry: ``--upgrade``."""
+    pip_python: Literal["2", "image"] = "image"
+    """Whose ``pip`` is: Python 2 (where the base has it) or the image's Python. ``pip2`` of today says the former."""
     pip3: tuple[str, ...] = ()
+    pip3_options: tuple[str, ...] = ()
     requirements: tuple[str, ...] | None = None
     """Requirement files to install; an empty tuple means none, ``None`` means those found."""
     conda: str | None = None

@@ -1,0 +1,113 @@
+"""What to write instead of a bad value, where more can be said than what is allowed."""
+
+from __future__ import annotations
+
+import re
+
+from roslab.config import vocabulary
+from roslab.config.document import printable
+
+_TREE = re.compile(r"(https?://[^/\s]+/[^/\s]+/[^/\s]+?)(?:\.git)?/(?:-/)?(?:tree|blob)/([^/\s]+)(?:/(\S+))?")
+
+
+def advice(title: str, text: str) -> str | None:
+    """Return what to write instead of a value, given the title of what is wanted; ``None`` where nothing is known."""
+    if "\ufffd" in text:
+        return "a character is broken: save the file as UTF-8"
+    if any(not c.isprintable() for c in text):
+        return "one line of plain text: no line break, no control character"
+    find = _BY_TITLE.get(title)
+    return find(text) if find else None
+
+
+def _name(text: str) -> str | None:
+    better = re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")[:100]
+    return f"only letters, digits and single `.`, `_`, `-` between them: write `{better}`" if better else None
+
+
+def _git_url(text: str) -> str | None:
+    found = _TREE.search(text)
+    if found:
+        url, ref, path = found.groups()
+        where = f"; what you want lies in its folder {printable(path).removesuffix('.git')}" if path else ""
+        return (
+            "this is a page of the website, which git cannot clone: "
+            f"write `repo: {printable(url, 200)}.git` and `ref: {printable(ref)}`{where}"
+        )
+    if re.match(r"\s*(?:git@|ssh://)", text):
+        return "it needs a private key, which a build does not have: write the https URL"
+    if re.search(r"//[^/\s]*@", text):
+        return "take the user and password out: everyone can read roslab.yaml"
+    if re.search(r"(?:^|\s)-", text):
+        return "of git's options only `-b BRANCH` is read: write the URL alone, and `ref: BRANCH`"
+    return None
+
+
+def _pip(text: str) -> str | None:
+    if found := re.fullmatch(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*", text):
+        return f"pip wants two equals signs: write `{found[1]}=={found[2]}`"
+    if re.match(r"\s*(?:-r|--requirement)\b", text):
+        return "write the file under `requirements:`"
+    if re.match(r"\s*(?:\.|/|~)", text):
+        return "to install the repository itself write `build: pip`"
+    if re.search(r"//[^/\s]*@", text):
+        return "take the user and password out: everyone can read roslab.yaml"
+    if re.match(r"\s*-", text):
+        return "this option is not allowed: -U, --pre, --no-deps, --extra-index-url https://… and a few more are"
+    return None
+
+
+def _apt(text: str) -> str | None:
+    if re.match(r"\s*-", text):
+        return "options of apt are not allowed: write names of packages only"
+    if found := re.search(r"[\w.+-]+==[\w.+:~-]+", text):
+        return f"apt wants one equals sign: write `{found[0].replace('==', '=')}`"
+    if "," in text:
+        return "write each package on a line of its own"
+    if re.fullmatch(r"[\w.+-]+", text) and text != (better := text.lower().replace("_", "-")):
+        return f"names of apt packages are in lower case, with `-`: write `{better}`"
+    return None
+
+
+def _ubuntu(text: str) -> str | None:
+    releases = vocabulary.rows("ros").get(text)
+    if releases:
+        return f"that is a ROS distribution: write `ubuntu: {releases[-1]}` and `ros: {text}`"
+    if re.fullmatch(r"\d\d\.(?:04|10)", text):
+        return "only long-term releases last: 14.04, 16.04, 18.04, 20.04, 22.04, 24.04, 26.04"
+    return None
+
+
+def _ros(text: str) -> str | None:
+    distro, _, variant = text.partition("-")
+    allowed = vocabulary.rows("ros")
+    if distro not in allowed:
+        meant = vocabulary.nearest(distro, allowed)
+        return f"did you mean `{meant}`? distributions: {', '.join(allowed)}" if meant else None
+    variants = ("ros-core", "ros-base", "robot", "perception", "simulators", "simulation", "desktop", "desktop-full")
+    meant = next((v for v in reversed(variants) if variant.endswith(v)), vocabulary.nearest(variant, variants))
+    return f"did you mean `{distro}-{meant}`? variants: {', '.join(variants)}" if meant else None
+
+
+def _path(text: str) -> str | None:
+    if text.startswith(("/", "~")) or "\\" in text or ".." in text.split("/"):
+        return "a path inside the repository, relative to its root, with `/` between its parts"
+    return None
+
+
+def _format(text: str) -> str | None:
+    if text in {"1", "2"}:
+        return "the old formats have no such line: take it out, or let `roslab migrate` write the file anew"
+    return "`format: 3` is the newest that this version of roslab reads"
+
+
+_BY_TITLE = {
+    "image name": _name,
+    "git URL that can be cloned": _git_url,
+    "pip requirement": _pip,
+    "apt package": _apt,
+    "Ubuntu release": _ubuntu,
+    "ROS distribution": _ros,
+    "path inside the repository": _path,
+    "format": _format,
+}

@@ -1,0 +1,247 @@
+"""The text of a YAML file as a tree: PyYAML's events, put together without recursion and within bounds.
+
+Nothing is constructed from tags, an alias bomb or a deep nest ends in one clear problem, and duplicate keys, which
+YAML libraries swallow, are problems with both their lines.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+import yaml
+
+from roslab.config.node import Mapping, Mark, Node, Scalar, ScalarKind, Sequence
+from roslab.errors import ConfigurationError, Problem
+
+MAX_CHARACTERS = 64 * 1024
+"""The longest real file holds 17,000 characters, of another program; of ours 2,200."""
+MAX_DEPTH = 32
+MAX_NODES = 20_000
+"""Values with every alias written out."""
+MAX_PROBLEMS = 50
+
+_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+_FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
+_TAG = "tag:yaml.org,2002:"
+_KINDS: dict[str, ScalarKind] = {
+    "str": "string",
+    "int": "integer",
+    "float": "number",
+    "bool": "boolean",
+    "null": "null",
+    "timestamp": "date",
+}
+_HINTS = (
+    ("cannot start any token", "indent with spaces, never with tabs; put a value that begins with @, ` or % in quotes"),
+    ("mapping values are not allowed", "put a value that holds a colon and a space in quotes"),
+    ("could not find expected ':'", "write KEY: VALUE, with a space after the colon"),
+    ("tab character", "indent with spaces, never with tabs"),
+    ("expected ',' or", "close the bracket: [a, b] or {a: b}"),
+    ("did not find expected", "indent the lines that belong together by the same number of spaces"),
+    ("unexpected end of stream", "close the quote"),
+    ("undefined alias", "write the value out"),
+)
+_MERGE = "<<"
+
+
+@dataclass(kw_only=True, slots=True)
+class _Open:
+    """A list or mapping whose end was not seen yet."""
+
+    event: yaml.events.CollectionStartEvent
+    parts: list[Node] = field(default_factory=list)
+
+
+class _Stop(Exception):  # noqa: N818 - ends the reading of events, never leaves this module
+    """The rest of the file cannot be read."""
+
+    def __init__(self, message: str, hint: str, mark: Mark | None = None) -> None:
+        self.problem = (message, hint, mark)
+        super().__init__(message)
+
+
+@dataclass(kw_only=True, slots=True)
+class Document:
+    """The tree of one file and what is wrong with its keys; ``root`` is ``None`` where the file is empty."""
+
+    file: str
+    root: Node | None = None
+    problems: list[Problem] = field(default_factory=list)
+    _stack: list[_Open] = field(default_factory=list)
+    _anchors: dict[str, Node | None] = field(default_factory=dict)
+
+    def complain(self, message: str, hint: str, mark: Mark | None) -> None:
+        """Note a problem at a place."""
+        line, column = (mark.line, mark.column) if mark else (None, None)
+        self.problems.append(Problem(message=message, hint=hint, file=self.file, line=line, column=column))
+
+    def take(self, event: yaml.events.Event) -> None:
+        """Add what one event of the parser says."""
+        if isinstance(event, yaml.DocumentStartEvent):
+            if self.root is not None:
+                hint = "one file holds one configuration: take out the line `---` and what follows it"
+                raise _Stop("a second document begins here", hint, _mark(event.start_mark))
+            self._anchors.clear()
+        elif isinstance(event, yaml.AliasEvent):
+            self._alias(event)
+        elif isinstance(event, yaml.ScalarEvent):
+            self._close(_scalar(event), event.anchor)
+        elif isinstance(event, yaml.events.CollectionStartEvent):
+            _check_tag(event.tag, ("seq", "map"), _mark(event.start_mark))
+            if len(self._stack) >= MAX_DEPTH:
+                hint = f"at most {MAX_DEPTH} levels are read, roslab.yaml needs four"
+                raise _Stop("nested too deep", hint, _mark(event.start_mark))
+            if event.anchor:
+                self._anchors[event.anchor] = None
+            self._stack.append(_Open(event=event))
+        elif isinstance(event, yaml.events.CollectionEndEvent):
+            opened = self._stack.pop()
+            build = self._mapping if isinstance(opened.event, yaml.MappingStartEvent) else self._sequence
+            self._close(build(opened, _mark(event.end_mark)), opened.event.anchor)
+
+    def _alias(self, event: yaml.AliasEvent) -> None:
+        name, mark = event.anchor or "", _mark(event.start_mark)
+        target = self._anchors.get(name)
+        if target is None:
+            why = "stands for itself" if name in self._anchors else "has no anchor above it"
+            raise _Stop(f"the alias *{name} {why}", "write the value out", mark)
+        self._add(target, mark)
+
+    def _close(self, node: Node, anchor: str | None) -> None:
+        if anchor:
+            self._anchors[anchor] = node
+        self._add(node, node.start)
+
+    def _add(self, node: Node, mark: Mark) -> None:
+        if not self._stack:
+            self.root = node
+            return
+        parts = self._stack[-1].parts
+        parts.append(node)
+        # Counted here and not at the end of a list, so that a list of a million items stops early too.
+        if node.size > MAX_NODES or len(parts) > MAX_NODES:
+            raise _Stop("holds too many values", f"at most {MAX_NODES} are read, aliases written out", mark)
+
+    def _sequence(self, opened: _Open, end: Mark) -> Sequence:
+        return Sequence(
+            start=_mark(opened.event.start_mark),
+            end=end,
+            size=1 + sum(part.size for part in opened.parts),
+            items=tuple(opened.parts),
+            flow=bool(opened.event.flow_style),
+        )
+
+    def _mapping(self, opened: _Open, end: Mark) -> Mapping:
+        pairs: dict[str, tuple[Scalar, Node]] = {}
+        merged: list[Mapping] = []
+        for key, value in zip(opened.parts[::2], opened.parts[1::2], strict=True):
+            if not isinstance(key, Scalar):
+                self.complain("a key must be a word", "write KEY: VALUE", key.start)
+            elif key.text == _MERGE and key.plain:
+                merged += self._merged(value)
+            elif key.text in pairs:
+                first = pairs[key.text][0].start.line
+                hint = f"keep one of them: the first is on line {first}"
+                self.complain(f'"{printable(key.text)}" stands here a second time', hint, key.start)
+            else:
+                pairs[key.text] = (key, value)
+        for mapping in merged:
+            for key, value in mapping.pairs:
+                pairs.setdefault(key.text, (key, value))
+        return Mapping(
+            start=_mark(opened.event.start_mark),
+            end=end,
+            size=1 + sum(key.size + value.size for key, value in pairs.values()),
+            pairs=tuple(pairs.values()),
+            flow=bool(opened.event.flow_style),
+        )
+
+    def _merged(self, value: Node) -> list[Mapping]:
+        """Return the mappings that ``<<`` names; the first wins, as in YAML."""
+        items = value.items if isinstance(value, Sequence) else (value,)
+        found = [item for item in items if isinstance(item, Mapping)]
+        if len(found) < len(items):
+            self.complain('"<<" takes mappings only', "write the keys out", value.start)
+        return found
+
+
+def parse(text: str | bytes, *, file: str) -> Document:
+    """Read the tree of a YAML text.
+
+    Bytes are taken as UTF-8; what is not becomes U+FFFD, which no value may hold but a comment may.
+    Raises ``ConfigurationError`` where the text is too long, no YAML, or no text at all.
+    """
+    if len(text) > MAX_CHARACTERS:
+        hint = f"at most {MAX_CHARACTERS} are read: this is no configuration"
+        raise ConfigurationError(Problem(message=f"holds {len(text)} characters", hint=hint, file=file))
+    if isinstance(text, bytes):
+        text = text.decode("utf-8", errors="replace")
+    text = text.removeprefix("\ufeff")
+    document = Document(file=file)
+    for match in _FORBIDDEN.finditer(text):
+        before = text[: match.start()]
+        mark = Mark(line=before.count("\n") + 1, column=match.start() - before.rfind("\n"), index=match.start())
+        document.complain(f"the character U+{ord(match[0]):04X} is no text", "save the file as UTF-8 text", mark)
+        if len(document.problems) == MAX_PROBLEMS:
+            break
+    if document.problems:
+        raise ConfigurationError(*document.problems)
+    try:
+        for event in yaml.parse(text, Loader=_LOADER):
+            document.take(event)
+    except _Stop as stop:
+        document.complain(*stop.problem)
+        raise ConfigurationError(*document.problems) from None
+    except yaml.YAMLError as error:
+        document.complain(*_syntax(error))
+        raise ConfigurationError(*document.problems) from None
+    del document.problems[MAX_PROBLEMS:]
+    return document
+
+
+def printable(text: str, limit: int = 60) -> str:
+    """Return a text as it may stand in a message: one line, shortened, nothing that moves a cursor."""
+    text = text if len(text) <= limit else text[: limit - 1] + "…"
+    return "".join(c if c.isprintable() else c.encode("unicode_escape", "surrogatepass").decode() for c in text)
+
+
+def _mark(mark: Any) -> Mark:  # the C parser's marks are of a class of their own
+    return Mark(line=mark.line + 1, column=mark.column + 1, index=mark.index)
+
+
+def _scalar(event: yaml.ScalarEvent) -> Scalar:
+    start = _mark(event.start_mark)
+    plain = event.style is None or event.style == ""
+    text = event.value
+    if event.tag and event.tag != "!":
+        _check_tag(event.tag, tuple(_KINDS), start)
+        kind = _KINDS[event.tag.removeprefix(_TAG)]
+    else:
+        kind = _resolve(text) if plain and event.tag is None else "string"
+    if event.style in {"|", ">"}:
+        text = text.removesuffix("\n")  # the block's own end, not the value's
+    return Scalar(start=start, end=_mark(event.end_mark), text=text, kind=kind, plain=plain)
+
+
+def _resolve(text: str) -> ScalarKind:
+    """Return what YAML 1.1 takes an unquoted text for."""
+    resolvers = yaml.SafeLoader.yaml_implicit_resolvers
+    for tag, expression in resolvers.get(text[:1], []) + resolvers.get(None, []):
+        if expression.match(text):
+            return _KINDS.get(tag.removeprefix(_TAG), "string")
+    return "string"
+
+
+def _check_tag(tag: str | None, allowed: tuple[str, ...], mark: Mark) -> None:
+    if tag and tag != "!" and tag.removeprefix(_TAG) not in allowed:
+        raise _Stop(f"the tag {printable(tag)} is not allowed", "roslab.yaml needs no tags: take it out", mark)
+
+
+def _syntax(error: yaml.YAMLError) -> tuple[str, str, Mark | None]:
+    """Put the parser's complaint into this program's words."""
+    complaint = getattr(error, "problem", None) or "it cannot be read"
+    mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)
+    hint = next((hint for words, hint in _HINTS if words in complaint), "see https://yaml.org for the syntax")
+    return f"no valid YAML: {complaint}", hint, _mark(mark) if mark else None

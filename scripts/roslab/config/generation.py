@@ -1,0 +1,118 @@
+"""Tells the formats of roslab.yaml apart by their own marks, and says which line belongs to which where they mix.
+
+The marks: ``format: 3`` is today's; ``distro`` (or another key that only the 2019 paper's has) is the paper's;
+``base.system`` is the interim one's; everything else is the later old format, which today's keys may complete.
+"""
+
+from __future__ import annotations
+
+from roslab.config import vocabulary
+from roslab.config.model import Generation
+from roslab.config.node import Mapping
+from roslab.errors import ConfigurationError, Problem
+
+NAMES: dict[Generation, str] = {
+    "paper": "the 2019 paper's format",
+    "interim": "the interim format (repolab)",
+    "later": "the later old format",
+    "today": "today's format (`format: 3`)",
+}
+_ENOUGH = 2
+"""Keys of the foreign program from which on a file is taken for its."""
+
+
+def keys(generation: Generation) -> frozenset[str]:
+    """Return the keys of the top level that a format knows."""
+    return frozenset(vocabulary.definition(generation)["properties"])
+
+
+def news() -> frozenset[str]:
+    """Return the keys that no old generator knew; the old formats may use them all the same."""
+    return keys("today") & keys("later") & keys("paper") - {"name", "build", "volume", "custom", "source"}
+
+
+def own(generation: Generation) -> frozenset[str]:
+    """Return the keys by which an old format is known."""
+    others: tuple[Generation, ...] = ("paper", "later") if generation == "interim" else ("interim", "later")
+    if generation == "later":
+        others = ("paper",)
+    found = keys(generation)
+    for other in others:
+        found -= keys(other)
+    return found - {"format"}
+
+
+def tell(root: Mapping, *, file: str) -> Generation:
+    """Return the format of a file.
+
+    Raises ``ConfigurationError`` where the file is another program's, which shares only the name.
+    """
+    names = set(root.names)
+    foreign = [name for name in root.names if name in vocabulary.rows("foreign")]
+    if "roslab_version" in foreign or (len(foreign) >= _ENOUGH and "base" not in names):
+        key = root.key(foreign[0])
+        raise ConfigurationError(
+            Problem(
+                message=f"this file is of the ROS code generator also called roslab: it has {', '.join(foreign)}",
+                hint="leave it to that program, and give this one a file of another name (`config`), or none at all",
+                file=file,
+                line=key.start.line if key else None,
+                column=key.start.column if key else None,
+            )
+        )
+    if "format" in names:
+        return "today"
+    base = root.get("base")
+    if isinstance(base, Mapping) and "system" in base.names:
+        return "interim"
+    if "base" in names:
+        return "later"
+    if "distro" in names or (names & own("paper") and not names & own("later")):
+        return "paper"
+    return "later"
+
+
+def rivals(root: Mapping, generation: Generation) -> tuple[str, ...]:
+    """Return the keys of the 2019 paper's format in a file that is marked as another: two formats in one file."""
+    if generation == "paper" or "distro" not in root.names:
+        return ()
+    return tuple(name for name in root.names if name in own("paper"))
+
+
+def mixture(root: Mapping, generation: Generation, *, file: str) -> Problem | None:
+    """Return a problem, with the lines of each format, where two stand in one file."""
+    strange = rivals(root, generation)
+    if not strange:
+        return None
+    mine = own(generation) | {"base", "format"} & keys(generation)
+    ours = ", ".join(_line(root, name) for name in root.names if name in mine)
+    theirs = ", ".join(_line(root, name) for name in strange)
+    told = f"{NAMES[generation]}: {ours}; {NAMES['paper']}: {theirs}"
+    first = root.key(strange[0])
+    return Problem(
+        message=f"the keys of two formats stand in one file: {told}",
+        hint=f"keep those of {NAMES[generation]} and take the others out",
+        file=file,
+        line=first.start.line if first else None,
+        column=first.start.column if first else None,
+    )
+
+
+def elsewhere(generation: Generation, name: str) -> str | None:
+    """Say of an unknown key which format it belongs to and what to write instead; ``None`` where it is in none."""
+    order: tuple[Generation, ...] = ("paper", "interim", "later", "today")
+    homes = [NAMES[other] for other in order if other != generation and name in keys(other)]
+    if not homes:
+        return None
+    translations = vocabulary.rows("translations")
+    if generation in {"paper", "interim"}:
+        word = next((old for old, new in translations.items() if new == name and old in keys(generation)), None)
+    else:
+        word = translations.get(name)
+    instead = f"did you mean `{word}`? " if word else ""
+    return f"{instead}`{name}` is a word of {homes[0]}, this file is in {NAMES[generation]}"
+
+
+def _line(root: Mapping, name: str) -> str:
+    key = root.key(name)
+    return f"`{name}` (line {key.start.line})" if key else name

@@ -1,0 +1,79 @@
+"""What a YAML file is made of, each part with its place: the tree that everything else here reads.
+
+PyYAML's own nodes would do, but for three things: they are built by recursion, so that a deep file ends in a
+RecursionError; a number has lost the text it was written as (``20.10`` is not 20.1); nothing counts what an alias
+stands for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+ScalarKind = Literal["string", "integer", "number", "boolean", "null", "date"]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Mark:
+    """A place in a text: line and column from 1, and the index of the character."""
+
+    line: int
+    column: int
+    index: int
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Node:
+    """Any part of the tree; ``size`` counts its parts with aliases written out."""
+
+    start: Mark
+    end: Mark
+    size: int = 1
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Scalar(Node):
+    """A single value: its text as written, and what YAML takes it for."""
+
+    text: str
+    kind: ScalarKind
+    plain: bool
+    """Written without quotes."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Sequence(Node):
+    """A list."""
+
+    items: tuple[Node, ...]
+    flow: bool
+    """Written with brackets."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Mapping(Node):
+    """Keys and values in the order of the file; keys are unique."""
+
+    pairs: tuple[tuple[Scalar, Node], ...]
+    flow: bool
+    """Written with braces."""
+
+    def get(self, name: str) -> Node | None:
+        """Return the value of a key, or ``None``."""
+        return next((value for key, value in self.pairs if key.text == name), None)
+
+    def key(self, name: str) -> Scalar | None:
+        """Return the key itself, which knows where it stands, or ``None``."""
+        return next((key for key, _ in self.pairs if key.text == name), None)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the keys, in the order of the file."""
+        return tuple(key.text for key, _ in self.pairs)
+
+
+def kind(node: Node) -> str:
+    """Return the JSON Schema type of a node, or ``date``."""
+    if isinstance(node, Scalar):
+        return node.kind
+    return "array" if isinstance(node, Sequence) else "object"

@@ -1,0 +1,158 @@
+"""roslab.yaml, of whatever format, as one ``Config``, or every problem it has at once."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from roslab.config import base as bases
+from roslab.config import generation as generations
+from roslab.config import packages, running, vocabulary
+from roslab.config.document import Document, parse
+from roslab.config.model import BuildTool, Config, Generation, Kind
+from roslab.config.node import Mapping, Scalar, Sequence
+from roslab.config.reading import Reading
+from roslab.config.shape import Shape
+from roslab.config.source import OLD_TOOLS, sources
+from roslab.errors import ConfigurationError, Problem
+
+_KEYS: dict[Generation, dict[str, str]] = {
+    "paper": {"repo": "repos", "apt": "packages", "pip": "python-packages"},
+    "interim": {"apt": "apt-packages", "pip": "pip-packages", "pip3": "pip3-packages", "source": "source-packages"},
+    "later": {},
+    "today": {},
+}
+"""How the old formats name the keys of today."""
+
+
+def read(text: str | bytes, *, file: str = "roslab.yaml") -> Config:
+    """Read a roslab.yaml; ``file`` is its path relative to the repository, for messages.
+
+    Raises ``ConfigurationError`` with every problem found, in the order of the lines.
+    """
+    document = parse(text, file=file)
+    root = mapping_of(document)
+    generation = generations.tell(root, file=file)
+    strange = generations.rivals(root, generation)
+    shape = Shape(file=file, unknown=lambda name: _elsewhere(generation, name, strange))
+    shape.problems += document.problems
+    if mixed := generations.mixture(root, generation, file=file):
+        shape.problems.append(mixed)
+    checked = shape.check(root, vocabulary.definition(generation))
+    reading = Reading(file=file)
+    config = _config(reading, checked, generation) if isinstance(checked, Mapping) else Config()
+    problems = [*shape.problems, *reading.problems]
+    problems = [problem for problem in problems if problem.hint != ""]  # see _elsewhere
+    if problems:
+        raise ConfigurationError(*sorted(problems, key=_by_place))
+    return config
+
+
+def mapping_of(document: Document) -> Mapping:
+    """Return the mapping that a file must be.
+
+    Raises ``ConfigurationError`` where it is empty or something else.
+    """
+    root = document.root
+    if isinstance(root, Mapping) and root.pairs:
+        return root
+    if root is None or (isinstance(root, Scalar) and root.kind == "null") or isinstance(root, Mapping):
+        message, hint = "the file is empty", "begin with `format: 3`, or delete it: no roslab.yaml is needed"
+    else:
+        was = "a list" if isinstance(root, Sequence) else "text"
+        message, hint = f"the file is {was}, not a mapping", "write KEY: VALUE lines, `format: 3` first"
+    place = (root.start.line, root.start.column) if root else (None, None)
+    problem = Problem(message=message, hint=hint, file=document.file, line=place[0], column=place[1])
+    raise ConfigurationError(*document.problems, problem)
+
+
+def _elsewhere(generation: Generation, name: str, strange: tuple[str, ...]) -> str | None:
+    """Say what an unknown key is; nothing of the keys that the problem about mixed formats names already."""
+    return "" if name in strange else generations.elsewhere(generation, name)
+
+
+def _by_place(problem: Problem) -> tuple[int, int]:
+    return problem.line or 0, problem.column or 0
+
+
+def _config(reading: Reading, root: Mapping, generation: Generation) -> Config:
+    old = generation != "today"
+    key = {name: name for name in ("repo", "apt", "pip", "pip3", "source")} | _KEYS[generation]
+    base = bases.base(reading, root, generation)
+    shared = bases.implied(reading, root, generation, base)
+    gui, gpu = reading.truth(root, "gui", "gui"), reading.truth(root, "gpu", "gpu")
+    notebook = reading.truth(root, "notebook", "notebook")
+    python2 = "pip2" in root.names or old
+    pip, pip_options = packages.pip(reading, root, "pip2" if "pip2" in root.names else key["pip"], "pip")
+    pip3, pip3_options = packages.pip(reading, root, key["pip3"], "pip3")
+    _advise(reading, root, generation)
+    return Config(
+        file=reading.file,
+        generation=generation,
+        name=_name(reading, root),
+        kind=cast(Kind | None, reading.value(root, "kind", "kind")),
+        base=base,
+        repositories=packages.repositories(reading, root, key["repo"]),
+        apt=packages.apt(reading, root, key["apt"]),
+        pip=pip,
+        pip_options=pip_options,
+        pip_python="2" if python2 and pip else "image",
+        pip3=pip3,
+        pip3_options=pip3_options,
+        requirements=_files(reading, root, "requirements"),
+        conda=reading.value(root, "conda", "conda"),
+        vcs=_files(reading, root, "vcs"),
+        source=sources(reading, root, key["source"]),
+        build=_build(reading, root, generation),
+        build_args=running.arguments(reading, root, "build_args"),
+        cmake_options=reading.value(root, "cmake_options", "cmake_options") or "",
+        skip_keys=reading.values(root, "skip_keys", "skip_keys") or (),
+        custom=running.custom(reading, root, generation),
+        env=running.environment(reading, root),
+        command=running.command(reading, root, "command"),
+        test=running.command(reading, root, "test"),
+        dockerfile=reading.value(root, "dockerfile", "dockerfile"),
+        context=reading.value(root, "context", "context"),
+        gui=shared if gui is None else gui,
+        gpu=shared if gpu is None else gpu,
+        volume=running.volumes(reading, root),
+        ports=reading.values(root, "ports", "ports") or (),
+        platforms=reading.values(root, "platforms", "platforms"),
+        notebook=True if notebook is None and old else notebook,
+        matlab=running.matlab(reading, root),
+        places=tuple(reading.places.items()),
+        warnings=tuple(reading.warnings),
+    )
+
+
+def _advise(reading: Reading, root: Mapping, generation: Generation) -> None:
+    """Warn where a file uses today's keys but lacks today's mark: it is probably not meant as an old one."""
+    if generation == "today":
+        return
+    used = [name for name in root.names if name in generations.news()]
+    if used:
+        reading.warn(
+            f"`{used[0]}` is of today, but without `format: 3` the file is read as {generations.NAMES[generation]}: "
+            "JupyterLab comes into the image, `custom` and `pip` keep their old meaning",
+            root.key(used[0]),
+        )
+
+
+def _name(reading: Reading, root: Mapping) -> str | None:
+    text = reading.text(root, "name", "name")
+    if text is None:
+        return None
+    if text.value != text.value.lower():
+        reading.warn(f"image names are in lower case: `{text.value}` becomes `{text.value.lower()}`", text.node)
+    return text.value.lower()
+
+
+def _build(reading: Reading, root: Mapping, generation: Generation) -> BuildTool | None:
+    tool = reading.value(root, "build", "build")
+    if tool is None:
+        return "cmake" if generation == "interim" else None  # repolab built every repository with cmake
+    return cast(BuildTool, OLD_TOOLS.get(tool, tool))
+
+
+def _files(reading: Reading, root: Mapping, key: str) -> tuple[str, ...] | None:
+    """Read a list of files, where an empty list says none and a missing key says nothing."""
+    return reading.values(root, key, key)

@@ -1,0 +1,92 @@
+"""What is gathered while a tree becomes the model: places, warnings and problems."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from roslab.config.model import Place
+from roslab.config.node import Mapping, Mark, Node, Scalar, Sequence
+from roslab.errors import Problem
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Text:
+    """A value and the node it came from."""
+
+    value: str
+    node: Scalar
+
+
+@dataclass(kw_only=True, slots=True)
+class Reading:
+    """One reading of one file."""
+
+    file: str
+    places: dict[str, Place] = field(default_factory=dict)
+    warnings: list[tuple[str, Place | None]] = field(default_factory=list)
+    problems: list[Problem] = field(default_factory=list)
+
+    def place(self, mark: Mark) -> Place:
+        """Return a mark as a place in the repository."""
+        return Place(file=self.file, line=mark.line, column=mark.column)
+
+    def note(self, path: str, node: Node | None) -> None:
+        """Remember where the key at a dotted path of the model stands."""
+        if node is not None:
+            self.places.setdefault(path, self.place(node.start))
+
+    def warn(self, message: str, node: Node | None) -> None:
+        """Say what is outdated, or was read as something else, and why."""
+        self.warnings.append((message, self.place(node.start) if node else None))
+
+    def complain(self, message: str, hint: str, node: Node) -> None:
+        """Say what is wrong."""
+        mark = node.start
+        problem = Problem(message=message, hint=hint, file=self.file, line=mark.line, column=mark.column)
+        self.problems.append(problem)
+
+    def mapping(self, root: Mapping, key: str) -> Mapping | None:
+        """Return a mapping, ``None`` where nothing or nothing usable is said."""
+        node = root.get(key)
+        return node if isinstance(node, Mapping) else None
+
+    def text(self, root: Mapping | None, key: str, path: str) -> Text | None:
+        """Return a single value as text."""
+        node = root.get(key) if root else None
+        if root is None or not isinstance(node, Scalar) or node.kind == "null":
+            return None
+        self.note(path, root.key(key))
+        return Text(value=node.text.strip(), node=node)
+
+    def value(self, root: Mapping | None, key: str, path: str) -> str | None:
+        """Return a single value as text, without its node."""
+        text = self.text(root, key, path)
+        return text.value if text else None
+
+    def truth(self, root: Mapping | None, key: str, path: str) -> bool | None:
+        """Return a truth value."""
+        text = self.text(root, key, path)
+        return text.value.lower() in {"true", "yes", "on"} if text else None
+
+    def texts(self, root: Mapping, key: str, path: str) -> tuple[Text, ...] | None:
+        """Return a list of texts, ``None`` where the key is missing or empty.
+
+        A single text counts as a list of one, with a warning: the old generators took it letter by letter.
+        """
+        node = root.get(key)
+        if node is None or (isinstance(node, Scalar) and node.kind == "null"):
+            return None
+        self.note(path, root.key(key))
+        if isinstance(node, Scalar):
+            self.warn(f"`{key}` is a list: its one entry should stand on a line of its own, after `- `", node)
+        items = node.items if isinstance(node, Sequence) else (node,)
+        return tuple(Text(value=item.text.strip(), node=item) for item in items if isinstance(item, Scalar))
+
+    def values(self, root: Mapping, key: str, path: str) -> tuple[str, ...] | None:
+        """Return a list of texts without their nodes, each with its place noted."""
+        texts = self.texts(root, key, path)
+        if texts is None:
+            return None
+        for index, text in enumerate(texts):
+            self.note(f"{path}.{index}", text.node)
+        return tuple(text.value for text in texts)

@@ -1,0 +1,104 @@
+"""What happens inside and around the image: custom commands, volumes, MATLAB, environment, command."""
+
+from __future__ import annotations
+
+import shlex
+
+from roslab.config.model import Custom, Generation, Matlab, Volume
+from roslab.config.node import Mapping, Node, Scalar, Sequence
+from roslab.config.reading import Reading
+
+_FOLDERS = {"source": "source", "home": "home", "/": "root"}
+
+
+def custom(reading: Reading, root: Mapping, generation: Generation) -> Custom | None:
+    """Read ``custom``, which each format ran in its own way; ``None`` where there are no commands."""
+    mapping = reading.mapping(root, "custom")
+    if mapping is not None:
+        commands = reading.values(mapping, "commands", "custom")
+        if not commands:
+            return None
+        folder = _FOLDERS[reading.value(mapping, "folder", "custom.folder") or "source"]
+        return Custom(
+            commands=commands,
+            as_root=reading.value(mapping, "user", "custom.user") != "jovyan",
+            chained=reading.truth(mapping, "chained", "custom.chained") is not False,
+            workdir="root" if folder == "root" else "home" if folder == "home" else "source",
+        )
+    commands = reading.values(root, "custom", "custom")
+    if not commands:
+        return None
+    if generation == "paper":
+        return Custom(commands=commands, as_root=False, chained=False, workdir="home")
+    return Custom(commands=commands, as_root=True, chained=True, workdir="source" if generation == "today" else "root")
+
+
+def volumes(reading: Reading, root: Mapping) -> tuple[Volume, ...]:
+    """Read ``volume``; three entries of one key each, as wild files have, are one volume."""
+    node = root.get("volume")
+    reading.note("volume", root.key("volume"))
+    found: list[dict[str, str]] = []
+    starts: list[Node] = []
+    for item in node.items if isinstance(node, Sequence) else ():
+        if not isinstance(item, Mapping):
+            continue
+        said = ((key.text, value) for key, value in item.pairs)
+        parts = {name: value.text.strip() for name, value in said if isinstance(value, Scalar)}
+        if found and len(item.pairs) == 1 and not parts.keys() & found[-1].keys() and "host_path" not in parts:
+            reading.warn("read as part of the volume above: its keys belong under one `-`", item)
+            found[-1] |= parts
+        else:
+            found.append(parts)
+            starts.append(item)
+    volumes: list[Volume] = []
+    for index, (parts, start) in enumerate(zip(found, starts, strict=True)):
+        missing = [key for key in ("host_path", "container_path") if key not in parts]
+        if missing:
+            message = f"volume[{index}] has no `{missing[0]}`"
+            reading.complain(message, "for example: `host_path: /media/data` and `container_path: /DATASET`", start)
+            continue
+        reading.note(f"volume.{len(volumes)}", start)
+        options = parts.get("options", "")
+        volumes.append(Volume(host_path=parts["host_path"], container_path=parts["container_path"], options=options))
+    return tuple(volumes)
+
+
+def matlab(reading: Reading, root: Mapping) -> Matlab | None:
+    """Read ``matlab``, which stays on the author's host."""
+    mapping = reading.mapping(root, "matlab")
+    reading.note("matlab", root.key("matlab"))
+    host_path = reading.value(mapping, "host_path", "matlab.host_path")
+    if host_path is None:
+        return None
+    message = "MATLAB is mounted from the host and never in the image: who has no licence cannot reproduce this"
+    reading.warn(message, root.key("matlab"))
+    return Matlab(host_path=host_path, mac_address=reading.value(mapping, "mac_address", "matlab.mac_address"))
+
+
+def environment(reading: Reading, root: Mapping) -> tuple[tuple[str, str], ...]:
+    """Read ``env``: names and values in the order of the file."""
+    mapping = reading.mapping(root, "env")
+    reading.note("env", root.key("env"))
+    if mapping is None:
+        return ()
+    for key, _ in mapping.pairs:
+        reading.note(f"env.{key.text}", key)
+    return tuple((key.text, value.text) for key, value in mapping.pairs if isinstance(value, Scalar))
+
+
+def command(reading: Reading, root: Mapping, key: str) -> tuple[str, ...] | str | None:
+    """Read ``command`` or ``test``: a line of shell or a list of words, kept apart."""
+    node = root.get(key)
+    reading.note(key, root.key(key))
+    if isinstance(node, Sequence):
+        return tuple(item.text for item in node.items if isinstance(item, Scalar)) or None
+    return node.text.strip() if isinstance(node, Scalar) else None
+
+
+def arguments(reading: Reading, root: Mapping, key: str) -> tuple[str, ...]:
+    """Read ``build_args``: a list of words, or a line that is split as a shell would."""
+    node = root.get(key)
+    reading.note(key, root.key(key))
+    if isinstance(node, Sequence):
+        return tuple(item.text for item in node.items if isinstance(item, Scalar))
+    return tuple(shlex.split(node.text)) if isinstance(node, Scalar) and node.kind != "null" else ()

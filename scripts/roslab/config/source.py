@@ -1,0 +1,83 @@
+"""Libraries that are built from source, and what wild files write where a URL should stand."""
+
+from __future__ import annotations
+
+import re
+from typing import Literal, cast
+
+from roslab.config import packages
+from roslab.config.model import Source
+from roslab.config.node import Mapping, Sequence
+from roslab.config.reading import Reading, Text
+
+Build = Literal["cmake", "catkin_make", "catkin_tools", "colcon", "pip", "none"]
+OLD_TOOLS = {"catkin_build": "catkin_tools"}
+"""The old formats' names of build tools."""
+_FLAG = re.compile(r"(?:^|\s)(?:-b|--branch)[ =]+(\S+)|(?:^|\s)--(?:single-branch|depth[ =]\d+)")
+_SSH = re.compile(r"(?:ssh://)?git@([^/:]+)[/:](.+)")
+
+
+def sources(reading: Reading, root: Mapping, key: str) -> tuple[Source, ...]:
+    """Read the list of sources; two of one name would share a folder and are refused."""
+    node = root.get(key)
+    reading.note("source", root.key(key))
+    found: dict[str, Source] = {}
+    for item in node.items if isinstance(node, Sequence) else ():
+        if isinstance(item, Mapping):
+            source = _source(reading, item, f"source.{len(found)}")
+            if source is None:
+                continue
+            if source.name in found:
+                line = found[source.name].place
+                hint = f"give each a name of its own: the first is on line {line.line if line else '?'}"
+                reading.complain(f"source: two are named `{source.name}`", hint, item)
+            found[source.name] = source
+    return tuple(found.values())
+
+
+def _source(reading: Reading, item: Mapping, path: str) -> Source | None:
+    name = reading.value(item, "name", f"{path}.name")
+    repo = reading.text(item, "repo", f"{path}.repo")
+    archive = reading.text(item, "zip", f"{path}.zip")
+    if name is None or (repo is None and archive is None):
+        return None  # what is wrong with them was said
+    reading.note(path, item)
+    url, branch = clone(reading, repo) if repo else (None, None)
+    ref = reading.value(item, "ref", f"{path}.ref") or reading.value(item, "checkout", f"{path}.ref")
+    if ref and branch and ref != branch and repo:
+        reading.warn(f"`{branch}` is asked for in `repo` too: `{ref}` is what is built", repo.node)
+    if archive and archive.value.startswith("http://"):
+        reading.warn("fetched without encryption: write https://", archive.node)
+    tool = reading.value(item, "build", f"{path}.build") or "cmake"
+    return Source(
+        name=name,
+        repo=url,
+        zip=archive.value if archive else None,
+        ref=ref or branch,
+        depends=packages.apt(reading, item, "depends", f"{path}.depends"),
+        build=cast(Build, OLD_TOOLS.get(tool, tool)),
+        cmake_options=reading.value(item, "cmake_options", f"{path}.cmake_options") or "",
+        cmake_folder=reading.value(item, "cmake_folder", f"{path}.cmake_folder"),
+        make_command=reading.value(item, "make_command", f"{path}.make_command"),
+        keep_source=reading.truth(item, "keep_source", f"{path}.keep_source") or False,
+        place=reading.place(item.start),
+    )
+
+
+def clone(reading: Reading, repo: Text) -> tuple[str, str | None]:
+    """Return the URL and the branch of what was given to ``git clone``."""
+    branch: str | None = None
+    for match in _FLAG.finditer(repo.value):
+        branch = match[1] or branch
+    url = _FLAG.sub(" ", repo.value).strip()
+    if branch:
+        reading.warn(f"`-b {branch}` in `repo` is read as `ref: {branch}`", repo.node)
+    if url.startswith("git://"):
+        url = "https://" + url.removeprefix("git://")
+        reading.warn(f"git:// is unsafe and mostly switched off: read as {url}", repo.node)
+    elif private := _SSH.fullmatch(url):
+        url = f"https://{private[1]}/{private[2]}"
+        reading.warn(f"a build has no private key: read as {url}", repo.node)
+    elif url.startswith("http://"):
+        reading.warn("fetched without encryption: write https://", repo.node)
+    return url, branch

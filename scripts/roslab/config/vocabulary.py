@@ -1,0 +1,64 @@
+"""The words of roslab.yaml as data: ``schema.json`` holds every key with its grammar, ``words.json`` what words mean.
+
+The reader and the editors' schema cannot drift apart, because the reader takes its keys, its patterns and the text of
+its messages from the schema.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+Schema = dict[str, Any]
+"""A part of the JSON schema: a mapping of keywords."""
+SCHEMA = Path(__file__).with_name("schema.json")
+WORDS = Path(__file__).with_name("words.json")
+_NEAR = 0.6
+"""How alike two words must be, from 0 to 1, for one to be offered for the other."""
+
+
+@cache
+def definition(name: str) -> Schema:
+    """Return a definition of the schema, ``today`` or ``apt_item``."""
+    found: Schema = _load(SCHEMA)["$defs"][name]
+    return found
+
+
+def resolve(schema: Schema) -> Schema:
+    """Follow ``$ref``; what stands beside it wins."""
+    target = schema.get("$ref")
+    if target is None:
+        return schema
+    return {**resolve(definition(target.rpartition("/")[2])), **{k: v for k, v in schema.items() if k != "$ref"}}
+
+
+@cache
+def compiled(pattern: str) -> re.Pattern[str]:
+    """Compile a pattern of the schema, once."""
+    return re.compile(pattern)
+
+
+@cache
+def rows(table: str) -> dict[str, Any]:
+    """Return the rows of a table of ``words.json``."""
+    found: dict[str, Any] = _load(WORDS)[table]["rows"]
+    return found
+
+
+def nearest(word: str, allowed: Iterable[str]) -> str | None:
+    """Return the allowed word that was probably meant, or ``None``."""
+    import difflib  # noqa: PLC0415 - needed only where something is wrong
+
+    plain = {name.replace("-", "_").lower(): name for name in allowed}
+    found = difflib.get_close_matches(word.replace("-", "_").lower(), plain, n=1, cutoff=_NEAR)
+    return plain[found[0]] if found else None
+
+
+@cache
+def _load(file: Path) -> dict[str, Any]:
+    data: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+    return data
