@@ -156,9 +156,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     except Exception as error:  # the last line of defence: a bug of ours
         if debug:
             raise
-        sys.stderr.write(
-            f"roslab: a bug: {type(error).__name__}: {error}\nPlease report it; ROSLAB_DEBUG=1 shows where it happened.\n"
-        )
+        sys.stderr.write(f"roslab: a bug: {type(error).__name__}: {error}\n")
+        sys.stderr.write("Please report it; ROSLAB_DEBUG=1 shows where it happened.\n")
         return 1
 
 

@@ -170,7 +170,7 @@ def remove_image(reference: str) -> None:
 
 
 def output(command: Sequence[str], timeout: float = 120.0) -> subprocess.CompletedProcess[str]:
-    """Run a short command and return what it printed; exit code 124 where it gave no answer within ``timeout`` seconds."""
+    """Run a short command and return what it printed; exit code 124: no answer within ``timeout`` seconds."""
     try:
         return subprocess.run(
             command,

@@ -159,7 +159,7 @@ def make_plan(
         build_tool=decision.build_tool,
         recipe=recipe,
         repositories=config.repositories,
-        apt=decision.apt,
+        apt=_packages(decision, config, libraries, in_workspace),
         apt_guessed=decision.apt_guessed,
         libraries=libraries,
         libraries_in_place=old_format,
@@ -202,6 +202,33 @@ def _workspace(decision: Decision, config: Config, in_workspace: tuple[Source, .
         sources=in_workspace,
         python_projects=decision.python.projects,
     )
+
+
+def _packages(
+    decision: Decision, config: Config, libraries: tuple[Source, ...], in_workspace: tuple[Source, ...]
+) -> tuple[str, ...]:
+    """Return what the steps of the plan themselves need, then what the repository needs."""
+    python = decision.python
+    old_format = config.generation != "today"
+    notebook = old_format if config.notebook is None and config.file else bool(config.notebook)
+    own_python = decision.base_image.rpartition("/")[2].startswith("python:")  # with pip and venv in /usr/local
+    lines = (*python.pip, *python.pip_guessed, *python.first, *python.python2)
+    needs: list[str] = []
+    if in_workspace or (libraries and old_format) or any("git+" in line for line in lines):
+        needs += ["ca-certificates", "git"]
+    if libraries and old_format:
+        needs += ["build-essential", "cmake"]
+    if any(source.zip for source in decision.source) or config.base.cmake_update:
+        needs += ["build-essential", "ca-certificates", "curl", "unzip"]
+    if python.manager == "conda":
+        needs.append("ca-certificates")
+    if not own_python and (python.manager == "venv" or notebook):
+        needs += ["python3", "python3-venv"]
+    if not own_python and python.manager == "system" and (lines or python.requirements or python.projects):
+        needs.append("python-pip" if (python.version or "").startswith("2") else "python3-pip")
+    if python.python2:
+        needs += ["python-pip", "python-dev"]
+    return tuple(dict.fromkeys((*sorted(set(needs)), *decision.apt)))
 
 
 def to_json(plan: Plan) -> str:

@@ -104,7 +104,8 @@ def _import_proof(version: str | None, distributions: list[str]) -> Proof:
 
 def _distribution(line: str) -> str | None:
     """Name of the distribution that a requirement line installs; ``None`` for a URL, an option, a marked line."""
-    match = re.match(r"([A-Za-z0-9][A-Za-z0-9._-]*)\s*(\[[^]]*\])?\s*([=<>!~].*)?$", line.split("#", maxsplit=1)[0].strip())
+    requirement = line.partition("#")[0].strip()
+    match = re.match(r"([A-Za-z0-9][A-Za-z0-9._-]*)\s*(\[[^]]*\])?\s*([=<>!~].*)?$", requirement)
     return match[1] if match else None
 
 

@@ -76,7 +76,7 @@ class Repository:
                     )
                 )
             root = root.resolve()
-            if not any(True for _ in os.scandir(root)):
+            if next(root.iterdir(), None) is None:
                 raise NothingToBuildError(
                     Problem(message=f"{printable(str(path))} is empty", hint="check the repository out first")
                 )

@@ -49,6 +49,8 @@ class Python:
     """Names read from imports or prose: installed where pip can, reported where not."""
     requirements: tuple[str, ...] = ()
     """Requirement files of the tree to install as they are, relative to the root."""
+    manifests: tuple[str, ...] = ()
+    """Every file that ``requirements`` need to be read: they themselves, what they include, their constraints."""
     projects: tuple[str, ...] = ()
     """Folders to ``pip install``, ``.`` for the root; installed in this order, editable, after the source is copied."""
     conda_file: str | None = None

@@ -20,7 +20,15 @@ class PythonTools:
     bash_kernel: str = "bash_kernel"
 
 
-SYSTEM_PYTHON = {"trusty": "3.4", "xenial": "3.5", "bionic": "3.6", "focal": "3.8", "jammy": "3.10", "noble": "3.12", "resolute": "3.14"}
+SYSTEM_PYTHON = {
+    "trusty": "3.4",
+    "xenial": "3.5",
+    "bionic": "3.6",
+    "focal": "3.8",
+    "jammy": "3.10",
+    "noble": "3.12",
+    "resolute": "3.14",
+}
 """``python3`` of each Ubuntu. https://packages.ubuntu.com/python3, read 2026-08-22."""
 
 

@@ -32,10 +32,14 @@ def environment(plan: Plan) -> str:
         )
     lines = []
     if python.pip or python.pip_guessed or python.requirements or python.projects or plan.rosdep:
-        lines.append("# This image is the environment: packages go beside the distribution's own\nENV PIP_BREAK_SYSTEM_PACKAGES=1")
+        lines.append(
+            "# This image is the environment: packages go beside the distribution's own\nENV PIP_BREAK_SYSTEM_PACKAGES=1"
+        )
     if (python.pip or python.pip_guessed or python.requirements or python.projects) and plan.python_tools.pip != "pip":
         # An old distribution's pip knows no wheels of today, and today's pip does not run on its Python
-        lines.append(shell.run(f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}"))
+        lines.append(
+            shell.run(f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}")
+        )
     return "\n".join(lines)
 
 
@@ -50,13 +54,20 @@ def _tools(plan: Plan) -> tuple[str, ...]:
 
 def _conda(plan: Plan) -> str:
     python = plan.python
-    source = f"--file {quote.shell(f'{MANIFESTS}/{python.conda_file}')}" if python.conda_file else f"--channel conda-forge {quote.shell(f'python={python.version}')} pip"
+    source = (
+        f"--file {quote.shell(f'{MANIFESTS}/{python.conda_file}')}"
+        if python.conda_file
+        else f"--channel conda-forge {quote.shell(f'python={python.version}')} pip"
+    )
     copy = f"COPY --from=manifests /manifests/ {MANIFESTS}/\n" if python.conda_file else ""
     return (
         f"# A conda environment, for a Python that the base does not have\n"
         f"COPY --from={MICROMAMBA} /bin/micromamba /usr/local/bin/micromamba\n{copy}"
         "ENV MAMBA_ROOT_PREFIX=/opt/mamba \\\n    CONDA_PREFIX=/opt/conda \\\n    PATH=/opt/conda/bin:${PATH}\n"
-        + shell.run(f"micromamba create --yes --quiet --prefix /opt/conda {source}", "micromamba clean --all --yes --quiet")
+        + shell.run(
+            f"micromamba create --yes --quiet --prefix /opt/conda {source}",
+            "micromamba clean --all --yes --quiet",
+        )
     )
 
 
@@ -72,12 +83,19 @@ def packages(plan: Plan) -> str:
         blocks.append(shell.run(*commands, comment="Python packages that are declared"))
     if python.requirements:
         files = "".join(f" --requirement {quote.shell(f'{MANIFESTS}/{name}')}" for name in python.requirements)
-        blocks.append(f"COPY --from=manifests /manifests/ {MANIFESTS}/\n" + shell.run(f"{pip}{files}", comment="Requirement files"))
+        blocks.append(
+            f"COPY --from=manifests /manifests/ {MANIFESTS}/\n"
+            + shell.run(f"{pip}{files}", comment="Requirement files")
+        )
     if python.python2:
         tools = "".join(f" {quote.shell(name)}" for name in ("pip<21", "setuptools<45", "wheel<0.38"))
         install = f"python2 -m pip install --no-cache-dir{shell.words(_arguments(python.python2))}"
         blocks.append(
-            shell.run(f"python2 -m pip install --no-cache-dir --upgrade{tools}", install, comment="Packages of Python 2")
+            shell.run(
+                f"python2 -m pip install --no-cache-dir --upgrade{tools}",
+                install,
+                comment="Packages of Python 2",
+            )
         )
     return "\n\n".join(blocks)
 
@@ -100,7 +118,9 @@ def projects(plan: Plan) -> str:
     if not folders:
         return ""
     isolation = " --no-build-isolation" if plan.python.first else ""
-    editable = "".join(f" --editable {quote.shell('./' + folder if folder not in ('', '.') else '.')}" for folder in folders)
+    editable = "".join(
+        f" --editable {quote.shell('./' + folder if folder not in ('', '.') else '.')}" for folder in folders
+    )
     return shell.run(
         f"{interpreter(plan)} -m pip install --no-cache-dir{isolation}{_options(plan.python.options)}{editable}",
         comment="The repository's own Python packages",

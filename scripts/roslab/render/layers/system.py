@@ -73,8 +73,16 @@ def library_stages(plan: Plan) -> str:
         lines = [f"FROM base AS {stage_name(index, library)}"]
         depends = ("build-essential", "ca-certificates", "cmake", "git", *library.depends)
         lines.append(shell.apt_install(tuple(dict.fromkeys(depends))))
-        lines += [f"COPY --from={stage_name(i, earlier)} /installed/ /" for i, earlier in enumerate(plan.libraries[:index])]
-        lines.append(shell.run(*_fetch(library), *_compile(library, "export DESTDIR=/installed"), "mkdir --parents /installed"))
+        lines += [
+            f"COPY --from={stage_name(i, earlier)} /installed/ /" for i, earlier in enumerate(plan.libraries[:index])
+        ]
+        lines.append(
+            shell.run(
+                *_fetch(library),
+                *_compile(library, "export DESTDIR=/installed"),
+                "mkdir --parents /installed",
+            )
+        )
         stages.append("\n".join(lines))
     return "\n\n".join(stages)
 
@@ -85,7 +93,9 @@ def libraries(plan: Plan) -> str:
         return ""
     if plan.libraries_in_place:
         return "\n\n".join(_in_place(library) for library in plan.libraries)
-    copies = "\n".join(f"COPY --from={stage_name(i, library)} /installed/ /" for i, library in enumerate(plan.libraries))
+    copies = "\n".join(
+        f"COPY --from={stage_name(i, library)} /installed/ /" for i, library in enumerate(plan.libraries)
+    )
     return f"# Libraries built from their source\n{copies}\nRUN ldconfig"
 
 
@@ -99,7 +109,9 @@ def _in_place(library: Source) -> str:
     keep = [f"cp --recursive {_folder(library)} /home/${{NB_USER}}/"] if library.keep_source else []
     depends = f"{shell.apt_install(library.depends)}\n" if library.depends else ""
     comment = f"{library.name}, from its source"
-    return depends + shell.run(*_fetch(library), *_compile(library), "ldconfig", *keep, f"rm -rf {_folder(library)}", comment=comment)
+    return depends + shell.run(
+        *_fetch(library), *_compile(library), "ldconfig", *keep, f"rm -rf {_folder(library)}", comment=comment
+    )
 
 
 def _folder(library: Source) -> str:

@@ -42,7 +42,9 @@ def sister_sources(plan: Plan) -> str:
     sources = plan.workspace.sources
     if not sources:
         return ""
-    blocks = [shell.apt_install(depends)] if (depends := tuple(dict.fromkeys(d for s in sources for d in s.depends))) else []
+    blocks = (
+        [shell.apt_install(depends)] if (depends := tuple(dict.fromkeys(d for s in sources for d in s.depends))) else []
+    )
     runs = [shell.run(*clone(s, quote.shell_with_user(f"{WS}/src/{s.name}"))) for s in sources]
     return "# Sister packages, from their source\n" + "\n".join([*blocks, f"RUN mkdir --parents {WS}/src", *runs])
 
