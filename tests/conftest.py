@@ -1,0 +1,100 @@
+"""What every test may use: the command line as a user runs it, the examples, and a count of what passed."""
+
+from __future__ import annotations
+
+import os
+import resource
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+KINDS = ("unit", "golden", "bad_input", "lab", "lint")
+"""Folders of tests; each is a marker of the same name."""
+Roslab = Callable[..., "subprocess.CompletedProcess[str]"]
+
+
+@pytest.fixture(scope="session")
+def checkout() -> Path:
+    """Return the root of this repository."""
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def examples() -> Path:
+    """Return the folder of the examples."""
+    return ROOT / "examples"
+
+
+@pytest.fixture(scope="session")
+def shared() -> Path:
+    """Return the folder of material that lies beside the checkout, not in it; without it the test is skipped."""
+    folder = Path(os.environ.get("REPRO_SHARED") or ROOT.parent / "shared")
+    if not folder.is_dir():
+        pytest.skip(f"no folder {folder}: name it with REPRO_SHARED")
+    return folder
+
+
+@pytest.fixture(scope="session")
+def roslab() -> Roslab:
+    """Return a function that runs ``roslab ARGUMENTS`` in a process of its own, as the action does.
+
+    It takes ``cwd``, ``env`` (added to the environment of the tests, ``None`` removes a name), ``memory`` (bytes of
+    address space) and ``timeout`` (seconds). No run may show a traceback, whatever it was given.
+    """
+
+    def run(
+        *arguments: str | Path,
+        cwd: Path | None = None,
+        env: Mapping[str, str | None] | None = None,
+        memory: int | None = None,
+        timeout: float = 60.0,
+    ) -> subprocess.CompletedProcess[str]:
+        # The tests may themselves run in a workflow: the program must not take that for a run of the action
+        settings = {name: value for name, value in os.environ.items() if not name.startswith(("GITHUB_", "ROSLAB_"))}
+        settings = {name: value for name, value in {**settings, **(env or {})}.items() if value is not None}
+
+        def limit() -> None:
+            if memory:
+                resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+
+        answer = subprocess.run(
+            [sys.executable, "-I", str(ROOT / "scripts"), *map(str, arguments)],
+            cwd=cwd,
+            env=settings,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            errors="surrogateescape",
+            timeout=timeout,
+            check=False,
+            preexec_fn=limit if memory else None,
+        )
+        assert "Traceback" not in answer.stderr, answer.stderr
+        assert "roslab: a bug" not in answer.stderr, answer.stderr
+        return answer
+
+    return run
+
+
+def _kind(nodeid: str) -> str | None:
+    parts = nodeid.split("/")
+    return parts[1] if parts[0] == "tests" and len(parts) > 2 and parts[1] in KINDS else None
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Give every test the marker of its folder, so that `-m unit` needs no line in any file."""
+    for item in items:
+        if kind := _kind(item.nodeid):
+            item.add_marker(kind)
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Name the number of tests of each kind that passed, as the last word on a run."""
+    passed = Counter(_kind(report.nodeid) for report in terminalreporter.getreports("passed"))
+    counts = ", ".join(f"{passed[kind]} {kind.replace('_', '-')}" for kind in KINDS)
+    terminalreporter.write_sep("=", f"passed: {counts} tests")
