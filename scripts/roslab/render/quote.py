@@ -1,0 +1,109 @@
+"""The one place where a value becomes a word of a shell script or a token of a Dockerfile.
+
+A value that would end its line, or make the line read differently from what it does, is an error wherever it comes
+from: no quoting survives a newline in a Dockerfile.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+from collections.abc import Iterable, Sequence
+
+from roslab.errors import ConfigurationError, Problem
+
+USER = "${NB_USER}"
+"""The one variable that a path may hold: the name of the image's user, an ARG and ENV of every image."""
+_FORBIDDEN = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+"""Control characters, line separators, bytes that are no UTF-8, and the marks that turn the reading direction:
+with these a line is shown as something else than it says (https://trojansource.codes)."""
+_BARE = re.compile(r"[A-Za-z0-9_@%+=:,./-]+")
+_IMAGE = re.compile(
+    r"[A-Za-z0-9][A-Za-z0-9._-]*(?::[0-9]+(?=/))?(?:/[a-z0-9][a-z0-9._-]*)*(?::\w[\w.-]*)?(?:@\w+:[0-9a-f]+)?", re.ASCII
+)
+"""A reference as https://github.com/distribution/reference/blob/main/regexp.go has it, somewhat wider;
+no space and no ``$`` pass."""
+
+
+def checked(text: str) -> str:
+    """Return the text itself. Raises ``ConfigurationError`` for a newline, NUL or another character without a face."""
+    if found := _FORBIDDEN.search(text):
+        raise ConfigurationError(
+            Problem(
+                message=f"{text!a} holds {_name(found[0])}: it cannot be written to a Dockerfile or a script",
+                hint="write the value on one line, without control characters",
+            )
+        )
+    return text
+
+
+def _name(character: str) -> str:
+    return {"\n": "a newline", "\r": "a carriage return", "\t": "a tab", "\0": "a NUL"}.get(
+        character, f"the character U+{ord(character):04X}"
+    )
+
+
+def shell(text: str) -> str:
+    """Return one word of a POSIX shell that stands for exactly this text."""
+    return shlex.quote(checked(text))
+
+
+def words(argv: Iterable[str]) -> str:
+    """Return a command line that a shell splits into exactly these words."""
+    quoted = [shell(word) for word in argv]
+    if quoted and "=" in quoted[0] and not quoted[0].startswith("'"):
+        quoted[0] = f"'{quoted[0]}'"  # a program's name, not an assignment
+    return " ".join(quoted)
+
+
+def shell_with_user(path: str) -> str:
+    """Return one word of a shell for a path in which ``${NB_USER}``, and nothing else, is filled in."""
+    parts = (re.sub(r'([\\"$`])', r"\\\1", part) for part in checked(path).split(USER))
+    text = USER.join(parts)
+    return text if _BARE.fullmatch(text.replace(USER, "u")) else f'"{text}"'
+
+
+def path(name: str) -> str:
+    """Return a relative path that no program takes for an option, not yet quoted."""
+    return f"./{checked(name)}" if name.startswith("-") else checked(name)
+
+
+def docker(text: str) -> str:
+    """Return the value of an ENV, ARG or LABEL that stands for exactly this text, ``$`` included.
+
+    Inside double quotes BuildKit gives a meaning to the quote, ``$`` and the backslash alone:
+    https://github.com/moby/buildkit/blob/master/frontend/dockerfile/shell/lex.go
+    """
+    return text if _BARE.fullmatch(checked(text)) else '"' + re.sub(r'([\\"$])', r"\\\1", text) + '"'
+
+
+def docker_path(text: str) -> str:
+    """Return the path of a WORKDIR, or the target of a COPY, in which ``${NB_USER}``, and nothing else, is filled in.
+
+    A COPY is cut at spaces before anything is unquoted: a path with one goes through ``copy``.
+    """
+    return USER.join(re.sub(r"""([\\"'$])""", r"\\\1", part) for part in checked(text).split(USER))
+
+
+def copy(sources: Sequence[str], target: str) -> str:
+    """Return the paths of a COPY in JSON form: any path can be named, wildcards in it are plain characters."""
+    plain = [re.sub(r"([*?\[])", r"[\1]", source.replace("\\", "\\\\")) for source in sources]
+    return json.dumps([docker_path(item) for item in (*plain, target)], ensure_ascii=False)
+
+
+def json_form(items: Iterable[str]) -> str:
+    """Return the exec form of CMD, ENTRYPOINT, RUN or SHELL: an argv that no shell and no BuildKit touches."""
+    return json.dumps([checked(item) for item in items], ensure_ascii=False)
+
+
+def image(reference: str) -> str:
+    """Return an image reference for FROM. Raises ``ConfigurationError`` for what is none."""
+    if not _IMAGE.fullmatch(reference):
+        raise ConfigurationError(
+            Problem(
+                message=f"{reference!a} is no image reference",
+                hint="write [REGISTRY/]NAME[:TAG][@sha256:DIGEST], as `docker pull` takes it",
+            )
+        )
+    return reference
