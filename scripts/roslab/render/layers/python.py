@@ -14,7 +14,7 @@ MANIFESTS = "/tmp/manifests"  # noqa: S108 - a folder of the image while it is b
 
 
 def environment(plan: Plan) -> str:
-    """Make the Python environment: the base's own interpreter, a virtual environment over it, or a conda one."""
+    """Make the Python environment: the base's own interpreter, a virtual one over it, or a conda one."""
     python = plan.python
     if python.manager == "conda":
         return _conda(plan)
@@ -31,11 +31,11 @@ def environment(plan: Plan) -> str:
             )
         )
     lines = []
-    if python.pip or python.pip_guessed or python.requirements or python.projects or plan.rosdep:
-        lines.append(
-            "# This image is the environment: packages go beside the distribution's own\nENV PIP_BREAK_SYSTEM_PACKAGES=1"
-        )
-    if (python.pip or python.pip_guessed or python.requirements or python.projects) and plan.python_tools.pip != "pip":
+    installs = bool(python.pip or python.pip_guessed or python.first or python.requirements or python.projects)
+    if installs or plan.rosdep:
+        lines.append("# The image is the environment: packages go beside the distribution's own")
+        lines.append("ENV PIP_BREAK_SYSTEM_PACKAGES=1")
+    if installs and plan.python_tools.pip != "pip":
         # An old distribution's pip knows no wheels of today, and today's pip does not run on its Python
         lines.append(
             shell.run(f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}")
@@ -54,20 +54,16 @@ def _tools(plan: Plan) -> tuple[str, ...]:
 
 def _conda(plan: Plan) -> str:
     python = plan.python
-    source = (
-        f"--file {quote.shell(f'{MANIFESTS}/{python.conda_file}')}"
-        if python.conda_file
-        else f"--channel conda-forge {quote.shell(f'python={python.version}')} pip"
-    )
-    copy = f"COPY --from=manifests /manifests/ {MANIFESTS}/\n" if python.conda_file else ""
+    copy, source = "", f"--channel conda-forge {quote.shell(f'python={python.version}')} pip"
+    if python.conda_file:
+        copy = f"COPY --from=manifests /manifests/ {MANIFESTS}/\n"
+        source = f"--file {quote.shell(f'{MANIFESTS}/{python.conda_file}')}"
+    create = f"micromamba create --yes --quiet --prefix /opt/conda {source}"
     return (
-        f"# A conda environment, for a Python that the base does not have\n"
+        "# A conda environment: the author's own, or for a Python that the base does not have\n"
         f"COPY --from={MICROMAMBA} /bin/micromamba /usr/local/bin/micromamba\n{copy}"
         "ENV MAMBA_ROOT_PREFIX=/opt/mamba \\\n    CONDA_PREFIX=/opt/conda \\\n    PATH=/opt/conda/bin:${PATH}\n"
-        + shell.run(
-            f"micromamba create --yes --quiet --prefix /opt/conda {source}",
-            "micromamba clean --all --yes --quiet",
-        )
+        + shell.run(create, "micromamba clean --all --yes --quiet")
     )
 
 
@@ -107,8 +103,9 @@ def guessed_packages(plan: Plan) -> str:
     options = _options(plan.python.options)
     return f"""\
 # Imported but declared nowhere: installed where pip finds them, named where it does not
-RUN for package in{shell.words(plan.python.pip_guessed, indent=4)}; do \\
-      {interpreter(plan)} -m pip install --no-cache-dir{options} "${{package}}" || echo "pip ${{package}}" | tee --append {shell.REPORT}; \\
+RUN for package in{shell.words(plan.python.pip_guessed)}; do \\
+      {interpreter(plan)} -m pip install --no-cache-dir{options} "${{package}}" \\
+        || echo "pip ${{package}}" | tee --append {shell.REPORT}; \\
     done"""
 
 
@@ -128,7 +125,7 @@ def projects(plan: Plan) -> str:
 
 
 def jupyter(plan: Plan) -> str:
-    """Install JupyterLab with a bash kernel in an environment of its own, so that it disturbs no package of the author's."""
+    """Install JupyterLab with a bash kernel in an environment of its own: it disturbs no package of the author's."""
     if not plan.notebook:
         return ""
     tools = plan.python_tools

@@ -9,6 +9,7 @@ from roslab.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
 
+SOURCES = "/tmp/sources"  # noqa: S108 - a folder of the image while it is built
 CMAKE_URL = "https://cmake.org/files"
 """Kitware's own archive of every release, ``vX.Y/cmake-X.Y.Z.tar.gz``."""
 
@@ -22,7 +23,7 @@ def guessed_packages(plan: Plan) -> str:
     """Install what was only read in code or prose, where the base's apt knows it; name what it does not."""
     if not plan.apt_guessed:
         return ""
-    names = shell.words(plan.apt_guessed, indent=4)
+    names = shell.words(plan.apt_guessed)
     return f"""\
 # Read in code or prose, declared nowhere: installed where this base's apt knows them, named where it does not
 RUN apt-get update; \\
@@ -115,7 +116,7 @@ def _in_place(library: Source) -> str:
 
 
 def _folder(library: Source) -> str:
-    return quote.shell(f"/tmp/sources/{library.name}")
+    return quote.shell(f"{SOURCES}/{library.name}")
 
 
 def _fetch(library: Source) -> list[str]:
@@ -123,7 +124,7 @@ def _fetch(library: Source) -> list[str]:
     if library.zip:
         # The archive's own top folder is not always named as its file: strip it, whatever it is called
         return [
-            "mkdir --parents /tmp/archive /tmp/sources",
+            f"mkdir --parents /tmp/archive {SOURCES}",
             f"curl --fail --silent --show-error --location --output /tmp/archive.zip {quote.shell(library.zip)}",
             "unzip -q /tmp/archive.zip -d /tmp/archive",
             f"mv /tmp/archive/* {folder}",

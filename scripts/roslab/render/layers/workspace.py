@@ -46,45 +46,57 @@ def sister_sources(plan: Plan) -> str:
         [shell.apt_install(depends)] if (depends := tuple(dict.fromkeys(d for s in sources for d in s.depends))) else []
     )
     runs = [shell.run(*clone(s, quote.shell_with_user(f"{WS}/src/{s.name}"))) for s in sources]
-    return "# Sister packages, from their source\n" + "\n".join([*blocks, f"RUN mkdir --parents {WS}/src", *runs])
+    head = "# Sister packages, from their source"
+    return "\n".join([head, *blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
 
 
 def rosdep(plan: Plan) -> str:
-    """Install what the package.xml files name, by rosdep inside the image; name the keys that it does not know."""
+    """Install what the package.xml files name, by rosdep inside the image; name the keys that it does not know.
+
+    rosdep tells of one unknown key a package at a time: hence the loop, which ends when none is new.
+    """
     if plan.rosdep is None:
         return ""
-    pin = ""
-    if tag := plan.rosdep.rosdistro_tag:
-        pin = (
-            f"# The last tables that know this release of Ubuntu\n"
-            f"ARG ROSDISTRO_INDEX_URL={ROSDISTRO}/{tag}/index-v4.yaml\n"
-            f"ARG ROSDEP_TABLES={ROSDISTRO}/{tag}/rosdep\n"
-        )
-    sources = (
-        'for table in base python ruby; do echo "yaml ${ROSDEP_TABLES}/${table}.yaml"; done >/etc/ros/rosdep/sources.list.d/20-default.list'
-        if plan.rosdep.rosdistro_tag
-        else "{ ls /etc/ros/rosdep/sources.list.d/*.list >/dev/null 2>&1 || rosdep init; }"
-    )
+    folders = [MANIFESTS] if plan.rosdep.manifests else []
+    folders += [f"{WS}/src"] if plan.workspace.sources else []
     copy = f"COPY --from=manifests /manifests/ {MANIFESTS}/\n" if plan.rosdep.manifests else ""
-    paths = f"{MANIFESTS}" + (f" {WS}/src" if plan.workspace.sources else "")
-    if not plan.rosdep.manifests:
-        paths = f"{WS}/src"
-    skip = " ".join(plan.rosdep.skip_keys)
+    arguments = f'--ignore-src --rosdistro "${{ROS_DISTRO}}" --from-paths {" ".join(folders)} --skip-keys "${{skip}}"'
     return f"""\
 # What the package.xml files name; keys that rosdep does not know are named and left out
-{pin}{copy}RUN apt-get update; \\
-    {sources}; \\
+{_tables(plan.rosdep.rosdistro_tag)}{copy}RUN apt-get update; \\
+    {_table_sources(plan.rosdep.rosdistro_tag)}; \\
     rosdep update --rosdistro "${{ROS_DISTRO}}"; \\
-    skip={quote.shell(skip)}; \\
-    for _ in {{1..50}}; do \\
-      missing="$({{ rosdep install --simulate --reinstall --ignore-src --from-paths {paths} --rosdistro "${{ROS_DISTRO}}" --skip-keys "${{skip}}" 2>&1 || true; }} \\
-        | sed --quiet --regexp-extended 's/.*(definition for|definition of) \\[([^]]+)\\].*/\\2/p' | sort --unique)"; \\
-      [ -n "${{missing}}" ] || break; \\
-      for key in ${{missing}}; do echo "rosdep ${{key}}" >>{shell.REPORT}; skip="${{skip}} ${{key}}"; done; \\
+    skip={quote.shell(" ".join(plan.rosdep.skip_keys))}; \\
+    before=''; \\
+    while :; do \\
+      unknown="$({{ rosdep install --simulate --reinstall {arguments} 2>&1 || true; }} \\
+        | sed --quiet --regexp-extended 's/.*definition (for|of) \\[([^]]+)\\].*/\\2/p' | sort --unique)"; \\
+      [ "${{unknown}}" != "${{before}}" ] || break; \\
+      before="${{unknown}}"; \\
+      for key in ${{unknown}}; do echo "rosdep ${{key}}" >>{shell.REPORT}; skip="${{skip}} ${{key}}"; done; \\
     done; \\
     if [ -s {shell.REPORT} ]; then sed 's/^/roslab: left out: /' {shell.REPORT}; fi; \\
-    rosdep install --default-yes --ignore-src --from-paths {paths} --rosdistro "${{ROS_DISTRO}}" --skip-keys "${{skip}}"; \\
+    rosdep install --default-yes {arguments}; \\
     rm -rf /var/lib/apt/lists/*"""
+
+
+def _tables(tag: str | None) -> str:
+    if tag is None:
+        return ""
+    return f"""\
+# The last tables that know this release of Ubuntu
+ARG ROSDISTRO_INDEX_URL={ROSDISTRO}/{tag}/index-v4.yaml
+ARG ROSDEP_TABLES={ROSDISTRO}/{tag}/rosdep
+"""
+
+
+def _table_sources(tag: str | None) -> str:
+    if tag is None:
+        return "{ ls /etc/ros/rosdep/sources.list.d/*.list >/dev/null 2>&1 || rosdep init; }"
+    # An empty ROSDEP_TABLES keeps the tables that the base has
+    tables = 'for table in base python ruby; do echo "yaml ${ROSDEP_TABLES}/${table}.yaml"; done'
+    folder = "/etc/ros/rosdep/sources.list.d"
+    return f'if [ -n "${{ROSDEP_TABLES}}" ]; then mkdir --parents {folder} && {tables} >{folder}/20-default.list; fi'
 
 
 def copy_source(plan: Plan) -> str:
@@ -94,8 +106,8 @@ def copy_source(plan: Plan) -> str:
 
 
 def own_home(_: Plan) -> str:
-    """Give the user what root made in its home while installing."""
-    return 'RUN chown --recursive "${NB_UID}:${NB_UID}" "/home/${NB_USER}"'
+    """Give the user what root made in its home; files that are its own already are not written to the layer again."""
+    return 'RUN find "/home/${NB_USER}" ! -user "${NB_UID}" -exec chown --no-dereference "${NB_UID}:${NB_UID}" {} +'
 
 
 def compile_workspace(plan: Plan) -> str:
@@ -126,7 +138,8 @@ def _command(plan: Plan) -> str:
             return f'catkin build --no-status --jobs "${{jobs}}" --parallel-packages "${{jobs}}"{arguments}'
         case _:
             arguments = f" --cmake-args{options}" if options else ""
-            return f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" colcon build --event-handlers console_direct+ --parallel-workers "${{jobs}}"{arguments}'
+            colcon = 'colcon build --event-handlers console_direct+ --parallel-workers "${jobs}"'
+            return f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" {colcon}{arguments}'
 
 
 def _cmake_options(plan: Plan) -> str:
@@ -142,15 +155,11 @@ def _plain_cmake(plan: Plan) -> str:
     source = f"{folder}/{plan.workspace.cmake_folder}".rstrip("/")
     build = f"{folder}-build" if plan.generation == "today" else f"{source}/build"
     arguments = "".join(f" {quote.shell(word)}" for word in plan.workspace.arguments)
-    return "\n".join(
-        (
-            f"RUN mkdir --parents {quote.shell_with_user(build)}",
-            f"WORKDIR {quote.docker_path(build)}",
-            shell.run(
-                shell.JOBS,
-                f"cmake{_cmake_options(plan)} {quote.shell_with_user(source)}",
-                f'make --jobs="${{jobs}}"{arguments}',
-                comment="The program",
-            ),
-        )
+    return shell.run(
+        f"mkdir --parents {quote.shell_with_user(build)}",
+        f"cd {quote.shell_with_user(build)}",
+        shell.JOBS,
+        f"cmake{_cmake_options(plan)} {quote.shell_with_user(source)}",
+        f'make --jobs="${{jobs}}"{arguments}',
+        comment="The program",
     )
