@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 from roslab import config as configuration
-from roslab.config.model import Config
+from roslab.config.model import Base, BuildTool, Config, Kind
 from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.errors import ConfigurationError, Problem, RefusedError
@@ -33,6 +33,10 @@ class Overrides:
     command: tuple[str, ...] | str | None = None
     test: tuple[str, ...] | str | None = None
     name: str | None = None
+    kind: Kind | None = None
+    build: BuildTool | None = None
+    base: Base | None = None
+    """Its fields that are set win, the others stay as roslab.yaml has them."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -136,10 +140,15 @@ def write_recipe(planned: Planned, folder: Path) -> tuple[Path, Path]:
 
     The author's own recipe is used where it stands.
     """
-    root = planned.repository.root
-    if recipe := planned.plan.recipe:
+    return write_plan(planned.plan, planned.repository.root, folder)
+
+
+def write_plan(plan: Plan, root: Path, folder: Path) -> tuple[Path, Path]:
+    """Do what ``write_recipe`` does with a plan that came from elsewhere; ``root`` is the checkout it was made for."""
+    if recipe := plan.recipe:
         return root / recipe.dockerfile, root / recipe.context
-    for file in rendered(planned, folder):
+    context = os.path.relpath(root, folder.resolve())
+    for file in render_all(plan, readme=None, output_is_root=False, context=context):
         if file.path.startswith("Dockerfile"):
             (folder / file.path).write_text(file.text, encoding="utf-8")
     return folder / "Dockerfile", root
@@ -155,4 +164,8 @@ def _override(config: Config, overrides: Overrides) -> Config:
                 hint=f"write {image_name(said['name'])!r}: lower case, digits, - _ .",
             )
         )
+    if isinstance(said.get("base"), Base):
+        unset = Base()
+        changed = {f.name: v for f in fields(Base) if (v := getattr(said["base"], f.name)) != getattr(unset, f.name)}
+        said["base"] = replace(config.base, **changed)
     return replace(config, **said)

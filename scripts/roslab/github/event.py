@@ -1,0 +1,184 @@
+"""The event that started the run, and whether it may publish an image."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from roslab.errors import ConfigurationError, Problem, RefusedError
+
+Push = Literal["auto", "true", "false"]
+PUBLISHING = ("push", "create", "release", "schedule", "workflow_dispatch", "repository_dispatch", "workflow_run")
+"""Events that publish unless the caller says otherwise: their code is the repository's own."""
+PRIVILEGED = ("pull_request_target", "workflow_run")
+"""Events that hold the repository's rights while the code may be a stranger's.
+https://docs.github.com/en/actions/reference/security/securely-using-pull_request_target"""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Event:
+    """What the runner says of the run."""
+
+    name: str
+    repository: str
+    """``owner/name`` as GitHub spells it."""
+    ref: str
+    """``refs/heads/main``, ``refs/tags/v1``, ``refs/pull/7/merge``."""
+    sha: str
+    default_branch: str
+    server: str = "https://github.com"
+    actor: str = ""
+    run: str = ""
+    """The run's number in its URL."""
+    workflow_file: str = ""
+    """File name of the workflow that was started, ``""`` where the runner does not say."""
+    base_branch: str = ""
+    """The branch that a pull request wants to change."""
+    proposed: bool = False
+    """The code is only proposed: a pull request or something that follows one."""
+    head: str | None = None
+    """Repository that the code of a pull request comes from, ``None`` where it is gone or there is none."""
+    public: bool = True
+    signing: bool = False
+    """The caller granted ``id-token: write``."""
+    act: bool = False
+
+    @property
+    def owner(self) -> str:
+        """Owner of the repository."""
+        return self.repository.partition("/")[0]
+
+    @property
+    def branch(self) -> str | None:
+        """Name of the branch that is built, ``None`` for a tag or a pull request."""
+        return self.ref.removeprefix("refs/heads/") if self.ref.startswith("refs/heads/") else None
+
+    @property
+    def tag(self) -> str | None:
+        """Name of the git tag that is built, ``None`` for anything else."""
+        return self.ref.removeprefix("refs/tags/") if self.ref.startswith("refs/tags/") else None
+
+    @property
+    def foreign(self) -> bool:
+        """The proposed code comes from another repository, or from one that is gone."""
+        return self.proposed and (self.head or "").lower() != self.repository.lower()
+
+    @property
+    def run_url(self) -> str:
+        """Page of the run, ``""`` where it has none."""
+        return f"{self.server}/{self.repository}/actions/runs/{self.run}" if self.run else ""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Publication:
+    """Whether this run publishes, why, and what of the caller's wish was turned down."""
+
+    push: bool
+    reason: str
+    warning: str | None = None
+
+
+def read(environment: Mapping[str, str]) -> Event:
+    """Read the event from the runner's environment.
+
+    Raises ``ConfigurationError`` where the runner's variables are missing, ``RefusedError`` for a privileged event
+    whose code is a stranger's.
+    """
+    name = environment.get("GITHUB_EVENT_NAME", "")
+    repository = environment.get("GITHUB_REPOSITORY", "")
+    if not name or repository.count("/") != 1:
+        missing = "GITHUB_REPOSITORY" if name else "GITHUB_EVENT_NAME"
+        raise ConfigurationError(
+            Problem(message=f"{missing} is not set", hint="`roslab github` is for a step of a workflow")
+        )
+    payload = _payload(environment.get("GITHUB_EVENT_PATH"))
+    pull_request, head = _origin(name, payload)
+    event = Event(
+        name=name,
+        repository=repository,
+        ref=environment.get("GITHUB_REF", ""),
+        sha=environment.get("GITHUB_SHA", ""),
+        default_branch=_text(payload, "repository", "default_branch") or "main",
+        server=environment.get("GITHUB_SERVER_URL") or "https://github.com",
+        actor=environment.get("GITHUB_ACTOR", ""),
+        run=environment.get("GITHUB_RUN_ID", ""),
+        workflow_file=environment.get("GITHUB_WORKFLOW_REF", "").partition("@")[0].rpartition("/")[2],
+        base_branch=environment.get("GITHUB_BASE_REF") or _text(payload, "pull_request", "base", "ref"),
+        proposed=pull_request,
+        head=head,
+        public=_get(payload, "repository", "private") is not True,
+        signing=bool(environment.get("ACTIONS_ID_TOKEN_REQUEST_URL")),
+        act=environment.get("ACT") == "true",
+    )
+    if name in PRIVILEGED and event.foreign:
+        raise RefusedError(
+            Problem(
+                message=f"refused: {name} holds this repository's rights, and the code comes from "
+                f"{event.head or 'a repository that is gone'}",
+                hint="start this workflow by `pull_request` instead: it builds and proves, without any right to push",
+            )
+        )
+    return event
+
+
+def _payload(path: str | None) -> dict[str, Any]:
+    if not path:
+        return {}
+    try:
+        data = json.loads(Path(path).read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise ConfigurationError(
+            Problem(message=f"cannot read the event that GITHUB_EVENT_PATH names: {error}")
+        ) from None
+    return data if isinstance(data, dict) else {}
+
+
+def _origin(name: str, payload: Mapping[str, Any]) -> tuple[bool, str | None]:
+    """Tell whether the code is a pull request's, and the repository that it comes from."""
+    if name == "workflow_run":
+        started_by = _text(payload, "workflow_run", "event")
+        head = _text(payload, "workflow_run", "head_repository", "full_name") or None
+        elsewhere = head != (_text(payload, "repository", "full_name") or head)
+        return started_by.startswith("pull_request") or elsewhere or head is None, head
+    if name.startswith("pull_request") or _get(payload, "pull_request") or _get(payload, "issue", "pull_request"):
+        return True, _text(payload, "pull_request", "head", "repo", "full_name") or None
+    return False, None
+
+
+def _get(payload: Mapping[str, Any], *keys: str) -> Any:
+    value: Any = payload
+    for key in keys:
+        value = value.get(key) if isinstance(value, dict) else None
+    return value
+
+
+def _text(payload: Mapping[str, Any], *keys: str) -> str:
+    value = _get(payload, *keys)
+    return value if isinstance(value, str) else ""
+
+
+def publication(event: Event, wish: Push) -> Publication:
+    """Decide whether the run publishes; nobody's wish makes a pull request publish."""
+    if event.proposed or event.name == "merge_group":
+        what = "a pull request from a fork" if event.foreign and event.head else "a pull request"
+        what = "a merge queue" if event.name == "merge_group" else what
+        reason = f"{what} builds and proves the image and publishes nothing"
+        return Publication(
+            push=False, reason=reason, warning=f"`push: true` is ignored: {reason}" if wish == "true" else None
+        )
+    if wish == "false":
+        return Publication(push=False, reason="`push: false` was asked for")
+    if event.name == "push" and event.actor == "dependabot[bot]":
+        # https://docs.github.com/en/code-security/dependabot/troubleshooting-dependabot/troubleshooting-dependabot-on-github-actions
+        reason = "Dependabot's own pushes hold a token that may only read"
+        return Publication(
+            push=False, reason=reason, warning=f"`push: true` is ignored: {reason}" if wish == "true" else None
+        )
+    if wish == "true":
+        return Publication(push=True, reason="`push: true` was asked for")
+    if event.name in PUBLISHING:
+        return Publication(push=True, reason=f"the event is `{event.name}`, and the code is the repository's own")
+    return Publication(push=False, reason=f"the event `{event.name}` publishes only with `push: true`")

@@ -1,0 +1,177 @@
+"""The inputs of the action and of the workflows, read from the environment and validated, every mistake at once."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal, cast
+
+from roslab import config as configuration
+from roslab.errors import ConfigurationError, Problem
+from roslab.github.event import Push
+from roslab.pipeline import Overrides
+from roslab.plan import image_name
+from roslab.repository import printable
+
+Cache = Literal["auto", "registry", "none"]
+PUSH = ("auto", "true", "false")
+CACHE = ("auto", "registry", "none")
+SETTINGS = {
+    "platforms": "platforms",
+    "command": "command",
+    "test": "test",
+    "kind": "kind",
+    "build-tool": "build",
+    "distro": "base.ros",
+    "ubuntu": "base.ubuntu",
+    "cuda": "base.cuda",
+    "python": "base.python",
+}
+"""Inputs that say what a key of roslab.yaml says, and that key: one parser validates both."""
+RUNNERS = "linux/amd64=ubuntu-24.04\nlinux/arm64=ubuntu-24.04-arm\nlinux/arm=ubuntu-24.04-arm"
+"""Free for public repositories: https://docs.github.com/en/actions/reference/runners/github-hosted-runners"""
+HOST = re.compile(r"(?:[a-z0-9](?:[a-z0-9.-]*[a-z0-9])?|\[[0-9a-f:]+\])(?::\d{1,5})?", re.IGNORECASE)
+COMPONENT = re.compile(r"[a-z0-9]+(?:(?:\.|_|__|-+)[a-z0-9]+)*")
+"""https://github.com/distribution/reference/blob/main/regexp.go"""
+LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Inputs:
+    """What the caller asked for."""
+
+    config: str | None = None
+    image: str | None = None
+    push: Push = "auto"
+    registry: str = "ghcr.io"
+    username: str = ""
+    cache: Cache = "auto"
+    overrides: Overrides
+    runners: tuple[tuple[str, str], ...] = ()
+    """Platforms (or the beginning of their names) and the label of the runner that builds them."""
+
+
+def read(environment: Mapping[str, str]) -> Inputs:
+    """Read ``INPUT_*``. Raises ``ConfigurationError`` with one problem for each wrong input."""
+    said = {
+        name[6:].lower().replace("_", "-"): value.strip()
+        for name, value in environment.items()
+        if name.startswith("INPUT_")
+    }
+    problems: list[Problem] = []
+    push = said.get("push", "").lower() or "auto"
+    cache = said.get("cache", "").lower() or "auto"
+    registry = (said.get("registry") or "ghcr.io").lower().removesuffix("/")
+    if push not in PUSH:
+        problems.append(_one_of("push", push, PUSH))
+    if cache not in CACHE:
+        problems.append(_one_of("cache", cache, CACHE))
+    if not HOST.fullmatch(registry):
+        hint = "write a host such as ghcr.io or registry.example.org:5000, without https://"
+        problems.append(Problem(message=f"input registry: {printable(registry)!r} is no registry", hint=hint))
+    overrides, wrong = _overrides(said)
+    runners, bad_runners = _runners(said.get("runners") or RUNNERS)
+    problems += [*wrong, *bad_runners]
+    if problems:
+        raise ConfigurationError(*problems)
+    return Inputs(
+        config=said.get("config") or None,
+        image=said.get("image") or None,
+        push=cast("Push", push),
+        registry=registry,
+        username=said.get("username", ""),
+        cache=cast("Cache", cache),
+        overrides=overrides,
+        runners=runners,
+    )
+
+
+def _one_of(name: str, value: str, allowed: tuple[str, ...]) -> Problem:
+    return Problem(
+        message=f"input {name}: {printable(value)!r} is not known",
+        hint=f"write {', '.join(allowed[:-1])} or {allowed[-1]}",
+    )
+
+
+def _overrides(said: Mapping[str, str]) -> tuple[Overrides, list[Problem]]:
+    """Read the inputs that stand for keys of roslab.yaml with roslab.yaml's own parser."""
+    document: dict[str, Any] = {"format": 3}
+    for name, key in SETTINGS.items():
+        if not (value := said.get(name)):
+            continue
+        if name == "platforms":
+            document[key] = [part for part in re.split(r"[\s,]+", value) if part]
+        elif key.startswith("base."):
+            document.setdefault("base", {})[key.removeprefix("base.")] = value
+        else:
+            document[key] = value
+    try:
+        config = configuration.read(json.dumps(document), file="inputs")
+    except ConfigurationError as error:
+        return Overrides(), [Problem(message=_named(problem.message), hint=problem.hint) for problem in error.problems]
+    base = config.base if "base" in document else None
+    overrides = Overrides(
+        platforms=config.platforms,
+        command=config.command,
+        test=config.test,
+        kind=config.kind,
+        build=config.build,
+        base=base,
+    )
+    return overrides, []
+
+
+def _named(message: str) -> str:
+    """Call a key of roslab.yaml by the input that said it."""
+    for name, key in SETTINGS.items():
+        if re.match(rf"{re.escape(key)}(?:\[\d+\])?: ", message):
+            return f"input {name}: {message.partition(': ')[2]}"
+    return f"inputs: {message}"
+
+
+def _runners(text: str) -> tuple[tuple[tuple[str, str], ...], list[Problem]]:
+    found, problems = [], []
+    for line in filter(None, map(str.strip, re.split(r"[\n,]", text))):
+        platform, separator, label = (part.strip() for part in line.partition("="))
+        if not separator or not re.fullmatch(r"linux(/[a-z0-9]+){0,2}", platform) or not LABEL.fullmatch(label):
+            hint = "write PLATFORM=LABEL, one a line: linux/arm64=ubuntu-24.04-arm"
+            problems.append(
+                Problem(message=f"input runners: {printable(line)!r} names no platform and runner", hint=hint)
+            )
+        else:
+            found.append((platform, label))
+    return tuple(found), problems
+
+
+def runner(platform: str, runners: tuple[tuple[str, str], ...]) -> str:
+    """Return the label of the runner for a platform: the longest beginning of its name wins."""
+    fitting = [(len(start), label) for start, label in runners if platform == start or platform.startswith(f"{start}/")]
+    return max(fitting)[1] if fitting else "ubuntu-24.04"
+
+
+def image(inputs: Inputs, *, owner: str, name: str) -> str:
+    """Return the image's full name without a tag, ``ghcr.io/owner/name``, in lower case as registries demand.
+
+    ``owner`` is the repository's, ``name`` the plan's. Raises ``ConfigurationError`` where the input is no image name.
+    """
+    owner = image_name(owner)
+    if not inputs.image:
+        return f"{inputs.registry}/{owner}/{name}"
+    path = inputs.image.lower()
+    host, slash, rest = path.partition("/")
+    if slash and ("." in host or ":" in host or host == "localhost"):
+        if host != inputs.registry:
+            hint = f"set the input registry to {host}, or leave the host out of the image"
+            raise ConfigurationError(
+                Problem(message=f"input image: {printable(path)!r} is not on {inputs.registry}", hint=hint)
+            )
+        path = rest
+    path = path if "/" in path else f"{owner}/{path}"
+    if not all(COMPONENT.fullmatch(part) for part in path.split("/")):
+        hint = "write NAME or OWNER/NAME without a tag: the tags follow from the event"
+        raise ConfigurationError(
+            Problem(message=f"input image: {printable(inputs.image)!r} is no image name", hint=hint)
+        )
+    return f"{inputs.registry}/{path}"

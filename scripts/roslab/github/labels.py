@@ -1,0 +1,52 @@
+"""The labels of an image: what it is, from which commit, and when that was made; never the time of the build."""
+
+from __future__ import annotations
+
+import datetime as dt
+import re
+from pathlib import Path
+
+from roslab.engine import output
+from roslab.github.event import Event
+from roslab.plan import Plan
+
+PREFIX = "org.opencontainers.image"
+"""https://github.com/opencontainers/image-spec/blob/main/annotations.md"""
+
+
+def labels(plan: Plan, event: Event, *, revision: str, seconds: int | None) -> tuple[tuple[str, str], ...]:
+    """Return the labels, the same for the same commit: two builds of it may then be equal bit for bit.
+
+    ``revision`` is the commit that was checked out, ``seconds`` its time since 1970.
+    """
+    found = {
+        "title": plan.name,
+        "url": f"{event.server}/{event.repository}",
+        "source": f"{event.server}/{event.repository}",
+        "revision": revision or event.sha,
+        "version": event.tag or event.branch or "",
+        "base.name": plan.base_image,
+        "created": timestamp(seconds) if seconds is not None else "",
+    }
+    # buildx takes them one a line, as CSV: a quote or a line break would end the value
+    return tuple((f"{PREFIX}.{key}", re.sub(r'[\s"]+', " ", value)) for key, value in found.items() if value)
+
+
+def timestamp(seconds: int) -> str:
+    """Return a time in UTC as RFC 3339 writes it."""
+    return dt.datetime.fromtimestamp(seconds, tz=dt.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
+
+
+def commit(root: Path) -> tuple[str, int | None]:
+    """Return the commit of a checkout and its time in seconds since 1970, ``("", None)`` where there is none.
+
+    Nothing that a repository's own configuration could name is run: no hook, no pager, no signature check.
+    """
+    settings = ["-c", f"safe.directory={root}", "-c", "log.showSignature=false", "-c", "core.fsmonitor=false"]
+    command = ["git", "--no-pager", "-C", str(root), *settings, "log", "-1", "--format=%H %ct"]
+    try:
+        answer = output(command)
+    except OSError:  # no git on this machine
+        return "", None
+    match = re.fullmatch(r"([0-9a-f]{40,64}) (\d+)", answer.stdout.strip())
+    return (match[1], int(match[2])) if match else ("", None)
