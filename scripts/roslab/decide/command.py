@@ -2,11 +2,22 @@
 
 from __future__ import annotations
 
+import re
+import shlex
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Reason
+from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+
+MAX_CANDIDATES = 30
+_WINDOWS = frozenset(
+    {"PyQt5", "PyQt6", "PySide2", "PySide6", "tkinter", "Tkinter", "pygame", "wx", "pyglet", "vispy", "mayavi", "kivy"}
+)
+_PLACEHOLDER = re.compile(r"YOUR|your[_-]|path/to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx", re.IGNORECASE)
+_TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -19,7 +30,132 @@ class CommandChoice:
     reasons: tuple[Reason, ...] = ()
 
 
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Candidate:
+    argv: tuple[str, ...]
+    why: str
+    file: str
+    line: int
+    strong: bool
+    """Somebody wrote that this is what one runs."""
+
+
 def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: str | None) -> CommandChoice:
-    """Return the default command."""
-    del evidence, kind, dockerfile
-    return CommandChoice(command=config.command or ("bash",), gui=bool(config.gui))
+    """Return the default command: what roslab.yaml says, else the one obvious program, else a shell."""
+    found: dict[tuple[str, ...], _Candidate] = {}
+    for candidate in _candidates(evidence, kind):
+        found.setdefault(candidate.argv, candidate)
+    candidates = tuple(found)[:MAX_CANDIDATES]
+    gui = config.gui if config.gui is not None else _gui(evidence)
+    if config.command is not None:
+        place = config.place("command")
+        answer = config.command if isinstance(config.command, str) else shlex.join(config.command)
+        said = Reason(
+            question="command",
+            answer=answer,
+            reason="command says so",
+            file=place.file if place else config.file,
+            line=place.line if place else None,
+            weight=100,
+        )
+        return CommandChoice(command=config.command, candidates=candidates, gui=gui, reasons=(said,))
+    reasons = [
+        Reason(
+            question="command",
+            answer=shlex.join(c.argv),
+            reason=c.why,
+            file=c.file,
+            line=c.line,
+            weight=20 if c.strong else 5,
+            decisive=False,
+        )
+        for c in list(found.values())[:MAX_CANDIDATES]
+    ]
+    if dockerfile:
+        recipe = next((recipe for recipe in evidence.recipes if recipe.file == dockerfile), None)
+        if recipe and recipe.command:
+            own = Reason(
+                question="command",
+                answer=shlex.join(recipe.command),
+                reason="the author's recipe has it",
+                file=recipe.file,
+                line=recipe.line,
+                weight=60,
+            )
+            return CommandChoice(command=recipe.command, candidates=candidates, gui=gui, reasons=(own, *reasons))
+    obvious = [c for c in found.values() if c.strong] or list(found.values())
+    if len(obvious) == 1:
+        only = obvious[0]
+        chosen = Reason(
+            question="command",
+            answer=shlex.join(only.argv),
+            reason=f"the only one: {only.why}",
+            file=only.file,
+            line=only.line,
+            weight=30,
+        )
+        return CommandChoice(command=only.argv, candidates=candidates, gui=gui, reasons=(chosen, *reasons))
+    why = f"{len(found)} programs could be meant" if found else "no program stands out"
+    shell = Reason(question="command", answer="bash", reason=f"{why}: a shell; set `command` in roslab.yaml", weight=10)
+    return CommandChoice(candidates=candidates, gui=gui, reasons=(shell, *reasons))
+
+
+def _candidates(evidence: Evidence, kind: Kind) -> Iterator[_Candidate]:
+    ros = kind in {"ros1", "ros2"}
+    programs = {script.file for script in evidence.scripts}
+    for mention in evidence.mentions:
+        if mention.topic == "command" and mention.source == "readme" and not places.vendored(mention.file):
+            argv = tuple(mention.value.split())
+            if _PLACEHOLDER.search(mention.value) or any(part.rpartition("/")[2] in _TOOLS for part in argv):
+                continue
+            if argv[0].startswith("python"):
+                script = next((part for part in argv[1:] if part.endswith(".py")), None)
+                if script is not None and not (
+                    script.removeprefix("./") in programs or any(p.endswith("/" + script) for p in programs)
+                ):
+                    continue
+                argv = ("python3" if argv[0] != "python" and ros else "python", *argv[1:])
+            elif not ros:
+                continue
+            yield _Candidate(argv=argv, why="the README runs it", file=mention.file, line=mention.line, strong=True)
+    for launch in evidence.launch:
+        if launch.package and ros and not places.test(launch.file):
+            start = ("roslaunch",) if launch.ros == 1 else ("ros2", "launch")
+            name = launch.file.rpartition("/")[2]
+            yield _Candidate(
+                argv=(*start, launch.package, name),
+                why="a launch file",
+                file=launch.file,
+                line=launch.line,
+                strong=False,
+            )
+    for project in evidence.python:
+        if not places.vendored(project.file):
+            for script, line in project.scripts:
+                if not project.folder and not ros:
+                    yield _Candidate(
+                        argv=(script,),
+                        why="a program that the project installs",
+                        file=project.file,
+                        line=line,
+                        strong=False,
+                    )
+    if not ros:
+        for script_file in evidence.scripts:
+            path = script_file.file
+            if (
+                script_file.kind == "main"
+                and path.count("/") <= 1
+                and not places.vendored(path)
+                and not places.example(path)
+            ):
+                yield _Candidate(
+                    argv=("python", path), why="it has a __main__ guard", file=path, line=script_file.line, strong=False
+                )
+
+
+def _gui(evidence: Evidence) -> bool:
+    return any(launch.gui for launch in evidence.launch) or any(
+        dependency.namespace == "import" and dependency.name in _WINDOWS and dependency.strength == "used"
+        for dependency in evidence.code
+    )

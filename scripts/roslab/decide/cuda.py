@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from roslab.config.model import Config
 from roslab.decide.decision import Reason, Warning_
+from roslab.decide.pins import pins
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.frameworks import CudaImage, cuda_image, framework, nearest_cuda_image, version
+
+DEFAULT = "11.8"
+"""Where nothing is said: the version that most frameworks of 2022 to 2025 have wheels for."""
+_TENSORFLOW = frozenset({"tensorflow", "tensorflow-gpu", "tf-nightly-gpu"})
+_LOCAL = re.compile(r"\+cu(\d{2,3})\b|/cu(\d{2,3})\b|[-_]cu(?:da)?(\d{2,3})\b")
+_CONDA = re.compile(r"^(?:[\w-]+::)?(?:cudatoolkit|pytorch-cuda|cuda-toolkit|cuda)\s*[=<>~ ]+\s*(\d+\.\d+)")
+_IMAGE = re.compile(r"(?:^|/)(?:cuda|cudagl|opengl)[:\-]?[^:]*:?(\d+\.\d+)")
+_JAX = re.compile(r"jax\[cuda(1[12])")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -20,6 +32,126 @@ class CudaChoice:
 
 
 def decide_cuda(evidence: Evidence, config: Config) -> CudaChoice:
-    """Return the CUDA and cuDNN that the repository's frameworks need."""
-    del evidence
-    return CudaChoice(cuda=config.base.cuda, cudnn=config.base.cudnn)
+    """Return the CUDA and cuDNN that the repository's frameworks need; the image row of that CUDA exists."""
+    if config.base.cuda:
+        place = config.place("base.cuda")
+        said = Reason(
+            question="cuda",
+            answer=config.base.cuda,
+            reason="base.cuda says so",
+            file=place.file if place else config.file,
+            line=place.line if place else None,
+            weight=100,
+        )
+        return _fitted(config.base.cuda, config.base.cudnn, (said,), others=())
+    found = sorted(_candidates(evidence), key=lambda item: -item[0].weight)
+    if not found:
+        return CudaChoice()
+    best, others = found[0]
+    reasons = tuple(reason if reason is best else _outweighed(reason, best) for reason, _ in found[:20])
+    return _fitted(best.answer, config.base.cudnn or _cudnn(evidence), reasons, others)
+
+
+def _outweighed(reason: Reason, best: Reason) -> Reason:
+    if reason.answer == best.answer:
+        return reason
+    return Reason(
+        question=reason.question,
+        answer=reason.answer,
+        reason=reason.reason,
+        file=reason.file,
+        line=reason.line,
+        weight=reason.weight,
+        decisive=False,
+    )
+
+
+def _candidates(evidence: Evidence) -> Iterator[tuple[Reason, tuple[str, ...]]]:
+    """Yield each answer with the other CUDA versions that the same wheel exists for."""
+
+    def reason(answer: str, why: str, file: str, line: int, weight: int) -> Reason:
+        return Reason(question="cuda", answer=answer, reason=why, file=file, line=line, weight=weight)
+
+    for pin in pins(evidence):
+        place = (pin.dependency.file, pin.dependency.line)
+        local = _LOCAL.search(pin.line)
+        if local and pin.name in {"torch", "torchvision", "torchaudio", "torch-scatter", "mmcv-full", "jaxlib", "cupy"}:
+            digits = next(group for group in local.groups() if group)
+            yield reason(f"{digits[:-1]}.{digits[-1]}", f"{pin.line} is built for it", *place, 82 + pin.trust), ()
+        elif pin.name in _TENSORFLOW and pin.release and (row := framework("tensorflow", pin.release)):
+            yield reason(row.cuda[0], f"TensorFlow {pin.release} loads it", *place, 60 + 3 * pin.trust), ()
+        elif pin.name == "torch" and pin.release and (row := framework("torch", pin.release)):
+            yield (
+                reason(row.cuda[0], f"the wheel of torch {pin.release} carries it", *place, 46 + 3 * pin.trust),
+                row.cuda[1:],
+            )
+        elif pin.name in {"jax", "jaxlib"} and (pin.release or _JAX.search(pin.line)):
+            row = framework("jax", pin.release)
+            if named := _JAX.search(pin.line):
+                yield reason("11.8" if named[1] == "11" else "12.3", f"{pin.line} names it", *place, 70 + pin.trust), ()
+            elif row:
+                yield reason(row.cuda[0], f"jax {pin.release} is built for it", *place, 40 + pin.trust), row.cuda[1:]
+        elif pin.trust and pin.name in _TENSORFLOW | {"torch"}:
+            newest = framework("torch" if pin.name == "torch" else "tensorflow", None)
+            if newest:
+                yield reason(newest.cuda[0], f"{pin.name} is not pinned: its newest wheel", *place, 4), newest.cuda[1:]
+    for file in evidence.requirements:
+        for option in file.options:
+            if file.purpose == "run" and (local := _LOCAL.search(option)):
+                digits = next(group for group in local.groups() if group)
+                yield reason(f"{digits[:-1]}.{digits[-1]}", f"{option} serves its wheels", file.file, 1, 80), ()
+    for environment in evidence.conda:
+        for package in environment.packages:
+            if match := _CONDA.match(package):
+                weight = 75 if "/" not in environment.file else 45
+                yield reason(match[1], f"the conda environment has {package}", environment.file, 1, weight), ()
+    for recipe in evidence.recipes:
+        match = _IMAGE.search(recipe.base or "")
+        if match and recipe.purpose in {"project", "deploy", "broken"}:
+            weight = {"project": 62}.get(recipe.purpose, 20) + (3 if recipe.copies_repository else 0)
+            yield (
+                reason(
+                    match[1], f"the author's image starts from {recipe.base}", recipe.file, recipe.base_line, weight
+                ),
+                (),
+            )
+    for mention in evidence.mentions:
+        if mention.topic == "cuda" and version(mention.value) >= (8,):
+            nearness = 6 - 2 * min(mention.file.count("/"), 3)
+            weight = {"readme": 30, "ci": 14, "recipe": 12, "script": 16}.get(mention.source, 8) + nearness
+            yield reason(mention.value, f"“{mention.text[:80]}”", mention.file, mention.line, weight), ()
+    if evidence.cuda_files:
+        yield reason(DEFAULT, "it has CUDA sources, and no version is said", evidence.cuda_files[0], 1, 2), ()
+
+
+def _cudnn(evidence: Evidence) -> str | None:
+    return next((mention.value for mention in evidence.mentions if mention.topic == "cudnn"), None)
+
+
+def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: tuple[str, ...]) -> CudaChoice:
+    """Keep a version whose images exist; else another wheel's, else the nearest newer one, with a warning."""
+    image = cuda_image(cuda)
+    if image is not None and image.tag:
+        return CudaChoice(cuda=image.cuda, cudnn=_digits(image, cudnn), reasons=reasons)
+    instead = next((row for other in others if (row := cuda_image(other)) and row.tag), None) or nearest_cuda_image(
+        cuda
+    )
+    why = "its images were deleted from the registry" if image else "no image of it is known"
+    note = Reason(
+        question="cuda",
+        answer=instead.cuda,
+        reason=f"CUDA {cuda} was asked for, but {why}; this is the nearest that can be built",
+        weight=101,
+    )
+    warning = Warning_(
+        message=f"CUDA {cuda}: {why}; the image has {instead.cuda}. A framework that loads CUDA {cuda} itself will not see "
+        "the GPU; set base.cuda or base.image in roslab.yaml to choose another",
+        file=reasons[0].file,
+        line=reasons[0].line,
+    )
+    return CudaChoice(cuda=instead.cuda, cudnn=_digits(instead, cudnn), reasons=(*reasons, note), warnings=(warning,))
+
+
+def _digits(image: CudaImage, cudnn: str | None) -> str | None:
+    """Return the cuDNN that the image has: its tag names one version, later ones are 9."""
+    return image.cudnn.removeprefix("cudnn") or ("9" if image.cudnn else cudnn)

@@ -2,21 +2,202 @@
 
 from __future__ import annotations
 
+import re
+
 from roslab.config.model import Config, Kind
+from roslab.decide.cuda import decide_cuda
 from roslab.decide.decision import Python, Reason, Warning_
-from roslab.evidence.facts import Evidence
+from roslab.decide.pins import name_of
+from roslab.decide.python_base import cuda_ubuntu
+from roslab.decide.python_packages import Chosen, choose, with_includes
+from roslab.decide.python_version import python_version
+from roslab.evidence.facts import Dependency, Evidence
+from roslab.knowledge.frameworks import build_needs, version
+from roslab.knowledge.tools import SYSTEM_PYTHON
+
+DEFAULT = "3.10"
+"""Where nothing is said: Ubuntu 22.04's own, for which most of today's and yesterday's wheels exist."""
+_LOCAL = re.compile(r"^(?:torch|torchvision|torchaudio)\s*={2,3}\s*([\d.]+)\+(cu\d+|cpu|rocm[\d.]+)")
 
 
 def decide_python(
     evidence: Evidence, config: Config, kind: Kind, ubuntu: str | None, ros_distro: str | None
 ) -> tuple[Python, tuple[Reason, ...], tuple[Warning_, ...]]:
     """Return the Python part of the image; ``ubuntu`` is ``None`` where the base is still to be chosen."""
-    del evidence, ubuntu
-    ros = kind in {"ros1", "ros2"} or ros_distro is not None
-    return Python(version=config.base.python, manager="system" if ros else "venv"), (), ()
+    chosen = choose(evidence, config, kind)
+    wanted, reasons = python_version(evidence, config)
+    warnings: list[Warning_] = []
+    if kind in {"ros1", "ros2"} or (kind == "cpp" and not config.base.python):
+        manager, number = "system", None
+        ours = SYSTEM_PYTHON.get(ubuntu or "")
+        if wanted and ours and wanted != ours and reasons[0].decisive and reasons[0].weight >= 50 and ros_distro:
+            warnings.append(
+                Warning_(
+                    message=f"{reasons[0].reason}, but the Python of ROS {ros_distro} is {ours}: packages go there",
+                    file=reasons[0].file,
+                    line=reasons[0].line,
+                )
+            )
+    else:
+        number = wanted or DEFAULT
+        if wanted is None:
+            reasons = (
+                Reason(question="python", answer=DEFAULT, reason="nothing is said: the default", weight=1),
+                *reasons,
+            )
+        manager = _manager(evidence, config, kind, ubuntu, number, chosen)
+    declared, extra, notes = _declared(evidence, chosen, config, manager)
+    warnings += notes
+    installed = [*declared, *(d.name for d in chosen.guessed)]
+    everything = [*installed, *(d.name for d in _from_files(evidence, chosen))]
+    python = Python(
+        version=number,
+        manager=manager,  # type: ignore[arg-type]
+        pip=tuple(dict.fromkeys(declared)),
+        pip_guessed=tuple(dict.fromkeys(d.name for d in chosen.guessed)),
+        requirements=tuple(file.file for file in chosen.files if file.file not in extra),
+        projects=tuple(project.folder or "." for project in chosen.projects),
+        conda_file=chosen.conda if manager == "conda" else None,
+        first=_first(everything, [e for p in chosen.projects for e in p.extensions]),
+        options=tuple(dict.fromkeys((*_indexes(installed), *_file_options(evidence, chosen, extra), *chosen.options))),
+        python2=tuple(config.pip) if config.generation in {"later", "paper", "interim"} and config.pip3 else (),
+    )
+    return python, (*reasons, *_package_reasons(chosen)), tuple(warnings)
 
 
 def specifiers(evidence: Evidence, python: Python) -> tuple[str, ...]:
     """Return every requirement line that the image installs: its own, those of the files, the projects and conda."""
-    del evidence
-    return python.pip + python.pip_guessed
+    lines = list(python.pip)
+    by_path = {file.file: file for file in evidence.requirements}
+    chosen = [by_path[path] for path in python.requirements if path in by_path]
+    lines += [d.name for file in with_includes(evidence, chosen) for d in file.dependencies]
+    for project in evidence.python:
+        if (project.folder or ".") in python.projects:
+            lines += [d.name for d in project.dependencies if not d.role.startswith(("extra", "test"))]
+    for environment in evidence.conda:
+        if environment.file == python.conda_file:
+            lines += [d.name for d in environment.dependencies if d.role not in {"file", "option"}]
+    return tuple(dict.fromkeys((*lines, *python.pip_guessed)))
+
+
+def _manager(evidence: Evidence, config: Config, kind: Kind, ubuntu: str | None, number: str, chosen: Chosen) -> str:
+    """Return conda where an environment file says so or no base has that Python, else a virtual environment."""
+    if chosen.conda or number.startswith("2"):
+        return "conda"
+    if kind == "cuda" and not config.base.image:
+        cuda = decide_cuda(evidence, config).cuda or "11.8"
+        return "venv" if SYSTEM_PYTHON.get(cuda_ubuntu(cuda, config.base.ubuntu, number)) == number else "conda"
+    if ubuntu or config.base.ubuntu:
+        return "venv" if SYSTEM_PYTHON.get(config.base.ubuntu or ubuntu or "") == number else "conda"
+    return "venv"
+
+
+def _declared(
+    evidence: Evidence, chosen: Chosen, config: Config, manager: str
+) -> tuple[list[str], set[str], list[Warning_]]:
+    """Return the lines to install one by one, the files that cannot be installed as they stand, and the warnings.
+
+    A file with a line that pip would refuse is installed line by line, repaired.
+    """
+    both = (*config.pip3, *(() if config.pip3 and config.generation != "today" else config.pip))
+    lines = list(both)
+    broken: set[str] = set()
+    warnings: list[Warning_] = []
+    for file in chosen.files:
+        repaired = [d for f in with_includes(evidence, [file]) for d in f.dependencies if d.role == "repaired"]
+        if not repaired:
+            continue
+        broken.add(file.file)
+        lines += [d.name for f in with_includes(evidence, [file]) for d in f.dependencies if d.role != "project"]
+        warnings.append(
+            Warning_(
+                message=f"pip would refuse this line; the packages of {file.file} are installed one by one",
+                file=repaired[0].file,
+                line=repaired[0].line,
+            )
+        )
+    if chosen.conda and manager != "conda":
+        lines += [d.name for e in evidence.conda if e.file == chosen.conda for d in e.dependencies if not d.role]
+    return lines, broken, warnings
+
+
+def _from_files(evidence: Evidence, chosen: Chosen) -> list[Dependency]:
+    found = [d for file in with_includes(evidence, chosen.files) for d in file.dependencies]
+    found += [d for project in chosen.projects for d in project.dependencies if not d.role]
+    return found + [d for e in evidence.conda if e.file == chosen.conda for d in e.dependencies]
+
+
+def _first(lines: list[str], extensions: list[str]) -> tuple[str, ...]:
+    """Return what must be there before the rest is built, with the pins that the rest asks for."""
+    by_name = {name_of(line): line for line in reversed(lines) if name_of(line)}
+    needs: list[str] = []
+    for line in lines:
+        needs += build_needs().get(name_of(line), ())
+    if "cuda" in extensions or ("c" in extensions and "torch" in by_name):
+        needs += ["numpy", "torch"]
+    elif "cython" in extensions or "c" in extensions:
+        needs += ["numpy", "Cython"]
+    return tuple(dict.fromkeys(by_name.get(name_of(need), need) for need in needs))
+
+
+def _indexes(lines: list[str]) -> list[str]:
+    """Return where the wheels of a torch with a local version (``+cu113``) are served."""
+    options = []
+    for line in lines:
+        if match := _LOCAL.match(line):
+            old = version(match[1]) < (1, 11) and line.startswith("torch=")
+            page = f"https://download.pytorch.org/whl/{match[2]}"
+            options.append(f"--find-links {page}/torch_stable.html" if old else f"--extra-index-url {page}")
+    return options
+
+
+def _file_options(evidence: Evidence, chosen: Chosen, broken: set[str]) -> list[str]:
+    return [o for file in with_includes(evidence, [f for f in chosen.files if f.file in broken]) for o in file.options]
+
+
+def _package_reasons(chosen: Chosen) -> tuple[Reason, ...]:
+    reasons = [
+        Reason(
+            question="dependencies",
+            answer=file.file,
+            reason="requirements of the project",
+            file=file.file,
+            line=1,
+            weight=40,
+        )
+        for file in chosen.files
+    ]
+    reasons += [
+        Reason(
+            question="dependencies",
+            answer=project.folder or ".",
+            reason="installable project",
+            file=project.file,
+            line=project.line,
+            weight=40,
+        )
+        for project in chosen.projects
+    ]
+    reasons += [
+        Reason(
+            question="dependencies",
+            answer=dependency.name,
+            reason="imported, declared nowhere" if dependency.role == "import" else "named in an install line",
+            file=dependency.file,
+            line=dependency.line,
+            weight=10,
+        )
+        for dependency in chosen.guessed
+    ]
+    if chosen.conda:
+        reasons.append(
+            Reason(
+                question="dependencies",
+                answer=chosen.conda,
+                reason="the project's conda environment",
+                file=chosen.conda,
+                line=1,
+                weight=45,
+            )
+        )
+    return tuple(reasons)

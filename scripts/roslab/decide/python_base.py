@@ -4,13 +4,70 @@ from __future__ import annotations
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Reason
+from roslab.knowledge.distros import ubuntus
+from roslab.knowledge.frameworks import cuda_image, nearest_cuda_image
+from roslab.knowledge.tools import SYSTEM_PYTHON
+
+PREFERRED = ("focal", "jammy", "noble", "bionic", "xenial")
+"""Where nothing decides: old enough for the code of papers, young enough to have packages."""
+_DEBIAN = {"3.5": None, "3.6": "bullseye"}
+"""``python:VERSION-slim-…`` that exists: https://hub.docker.com/_/python, read 2026-08-22; bookworm from 3.7 on."""
+
+
+def system_ubuntu(python_version: str | None, among: tuple[str, ...] = PREFERRED) -> str | None:
+    """Return the Ubuntu whose own Python has that version."""
+    return next((name for name in among if SYSTEM_PYTHON.get(name) == python_version), None)
+
+
+def version_of(codename: str) -> str:
+    """Return ``20.04`` for ``focal``."""
+    return next((number for number, name in ubuntus().items() if name == codename), "22.04")
 
 
 def base_for(
     kind: Kind, cuda: str | None, cudnn: str | None, ubuntu: str | None, python_version: str | None
 ) -> tuple[str, str | None, tuple[Reason, ...]]:
-    """Return the image, its Ubuntu codename (``None`` on Debian) and why."""
-    del cudnn, python_version
-    if kind == "cuda" and cuda:
-        return f"nvidia/cuda:{cuda}.0-devel-ubuntu22.04", "jammy", ()
-    return "ubuntu:22.04", ubuntu or "jammy", ()
+    """Return the image, its Ubuntu codename (``None`` on Debian) and why.
+
+    ``ubuntu`` is what the configuration asks for; the evidence's own Ubuntu only fits where its Python does.
+    """
+    if kind == "cuda":
+        return _cuda(cuda or "11.8", ubuntu, python_version)
+    del cudnn
+    if ubuntu is None and (fitting := system_ubuntu(python_version)):
+        image = f"ubuntu:{version_of(fitting)}"
+        return image, fitting, (_reason(image, f"its own Python is {python_version}"),)
+    if ubuntu or python_version is None or python_version.startswith("2"):
+        chosen = ubuntu or ("bionic" if python_version else "jammy")
+        image = f"ubuntu:{version_of(chosen)}"
+        return image, chosen, (_reason(image, "asked for" if ubuntu else "the default"),)
+    image = f"python:{python_version}-slim-{_DEBIAN.get(python_version) or 'bookworm'}"
+    return image, None, (_reason(image, f"no Ubuntu has Python {python_version}"),)
+
+
+def cuda_ubuntu(cuda: str, ubuntu: str | None, python_version: str | None) -> str:
+    """Return the Ubuntu of the CUDA image: the one asked for, else the one with that Python, else a middle one."""
+    image = cuda_image(cuda)
+    image = image if image and image.tag else nearest_cuda_image(cuda)
+    if ubuntu in image.ubuntu:
+        return str(ubuntu)
+    fitting = system_ubuntu(python_version, image.ubuntu)
+    return fitting or next((name for name in PREFERRED if name in image.ubuntu), image.ubuntu[-1])
+
+
+def _cuda(cuda: str, ubuntu: str | None, python_version: str | None) -> tuple[str, str, tuple[Reason, ...]]:
+    row = cuda_image(cuda)
+    row = row if row and row.tag else nearest_cuda_image(cuda)
+    chosen = cuda_ubuntu(cuda, ubuntu, python_version)
+    name = f"nvidia/cuda:{row.tag}-{row.cudnn}-devel-ubuntu{version_of(chosen)}"
+    if chosen == ubuntu:
+        why = f"CUDA {row.cuda} on the Ubuntu asked for; -devel: extensions are compiled"
+    elif SYSTEM_PYTHON.get(chosen) == python_version:
+        why = f"the last patch of CUDA {row.cuda}, on the Ubuntu whose Python is {python_version}"
+    else:
+        why = f"the last patch of CUDA {row.cuda}; Python {python_version or ''} comes from conda".replace("  ", " ")
+    return name, chosen, (_reason(name, why, row.source),)
+
+
+def _reason(answer: str, why: str, source: str | None = None) -> Reason:
+    return Reason(question="base_image", answer=answer, reason=f"{why} ({source})" if source else why, weight=50)

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Reason, Warning_
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Recipe
+from roslab.knowledge.distros import distro, distros
+from roslab.knowledge.frameworks import cuda_image
+
+_CUDA = re.compile(r"(?:^|/)nvidia/cuda:(\d+\.\d+)(\.\d+)?")
+_ROS = re.compile(r"(?:^|/)ros:([a-z]+)")
+_GONE = {"nvidia/cudagl": "nvidia/cudagl is no longer built", "nvidia/opengl": "nvidia/opengl is no longer built"}
+_OLD_UBUNTU = re.compile(r"^(?:ubuntu|debian):(?:1[0-5]\.|17\.|19\.|2[13]\.|jessie|stretch|buster)")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -20,6 +28,97 @@ class RecipeChoice:
 
 
 def decide_recipe(evidence: Evidence, config: Config, kind: Kind, ros_distro: str | None) -> RecipeChoice:
-    """Return the author's recipe where it can be believed."""
-    del evidence, kind, ros_distro
-    return RecipeChoice(dockerfile=config.dockerfile, context=config.context)
+    """Return the author's recipe where it can be believed: it is the project's, brings this source, and can be built."""
+    by_path = {recipe.file: recipe for recipe in evidence.recipes}
+    if config.dockerfile:
+        place = config.place("dockerfile")
+        said = Reason(
+            question="dockerfile",
+            answer=config.dockerfile,
+            reason="dockerfile says so",
+            file=place.file if place else config.file,
+            line=place.line if place else None,
+            weight=100,
+        )
+        found = by_path.get(config.dockerfile)
+        context = config.context if config.context is not None else (found.context or "" if found else "")
+        return RecipeChoice(dockerfile=config.dockerfile, context=context, reasons=(said,))
+    reasons: list[Reason] = []
+    believed: list[Recipe] = []
+    for recipe in evidence.recipes:
+        against = doubt(recipe, kind, ros_distro)
+        if against is None:
+            believed.append(recipe)
+        else:
+            reasons.append(
+                Reason(
+                    question="dockerfile",
+                    answer=recipe.file,
+                    reason=against,
+                    file=recipe.file,
+                    line=recipe.base_line,
+                    weight=-1,
+                )
+            )
+    if not believed:
+        return RecipeChoice(reasons=tuple(reasons[:20]))
+    best = min(believed, key=lambda recipe: _rank(recipe, ros_distro))
+    reasons.insert(
+        0,
+        Reason(
+            question="dockerfile",
+            answer=best.file,
+            reason=f"the author's recipe: it copies the repository and starts from {best.base}",
+            file=best.file,
+            line=best.base_line,
+            weight=60,
+        ),
+    )
+    return RecipeChoice(dockerfile=best.file, context=best.context or "", reasons=tuple(reasons[:20]))
+
+
+def doubt(recipe: Recipe, kind: Kind, ros_distro: str | None) -> str | None:
+    """Return why a recipe cannot be believed, ``None`` where it can."""
+    if recipe.purpose != "project":
+        return {
+            "documentation": "it is for the documentation",
+            "vendored": "it belongs to a copy of other people's code",
+            "ci": "it is for CI, or an environment without the source",
+            "deploy": "it is for one robot's or machine's deployment",
+            "broken": f"it does not parse: {recipe.problem}",
+        }[recipe.purpose]
+    if recipe.problem:
+        return recipe.problem
+    if recipe.clones_itself:
+        return "it clones the repository instead of copying this checkout"
+    if not recipe.copies_repository:
+        return "it does not copy the repository into the image"
+    if recipe.base is None or "$" in recipe.base:
+        return f"its base is not known: {recipe.base or 'no FROM'}"
+    return _base_doubt(recipe.base, kind, ros_distro)
+
+
+def _base_doubt(base: str, kind: Kind, ros_distro: str | None) -> str | None:
+    if match := _CUDA.search(base):
+        row = cuda_image(match[1])
+        if row is None or not row.tag or (match[2] and match[1] + match[2] != row.tag):
+            return f"{base} was deleted from the registry"
+    for name, why in _GONE.items():
+        if name in base:
+            return why
+    if _OLD_UBUNTU.search(base):
+        return f"{base} has no packages any more"
+    named = _ROS.search(base)
+    release = distro(named[1]) if named else None
+    if release and kind in {"ros1", "ros2"} and ros_distro and release.name != ros_distro:
+        return f"it is for {release.name}, the repository for {ros_distro}"
+    return None
+
+
+def _rank(recipe: Recipe, ros_distro: str | None) -> tuple[int, int, int, str]:
+    """Order believable recipes: the distro in the path, the plain name, near the root."""
+    path = recipe.file.lower()
+    other = any(name in path for name in distros() if name != ros_distro)
+    mine = bool(ros_distro and ros_distro in path)
+    plain = path.rpartition("/")[2] == "dockerfile"
+    return (1 if other and not mine else 0, 0 if mine or plain else 1, path.count("/"), recipe.file)

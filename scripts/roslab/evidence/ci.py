@@ -41,11 +41,7 @@ _FOLDED = re.compile(r"^(\s*)(?:-\s+)?\w+:\s*>-?\s*\n((?:\1\s+\S.*\n?)+)", re.MU
 
 def read(repository: Repository) -> Prose:
     """Return the install lines, container images and versions of CI files; a release or documentation job's are left out."""
-    files = [
-        file
-        for file in (*repository.suffixed(".yml", ".yaml"), *repository.named("Jenkinsfile"))
-        if _is_ci(file)
-    ]
+    files = [file for file in (*repository.suffixed(".yml", ".yaml"), *repository.named("Jenkinsfile")) if _is_ci(file)]
     return merge(
         _read(repository.read(file), file.path)
         for file in sorted(files, key=lambda file: file.path)
@@ -66,9 +62,7 @@ def _read(text: str, path: str) -> Prose:
     )
     collector = Collector(path, "ci")
     shell = "\n".join(_PREFIX.sub("", line) for line in text.split("\n"))
-    collector.text(
-        _EXPRESSION.sub(lambda match: match[0] if "distro" in match[0].lower() else "$UNKNOWN", shell)
-    )
+    collector.text(_EXPRESSION.sub(lambda match: match[0] if "distro" in match[0].lower() else "$UNKNOWN", shell))
     for match in _DEBS.finditer(text):
         if "cache-apt-pkgs" in text or not match[0].lstrip().startswith("packages"):
             collector.logical(f"apt-get install {match[1]}", _line(text, match))

@@ -38,6 +38,10 @@ _CI = re.compile(
     re.IGNORECASE,
 )
 _DOCS = re.compile(r"sphinx|mkdocs|doxygen|jekyll|readthedocs|(?:^|[/._-])docs?(?:[/._-]|$)", re.IGNORECASE)
+_PRIVATE = re.compile(
+    r"--mount=type=(?:ssh|secret)|id_rsa|GITHUB_TOKEN|ACCESS_TOKEN|OAUTH|:\$\{?\w*(?:TOKEN|PASSWORD)\w*\}?@",
+    re.IGNORECASE,
+)
 _REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
 
 
@@ -95,9 +99,7 @@ def instructions(text: str) -> Iterator[Instruction]:
                 yield Instruction(pending.name, "\n".join((pending.text, *body)), pending.line)
                 heredoc, body = "", []
             else:
-                body += [""] * max(
-                    0, line - pending.line - 1 - sum(part.count("\n") + 1 for part in body)
-                ) + [logical]
+                body += [""] * max(0, line - pending.line - 1 - sum(part.count("\n") + 1 for part in body)) + [logical]
             continue
         if not logical.strip():
             continue
@@ -120,7 +122,7 @@ def _recipe(repository: Repository, file: File) -> Recipe:
     collector = Collector(file.path, "recipe", known)
     base, base_line, copies, context = None, 1, False, None
     command: tuple[str, ...] = ()
-    problem = None
+    problem = needs = None
     started = False
     for name, body, line in instructions(text):
         if not name:
@@ -145,8 +147,11 @@ def _recipe(repository: Repository, file: File) -> Recipe:
                 known[words[0]] = expand(words[1].strip(), known)
         elif name == "RUN":
             collector.text(re.sub(r"^(?:--\S+\s+)+", "", body), line)
+            if _PRIVATE.search(body):
+                needs = needs or f"line {line} needs a private key or token"
         elif name in {"COPY", "ADD"}:
-            copied, where = _copied(repository, file, body)
+            copied, where, missing = _copied(repository, file, body)
+            needs = needs or (missing and f"line {line} copies {missing}, which the repository does not hold") or None
             copies, context = copies or copied, context if context is not None else where
         elif name in {"CMD", "ENTRYPOINT"}:
             command = _argv(body) if name == "CMD" or not command else command
@@ -166,8 +171,9 @@ def _recipe(repository: Repository, file: File) -> Recipe:
         command=command,
         purpose=_purpose(file.path, base or "", problem),
         arguments=tuple(arguments.items()),
-        problem=problem,
+        problem=problem or needs,
         context=context,
+        clones_itself=any(_itself(repository, clone) for clone in clones),
     )
 
 
@@ -192,11 +198,11 @@ def _argv(text: str) -> tuple[str, ...]:
     return ("bash", "-c", text) if text else ()
 
 
-def _copied(repository: Repository, file: File, body: str) -> tuple[bool, str | None]:
-    """Tell whether a COPY brings the repository's own source, and from which context."""
+def _copied(repository: Repository, file: File, body: str) -> tuple[bool, str | None, str | None]:
+    """Tell whether a COPY brings the repository's own source, from which context, and what of it is missing."""
     words = [word for word in body.replace("\n", " ").split() if word]
     if any(word.startswith("--from") for word in words):
-        return False, None
+        return False, None, None
     sources = [word for word in words if not word.startswith("--")][:-1]
     if body.lstrip().startswith("["):
         sources = [part for part in _argv(body)[:-1] if not part.startswith("--")]
@@ -205,21 +211,22 @@ def _copied(repository: Repository, file: File, body: str) -> tuple[bool, str | 
         if "://" in source or "$" in source or source.startswith("git@"):
             continue
         if path in {"", "*", "src", "."} and path != "src":
-            return True, ""
+            return True, "", None
+        if re.search(r"[*?\[]", path):
+            continue
         for context in ("", file.folder, file.folder.rpartition("/")[0]):
             where = f"{context}/{path}".strip("/") if context else path
             if where in repository.folders and _holds_source(repository, where):
-                return True, context
-            if repository.has(where) and path.endswith(_REPOSITORY_FILES):
-                return False, context
-    return False, None
+                return True, context, None
+            if repository.has(where) or where in repository.folders:
+                return False, context, None
+        return False, None, path
+    return False, None, None
 
 
 def _holds_source(repository: Repository, folder: str) -> bool:
     prefix = folder + "/"
-    return any(
-        file.path.startswith(prefix) and file.name.endswith(_REPOSITORY_FILES) for file in repository.files
-    )
+    return any(file.path.startswith(prefix) and file.name.endswith(_REPOSITORY_FILES) for file in repository.files)
 
 
 def _purpose(

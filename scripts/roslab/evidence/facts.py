@@ -155,6 +155,8 @@ class Recipe:
     problem: str | None = None
     context: str | None = None
     """Build context that its COPY lines fit, relative to the root; ``None`` where nothing is copied."""
+    clones_itself: bool = False
+    """It clones the repository it lies in: what it builds is not this checkout."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -41,11 +41,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         if "import" not in text:
             continue
         for match in _IMPORT.finditer(text):
-            names = (
-                [match["module"]]
-                if match["module"]
-                else [part.split()[0] for part in match["plain"].split(",")]
-            )
+            names = [match["module"]] if match["module"] else [part.split()[0] for part in match["plain"].split(",")]
             for name in names:
                 top = name.partition(".")[0]
                 if top in _STANDARD or top in local or top.startswith("_"):

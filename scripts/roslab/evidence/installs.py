@@ -37,9 +37,7 @@ _PIP_OPTIONS = {
     "-f": "--find-links", "--find-links": "--find-links", "-i": "--index-url", "--index-url": "--index-url",
     "--extra-index-url": "--extra-index-url",
 }  # fmt: skip
-_PIP_SPEC = re.compile(
-    r"^[A-Za-z0-9][A-Za-z0-9._-]*(?:\[[\w\s,.-]*\])?\s*(?:(?:[=<>!~]=|[<>]|@|;)\s*[^\s].*)?$"
-)
+_PIP_SPEC = re.compile(r"^[A-Za-z0-9][A-Za-z0-9._-]*(?:\[[\w\s,.-]*\])?\s*(?:(?:[=<>!~]=|[<>]|@|;)\s*[^\s].*)?$")
 _URL = re.compile(r"^(?:git\+)?(?:https?|ssh|git|file)://\S+$|^git@\S+:\S+$")
 _BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_make", "colcon": "colcon"}
 _CONDA = frozenset({"conda", "mamba", "micromamba"})
@@ -85,12 +83,7 @@ class Collector:
         program = words[0].rpartition("/")[2]
         if program == "uv" and words[1:2] == ("pip",):
             command, program = Command(words[1:], command.lines[1:]), "pip"
-        elif (
-            (python := _PYTHON.match(program))
-            and words[1:2] == ("-m",)
-            and len(words) > 2
-            and _PIP.match(words[2])
-        ):
+        elif (python := _PYTHON.match(program)) and words[1:2] == ("-m",) and len(words) > 2 and _PIP.match(words[2]):
             name = "pip2" if (python[1] or "").startswith("2") else "pip"
             command, program = Command(words[2:], command.lines[2:]), name
         if program in _APT:
@@ -140,9 +133,7 @@ class Collector:
     ) -> None:
         words = " ".join(command.words).replace(UNKNOWN, "…")[:200]
         self.mentions.append(
-            Mention(
-                topic=topic, value=value, source=self.source, file=self.file, line=command.line, text=words
-            )
+            Mention(topic=topic, value=value, source=self.source, file=self.file, line=command.line, text=words)
         )
 
     def _apt(self, command: Command) -> None:
@@ -299,9 +290,7 @@ class Collector:
             self._mention("build_tool", "catkin_tools", command)
         elif program == "cmake":
             self._mention("build_tool", "cmake", command)
-        elif program in {"roslaunch", "rosrun"} or (
-            program == "ros2" and words[1:2] in {("launch",), ("run",)}
-        ):
+        elif program in {"roslaunch", "rosrun"} or (program == "ros2" and words[1:2] in {("launch",), ("run",)}):
             self._run(command)
         elif (python := _PYTHON.match(program)) and len(words) > 1:
             if python[1] and "." in python[1]:

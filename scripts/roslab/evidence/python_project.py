@@ -63,9 +63,7 @@ def _finder(text: str) -> Callable[[str], int]:
     return line_of
 
 
-def _listed(
-    lines: Iterable[Any], path: str, line_of: Callable[[str], int], role: str = ""
-) -> list[Dependency]:
+def _listed(lines: Iterable[Any], path: str, line_of: Callable[[str], int], role: str = "") -> list[Dependency]:
     found = (
         requirements.requirement(line.strip(), path, line_of(line), role=role)
         for line in lines
@@ -143,8 +141,7 @@ def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> Pyt
         for extra in parser.options("options.extras_require"):
             dependencies += _listed(words("options.extras_require", extra), path, line_of, f"extra:{extra}")
     scripts = tuple(
-        (line.partition("=")[0].strip(), line_of(line))
-        for line in words("options.entry_points", "console_scripts")
+        (line.partition("=")[0].strip(), line_of(line)) for line in words("options.entry_points", "console_scripts")
     )
     return PythonProject(
         file=path,
@@ -229,9 +226,7 @@ def _poetry(table: dict[str, Any]) -> dict[str, str]:
             continue
         version = value.get("version", "*") if isinstance(value, dict) else value
         if isinstance(version, str) and not optional:
-            specifier = ",".join(_caret(part.strip()) for part in version.split("||")[0].split(",")).strip(
-                ","
-            )
+            specifier = ",".join(_caret(part.strip()) for part in version.split("||")[0].split(",")).strip(",")
             lines[name] = specifier if name == "python" else name + specifier
     return lines
 

@@ -20,9 +20,7 @@ _PAGE = re.compile(
     r"^(?:readme|install|installation|building|build|getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
 )
 _TEXTS = (".md", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
-_DOCS_PAGE = re.compile(
-    r"install|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite"
-)
+_DOCS_PAGE = re.compile(r"install|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite")
 _FENCE = re.compile(r"^\s*(?:[-*>]\s*)*(```+|~~~+)")
 _START = re.compile(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
@@ -47,12 +45,7 @@ def _pages(repository: Repository) -> list[File]:
     found = []
     for file in repository.suffixed(*_TEXTS):
         name = file.name.lower()
-        if (
-            file.size > MAX_SIZE
-            or places.vendored(file.path)
-            or places.test(file.path)
-            or name.endswith("lists.txt")
-        ):
+        if file.size > MAX_SIZE or places.vendored(file.path) or places.test(file.path) or name.endswith("lists.txt"):
             continue
         if (name.endswith(".txt") or "." not in name) and not re.match(r"readme|install", name):
             continue

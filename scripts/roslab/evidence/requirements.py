@@ -18,9 +18,7 @@ _NAME = re.compile(
     r"^(?!.*(?:apt|conda|rosdep|system|constraint|debian))(?:.*[-_.])?(?:requirements?|requires)(?:[-_.\d].*)?\.(?:txt|in|pip)$"
 )
 _FOLDER = re.compile(r"(?:^|/)requirements?$", re.IGNORECASE)
-_DOCS = re.compile(
-    r"(?:^|[-_./])(?:docs?|sphinx|mkdocs|documentation|rtd|readthedocs)(?:[-_./]|$)", re.IGNORECASE
-)
+_DOCS = re.compile(r"(?:^|[-_./])(?:docs?|sphinx|mkdocs|documentation|rtd|readthedocs)(?:[-_./]|$)", re.IGNORECASE)
 _TESTS = re.compile(r"(?:^|[-_./])(?:tests?|testing|pytest)(?:[-_./]|$)", re.IGNORECASE)
 _DEV = re.compile(
     r"(?:^|[-_./])(?:dev|develop|development|lint|linter|format|ci|build|release|style|precommit|typing)(?:[-_./]|$)",
@@ -46,8 +44,7 @@ def read(repository: Repository) -> tuple[RequirementFile, ...]:
     pending = [
         file.path
         for file in repository.suffixed(".txt", ".in", ".pip")
-        if _NAME.match(file.name.lower())
-        or (_FOLDER.search(file.folder) and file.name.endswith((".txt", ".in")))
+        if _NAME.match(file.name.lower()) or (_FOLDER.search(file.folder) and file.name.endswith((".txt", ".in")))
     ]
     pending = [path for path in pending if ".egg-info" not in path]
     while pending:

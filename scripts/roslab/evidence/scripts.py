@@ -14,9 +14,7 @@ MAX_SCRIPTS = 400
 _NAME = re.compile(
     r"install|setup|dep(?:s|end)|require|bootstrap|prepare|build|provision|prereq|environment|docker|ci|catkin|apt|init|configure"
 )
-_ROBOT = re.compile(
-    r"jetson|tegra|raspberry|nvidia[-_]?driver|udev|kernel|windows|macos?|osx|homebrew|uninstall"
-)
+_ROBOT = re.compile(r"jetson|tegra|raspberry|nvidia[-_]?driver|udev|kernel|windows|macos?|osx|homebrew|uninstall")
 _LIST = re.compile(
     r"^(?:apt|debian|ubuntu|system|os)?[-_]?(?:additional[-_]?)?(?:apt|debs?|packages|dependencies)(?:[-_]?(?:packages|requirements|dependencies|list|deps))?\.txt$"
 )

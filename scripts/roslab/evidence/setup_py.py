@@ -57,9 +57,7 @@ def read(text: str) -> SetupScript:
             for target in node.targets:
                 if isinstance(target, ast.Name):
                     names[target.id] = node.value
-        elif (
-            isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name) and node.target.id in names
-        ):
+        elif isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name) and node.target.id in names:
             names[node.target.id] = ast.BinOp(names[node.target.id], node.op, node.value)
         elif isinstance(node, (ast.FunctionDef, ast.ClassDef)):
             functions[node.name] = node
@@ -87,22 +85,14 @@ def read(text: str) -> SetupScript:
         script.requirements[f"extra:{extra}"] = (reader.strings(value), [])
     script.name = next(iter(reader.strings(keywords["name"])), None) if "name" in keywords else None
     script.requires_python = (
-        next(iter(reader.strings(keywords["python_requires"])), None)
-        if "python_requires" in keywords
-        else None
+        next(iter(reader.strings(keywords["python_requires"])), None) if "python_requires" in keywords else None
     )
-    script.build_requires = (
-        tuple(reader.strings(keywords["setup_requires"])) if "setup_requires" in keywords else ()
-    )
+    script.build_requires = tuple(reader.strings(keywords["setup_requires"])) if "setup_requires" in keywords else ()
     script.classifiers = tuple(reader.strings(keywords["classifiers"])) if "classifiers" in keywords else ()
     entries = (
-        _dictionary(keywords["entry_points"], names).get("console_scripts")
-        if "entry_points" in keywords
-        else None
+        _dictionary(keywords["entry_points"], names).get("console_scripts") if "entry_points" in keywords else None
     )
-    script.scripts = (
-        tuple(line.partition("=")[0].strip() for line in reader.strings(entries)) if entries else ()
-    )
+    script.scripts = tuple(line.partition("=")[0].strip() for line in reader.strings(entries)) if entries else ()
     return script
 
 

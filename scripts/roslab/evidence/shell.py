@@ -88,9 +88,7 @@ def fill_placeholders(text: str) -> str:
     def fill(match: re.Match[str]) -> str:
         bare = _CAPITALS.match(match[0])
         # IGNORECASE lets the capitals' branch match any word: a lower-case one is a distro's name, or a package's.
-        return (
-            match[0] if bare and not (bare[1].isupper() or "distro" in bare[1].lower()) else "ros-{distro}-"
-        )
+        return match[0] if bare and not (bare[1].isupper() or "distro" in bare[1].lower()) else "ros-{distro}-"
 
     return _PLACEHOLDER.sub(fill, text)
 
@@ -105,9 +103,7 @@ def logical_lines(text: str, first: int = 1) -> Iterator[tuple[int, str]]:
             start = number
             if stripped.startswith("#"):
                 continue
-        elif stripped.startswith(
-            "#"
-        ):  # Docker drops comments inside a continuation; shells' authors mean the same
+        elif stripped.startswith("#"):  # Docker drops comments inside a continuation; shells' authors mean the same
             pending.append("")
             continue
         if stripped.endswith("\\") and not stripped.endswith("\\\\"):

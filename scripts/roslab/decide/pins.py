@@ -1,0 +1,105 @@
+"""What the repository says of its Python packages, from every source, the most trusted first."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from roslab.evidence import places
+from roslab.evidence.facts import Dependency, Evidence
+from roslab.knowledge.frameworks import canonical
+
+_EXACT = re.compile(r"(?:===?|~=)\s*v?(\d[\w.]*(?:\+[\w.]+)?)")
+_UPPER = re.compile(r"<=?\s*(\d[\w.]*)")
+_CONDA = re.compile(r"^(?:[\w-]+::)?([A-Za-z0-9][\w.-]*)\s*(?:[=<>~! ]+\s*(\d[\w.+-]*))?")
+_CONDA_NAMES = {
+    "pytorch": "torch",
+    "pytorch-gpu": "torch",
+    "tensorflow-gpu": "tensorflow-gpu",
+    "opencv": "opencv-python",
+}
+DEVELOPMENT = re.compile(r"(?:^|/)(?:\.github|\.circleci|\.ci|ci|docs?)(?:/|$)")
+
+
+class Pin(NamedTuple):
+    """One mention of a Python package."""
+
+    name: str
+    """As the index compares it."""
+    release: str | None
+    """The release it is pinned to, with its local part; ``None`` where it is free."""
+    below: str | None
+    """Upper bound of its specifier."""
+    line: str
+    """The requirement line."""
+    dependency: Dependency
+    trust: int
+    """3: a manifest of the project; 2: its conda environment; 1: README and recipes; 0: other files of the tree."""
+
+
+def name_of(line: str) -> str:
+    """Return the package a requirement line names, ``""`` for a bare URL without one."""
+    if match := re.search(r"#egg=([\w.-]+)", line):
+        return canonical(match[1])
+    if re.match(r"^(?:git\+|https?:|file:|[./])", line):
+        if wheel := re.search(r"/([A-Za-z0-9_.]+?)-\d[^/]*\.whl", line):
+            return canonical(wheel[1])
+        if git := re.search(r"/([\w.-]+?)(?:\.git)?(?:@[^/]*)?(?:#.*)?$", line):
+            return canonical(git[1])
+        return ""
+    match = re.match(r"^([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)", line)
+    return canonical(match[1]) if match else ""
+
+
+def pins(evidence: Evidence) -> Iterator[Pin]:
+    """Yield every mention, the most trusted first; tests', documentation's and copies' files are left out."""
+    found: list[Pin] = []
+    for file in evidence.requirements:
+        if file.purpose == "run":
+            depth = 3 if "/" not in file.file else 2 if file.file.count("/") == 1 else 0
+            found += [_pin(dependency, depth) for dependency in file.dependencies]
+    for project in evidence.python:
+        if not places.vendored(project.file) and not places.example(project.file) and not places.test(project.file):
+            depth = 3 if not project.folder else 1
+            found += [
+                _pin(dependency, depth if not dependency.role.startswith(("extra", "test")) else 0)
+                for dependency in project.dependencies
+            ]
+    for environment in evidence.conda:
+        if places.vendored(environment.file):
+            continue
+        trust = 2 if environment.file.count("/") <= 1 else 0
+        found += [_pin(dependency, trust) for dependency in environment.dependencies]
+        found += [pin for package in environment.packages if (pin := _conda_pin(package, environment.file, trust))]
+    for recipe in evidence.recipes:
+        if recipe.purpose not in {"vendored", "documentation"}:
+            found += [_pin(d, 1) for d in recipe.dependencies if d.namespace == "pip" and d.role in {"", "conda"}]
+    for dependency in evidence.prose:
+        if (
+            dependency.namespace == "pip"
+            and dependency.role in {"", "conda"}
+            and not DEVELOPMENT.search(dependency.file)
+        ):
+            found.append(_pin(dependency, 1))
+    yield from sorted((pin for pin in found if pin.name), key=lambda pin: -pin.trust)
+
+
+def _pin(dependency: Dependency, trust: int) -> Pin:
+    line = dependency.name
+    exact = _EXACT.search(line.partition(";")[0])
+    release = exact[1].rstrip(".*") if exact else None
+    if wheel := re.search(r"/[A-Za-z0-9_.]+?-(\d[\d.]*(?:(?:\+|%2[bB])\w+)?)[^/]*\.whl", line):
+        release = wheel[1].replace("%2B", "+").replace("%2b", "+")
+    upper = _UPPER.search(line)
+    return Pin(name_of(line), release, upper[1] if upper else None, line, dependency, trust)
+
+
+def _conda_pin(package: str, file: str, trust: int) -> Pin | None:
+    match = _CONDA.match(package)
+    if match is None:
+        return None
+    name = canonical(_CONDA_NAMES.get(match[1], match[1]))
+    release = match[2].partition("=")[0] if match[2] and re.match(r"^[^<>!]*=", package[match.end(1) :]) else None
+    dependency = Dependency(namespace="pip", name=name, strength="declared", file=file, line=1, role="conda")
+    return Pin(name, release, None, f"{name}=={release}" if release else name, dependency, trust)
