@@ -14,6 +14,8 @@ def advice(title: str, text: str) -> str | None:
     """Return what to write instead of a value, given the title of what is wanted; ``None`` where nothing is known."""
     if "\ufffd" in text:
         return "a character is broken: save the file as UTF-8"
+    if "\n" in text and title == "shell command":
+        return "one line each: join them with ` && `, or write an entry for each"
     if any(not c.isprintable() for c in text):
         return "one line of plain text: no line break, no control character"
     find = _BY_TITLE.get(title)
@@ -83,7 +85,8 @@ def _ros(text: str) -> str | None:
     allowed = vocabulary.rows("ros")
     if distro not in allowed:
         meant = vocabulary.nearest(distro, allowed)
-        return f"did you mean `{meant}`? distributions: {', '.join(allowed)}" if meant else None
+        full = f"{meant}-{variant}" if variant else meant
+        return f"did you mean `{full}`? distributions: {', '.join(allowed)}" if meant else None
     variants = ("ros-core", "ros-base", "robot", "perception", "simulators", "simulation", "desktop", "desktop-full")
     meant = next((v for v in reversed(variants) if variant.endswith(v)), vocabulary.nearest(variant, variants))
     return f"did you mean `{distro}-{meant}`? variants: {', '.join(variants)}" if meant else None
@@ -93,6 +96,10 @@ def _path(text: str) -> str | None:
     if text.startswith(("/", "~")) or "\\" in text or ".." in text.split("/"):
         return "a path inside the repository, relative to its root, with `/` between its parts"
     return None
+
+
+def _system(_: str) -> str:
+    return "only Ubuntu can be built any more: write `system: ubuntu` and its `version`"
 
 
 def _format(text: str) -> str | None:
@@ -110,4 +117,5 @@ _BY_TITLE = {
     "ROS distribution": _ros,
     "path inside the repository": _path,
     "format": _format,
+    "system": _system,
 }

@@ -44,6 +44,7 @@ _HINTS = (
     ("undefined alias", "write the value out"),
 )
 _MERGE = "<<"
+_PASSWORD = re.compile(r"//[^/\s]*@")
 
 
 @dataclass(kw_only=True, slots=True)
@@ -202,7 +203,8 @@ def parse(text: str | bytes, *, file: str) -> Document:
 
 
 def printable(text: str, limit: int = 60) -> str:
-    """Return a text as it may stand in a message: one line, shortened, nothing that moves a cursor."""
+    """Return a text as it may stand in a message: one line, shortened, no password, nothing that moves a cursor."""
+    text = _PASSWORD.sub("//…@", text)
     text = text if len(text) <= limit else text[: limit - 1] + "…"
     return "".join(c if c.isprintable() else c.encode("unicode_escape", "surrogatepass").decode() for c in text)
 

@@ -109,6 +109,8 @@ def elsewhere(generation: Generation, name: str) -> str | None:
         word = next((old for old, new in translations.items() if new == name and old in keys(generation)), None)
     else:
         word = translations.get(name)
+        if generation == "today" and word == "pip":
+            word = "pip2"  # what `pip` meant before
     instead = f"did you mean `{word}`? " if word else ""
     return f"{instead}`{name}` is a word of {homes[0]}, this file is in {NAMES[generation]}"
 

@@ -29,6 +29,8 @@ _FOUND = {
     "string": "text",
 }
 
+_ABOUT = ("title", "description", "examples")
+
 
 @dataclass(kw_only=True, slots=True)
 class Shape:
@@ -45,7 +47,8 @@ class Shape:
         if "anyOf" in schema:
             branch = next((b for b in map(vocabulary.resolve, schema["anyOf"]) if _admits(b, node)), None)
             if branch is not None:
-                return self.check(node, branch, path)
+                named: Schema = {word: schema[word] for word in _ABOUT if word in schema}
+                return self.check(node, {**named, **branch}, path)
             return self._wrong_type(node, schema, path)
         if not _admits(schema, node):
             return self._wrong_type(node, schema, path)
@@ -65,9 +68,10 @@ class Shape:
         values = [str(value) for value in schema.get("enum", ())]
         if isinstance(node, Scalar) and values:
             was, hint = f'{_FOUND[node.kind]} ("{printable(node.text)}")', f"allowed: {', '.join(values)}"
-        elif isinstance(node, Scalar) and node.kind not in {"string", "null"} and _takes(schema, "string"):
+        elif isinstance(node, Scalar) and node.kind not in {"string", "null"}:
             was = f'{_FOUND[node.kind]} ("{printable(node.text)}")'
-            hint = f'put it in quotes: "{printable(node.text)}"'
+            quoted = f'put it in quotes: "{printable(node.text)}"'
+            hint = quoted if _takes(schema, node.text) else f"{schema['description']} {_sentence(schema)}"
         else:
             was, hint = _FOUND[kind(node)], _example(schema)
         self.complain(node.start, f"{path or 'the file'} is {was}, not {_article(schema['title'])}", hint)
@@ -152,8 +156,7 @@ class Shape:
             hint = f"did you mean `{meant}`? " if meant else ""
             hint += "allowed: " + ", ".join(dict.fromkeys(allowed))
         elif hint is None:
-            example = _example(schema)
-            hint = f"{schema['description']} {example[0].upper()}{example[1:]}"
+            hint = f"{schema['description']} {_sentence(schema)}"
         self.complain(node.start, f'{path}: "{shown}" is no {title}', hint)
         return None
 
@@ -183,9 +186,10 @@ def _admits(schema: Schema, node: Node) -> bool:
     return found in types or (found == "integer" and "number" in types)
 
 
-def _takes(schema: Schema, name: str) -> bool:
+def _takes(schema: Schema, text: str) -> bool:
+    """Whether a text would do."""
     branches = [vocabulary.resolve(branch) for branch in schema.get("anyOf", ())] or [schema]
-    return any(name in _types(branch) for branch in branches)
+    return any("string" in _types(branch) and _matches(branch, text) for branch in branches)
 
 
 def _example(schema: Schema) -> str:
@@ -194,6 +198,11 @@ def _example(schema: Schema) -> str:
         return str(schema["description"])
     shown = (e if isinstance(e, str) else json.dumps(e, ensure_ascii=False) for e in examples)
     return "for example: " + " or ".join(f"`{example}`" for example in shown)
+
+
+def _sentence(schema: Schema) -> str:
+    example = _example(schema)
+    return f"{example[0].upper()}{example[1:]}"
 
 
 def _article(title: str) -> str:
