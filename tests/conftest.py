@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import resource
+import shutil
 import subprocess
 import sys
 from collections import Counter
@@ -79,6 +80,22 @@ def roslab() -> Roslab:
         return answer
 
     return run
+
+
+@pytest.fixture(scope="session")
+def tool() -> Callable[[str], str]:
+    """Return a function that finds a program; without it the test is skipped, or fails where all must be there."""
+
+    def find(name: str) -> str:
+        places = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", os.defpath)])
+        if found := shutil.which(name, path=places):
+            return found
+        message = f"{name} is not installed: `bash tests/setup` does it"
+        if os.environ.get("REPRO_REQUIRE_ALL") == "1":
+            pytest.fail(message)
+        pytest.skip(message)
+
+    return find
 
 
 def _kind(nodeid: str) -> str | None:
