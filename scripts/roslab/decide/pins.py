@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency, Evidence
+from roslab.evidence.facts import CondaEnvironment, Dependency, Evidence
 from roslab.knowledge.frameworks import canonical
 
 _EXACT = re.compile(r"(?:===?|~=)\s*v?(\d[\w.]*(?:\+[\w.]+)?)")
@@ -19,6 +19,9 @@ _CONDA_NAMES = {
     "tensorflow-gpu": "tensorflow-gpu",
     "opencv": "opencv-python",
 }
+_NO_PACKAGE = frozenset(
+    "python pip cudatoolkit cuda pytorch-cuda cuda-toolkit cudnn cuda-nvcc mkl nccl gcc gxx cmake ninja git ffmpeg nodejs".split()
+)
 DEVELOPMENT = re.compile(r"(?:^|/)(?:\.github|\.circleci|\.ci|ci|docs?)(?:/|$)")
 
 
@@ -71,7 +74,7 @@ def pins(evidence: Evidence) -> Iterator[Pin]:
             continue
         trust = 2 if environment.file.count("/") <= 1 else 0
         found += [_pin(dependency, trust) for dependency in environment.dependencies]
-        found += [pin for package in environment.packages if (pin := _conda_pin(package, environment.file, trust))]
+        found += conda_pins(environment, trust)
     for recipe in evidence.recipes:
         if recipe.purpose not in {"vendored", "documentation"}:
             found += [_pin(d, 1) for d in recipe.dependencies if d.namespace == "pip" and d.role in {"", "conda"}]
@@ -83,6 +86,12 @@ def pins(evidence: Evidence) -> Iterator[Pin]:
         ):
             found.append(_pin(dependency, 1))
     yield from sorted((pin for pin in found if pin.name), key=lambda pin: -pin.trust)
+
+
+def conda_pins(environment: CondaEnvironment, trust: int = 2) -> list[Pin]:
+    """Return conda's own packages, by the names that the index has for them; Python itself and CUDA are none."""
+    found = (_conda_pin(package, environment.file, trust) for package in environment.packages)
+    return [pin for pin in found if pin and pin.name not in _NO_PACKAGE]
 
 
 def _pin(dependency: Dependency, trust: int) -> Pin:

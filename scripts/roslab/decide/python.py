@@ -7,7 +7,7 @@ import re
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda import decide_cuda
 from roslab.decide.decision import Python, Reason, Warning_
-from roslab.decide.pins import name_of
+from roslab.decide.pins import conda_pins, name_of
 from roslab.decide.python_base import cuda_ubuntu
 from roslab.decide.python_packages import Chosen, choose, with_includes
 from roslab.decide.python_version import python_version
@@ -66,7 +66,10 @@ def decide_python(
 
 
 def specifiers(evidence: Evidence, python: Python) -> tuple[str, ...]:
-    """Return every requirement line that the image installs: its own, those of the files, the projects and conda."""
+    """Return every requirement line that the image installs: its own, those of the files, the projects and conda.
+
+    conda's own packages stand by their names on the index, a bare ``git+URL`` by the repository's name: this is a report.
+    """
     lines = list(python.pip)
     by_path = {file.file: file for file in evidence.requirements}
     chosen = [by_path[path] for path in python.requirements if path in by_path]
@@ -77,7 +80,22 @@ def specifiers(evidence: Evidence, python: Python) -> tuple[str, ...]:
     for environment in evidence.conda:
         if environment.file == python.conda_file:
             lines += [d.name for d in environment.dependencies if d.role not in {"file", "option"}]
-    return tuple(dict.fromkeys((*lines, *python.pip_guessed)))
+            lines += [pin.line for pin in conda_pins(environment)]
+            named = [d.name.removeprefix("./") for d in environment.dependencies if d.role == "file"]
+            folder = environment.file.rpartition("/")[0]
+            lines += [
+                d.name
+                for file in with_includes(
+                    evidence,
+                    [f for f in evidence.requirements if f.file in {f"{folder}/{n}".strip("/") for n in named}],
+                )
+                for d in file.dependencies
+            ]
+    return tuple(dict.fromkeys(_readable(line) for line in (*lines, *python.pip_guessed)))
+
+
+def _readable(line: str) -> str:
+    return f"{name_of(line)} @ {line}" if line.startswith("git+") and name_of(line) else line
 
 
 def _manager(evidence: Evidence, config: Config, kind: Kind, ubuntu: str | None, number: str, chosen: Chosen) -> str:

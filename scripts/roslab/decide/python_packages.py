@@ -25,6 +25,7 @@ _CI_TOOLS = frozenset(
     "black flake8 isort pylint mypy pytest pytest-cov coverage codecov pre-commit sphinx ruff autopep8 clang-format clang-tidy cpplint "
     "cmakelang cmake-format codespell gcovr yapf bandit pydocstyle pycodestyle mkdocs".split()
 )
+_FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
 MAX_GUESSES = 40
 MAX_PROJECTS = 6
 
@@ -214,32 +215,24 @@ def _guesses(evidence: Evidence, *, ros: bool, known: set[str]) -> tuple[Depende
     for pin in sorted((pin for pin in pins(evidence) if pin.trust == 1), key=_specific):
         declared = pin.dependency.strength == "declared"
         ci = bool(re.search(r"(?:^|/)\.(?:github|circleci|travis|gitlab)", pin.dependency.file))
-        if declared or pin.name in known or pin.name in _TOOLS or (ci and pin.name in _CI_TOOLS):
+        if declared or pin.name in known or (pin.name in _TOOLS and not pin.release) or (ci and pin.name in _CI_TOOLS):
             continue
         found.setdefault(pin.name, pin.dependency)
-    if not ros:  # a ROS image's Python is the system's: its imports are apt's
-        heavy = bool(known & {"torch", "tensorflow", "jax"})
-        for dependency in evidence.code:
-            if dependency.namespace != "import" or dependency.strength != "used" or places.test(dependency.file):
-                continue
-            package = (imports().get(dependency.name) or (None, None))[0]
-            name = canonical(package) if package else ""
-            covered = name in known or name in found or any(_same(name, other) for other in known)
-            if (
-                not package
-                or covered
-                or name in _TOOLS | _CI_TOOLS
-                or (heavy and name in {"torch", "tensorflow", "jax", "keras"})
-            ):
-                continue
-            found[name] = Dependency(
-                namespace="pip",
-                name=package,
-                strength="used",
-                file=dependency.file,
-                line=dependency.line,
-                role="import",
-            )
+    heavy = bool(known & {"torch", "tensorflow", "jax"})
+    strengths = {"used"} if known else {"used", "optional"}
+    for dependency in evidence.code:
+        if dependency.namespace != "import" or dependency.strength not in strengths or places.test(dependency.file):
+            continue
+        package, apt = imports().get(dependency.name) or (None, None)
+        name = canonical(package) if package else ""
+        covered = name in known or name in found or any(_same(name, other) for other in (*known, *found))
+        if not package or covered or name in _TOOLS | _CI_TOOLS or (heavy and name in _FRAMEWORKS):
+            continue
+        if ros and apt:  # a ROS image's Python is the system's: what apt has comes from there
+            continue
+        found[name] = Dependency(
+            namespace="pip", name=package, strength="used", file=dependency.file, line=dependency.line, role="import"
+        )
     return tuple(found.values())[:MAX_GUESSES]
 
 

@@ -34,7 +34,10 @@ def python_version(evidence: Evidence, config: Config) -> tuple[str | None, tupl
             ),
         )
     ranges = tuple(_ranges(evidence))
-    named = sorted(_named(evidence), key=lambda reason: -reason.weight)
+    named = sorted(
+        _named(evidence),
+        key=lambda r: (-r.weight, r.file or "", r.line or 0, [-number for number in version(r.answer)]),
+    )
     fitting = [candidate for candidate in PREFERRED if _fits(candidate, ranges)]
     if not fitting:  # the pins contradict each other: believe the most trusted ones
         fitting = next(
@@ -88,6 +91,11 @@ def _named(evidence: Evidence) -> Iterator[Reason]:
             + (12 if created else 0)
         )
         yield _reason(mention.value, f"“{mention.text[:80]}”", mention.file, mention.line, weight)
+
+    for pin in pins(evidence):
+        if pin.trust and (tag := re.search(r"-cp(\d)(\d{1,2})-", pin.line)):
+            why = "a wheel of it is named"
+            yield _reason(f"{tag[1]}.{tag[2]}", why, pin.dependency.file, pin.dependency.line, 42)
 
 
 def _ranges(evidence: Evidence) -> Iterator[tuple[Version, Version, Reason]]:

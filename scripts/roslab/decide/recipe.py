@@ -14,6 +14,19 @@ from roslab.knowledge.frameworks import cuda_image
 _CUDA = re.compile(r"(?:^|/)nvidia/cuda:(\d+\.\d+)(\.\d+)?")
 _ROS = re.compile(r"(?:^|/)ros:([a-z]+)")
 _GONE = {"nvidia/cudagl": "nvidia/cudagl is no longer built", "nvidia/opengl": "nvidia/opengl is no longer built"}
+_PUBLISHED = (
+    "osrf/",
+    "nvidia/",
+    "nvcr.io/",
+    "pytorch/",
+    "tensorflow/",
+    "continuumio/",
+    "mambaorg/",
+    "condaforge/",
+    "ghcr.io/sloretz/",
+    "library/",
+    "mcr.",
+)
 _OLD_UBUNTU = re.compile(r"^(?:ubuntu|debian):(?:1[0-5]\.|17\.|19\.|2[13]\.|jessie|stretch|buster)")
 
 
@@ -46,7 +59,7 @@ def decide_recipe(evidence: Evidence, config: Config, kind: Kind, ros_distro: st
     reasons: list[Reason] = []
     believed: list[Recipe] = []
     for recipe in evidence.recipes:
-        against = doubt(recipe, kind, ros_distro)
+        against = doubt(recipe, kind, ros_distro) or _chained(recipe, evidence)
         if against is None:
             believed.append(recipe)
         else:
@@ -93,9 +106,22 @@ def doubt(recipe: Recipe, kind: Kind, ros_distro: str | None) -> str | None:
         return "it clones the repository instead of copying this checkout"
     if not recipe.copies_repository:
         return "it does not copy the repository into the image"
+    if recipe.context:
+        return f"it builds {recipe.context}, not the whole repository"
     if recipe.base is None or "$" in recipe.base:
         return f"its base is not known: {recipe.base or 'no FROM'}"
     return _base_doubt(recipe.base, kind, ros_distro)
+
+
+def _chained(recipe: Recipe, evidence: Evidence) -> str | None:
+    """Doubt a link of a chain: its base is tagged like the folder of another recipe, which somebody built by hand."""
+    name, _, tag = (recipe.base or "").partition(":")
+    if "/" not in name or name.startswith(_PUBLISHED) or not tag:
+        return None
+    for other in evidence.recipes:
+        if other is not recipe and tag in other.file.split("/")[:-1] and tag not in distros():
+            return f"its base {recipe.base} is what {other.file} builds"
+    return None
 
 
 def _base_doubt(base: str, kind: Kind, ros_distro: str | None) -> str | None:

@@ -28,7 +28,7 @@ def apt_for_wheels(python: Python, ubuntu: str | None, evidence: Evidence) -> tu
         name = name_of(line)
         for apt in wheels().get(name, ()):
             renamed = _RENAMED.get(apt, {}).get(ubuntu or "bookworm", apt)
-            found.setdefault(renamed, where.get(line) or _unplaced(line))
+            found.setdefault(renamed, where.get(line) or where.get(line.partition(" @ ")[2]) or _unplaced(line))
     if python.manager == "system":
         for dependency in evidence.code:
             if dependency.namespace != "import" or dependency.strength != "used" or places.test(dependency.file):

@@ -7,6 +7,7 @@ line of a word inside a continuation, and both are what a reason has to show.
 from __future__ import annotations
 
 import json
+import posixpath
 import re
 from collections.abc import Iterator
 from typing import Literal, NamedTuple
@@ -23,6 +24,11 @@ _NOT = re.compile(
     r"\.(?:md|rst|html?|py|ya?ml|json|sh|png|jpe?g|svg|j2|jinja2?|em|in|template|tmpl|erb|dockerignore|txt)$"
 )
 _INSTRUCTION = re.compile(r"^\s*([A-Za-z]+)\s+(.*)$", re.DOTALL)
+_DOCKER_FOLDER = re.compile(
+    r"^(?:.*/)?\.?(?:docker\w*|container\w*|devcontainer|build\w*|images?|env\w*|recipes?|images?/\w+)(?:/[^/]+)*$|^$",
+    re.IGNORECASE,
+)
+"""Folders that only hold recipes: what they copy is the root."""
 _KNOWN = frozenset(
     {"ADD", "ARG", "CMD", "COPY", "ENTRYPOINT", "ENV", "EXPOSE", "FROM", "HEALTHCHECK", "LABEL", "MAINTAINER", "ONBUILD", "RUN", "SHELL", "STOPSIGNAL", "USER", "VOLUME", "WORKDIR"}
 )  # fmt: skip
@@ -51,6 +57,8 @@ class Instruction(NamedTuple):
     name: str
     text: str
     line: int
+    script: bool = False
+    """The text is a here-document: lines of its own, not one line with continuations."""
 
 
 def read(repository: Repository) -> tuple[Recipe, ...]:
@@ -85,7 +93,7 @@ def _built(text: str, path: str) -> tuple[Mention, ...]:
     collector = Collector(path, "recipe")
     for instruction in instructions(text):
         if instruction.name in {"RUN", "CMD"}:
-            collector.text(instruction.text, instruction.line)
+            _collect(collector, instruction)
     return tuple(collector.mentions)
 
 
@@ -96,7 +104,7 @@ def instructions(text: str) -> Iterator[Instruction]:
     for line, logical in logical_lines(text):
         if heredoc:
             if logical.strip() == heredoc:
-                yield Instruction(pending.name, "\n".join((pending.text, *body)), pending.line)
+                yield Instruction(pending.name, "\n".join((pending.text, *body)), pending.line, script=True)
                 heredoc, body = "", []
             else:
                 body += [""] * max(0, line - pending.line - 1 - sum(part.count("\n") + 1 for part in body)) + [logical]
@@ -120,11 +128,13 @@ def _recipe(repository: Repository, file: File) -> Recipe:
     known: dict[str, str] = {}
     stages: dict[str, str] = {}
     collector = Collector(file.path, "recipe", known)
-    base, base_line, copies, context = None, 1, False, None
+    base, base_line = None, 1
+    copied: list[tuple[str, int]] = []
     command: tuple[str, ...] = ()
     problem = needs = None
     started = False
-    for name, body, line in instructions(text):
+    for instruction in instructions(text):
+        name, body, line = instruction.name, instruction.text, instruction.line
         if not name:
             problem = problem or f"line {line} is no instruction: {body.strip()[:60]!r}"
         elif not started and name not in {"ARG", "FROM"}:
@@ -146,17 +156,16 @@ def _recipe(repository: Repository, file: File) -> Recipe:
             if len(words := body.split(None, 1)) == 2 and "=" not in words[0]:
                 known[words[0]] = expand(words[1].strip(), known)
         elif name == "RUN":
-            collector.text(re.sub(r"^(?:--\S+\s+)+", "", body), line)
+            _collect(collector, instruction)
             if _PRIVATE.search(body):
                 needs = needs or f"line {line} needs a private key or token"
         elif name in {"COPY", "ADD"}:
-            copied, where, missing = _copied(repository, file, body)
-            needs = needs or (missing and f"line {line} copies {missing}, which the repository does not hold") or None
-            copies, context = copies or copied, context if context is not None else where
+            copied += [(source, line) for source in _sources(body)]
         elif name in {"CMD", "ENTRYPOINT"}:
             command = _argv(body) if name == "CMD" or not command else command
     if not started:
         problem = problem or "no FROM"
+    copies, context, missing = _context(repository, file, copied)
     clones = tuple(collector.sources)
     tools = [mention.value for mention in collector.mentions if mention.topic == "build_tool"]
     return Recipe(
@@ -171,10 +180,18 @@ def _recipe(repository: Repository, file: File) -> Recipe:
         command=command,
         purpose=_purpose(file.path, base or "", problem),
         arguments=tuple(arguments.items()),
-        problem=problem or needs,
+        problem=problem or needs or missing,
         context=context,
         clones_itself=any(_itself(repository, clone) for clone in clones),
     )
+
+
+def _collect(collector: Collector, instruction: Instruction) -> None:
+    text = re.sub(r"^(?:--\S+\s+)+", "", instruction.text)
+    if instruction.script:
+        collector.text(text, instruction.line)
+    else:
+        collector.logical(text, instruction.line)
 
 
 def _own(dependencies: list[Dependency]) -> list[Dependency]:
@@ -198,30 +215,44 @@ def _argv(text: str) -> tuple[str, ...]:
     return ("bash", "-c", text) if text else ()
 
 
-def _copied(repository: Repository, file: File, body: str) -> tuple[bool, str | None, str | None]:
-    """Tell whether a COPY brings the repository's own source, from which context, and what of it is missing."""
-    words = [word for word in body.replace("\n", " ").split() if word]
-    if any(word.startswith("--from") for word in words):
-        return False, None, None
+def _sources(body: str) -> list[str]:
+    """Return what a COPY or ADD takes from the build context; what is fetched or unknown is left out."""
+    words = body.replace("\n", " ").split()
+    if any(word.startswith("--from") for word in words) or "<<" in body:
+        return []
     sources = [word for word in words if not word.startswith("--")][:-1]
-    if body.lstrip().startswith("["):
-        sources = [part for part in _argv(body)[:-1] if not part.startswith("--")]
-    for source in sources:
-        path = source.removeprefix("./").strip("/") if source not in {".", "./", "*", "/"} else ""
-        if "://" in source or "$" in source or source.startswith("git@"):
-            continue
-        if path in {"", "*", "src", "."} and path != "src":
-            return True, "", None
-        if re.search(r"[*?\[]", path):
-            continue
-        for context in ("", file.folder, file.folder.rpartition("/")[0]):
-            where = f"{context}/{path}".strip("/") if context else path
-            if where in repository.folders and _holds_source(repository, where):
-                return True, context, None
-            if repository.has(where) or where in repository.folders:
-                return False, context, None
-        return False, None, path
-    return False, None, None
+    if "[" in body and body[body.index("[") :].strip().endswith("]"):
+        sources = list(_argv(body[body.index("[") :]))[:-1]
+    found = (
+        source for source in sources if "://" not in source and "$" not in source and not source.startswith("git@")
+    )
+    return [source.removeprefix("./").strip("/") if source not in {".", "./", "/"} else "" for source in found]
+
+
+def _context(repository: Repository, file: File, copied: list[tuple[str, int]]) -> tuple[bool, str | None, str | None]:
+    """Tell whether the recipe brings the repository's own source, from which context, and what of it is missing.
+
+    The context is the folder in which everything that is copied lies: the root, the folder above, the recipe's own.
+    """
+    if not copied:
+        return False, None, None
+    everything = any(source in {"", "*"} for source, _ in copied)
+    named = [(source, line) for source, line in copied if source and not re.search(r"[*?\[]", source)]
+    own = file.folder
+    order = ["", own.rpartition("/")[0], own] if _DOCKER_FOLDER.search(own) or named else [own, ""]
+
+    def lies(context: str, source: str) -> bool:
+        where = posixpath.normpath(f"{context}/{source}".strip("/"))
+        return repository.has(where) or where in repository.folders
+
+    fitting = [context for context in dict.fromkeys(order) if all(lies(context, source) for source, _ in named)]
+    if not fitting:
+        best = min(dict.fromkeys(order), key=lambda context: sum(not lies(context, source) for source, _ in named))
+        source, line = next((source, line) for source, line in named if not lies(best, source))
+        return everything, best, f"line {line} copies {source}, which the repository does not hold"
+    context = fitting[0]
+    held = (f"{context}/{source}".strip("/") for source, _ in named)
+    return everything or any(w in repository.folders and _holds_source(repository, w) for w in held), context, None
 
 
 def _holds_source(repository: Repository, folder: str) -> bool:

@@ -18,6 +18,9 @@ _IMPORT = re.compile(
     r"|from[ \t]+(?P<module>[A-Za-z_][\w.]*)[ \t]+import\b)",
     re.MULTILINE,
 )
+_CELL = re.compile(r"^[ \t]*\"(?:import|from)[ \t]+([A-Za-z_]\w*)", re.MULTILINE)
+"""A line of a notebook's cell, as its JSON is written."""
+MAX_NOTEBOOK = 1024 * 1024
 _MAIN = re.compile(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
 _NODE = re.compile(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
 _STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
@@ -56,7 +59,21 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                     file=file.path,
                     line=text.count("\n", 0, match.start()) + 1,
                 )
+    for file in _notebooks(repository):
+        text = repository.read(file, limit=MAX_NOTEBOOK)
+        for match in _CELL.finditer(text):
+            top = match[1]
+            if top not in _STANDARD and top not in local and top not in found and not top.startswith("_"):
+                line = text.count("\n", 0, match.start()) + 1
+                found[top] = Dependency(namespace="import", name=top, strength="optional", file=file.path, line=line)
     return tuple(sorted(found.values(), key=lambda dependency: (dependency.file, dependency.line)))
+
+
+def _notebooks(repository: Repository) -> list[File]:
+    kept = [
+        file for file in repository.suffixed(".ipynb") if not places.vendored(file.path) and file.size < MAX_NOTEBOOK
+    ]
+    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:50]
 
 
 def scripts(repository: Repository) -> tuple[Script, ...]:

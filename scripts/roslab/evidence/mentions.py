@@ -53,6 +53,7 @@ _PATTERNS: tuple[tuple[Literal["distro", "ubuntu", "cuda", "cudnn", "python"], r
         ),
     ),
 )
+_MORE = re.compile(r"(?:[\s,/|&-]*(?:or|and|to)?\s*(?:python)?\s*[23]\.\d{1,2}(?![\d.])){1,6}", re.IGNORECASE)
 _CONTEXT = re.compile(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
 
 
@@ -76,6 +77,9 @@ def read(
             line += text.count("\n", position, match.start())
             position = match.start()
             yield Mention(topic=topic, value=value, source=source, file=file, line=line, text=context)
+            if topic == "python" and (more := _MORE.match(text, match.end())):  # "Python 3.6, 3.7 or 3.8"
+                for further in re.findall(r"\d\.\d{1,2}", more[0]):
+                    yield Mention(topic=topic, value=further, source=source, file=file, line=line, text=context)
             found += 1
             if found >= MAX_MENTIONS:
                 break
