@@ -1,0 +1,101 @@
+"""Dockerfile.dockerignore: what the build does not see. BuildKit reads it instead of the author's .dockerignore."""
+
+from __future__ import annotations
+
+import fnmatch
+import posixpath
+import re
+from functools import cache
+
+from roslab.plan import Plan
+from roslab.render import quote
+from roslab.render.output import MARKER
+
+OWN = ("Dockerfile", "Dockerfile.dockerignore", "docker_build.sh", "docker_run.sh")
+"""What ``create`` writes and no program reads: a change of it must not repeat the build. README.ipynb stays in: it is
+the notebook that JupyterLab opens in the image."""
+HEADER = f"# {MARKER}. docker reads this file for Dockerfile, instead of .dockerignore.\n"
+Parts = tuple[re.Pattern[str] | None, ...]
+
+
+def ignore(plan: Plan) -> str:
+    """Return the text of the ignore file: the author's lines, what the plan needs all the same, what never goes in.
+
+    The last line that matches a path decides. An author's file was written for another recipe, so a file that this
+    Dockerfile installs from is taken back in, right after the line that shut it out: the lines below still hold.
+    ``.git`` comes last of all, so that no ``!`` of the author's publishes the history and the runner's credentials.
+    """
+    lines = [*map(str.rstrip, plan.ignore)]
+    parts = [HEADER]
+    if lines:
+        body = "\n".join(_with_needed(lines, _needed(plan)))
+        parts.append(f"# The author's .dockerignore\n{body}\n")
+    own = "\n".join(OWN)
+    parts.append(f"# What `roslab create` writes\n{own}\n")
+    parts.append("# The history, and the credentials that a checkout leaves in it, belong in no image\n**/.git\n")
+    return "\n".join(parts)
+
+
+def _needed(plan: Plan) -> tuple[str, ...]:
+    """Return the files and folders that the Dockerfile names."""
+    python = plan.python
+    manifests = plan.rosdep.manifests if plan.rosdep else ()
+    conda = (python.conda_file,) if python.conda_file else ()
+    folders = (folder for folder in plan.workspace.python_projects if folder not in ("", "."))
+    program = (posixpath.join(plan.workspace.cmake_folder, "CMakeLists.txt"),) if plan.workspace.tool == "cmake" else ()
+    return tuple(sorted({*python.manifests, *python.requirements, *conda, *folders, *manifests, *program}))
+
+
+def _with_needed(lines: list[str], needed: tuple[str, ...]) -> list[str]:
+    additions: dict[int, dict[str, None]] = {}
+    patterns = [_parts(line) for line in lines]
+    for path in needed:
+        decisive = _decisive(patterns, path)
+        if decisive is None or lines[decisive].lstrip().startswith("!"):
+            continue
+        # A package whose whole folder is shut out comes back whole: its package.xml alone could not be built
+        folder = posixpath.dirname(path)
+        whole = folder and _decisive([patterns[decisive]], folder) is not None
+        additions.setdefault(decisive, {})[f"!{_literal(folder if whole else path)}"] = None
+    result = []
+    for index, line in enumerate(lines):
+        result.append(line)
+        if index in additions:
+            result += ["# roslab: the Dockerfile needs these", *additions[index]]
+    return result
+
+
+def _decisive(patterns: list[Parts], path: str) -> int | None:
+    """Return the index of the last pattern that matches a path or a folder it lies in, ``None`` for none."""
+    parts = path.split("/")
+    return next((i for i in range(len(patterns) - 1, -1, -1) if _matches(patterns[i], parts)), None)
+
+
+def _parts(line: str) -> Parts:
+    """Cut a line into patterns of path parts, as https://github.com/moby/patternmatcher does; ``None`` is ``**``."""
+    text = line.strip()
+    if not text or line.startswith("#"):
+        return ()
+    text = posixpath.normpath(text.removeprefix("!").strip()).lstrip("/")
+    return tuple(None if part == "**" else _part(part) for part in text.split("/"))
+
+
+@cache
+def _part(pattern: str) -> re.Pattern[str]:
+    # fnmatch writes [!a] for Go's [^a], and [a] for its \\a; its expressions never run away on a hostile pattern
+    pattern = re.sub(r"\\(.)", r"[\1]", pattern).replace("[^", "[!")
+    return re.compile(fnmatch.translate(pattern))
+
+
+def _matches(pattern: Parts, parts: list[str]) -> bool:
+    reached = {0} if pattern else set()
+    for part in pattern:
+        if part is None:
+            reached = set(range(min(reached), len(parts) + 1)) if reached else reached
+        else:
+            reached = {i + 1 for i in reached if i < len(parts) and part.match(parts[i])}
+    return any(reached)
+
+
+def _literal(path: str) -> str:
+    return re.sub(r"([\\*?\[])", r"\\\1", quote.checked(path))

@@ -1,0 +1,38 @@
+"""A shell script that is the same for every repository but for a head of quoted assignments.
+
+The script itself is a file of its own, complete with a head, so that it can be read, run and linted as it stands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from roslab.render import quote
+
+HEAD = "# ---- this repository"
+BODY = "# ---- the same for every repository"
+
+
+def script(name: str, values: Mapping[str, str | Sequence[Sequence[str]]]) -> str:
+    """Return the text of the script ``name`` with the given values in its head.
+
+    A text becomes a variable; rows of words become one array, a row on each line. Raises ``ConfigurationError`` for a
+    value that cannot be quoted, ``KeyError`` where the names are not those of the script's own head.
+    """
+    lines = Path(__file__).with_name(name).read_text(encoding="utf-8").splitlines()
+    first = next(i for i, line in enumerate(lines) if line.startswith(HEAD)) + 1
+    last = next(i for i, line in enumerate(lines) if line.startswith(BODY))
+    names = [line.partition("=")[0] for line in lines[first:last]]
+    if set(names) != set(values):
+        raise KeyError(*sorted(set(names) ^ set(values)))
+    head = [f"{variable}={_value(values[variable])}" for variable in names]
+    return "\n".join((*lines[:first], *head, *lines[last:])) + "\n"
+
+
+def _value(value: str | Sequence[Sequence[str]]) -> str:
+    if isinstance(value, str):
+        return quote.shell(value)
+    if not value:
+        return "()"
+    return "(\n" + "".join(f"  {' '.join(quote.shell(word) for word in row)}\n" for row in value) + ")"
