@@ -1,0 +1,166 @@
+"""Which ROS distribution: evidence is ranked by where it stands, words are never counted."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from roslab.config.model import Config, Kind
+from roslab.decide.decision import Reason, Warning_
+from roslab.decide.reasons import configured, ranked
+from roslab.evidence import places
+from roslab.evidence.facts import Evidence, Mention, Recipe
+from roslab.knowledge.distros import Distro, distro, distros, distros_of, ubuntus
+
+DEFAULT = {"ros1": "noetic", "ros2": "humble"}
+"""Where nothing is said: the last of ROS 1, and the ROS 2 that most repositories of 120 work on."""
+_AGAINST = re.compile(
+    r"not (?:been )?(?:tested|supported|work)|n't work|unsupported|no longer|deprecated|end[- ]of[- ]life|\beol\b|coming soon|todo|"
+    r"(?:see|use|switch to|checkout|check out|available (?:in|on|at)|go to)\s+(?:the\s+)?[\w\"'`/-]*\s*(?:branch|tag)|\bbranch\b.*\bfor\b|for .*\bbranch\b|"
+    r"\bport(?:ed)?\b|previous(?:ly)?|legacy|\bold(?:er)?\b|archive",
+    re.IGNORECASE,
+)
+_TESTED = re.compile(
+    r"test(?:ed)?\b|prerequisite|require|depend|install|ubuntu|support|compatible|/opt/ros/|ros-[a-z]+-|catkin|colcon|>=|≥|develop(?:ed)? (?:on|with|under|in)|recommend|using ros|\bros[ :_-]",
+    re.IGNORECASE,
+)
+_BADGE = re.compile(r"badge|build\.ros2?\.org|shields\.io|\[!\[")
+_AT_LEAST = re.compile(r"(?:>=|≥|or (?:later|newer|above|higher))", re.IGNORECASE)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class DistroChoice:
+    """The distribution (``None`` where the repository is not ROS), with what speaks for and against."""
+
+    distro: Distro | None = None
+    reasons: tuple[Reason, ...] = ()
+    warnings: tuple[Warning_, ...] = ()
+
+
+def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> DistroChoice:
+    """Return the ROS distribution that the repository is made for."""
+    if config.base.ros and (known := distro(config.base.ros.partition("-")[0])):
+        return DistroChoice(distro=known, reasons=(configured(config, "ros_distro", known.name, "base.ros"), *_demoted(_reasons(evidence, known.ros))))
+    if kind not in {"ros1", "ros2"}:
+        return DistroChoice()
+    ros = 1 if kind == "ros1" else 2
+    reasons = _reasons(evidence, ros)
+    if config.base.ubuntu and (fitting := distros_of(config.base.ubuntu, 1 if ros == 1 else 2)):
+        inside = [reason for reason in reasons if reason.answer in fitting]
+        answer = max(inside, key=lambda reason: (reason.weight, _rank(reason.answer))).answer if inside else fitting[0]
+        reason = configured(config, "ros_distro", answer, "base.ubuntu")
+        return DistroChoice(distro=distros()[answer], reasons=(reason, *_demoted(reasons)))
+    if not reasons:
+        answer = DEFAULT[kind]
+        default = Reason(question="ros_distro", answer=answer, reason="nothing is said: the default", weight=1)
+        warning = Warning_(message=f"nothing says which ROS distribution this is for: {answer} is taken; name it as base.ros in roslab.yaml")
+        return DistroChoice(distro=distros()[answer], reasons=(default,), warnings=(warning,))
+    best = max(reasons, key=lambda reason: (reason.weight, _rank(reason.answer)))
+    return DistroChoice(distro=distros()[best.answer], reasons=ranked(reasons, best.answer))
+
+
+def _demoted(reasons: list[Reason]) -> tuple[Reason, ...]:
+    return tuple(reason for reason in ranked(reasons, "") if not reason.decisive)
+
+
+def _rank(name: str) -> tuple[int, str]:
+    """Of several that are equally well said: one with long support before one without, then the newer; rolling last."""
+    found = distros()[name]
+    if name == "rolling":
+        return (-1, "")
+    years = int((found.eol or "0")[:4]) - int(found.released[:4])
+    return (1 if years >= 3 else 0, found.released)
+
+
+def _reasons(evidence: Evidence, ros: int) -> list[Reason]:
+    """Return the best reason for each distribution of that ROS version."""
+    found: dict[str, Reason] = {}
+    for reason in (*_recipes(evidence), *(r for m in evidence.mentions if (r := _mention(m, ros))), *_branches(evidence, ros)):
+        known = distro(reason.answer)
+        if known is None or known.ros != ros:
+            continue
+        if reason.answer not in found or reason.weight > found[reason.answer].weight:
+            found[reason.answer] = reason
+    return list(found.values())
+
+
+def _recipes(evidence: Evidence) -> list[Reason]:
+    """Read the author's images: the project's own before CI's, near the root before deep ones; of a family of images, none."""
+    reasons = []
+    named = {name for recipe in evidence.recipes for name in _names(recipe.base or "")}
+    for recipe in evidence.recipes:
+        for name in _names(recipe.base or ""):
+            weight = _recipe_weight(recipe)
+            if len(named) > 2:
+                weight -= 150  # one image a distribution: none of them says which is meant
+            reasons.append(
+                Reason(question="ros_distro", answer=name, reason=f"the author's image is FROM {recipe.base}", file=recipe.file, line=recipe.base_line, weight=weight)
+            )
+    return reasons
+
+
+def _recipe_weight(recipe: Recipe) -> int:
+    weight = {"project": 700, "ci": 520, "deploy": 450, "documentation": 300, "vendored": 50, "broken": 200}[recipe.purpose]
+    return weight - 5 * recipe.file.count("/") + (20 if recipe.copies_repository else 0)
+
+
+def _names(image: str) -> list[str]:
+    """Return the distributions in an image's name: ``ros:noetic-perception``, ``…/ros-humble:main``."""
+    return [word for word in re.split(r"[^a-z]+", image.lower()) if word in distros()]
+
+
+def _mention(mention: Mention, ros: int) -> Reason | None:
+    if mention.topic == "distro":
+        return _distro_mention(mention)
+    if mention.topic == "ubuntu":
+        codename = ubuntus().get(mention.value, mention.value)
+        fitting = distros_of(codename, 1 if ros == 1 else 2)
+        if fitting and mention.source in {"readme", "recipe", "ci"}:
+            weight = {"recipe": 260, "ci": 240, "readme": 230}[mention.source] - 5 * mention.file.count("/")
+            return Reason(question="ros_distro", answer=fitting[0], reason=f"Ubuntu {mention.value}: {mention.text[:120]}", file=mention.file, line=mention.line, weight=weight)
+    if mention.topic == "base":
+        names = _names(mention.value)
+        if names:
+            return Reason(question="ros_distro", answer=names[0], reason=f"CI runs in {mention.value}", file=mention.file, line=mention.line, weight=520)
+    return None
+
+
+def _distro_mention(mention: Mention) -> Reason | None:
+    if mention.value not in distros():
+        return None
+    depth = 5 * mention.file.count("/")
+    if mention.source == "branch":
+        return _reason(mention, 900, f"the branch is {mention.text}")
+    if places.vendored(mention.file):
+        return _reason(mention, 20, "a copied file names it")
+    if mention.source == "filename":
+        return _reason(mention, 420 - depth, f"a file is named {mention.text}")
+    if mention.source == "ci":
+        return _reason(mention, 500 - depth, f"CI: {mention.text[:120]}")
+    if mention.source == "recipe":
+        return _reason(mention, 430 - depth, f"the author's image: {mention.text[:120]}")
+    if mention.source == "script":
+        return _reason(mention, 330 - depth, f"a script: {mention.text[:120]}")
+    weight = 400 if _TESTED.search(mention.text) else 300
+    if _AGAINST.search(mention.text):
+        weight -= 180
+    if _BADGE.search(mention.text):
+        weight -= 20
+    if places.documentation(mention.file):
+        weight -= 60
+    return _reason(mention, weight - 3 * depth, mention.text[:160])
+
+
+def _reason(mention: Mention, weight: int, text: str) -> Reason:
+    return Reason(question="ros_distro", answer=mention.value, reason=text, file=mention.file, line=mention.line, weight=weight)
+
+
+def _branches(evidence: Evidence, ros: int) -> list[Reason]:
+    """A branch ``ros2`` is where development goes on: it follows rolling, and releases live on branches of their own."""
+    if ros != 2:
+        return []
+    return [
+        Reason(question="ros_distro", answer="rolling", reason=f"the branch is {m.text}: where ROS 2 development goes on", file=m.file, line=m.line, weight=410)
+        for m in evidence.mentions
+        if m.source == "branch" and m.value == "ros2" and m.text == "ros2"
+    ]

@@ -1,0 +1,90 @@
+"""Names that the readers found, turned into apt packages of one image."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from roslab.evidence.facts import Dependency
+from roslab.knowledge.libraries import Library, header, library
+from roslab.knowledge.released import released
+
+APT_NAME = re.compile(r"^[a-z0-9][a-z0-9.+-]+$")
+_PLACEHOLDER = re.compile(r"^ros-(?:\{distro\}|[a-z]+)-(.+)$")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Target:
+    """The image that packages are for."""
+
+    ros_distro: str | None
+    ubuntu: str | None
+
+    def ros(self, name: str) -> str:
+        """Return the apt name of a ROS package."""
+        return f"ros-{self.ros_distro}-{name.replace('_', '-').lower()}"
+
+    def knows(self, name: str) -> bool:
+        """Tell whether the image's ROS released a package of that name."""
+        return bool(self.ros_distro) and name in released(self.ros_distro or "")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Resolved:
+    """What one name comes to."""
+
+    apt: tuple[str, ...] = ()
+    recipe: str = ""
+    known: bool = True
+    """False for a name that no table has."""
+
+
+def resolve(dependency: Dependency, target: Target) -> Resolved:
+    """Return the apt packages of a name in its own namespace."""
+    if dependency.namespace == "apt":
+        return Resolved(apt=_apt(dependency.name, target))
+    if dependency.namespace == "ros":
+        return _ros(dependency.name, target)
+    if dependency.namespace == "include":
+        return _include(dependency.name, target)
+    if dependency.namespace in {"cmake", "pkg-config", "link"}:
+        found = library(dependency.namespace, dependency.name, target.ubuntu)  # type: ignore[arg-type]
+        if found is not None:
+            return _library(found, target)
+        if dependency.namespace != "link":
+            return _ros(dependency.name, target)
+    return Resolved(known=False)
+
+
+def _library(found: Library, target: Target) -> Resolved:
+    """A ROS package of the image's own distribution wins over Ubuntu's: the other packages were built with it."""
+    if found.ros and target.knows(found.ros):
+        return Resolved(apt=(target.ros(found.ros),))
+    return Resolved(apt=found.apt, recipe=found.recipe if not found.apt else "")
+
+
+def _ros(name: str, target: Target) -> Resolved:
+    if target.knows(name):
+        return Resolved(apt=(target.ros(name),))
+    found = library("cmake", name, target.ubuntu)
+    return _library(found, target) if found else Resolved(known=False)
+
+
+def _include(path: str, target: Target) -> Resolved:
+    found = header(path, target.ubuntu)
+    if found is not None:
+        return _library(found, target)
+    name = path.partition("/")[0]
+    if "/" in path and target.knows(name):
+        return Resolved(apt=(target.ros(name),))
+    return Resolved(known=False)
+
+
+def _apt(name: str, target: Target) -> tuple[str, ...]:
+    """Fill in the distribution of a name from prose, whichever one it was written for."""
+    match = _PLACEHOLDER.match(name)
+    if match:
+        if not target.ros_distro:
+            return ()
+        name = f"ros-{target.ros_distro}-{match[1]}"
+    return (name,) if APT_NAME.match(name) else ()

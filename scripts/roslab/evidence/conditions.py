@@ -1,0 +1,58 @@
+"""Conditions of package.xml format 3. https://ros.org/reps/rep-0149.html#dependency-conditions."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+_TOKEN = re.compile(r"\s*(\(|\)|==|!=|<=|>=|<|>|\band\b|\bor\b|\$\w+|\"[^\"]*\"|'[^']*'|[\w.+-]+)")
+MAX_TOKENS = 60
+
+
+def holds(condition: str | None, variables: Mapping[str, str]) -> bool:
+    """Tell whether a condition is true; one that cannot be read counts as true, as does none at all."""
+    if not condition:
+        return True
+    tokens = _TOKEN.findall(condition)
+    if not tokens or len(tokens) > MAX_TOKENS:
+        return True
+    try:
+        value, rest = _either(tokens, variables)
+    except (IndexError, ValueError):
+        return True
+    return value if not rest else True
+
+
+def _either(tokens: list[str], variables: Mapping[str, str]) -> tuple[bool, list[str]]:
+    value, rest = _both(tokens, variables)
+    while rest and rest[0] == "or":
+        other, rest = _both(rest[1:], variables)
+        value = value or other
+    return value, rest
+
+
+def _both(tokens: list[str], variables: Mapping[str, str]) -> tuple[bool, list[str]]:
+    value, rest = _one(tokens, variables)
+    while rest and rest[0] == "and":
+        other, rest = _one(rest[1:], variables)
+        value = value and other
+    return value, rest
+
+
+def _one(tokens: list[str], variables: Mapping[str, str]) -> tuple[bool, list[str]]:
+    if tokens[0] == "(":
+        value, rest = _either(tokens[1:], variables)
+        if rest[0] != ")":
+            raise ValueError(rest[0])
+        return value, rest[1:]
+    left, operator, right = _value(tokens[0], variables), tokens[1], _value(tokens[2], variables)
+    results = {
+        "==": left == right, "!=": left != right, "<": left < right, ">": left > right, "<=": left <= right, ">=": left >= right,
+    }  # fmt: skip
+    if operator not in results:
+        raise ValueError(operator)
+    return results[operator], tokens[3:]
+
+
+def _value(token: str, variables: Mapping[str, str]) -> str:
+    return variables.get(token[1:], "") if token.startswith("$") else token.strip("\"'")

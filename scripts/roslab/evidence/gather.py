@@ -1,0 +1,58 @@
+"""All readers, one after the other: a repository's evidence."""
+
+from __future__ import annotations
+
+from roslab.evidence import (
+    ci,
+    cmake,
+    conda,
+    cpp,
+    dockerfile,
+    imports,
+    launch,
+    names,
+    package_xml,
+    python_project,
+    readme,
+    requirements,
+    scripts,
+    vcs,
+)
+from roslab.evidence.facts import Evidence
+from roslab.evidence.installs import merge
+from roslab.repository import Repository
+
+PROSE = (
+    dockerfile.prose,  # the author's own image: the nearest thing to the truth
+    ci.read,  # another machine that had to make it work
+    readme.read,  # what humans are told, perhaps years ago
+    scripts.read,  # install scripts, called by any of the three
+)
+
+
+def gather(repository: Repository) -> Evidence:
+    """Read everything that a repository says about itself; nothing of it is executed."""
+    manifests = package_xml.read(repository)
+    cmake_projects = cmake.read(repository)
+    prose = merge(reader(repository) for reader in PROSE)
+    sources = (
+        *(source for manifest in manifests if not manifest.ignored for source in manifest.sources),
+        *vcs.read(repository),
+        *prose.sources,
+    )
+    return Evidence(
+        manifests=manifests,
+        cmake=cmake_projects,
+        python=python_project.read(repository),
+        requirements=requirements.read(repository),
+        conda=conda.read(repository),
+        recipes=dockerfile.read(repository),
+        launch=launch.read(repository),
+        scripts=imports.scripts(repository),
+        code=(*cpp.read(repository), *imports.read(repository), *launch.plugins(repository)),
+        prose=prose.dependencies,
+        sources=sources,
+        mentions=(*names.read(repository), *prose.mentions),
+        cuda_files=cpp.cuda_files(repository),
+        problems=tuple((f"not well-formed: {m.malformed}", m.file, m.line) for m in manifests if m.malformed),
+    )

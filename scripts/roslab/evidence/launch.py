@@ -1,0 +1,133 @@
+"""Launch files of ROS 1 and 2 (XML, Python, YAML), and the plugins that parameter files and robot descriptions name.
+
+They are searched by patterns, not parsed: a launch file in Python is a program, one in XML is full of substitutions,
+and a package's name looks the same in all of them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Literal
+
+from roslab.evidence import places
+from roslab.evidence.facts import Dependency, LaunchFile
+from roslab.repository import File, Repository
+
+MAX_SIZE = 256 * 1024
+MAX_FILES = 2_000
+_XML = re.compile(r"\.launch$|\.launch\.xml$|\.launch\.inc$|\.test$")
+_PYTHON = re.compile(r"(?:\.launch|_launch|[-_.]?launch[-_]\w+|^launch)\.py$")
+_YAML = re.compile(r"\.launch\.ya?ml$|_launch\.ya?ml$")
+_PACKAGE = r"[a-z][a-z0-9_-]{1,60}"
+_ATTRIBUTE = re.compile(rf"\bpkg\s*[=:]\s*[\"']?({_PACKAGE})\b(?![\w/$(])")
+_FIND = re.compile(rf"\$\(\s*find(?:-pkg-share|-pkg-prefix)?\s+['\"]?({_PACKAGE})['\"]?\s*\)|package://({_PACKAGE})/")
+_PYTHON_PACKAGE = re.compile(
+    rf"(?:FindPackageShare|FindPackagePrefix|get_package_share_directory|get_package_prefix|get_package_share_path|get_package_path)\(\s*(?:package\s*=\s*)?[\"']({_PACKAGE})[\"']"
+    rf"|\b(?:package|node_package|pkg)\s*=\s*[\"']({_PACKAGE})[\"']|\bros2\s+(?:run|launch)\s+({_PACKAGE})\b"
+)
+_NODELET = re.compile(rf"\bload\s+({_PACKAGE})/[A-Za-z]")
+_PLUGIN = re.compile(
+    rf"^[ \t]*(?:-[ \t]*)?\{{?[ \t]*(?:name[ \t]*:[ \t]*\S+[ \t]*,[ \t]*)?(?:plugin|type|base_(?:local|global)_planner|planner_plugin|class)[ \t]*:[ \t]*[\"']?({_PACKAGE})(?:/|::)[A-Z]\w+",
+    re.MULTILINE,
+)
+_PARAM_PLUGIN = re.compile(rf"name=\"base_(?:local|global)_planner\"\s+value=\"({_PACKAGE})/[A-Z]")
+_GUI = re.compile(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
+_COMMENT = {"xml": re.compile(r"<!--.*?-->", re.DOTALL), "hash": re.compile(r"^[ \t]*#.*$", re.MULTILINE)}
+_NAME = re.compile(r"<name>\s*([\w-]+)\s*</name>")
+_NO_PACKAGE = frozenset({"rviz", "find", "pkg", "package", "name", "python", "python3", "self"}) - {"rviz"}
+
+
+def read(repository: Repository) -> tuple[LaunchFile, ...]:
+    """Return every launch file, sorted by path, with the packages that it starts or finds files in."""
+    packages = _packages(repository)
+    found = []
+    for file in _candidates(repository):
+        text = repository.read(file)
+        python, xml = file.name.endswith(".py"), _XML.search(file.name) or file.name.endswith(".xml")
+        if python and "LaunchDescription" not in text:
+            continue
+        if not python and xml and "<launch" not in text:
+            continue
+        text = _uncommented(text, "xml" if xml else "hash")
+        old = bool(xml) and not re.search(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node", text) and not file.name.endswith(".launch.xml")
+        found.append(
+            LaunchFile(
+                file=file.path,
+                line=1,
+                package=_owner(file.folder, packages),
+                ros=1 if old else 2,
+                dependencies=tuple(_named(text, file, python=python)),
+                gui=bool(_GUI.search(text)),
+            )
+        )
+    return tuple(found)
+
+
+def plugins(repository: Repository) -> tuple[Dependency, ...]:
+    """Return the packages whose plugins parameter files name (``plugin: pkg/Class``) and whose files robot descriptions find."""
+    found: dict[str, Dependency] = {}
+    files = [f for f in repository.suffixed(".yaml", ".yml", ".xacro", ".urdf", ".sdf") if f.size < MAX_SIZE and not places.vendored(f.path)]
+    for file in sorted(files, key=lambda file: file.path)[:MAX_FILES]:
+        text = repository.read(file)
+        patterns = (_PLUGIN,) if file.name.endswith(("yaml", "yml")) else (_FIND,)
+        for dependency in _matches(text, file, patterns):
+            found.setdefault(dependency.name, dependency)
+    return tuple(found.values())
+
+
+def _candidates(repository: Repository) -> list[File]:
+    named = (
+        file
+        for file in repository.suffixed(".launch", ".xml", ".py", ".yaml", ".yml", ".inc", ".test")
+        if file.size <= MAX_SIZE
+        and (
+            _XML.search(file.name)
+            or _PYTHON.search(file.name)
+            or _YAML.search(file.name)
+            or (file.name.endswith((".xml", ".py")) and file.folder.endswith("launch"))
+        )
+        and not places.vendored(file.path)
+    )
+    return sorted(named, key=lambda file: file.path)[:MAX_FILES]
+
+
+def _uncommented(text: str, kind: Literal["xml", "hash"]) -> str:
+    return _COMMENT[kind].sub(lambda match: "\n" * match[0].count("\n"), text)
+
+
+def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
+    patterns = (_PYTHON_PACKAGE, _NODELET, _PLUGIN) if python else (_ATTRIBUTE, _FIND, _NODELET, _PARAM_PLUGIN, _PLUGIN)
+    seen: set[str] = set()
+    for dependency in _matches(text, file, patterns):
+        if dependency.name not in seen:
+            seen.add(dependency.name)
+            yield dependency
+
+
+def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> Iterator[Dependency]:
+    for pattern in patterns:
+        for match in pattern.finditer(text):
+            name = next(group for group in match.groups() if group)
+            if name not in _NO_PACKAGE:
+                line = text.count("\n", 0, match.start()) + 1
+                yield Dependency(namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec")
+
+
+def _packages(repository: Repository) -> dict[str, str]:
+    """Return ``{folder: package}`` of the package.xml files."""
+    found = {}
+    for file in repository.named("package.xml"):
+        match = _NAME.search(repository.read(file))
+        if match:
+            found[file.folder] = match[1]
+    return found
+
+
+def _owner(folder: str, packages: dict[str, str]) -> str | None:
+    while True:
+        if folder in packages:
+            return packages[folder]
+        if not folder:
+            return None
+        folder = folder.rpartition("/")[0]

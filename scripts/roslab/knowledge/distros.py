@@ -1,0 +1,72 @@
+"""The ROS distributions and the Ubuntu releases under them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Literal
+
+from roslab.knowledge.table import rows
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Distro:
+    """A ROS distribution; dates are ``YYYY-MM-DD``."""
+
+    name: str
+    ros: Literal[1, 2]
+    ubuntu: str
+    """Codename of the Ubuntu that its official image has."""
+    python: str
+    released: str
+    eol: str | None
+    """``None`` for the one that never ends."""
+    rosdistro_tag: str | None
+    """Tag of ros/rosdistro to resolve keys with, where the newest tables no longer know its Ubuntu."""
+    arm64: bool
+
+
+@cache
+def distros() -> dict[str, Distro]:
+    """Return every distribution by its name, the oldest first, ROS 1 before ROS 2."""
+    return {
+        row["name"]: Distro(
+            name=row["name"],
+            ros=1 if row["ros"] == "1" else 2,
+            ubuntu=row["ubuntu"],
+            python=row["python"],
+            released=row["released"],
+            eol=row["eol"] or None,
+            rosdistro_tag=row["rosdistro_tag"] or None,
+            arm64=row["arm64"] == "yes",
+        )
+        for row in rows("distros")
+    }
+
+
+@cache
+def ubuntus() -> dict[str, str]:
+    """Return ``{version: codename}`` of the Ubuntu releases with long support: ``{"20.04": "focal"}``."""
+    return {row["version"]: row["codename"] for row in rows("ubuntu")}
+
+
+def distro(name: str | None) -> Distro | None:
+    """Return a distribution by its name."""
+    return distros().get(name or "")
+
+
+def rosdistro_tag(name: str | None) -> str | None:
+    """Return the tag of ros/rosdistro that still answers for a distribution, ``None`` where the newest tables do."""
+    found = distro(name)
+    return found.rosdistro_tag if found else None
+
+
+def distros_of(ubuntu: str | None, ros: Literal[1, 2]) -> tuple[str, ...]:
+    """Return the distributions of ROS 1 or 2 on an Ubuntu, the long-supported one first."""
+    found = [d for d in distros().values() if d.ubuntu == ubuntu and d.ros == ros and d.name != "rolling"]
+    return tuple(d.name for d in sorted(found, key=_support, reverse=True))
+
+
+def _support(found: Distro) -> int:
+    """Years of support."""
+    return int((found.eol or "0")[:4]) - int(found.released[:4])
