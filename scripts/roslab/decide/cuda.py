@@ -8,16 +8,29 @@ from dataclasses import dataclass
 
 from roslab.config.model import Config
 from roslab.decide.decision import Reason, Warning_
-from roslab.decide.pins import pins
+from roslab.decide.pins import Pin, pins
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import CudaImage, cuda_image, framework, nearest_cuda_image, version
 
 DEFAULT = "11.8"
 """Where nothing is said: the version that most frameworks of 2022 to 2025 have wheels for."""
-_TENSORFLOW = frozenset({"tensorflow", "tensorflow-gpu", "tf-nightly-gpu"})
+_TABLED = {
+    "tensorflow": "tensorflow",
+    "tensorflow-gpu": "tensorflow",
+    "torch": "torch",
+    "jax": "jax",
+    "jaxlib": "jax",
+}
+_WEIGHTS = {
+    "tensorflow": ("loads it", 60),  # from the system: nothing else will do
+    "torch": ("has it in its wheel", 46),
+    "jax": ("is built for it", 40),
+}
+_BUILT_FOR = frozenset({"torch", "torchvision", "torchaudio", "torch-scatter", "mmcv-full", "jaxlib", "cupy"})
 _LOCAL = re.compile(r"\+cu(\d{2,3})\b|/cu(\d{2,3})\b|[-_]cu(?:da)?(\d{2,3})\b")
 _CONDA = re.compile(r"^(?:[\w-]+::)?(?:cudatoolkit|pytorch-cuda|cuda-toolkit|cuda)\s*[=<>~ ]+\s*(\d+\.\d+)")
-_IMAGE = re.compile(r"(?:^|/)(?:cuda|cudagl|opengl)[:\-]?[^:]*:?(\d+\.\d+)")
+_IMAGE = re.compile(r"(?:^|/)cuda(?:gl)?:(\d+\.\d+)|(?:^|/)[\w./-]+:[\w.-]*cuda(\d+\.\d+)")
+_LEAST = re.compile(r"or (?:above|higher|newer|later|greater)|>=|≥|\d\+(?!cu)|at least|minimum", re.IGNORECASE)
 _JAX = re.compile(r"jax\[cuda(1[12])")
 
 
@@ -66,62 +79,73 @@ def _outweighed(reason: Reason, best: Reason) -> Reason:
     )
 
 
-def _candidates(evidence: Evidence) -> Iterator[tuple[Reason, tuple[str, ...]]]:
-    """Yield each answer with the other CUDA versions that the same wheel exists for."""
+Candidate = tuple[Reason, tuple[str, ...]]
+"""An answer, with the other CUDA versions that the same wheel exists for."""
 
-    def reason(answer: str, why: str, file: str, line: int, weight: int) -> Reason:
-        return Reason(question="cuda", answer=answer, reason=why, file=file, line=line, weight=weight)
 
+def _candidates(evidence: Evidence) -> Iterator[Candidate]:
+    """Yield every answer, whatever its weight."""
     for pin in pins(evidence):
-        place = (pin.dependency.file, pin.dependency.line)
-        local = _LOCAL.search(pin.line)
-        if local and pin.name in {"torch", "torchvision", "torchaudio", "torch-scatter", "mmcv-full", "jaxlib", "cupy"}:
-            digits = next(group for group in local.groups() if group)
-            yield reason(f"{digits[:-1]}.{digits[-1]}", f"{pin.line} is built for it", *place, 82 + pin.trust), ()
-        elif pin.name in _TENSORFLOW and pin.release and (row := framework("tensorflow", pin.release)):
-            yield reason(row.cuda[0], f"TensorFlow {pin.release} loads it", *place, 60 + 3 * pin.trust), ()
-        elif pin.name == "torch" and pin.release and (row := framework("torch", pin.release)):
-            yield (
-                reason(row.cuda[0], f"the wheel of torch {pin.release} carries it", *place, 46 + 3 * pin.trust),
-                row.cuda[1:],
-            )
-        elif pin.name in {"jax", "jaxlib"} and (pin.release or _JAX.search(pin.line)):
-            row = framework("jax", pin.release)
-            if named := _JAX.search(pin.line):
-                yield reason("11.8" if named[1] == "11" else "12.3", f"{pin.line} names it", *place, 70 + pin.trust), ()
-            elif row:
-                yield reason(row.cuda[0], f"jax {pin.release} is built for it", *place, 40 + pin.trust), row.cuda[1:]
-        elif pin.trust and pin.name in _TENSORFLOW | {"torch"}:
-            newest = framework("torch" if pin.name == "torch" else "tensorflow", None)
-            if newest:
-                yield reason(newest.cuda[0], f"{pin.name} is not pinned: its newest wheel", *place, 4), newest.cuda[1:]
+        yield from _of_pin(pin)
     for file in evidence.requirements:
         for option in file.options:
-            if file.purpose == "run" and (local := _LOCAL.search(option)):
-                digits = next(group for group in local.groups() if group)
-                yield reason(f"{digits[:-1]}.{digits[-1]}", f"{option} serves its wheels", file.file, 1, 80), ()
+            if file.purpose == "run" and (local := _local(option)):
+                yield _reason(local, f"{option} serves its wheels", file.file, 1, 80), ()
     for environment in evidence.conda:
         for package in environment.packages:
             if match := _CONDA.match(package):
                 weight = 75 if "/" not in environment.file else 45
-                yield reason(match[1], f"the conda environment has {package}", environment.file, 1, weight), ()
+                yield _reason(match[1], f"the conda environment has {package}", environment.file, 1, weight), ()
+    yield from _of_recipes(evidence)
+    yield from _of_mentions(evidence)
+    if evidence.cuda_files:
+        why = "it has CUDA sources, and no version is said"
+        yield _reason(DEFAULT, why, evidence.cuda_files[0], 1, 2), ()
+
+
+def _reason(answer: str, why: str, file: str, line: int, weight: int) -> Reason:
+    return Reason(question="cuda", answer=answer, reason=why, file=file, line=line, weight=weight)
+
+
+def _local(text: str) -> str | None:
+    """Return ``11.8`` for a ``+cu118`` or ``/cu118`` in a text."""
+    match = _LOCAL.search(text)
+    digits = next((group for group in match.groups() if group), "") if match else ""
+    return f"{digits[:-1]}.{digits[-1]}" if digits else None
+
+
+def _of_pin(pin: Pin) -> Iterator[Candidate]:
+    file, line = pin.dependency.file, pin.dependency.line
+    local = _local(pin.line) if pin.name in _BUILT_FOR else None
+    if local:
+        yield _reason(local, f"{pin.line} is built for it", file, line, 82 + pin.trust), ()
+    elif named := _JAX.search(pin.line):
+        yield _reason("11.8" if named[1] == "11" else "12.3", f"{pin.line} names it", file, line, 70 + pin.trust), ()
+    elif pin.release and pin.name in _TABLED and (row := framework(_TABLED[pin.name], pin.release)):
+        why, weight = _WEIGHTS[_TABLED[pin.name]]
+        text = f"{pin.name} {pin.release} {why}"
+        yield _reason(row.cuda[0], text, file, line, weight + 3 * pin.trust), row.cuda[1:]
+    elif pin.trust and pin.name in _TABLED and (row := framework(_TABLED[pin.name], None)):
+        yield _reason(row.cuda[0], f"{pin.name} is not pinned: its newest wheel", file, line, 4), row.cuda[1:]
+
+
+def _of_recipes(evidence: Evidence) -> Iterator[Candidate]:
     for recipe in evidence.recipes:
         match = _IMAGE.search(recipe.base or "")
         if match and recipe.purpose in {"project", "deploy", "broken"}:
-            weight = {"project": 62}.get(recipe.purpose, 20) + (3 if recipe.copies_repository else 0)
-            yield (
-                reason(
-                    match[1], f"the author's image starts from {recipe.base}", recipe.file, recipe.base_line, weight
-                ),
-                (),
-            )
+            weight = (62 if recipe.purpose == "project" else 20) + (3 if recipe.copies_repository else 0)
+            why = f"the author's image starts from {recipe.base}"
+            yield _reason(match[1] or match[2], why, recipe.file, recipe.base_line, weight), ()
+
+
+def _of_mentions(evidence: Evidence) -> Iterator[Candidate]:
     for mention in evidence.mentions:
         if mention.topic == "cuda" and version(mention.value) >= (8,):
             nearness = 6 - 2 * min(mention.file.count("/"), 3)
             weight = {"readme": 30, "ci": 14, "recipe": 12, "script": 16}.get(mention.source, 8) + nearness
-            yield reason(mention.value, f"“{mention.text[:80]}”", mention.file, mention.line, weight), ()
-    if evidence.cuda_files:
-        yield reason(DEFAULT, "it has CUDA sources, and no version is said", evidence.cuda_files[0], 1, 2), ()
+            if mention.source == "readme" and _LEAST.search(mention.text):
+                weight = 3  # a lower bound: what is pinned, or the newest wheel, lies above it
+            yield _reason(mention.value, f"“{mention.text[:80]}”", mention.file, mention.line, weight), ()
 
 
 def _cudnn(evidence: Evidence) -> str | None:

@@ -76,7 +76,7 @@ def pins(evidence: Evidence) -> Iterator[Pin]:
         found += [_pin(dependency, trust) for dependency in environment.dependencies]
         found += conda_pins(environment, trust)
     for recipe in evidence.recipes:
-        if recipe.purpose not in {"vendored", "documentation"}:
+        if recipe.purpose not in {"vendored", "documentation", "ci"}:
             found += [_pin(d, 1) for d in recipe.dependencies if d.namespace == "pip" and d.role in {"", "conda"}]
     for dependency in evidence.prose:
         if (

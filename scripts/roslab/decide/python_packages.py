@@ -215,7 +215,13 @@ def _guesses(evidence: Evidence, *, ros: bool, known: set[str]) -> tuple[Depende
     for pin in sorted((pin for pin in pins(evidence) if pin.trust == 1), key=_specific):
         declared = pin.dependency.strength == "declared"
         ci = bool(re.search(r"(?:^|/)\.(?:github|circleci|travis|gitlab)", pin.dependency.file))
-        if declared or pin.name in known or (pin.name in _TOOLS and not pin.release) or (ci and pin.name in _CI_TOOLS):
+        if (
+            declared
+            or pin.name in known
+            or pin.name == "pip"
+            or (pin.name in _TOOLS and not pin.release)
+            or (ci and pin.name in _CI_TOOLS)
+        ):
             continue
         found.setdefault(pin.name, pin.dependency)
     heavy = bool(known & {"torch", "tensorflow", "jax"})
@@ -228,7 +234,7 @@ def _guesses(evidence: Evidence, *, ros: bool, known: set[str]) -> tuple[Depende
         covered = name in known or name in found or any(_same(name, other) for other in (*known, *found))
         if not package or covered or name in _TOOLS | _CI_TOOLS or (heavy and name in _FRAMEWORKS):
             continue
-        if ros and apt:  # a ROS image's Python is the system's: what apt has comes from there
+        if ros and (apt or name in _FRAMEWORKS):  # a ROS image's Python is the system's: what apt has comes from there
             continue
         found[name] = Dependency(
             namespace="pip", name=package, strength="used", file=dependency.file, line=dependency.line, role="import"

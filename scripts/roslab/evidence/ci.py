@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from roslab.evidence import mentions
+from roslab.evidence import mentions, places
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.installs import Collector, merge
 from roslab.repository import File, Repository
@@ -50,6 +50,8 @@ def read(repository: Repository) -> Prose:
 
 
 def _is_ci(file: File) -> bool:
+    if places.vendored(file.path):
+        return False
     return (file.name in _NAMES or bool(_FOLDERS.match(file.path))) and not _OTHER.search(
         file.path.lower().rpartition("/")[2]
     )

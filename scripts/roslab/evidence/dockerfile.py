@@ -40,7 +40,7 @@ _DEPLOY = re.compile(
     re.IGNORECASE,
 )
 _CI = re.compile(
-    r"(?:^|[/._-])ci(?:[/._-]|$)|\.circleci|\.github|\.gitlab|jenkins|travis|azure|clang-tidy|coverage|lint",
+    r"(?:^|[/._-])ci(?:[/._-]|$)|\.circleci|\.?devcontainer|\.github|\.gitlab|jenkins|travis|azure|clang-tidy|coverage|lint",
     re.IGNORECASE,
 )
 _DOCS = re.compile(r"sphinx|mkdocs|doxygen|jekyll|readthedocs|(?:^|[/._-])docs?(?:[/._-]|$)", re.IGNORECASE)
