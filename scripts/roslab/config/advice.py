@@ -17,7 +17,7 @@ def advice(title: str, text: str) -> str | None:
     if "\n" in text and title == "shell command":
         return "one line each: join them with ` && `, or write an entry for each"
     if any(not c.isprintable() for c in text):
-        return "one line of plain text: no line break, no control character"
+        return "one line of plain text: no line break, no control character, none that cannot be seen"
     find = _BY_TITLE.get(title)
     return find(text) if find else None
 

@@ -195,7 +195,7 @@ def parse(text: str | bytes, *, file: str) -> Document:
     except _Stop as stop:
         document.complain(*stop.problem)
         raise ConfigurationError(*document.problems) from None
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, ValueError, OverflowError) as error:  # the last two: escapes in the parser without C
         document.complain(*_syntax(error))
         raise ConfigurationError(*document.problems) from None
     del document.problems[MAX_PROBLEMS:]
@@ -241,7 +241,7 @@ def _check_tag(tag: str | None, allowed: tuple[str, ...], mark: Mark) -> None:
         raise _Stop(f"the tag {printable(tag)} is not allowed", "roslab.yaml needs no tags: take it out", mark)
 
 
-def _syntax(error: yaml.YAMLError) -> tuple[str, str, Mark | None]:
+def _syntax(error: Exception) -> tuple[str, str, Mark | None]:
     """Put the parser's complaint into this program's words."""
     complaint = getattr(error, "problem", None) or "it cannot be read"
     mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)

@@ -65,7 +65,7 @@ class Shape:
             self.problems.append(problem)
 
     def _wrong_type(self, node: Node, schema: Schema, path: str) -> Node | None:
-        values = [str(value) for value in schema.get("enum", ())]
+        values = dict.fromkeys(str(value) for value in schema.get("enum", ()))
         if isinstance(node, Scalar) and values:
             was, hint = f'{_FOUND[node.kind]} ("{printable(node.text)}")', f"allowed: {', '.join(values)}"
         elif isinstance(node, Scalar) and node.kind not in {"string", "null"}:

@@ -144,3 +144,5 @@ def test_the_parser_without_c_finds_the_same(monkeypatch: pytest.MonkeyPatch) ->
     assert isinstance(after, Mapping)
     assert [(k.start, k.end, k.text) for k, _ in before.pairs] == [(k.start, k.end, k.text) for k, _ in after.pairs]
     assert "nested too deep" in problem("[" * 10_000)
+    assert "no valid YAML" in problem('name: "\\UFFFFFFFF"')
+    assert "no valid YAML" in problem('name: "\\U00110000"')

@@ -106,6 +106,8 @@ def refused(text: str) -> str:
         'command: ["a", "b\\n"]',
         'test: "\\u2028"',
         'test: "a\\u202eb"',
+        'test: "cmake\\u00a0.."',
+        'custom: ["make\\u200b"]',
         'build_args: ["a\\0"]',
     ],
 )
