@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Iterator
+from importlib import import_module
 from typing import Any, Literal
 
 from roslab.plan import Plan
@@ -120,8 +121,8 @@ def _definitions(text: str, start: int, end: int, lines: list[str], environment:
 
 
 def _json(cells: list[Cell], origin: str) -> str:
-    import nbformat  # noqa: PLC0415 - takes longer to import than everything else together
-
+    # Imported here, for it takes longer to import than everything else together; Any, for it has no types
+    nbformat: Any = import_module("nbformat")
     seen: dict[Cell, int] = {}
     nodes = []
     for cell in cells:

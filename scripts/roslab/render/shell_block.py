@@ -1,237 +1,20 @@
-"""A code block of a README: is it shell that can run in the image, and which of its lines are typed, which are output?"""
+"""A code block of a README: whether it is shell for the image, which lines are typed and which came back."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
 
-SHELLS = frozenset(
-    [
-        "bash",
-        "sh",
-        "shell",
-        "zsh",
-        "ksh",
-        "shellscript",
-        "shell-script",
-        "bash-script",
-        "commandline",
-        "command",
-        "cmdline",
-    ]
-)
-SESSIONS = frozenset(
-    [
-        "console",
-        "terminal",
-        "session",
-        "shell-session",
-        "shellsession",
-        "bash-session",
-        "sh-session",
-        "bashsession",
-        "tty",
-    ]
-)
+SHELLS = frozenset({"bash", "sh", "shell", "zsh", "ksh", "shellscript", "commandline", "command", "cmdline"})
+SESSIONS = frozenset({"console", "terminal", "session", "shell-session", "shellsession", "bash-session", "sh-session"})
 """Languages of a block that shows what was typed and what came back."""
-HOST = frozenset(
-    [
-        "docker",
-        "docker-compose",
-        "podman",
-        "nvidia-docker",
-        "nvidia-docker2",
-        "rocker",
-        "apptainer",
-        "singularity",
-        "xhost",
-        "roslab",
-        "docker_build.sh",
-        "docker_run.sh",
-        "act",
-        "gh",
-        "minikube",
-        "kubectl",
-        "vagrant",
-        "code",
-        "firefox",
-        "google-chrome",
-        "brew",
-        "choco",
-        "winget",
-    ]
-)
-"""Programs of the machine that the image runs on: a block that needs one cannot run in the image."""
-INSTALLERS = frozenset(
-    [
-        "sudo",
-        "su",
-        "apt",
-        "apt-get",
-        "aptitude",
-        "dpkg",
-        "snap",
-        "add-apt-repository",
-        "apt-key",
-        "systemctl",
-        "service",
-    ]
-)
-"""What only root does. The image's user is not root, and what the README installs is in the image."""
-COMMANDS = (
-    HOST
-    | INSTALLERS
-    | frozenset(
-        [
-            ".",
-            "[",
-            "ament",
-            "ant",
-            "autoreconf",
-            "awk",
-            "bash",
-            "bazel",
-            "bunzip2",
-            "bzip2",
-            "cargo",
-            "cat",
-            "catkin",
-            "catkin_make",
-            "catkin_make_isolated",
-            "cd",
-            "chmod",
-            "clang",
-            "clang++",
-            "cmake",
-            "colcon",
-            "conda",
-            "cp",
-            "ctest",
-            "curl",
-            "cut",
-            "date",
-            "diff",
-            "dot",
-            "echo",
-            "env",
-            "eval",
-            "evo_ape",
-            "evo_traj",
-            "export",
-            "ffmpeg",
-            "find",
-            "for",
-            "g++",
-            "gazebo",
-            "gcc",
-            "gdb",
-            "git",
-            "gnuplot",
-            "go",
-            "grep",
-            "gunzip",
-            "gz",
-            "gzip",
-            "head",
-            "if",
-            "ign",
-            "java",
-            "jupyter",
-            "ldd",
-            "less",
-            "ln",
-            "ls",
-            "make",
-            "mamba",
-            "micromamba",
-            "mkdir",
-            "mpirun",
-            "mv",
-            "nano",
-            "ninja",
-            "node",
-            "npm",
-            "nvcc",
-            "nvidia-smi",
-            "octave",
-            "pip",
-            "pip2",
-            "pip3",
-            "pipenv",
-            "poetry",
-            "printenv",
-            "printf",
-            "ps",
-            "pushd",
-            "popd",
-            "pwd",
-            "pytest",
-            "python",
-            "python2",
-            "python3",
-            "rm",
-            "rmdir",
-            "roscd",
-            "roscore",
-            "rosdep",
-            "rosed",
-            "rosbag",
-            "roslaunch",
-            "rosmsg",
-            "rosnode",
-            "rosparam",
-            "rosrun",
-            "rosservice",
-            "rostopic",
-            "rosversion",
-            "rosws",
-            "ros2",
-            "rqt",
-            "rqt_graph",
-            "rsync",
-            "rviz",
-            "rviz2",
-            "scp",
-            "sed",
-            "set",
-            "setenv",
-            "sh",
-            "sleep",
-            "source",
-            "sort",
-            "ssh",
-            "tail",
-            "tar",
-            "tee",
-            "test",
-            "time",
-            "tmux",
-            "torchrun",
-            "touch",
-            "tree",
-            "uniq",
-            "unset",
-            "unzip",
-            "uv",
-            "vcs",
-            "vi",
-            "vim",
-            "virtualenv",
-            "wc",
-            "wget",
-            "which",
-            "while",
-            "wstool",
-            "xacro",
-            "xargs",
-            "yarn",
-            "yes",
-            "zip",
-        ]
-    )
-)
-"""First words by which a block without a language is known as shell. From the READMEs of robotics repositories."""
+COMMANDS = Path(__file__).with_name("commands.csv")
+"""First words by which a block without a language is known as shell, from the READMEs of robotics repositories, and
+where each runs: ``image``; ``host``, for a program of the machine around the image; ``root``, for what only root does:
+the image's user is not root, and what the README installs is in the image."""
 _LANGUAGE = re.compile(r"\{?\s*\.?([\w+#-]+)")
 _PROMPT = re.compile(
     r"\s*(?:\([\w.-]+\)\s*)?"  # (venv)
@@ -264,7 +47,7 @@ def steps(info: str, content: str) -> tuple[Step, ...]:
     language = match[1].lower() if match else ""
     if language and language not in SHELLS | SESSIONS:
         return ()
-    lines = content.expandtabs(4).split("\n") if "\t$" in content else content.split("\n")
+    lines = content.split("\n")
     prompt = _PROMPT
     if language in SESSIONS and not any(map(_PROMPT.match, lines)):
         prompt = _ROOT
@@ -275,14 +58,19 @@ def steps(info: str, content: str) -> tuple[Step, ...]:
     else:
         return ()
     typed = [word for step in found if step.typed for word, _ in first_words(step.text)]
-    if not typed or any(word in HOST for word in typed) or all(word in INSTALLERS for word in typed):
-        return ()
-    return tuple(found)
+    places = [_commands().get(word, "image") for word in typed]
+    return () if not typed or "host" in places or set(places) == {"root"} else tuple(found)
+
+
+@cache
+def _commands() -> dict[str, str]:
+    rows = (line.partition(",") for line in COMMANDS.read_text(encoding="utf-8").splitlines()[1:])
+    return {word: runs_on for word, _, runs_on in rows}
 
 
 def _prompted(prompt: re.Pattern[str], line: str) -> re.Match[str] | None:
     match = prompt.match(line)
-    return match if match and (prompt is not _ROOT or match[1] in COMMANDS) else None
+    return match if match and (prompt is not _ROOT or match[1] in _commands()) else None
 
 
 def _transcript(lines: list[str], prompt: re.Pattern[str]) -> list[Step]:
@@ -337,6 +125,6 @@ def first_words(text: str) -> Iterator[tuple[str, str]]:
 def _all_commands(content: str) -> bool:
     found = list(first_words(content))
     return bool(found) and all(
-        (word in COMMANDS or re.match(r"\.{0,2}/\w|\w+=", word)) and not _NO_COMMAND.fullmatch(second)
+        (word in _commands() or re.match(r"\.{0,2}/\w|\w+=", word)) and not _NO_COMMAND.fullmatch(second)
         for word, second in found
     )
