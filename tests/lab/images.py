@@ -1,0 +1,134 @@
+"""The stand-in images: made from the recipes in images/, tagged in the engine and pushed to the mirror of docker.io."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import facts, registry, rootfs
+from .command import LabError, run, succeeds
+from .home import HERE, folder, recipe
+
+RECIPES = HERE / "images"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Image:
+    """One stand-in: its recipe, the image below it, the real names it answers to, and what it is made for."""
+
+    id: str
+    recipe: str
+    base: str | None
+    args: tuple[tuple[str, str], ...]
+    names: tuple[str, ...]
+    architectures: tuple[str, ...]
+
+
+def wanted(architectures: Sequence[str], *, everything: bool = False) -> tuple[Image, ...]:
+    """Return the stand-ins of images.toml, each after the one it is based on, for these architectures.
+
+    Those that take long under emulation are made for their own architecture only, unless `everything` is wanted.
+    """
+    return tuple(
+        Image(
+            id=row["id"],
+            recipe=row["recipe"],
+            base=row.get("base"),
+            args=tuple(sorted(row.get("args", {}).items())),
+            names=tuple(row["names"]),
+            architectures=tuple(
+                a for a in architectures if a in row["platforms"] and (everything or a not in row.get("slow", ()))
+            ),
+        )
+        for row in facts.table("images")["image"]
+    )
+
+
+def make(image: Image, others: Sequence[Image], env: dict[str, str]) -> str:
+    """Make sure that one stand-in is in the engine and in the mirror under all its names; return a note.
+
+    `others` are all images of the same call; `env` names the engine and the Docker client's folder.
+    """
+    by_id = {other.id: other for other in others}
+    reference = _reference(image, by_id)
+    known = succeeds(["docker", "image", "inspect", reference], env=env)
+    if not known:
+        context, arguments = _context(image, by_id)
+        platforms = ",".join(f"linux/{a}" for a in image.architectures)
+        command = ["nice", "docker", "buildx", "build", "--builder", "default", "--platform", platforms]
+        options = ["--provenance=false", "--progress", "plain", "--tag", reference]
+        run([*command, *options, *arguments, context], log=f"image-{image.id}", env=env)
+    digest = _digests([reference], env)[reference]
+    changed = _tag(image, reference, digest, env) + _publish(image, digest, env)
+    state = "built" if not known else "tagged" if changed else "was there"
+    return f"{state} for {', '.join(image.architectures)}; {digest[7:19]}"
+
+
+def _tag(image: Image, reference: str, digest: str, env: dict[str, str]) -> int:
+    """Give the image its real names in the engine; return how many were not right already."""
+    tagged = _digests(image.names, env)
+    stale = [name for name in image.names if tagged.get(name) != digest]
+    for name in stale:
+        run(["docker", "tag", reference, name], env=env)
+    return len(stale)
+
+
+def _publish(image: Image, digest: str, env: dict[str, str]) -> int:
+    """Put the image into the mirror under its real names: one push, the other names by the manifest alone."""
+    stale = [name for name in image.names if registry.digest(f"library/{name}", name=registry.MIRROR) != digest]
+    pushed: dict[str, str] = {}
+    for name in stale:
+        repository = f"library/{name.partition(':')[0]}"
+        if repository in pushed:
+            registry.alias(pushed[repository], name.partition(":")[2], name=registry.MIRROR)
+            continue
+        target = f"{registry.address(registry.MIRROR)}/library/{name}"
+        run(["docker", "tag", name, target], env=env)
+        run(["docker", "push", "--quiet", target], env=env, log=f"push-{image.id}")
+        run(["docker", "rmi", target], env=env)
+        pushed[repository] = f"library/{name}"
+    return len(stale)
+
+
+def _digests(names: Sequence[str], env: dict[str, str]) -> dict[str, str]:
+    """Return the digest of each of these names that the engine has."""
+    found = {}
+    for name in names:
+        try:
+            found[name] = run(["docker", "image", "inspect", "--format", "{{.Id}}", name], env=env).strip()
+        except LabError:
+            continue
+    return found
+
+
+def _reference(image: Image, by_id: dict[str, Image]) -> str:
+    """Return the lab's own name of an image, which changes with everything that goes into it."""
+    return f"lab/{image.id}:{_key(image, by_id)}"
+
+
+def _key(image: Image, by_id: dict[str, Image]) -> str:
+    if image.base is not None:
+        return recipe(RECIPES / image.recipe, image.args, image.architectures, _key(by_id[image.base], by_id))
+    return recipe(RECIPES / image.recipe, [rootfs.make(a).name for a in image.architectures], folder("rootfs", "machine"))
+
+
+def _context(image: Image, by_id: dict[str, Image]) -> tuple[Path, list[str]]:
+    """Return the build context of an image and the arguments that its build takes."""
+    arguments = [word for name, value in image.args for word in ("--build-arg", f"{name}={value}")]
+    if image.base is not None:
+        return RECIPES / image.recipe, [*arguments, "--build-arg", f"BASE={_reference(by_id[image.base], by_id)}"]
+    context = folder("rootfs", "context")
+    shutil.rmtree(context)
+    shutil.copytree(RECIPES / image.recipe, context)
+    shutil.copytree(folder("rootfs", "machine"), context / "machine")
+    for architecture in image.architectures:
+        (context / f"{architecture}.tar").hardlink_to(rootfs.make(architecture))
+    return context, arguments
+
+
+def several_platforms(env: dict[str, str]) -> bool:
+    """Tell whether the engine keeps images of several platforms: only the containerd image store does."""
+    return "io.containerd.snapshotter" in json.dumps(run(["docker", "info", "--format", "{{json .DriverStatus}}"], env=env))

@@ -1,0 +1,160 @@
+"""Run inside the build of a ROS stand-in: make the distribution's package names and its rosdep table.
+
+For every ROS package that Debian has under names of its own, an empty package `ros-DISTRO-NAME` that depends on
+Debian's goes into a local apt repository; so do the tools' names of the ROS repository (python3-catkin-tools ...).
+The rosdep table maps ROS packages to those names and common system keys to Debian's packages; a key that neither has
+stays unresolved, as an unknown key does in reality. Usage: names.py DISTRO
+"""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import yaml
+
+HERE = Path(__file__).parent
+DEBIAN_TABLE = Path("/usr/share/python3-rosdep2/debian.yaml")
+ROSDEP = Path("/etc/ros/rosdep")
+REPOSITORY = Path("/opt/lab/apt")
+VERSION = "0~stand-in"
+
+
+def main(distro: str) -> None:
+    data = tomllib.loads((HERE / "names.toml").read_text())
+    known = set(_lines("apt-cache", "pkgnames"))
+    ros = {name: packages for name, packages in _ros_packages(data, known).items() if set(packages) <= known}
+    names = {f"ros-{distro}-{name.replace('_', '-')}": packages for name, packages in ros.items()}
+    tools = {name: packages for name, packages in data["tools"].items() if name not in known and set(packages) <= known}
+    _write_repository({**names, **tools})
+    rules = _system_rules(known)
+    _write("stand-in.yaml", rules)
+    _write("index-v4.yaml", _index(distro, data))
+    _write(f"{distro}.yaml", _distribution(sorted(ros)))
+    _install_satisfied({**names, **tools})
+    print(f"{len(names)} names of {distro}, {len(tools)} of tools, {len(rules)} system keys")
+
+
+def _rule(answer: object) -> dict[str, object]:
+    """Answer the same for both names of the system: the stand-in is Debian, what it stands in for is Ubuntu."""
+    return {"debian": answer, "ubuntu": answer}
+
+
+def _system_rules(known: set[str]) -> dict[str, object]:
+    rules: dict[str, object] = {}
+    for line in (HERE / "system_keys.tsv").read_text().splitlines():
+        if line.startswith("#"):
+            continue
+        key, installer, names = line.split("\t")
+        packages = names.split()
+        if installer == "pip":
+            rules[key] = _rule({"pip": {"packages": packages}})
+        elif set(packages) <= known:
+            rules[key] = _rule(packages)
+    return rules
+
+
+def _index(distro: str, data: dict[str, dict[str, list[str]]]) -> dict[str, object]:
+    """Return an index of this distribution alone; `rosdep update` skips one that has ended, as it does in reality."""
+    old = distro in data["distros"]["end_of_life"]
+    entry = {
+        "distribution": [f"{distro}.yaml"],
+        "distribution_status": "end-of-life" if old else "active",
+        "distribution_type": "ros1" if distro in data["distros"]["ros1"] else "ros2",
+        "python_version": 3,
+    }
+    return {"type": "index", "version": 4, "distributions": {distro: entry}}
+
+
+def _distribution(packages: list[str]) -> dict[str, object]:
+    """Return a distribution file that releases these ROS packages, from which rosdep makes names like ros-noetic-tf."""
+    release = {
+        "packages": packages,
+        "tags": {"release": "release/{package}/{version}"},
+        "url": "file:///nowhere.git",
+        "version": "0.0.0-0",
+    }
+    platforms = {"debian": ["bookworm"], "ubuntu": ["xenial", "bionic", "focal", "jammy", "noble", "resolute"]}
+    return {
+        "type": "distribution",
+        "version": 2,
+        "release_platforms": platforms,
+        "repositories": {"stand-in": {"release": release}},
+    }
+
+
+def _write(name: str, content: object) -> None:
+    ROSDEP.mkdir(parents=True, exist_ok=True)
+    (ROSDEP / name).write_text("%YAML 1.1\n---\n" + yaml.safe_dump(content, sort_keys=True))
+
+
+def _ros_packages(data: dict[str, dict[str, list[str]]], known: set[str]) -> dict[str, list[str]]:
+    """Return ROS package name -> Debian packages: Debian's own rosdep table, then what its ros-* sources suggest."""
+    found: dict[str, list[str]] = dict(data["ros"])
+    for name, rule in yaml.safe_load(DEBIAN_TABLE.read_text()).items():
+        packages = rule.get("debian") if isinstance(rule, dict) else None
+        if isinstance(packages, list) and set(packages) <= known:
+            found.setdefault(name, packages)
+    suggested: dict[str, list[str]] = {}
+    for package in _of_ros_sources():
+        for before, after in (("lib", "-dev"), ("python3-", ""), ("ros-", "")):
+            if package.startswith(before) and package.endswith(after):
+                name = package[len(before) : len(package) - len(after) or None].replace("-", "_")
+                suggested.setdefault(name, []).append(package)
+    for name, packages in suggested.items():
+        found.setdefault(name, sorted(packages))
+    return found
+
+
+def _of_ros_sources() -> list[str]:
+    packages = []
+    for stanza in subprocess.run(["apt-cache", "dumpavail"], capture_output=True, text=True, check=True).stdout.split("\n\n"):
+        fields = dict(line.split(": ", 1) for line in stanza.splitlines() if ": " in line and not line.startswith(" "))
+        if fields.get("Source", "").startswith("ros-"):
+            packages.append(fields["Package"])
+    return packages
+
+
+def _write_repository(names: dict[str, list[str]]) -> None:
+    REPOSITORY.mkdir(parents=True)
+    stanzas = []
+    for name, depends in sorted(names.items()):
+        place = Path("/tmp/lab/deb") / name
+        (place / "DEBIAN").mkdir(parents=True)
+        control = (
+            f"Package: {name}\nVersion: {VERSION}\nArchitecture: all\nMaintainer: the lab <lab@localhost>\n"
+            f"Depends: {', '.join(depends)}\nDescription: stand-in that depends on Debian's package of the same thing\n"
+        )
+        (place / "DEBIAN" / "control").write_text(control)
+        file = REPOSITORY / f"{name}.deb"
+        subprocess.run(["dpkg-deb", "-Znone", "--root-owner-group", "--build", place, file], check=True, stdout=subprocess.DEVNULL)
+        content = file.read_bytes()
+        stanzas.append(f"{control}Filename: ./{file.name}\nSize: {len(content)}\nSHA256: {hashlib.sha256(content).hexdigest()}\n")
+    index = "\n".join(stanzas).encode()
+    files = {"Packages": index, "Packages.gz": gzip.compress(index, mtime=0)}
+    # Without a Release file apt tries every compression it knows and complains of each.
+    release = "Suite: stand-in\nDate: Thu, 01 Jan 2026 00:00:00 UTC\nSHA256:\n"
+    for name, content in files.items():
+        (REPOSITORY / name).write_bytes(content)
+        release += f" {hashlib.sha256(content).hexdigest()} {len(content)} {name}\n"
+    (REPOSITORY / "Release").write_text(release)
+    Path("/etc/apt/sources.list.d/stand-in.list").write_text(f"deb [trusted=yes] file:{REPOSITORY} ./\n")
+
+
+def _install_satisfied(names: dict[str, list[str]]) -> None:
+    """Install the names whose Debian packages this image holds already: the real image has them installed."""
+    have = set(_lines("dpkg-query", "-W", "-f", "${Package}\n"))
+    satisfied = [str(REPOSITORY / f"{name}.deb") for name, packages in names.items() if set(packages) <= have]
+    subprocess.run(["dpkg", "-i", *sorted(satisfied)], check=True, stdout=subprocess.DEVNULL)
+
+
+def _lines(*command: str) -> list[str]:
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
