@@ -13,7 +13,7 @@ from roslab.decide.kind import decide_kind
 from roslab.decide.layout import decide_layout
 from roslab.decide.names import Target
 from roslab.decide.platforms import decide_platforms
-from roslab.decide.python import decide_python
+from roslab.decide.python import decide_python, specifiers
 from roslab.decide.recipe import decide_recipe
 from roslab.decide.sources import decide_sources, with_recipes
 from roslab.decide.system import code_needs, decide_system, declared_keys
@@ -70,6 +70,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         apt=system.apt,
         apt_guessed=system.apt_guessed,
         python=python,
+        pip=specifiers(evidence, python),
         source=sources.sources,
         vcs=sources.vcs,
         packages=tuple(manifest.file for manifest in packages.built) if kind.kind in _ROS else (),

@@ -16,6 +16,7 @@ from roslab.knowledge.distros import distros, ubuntus
 DEFAULT_UBUNTU = "jammy"
 """Of plain C++ where nothing is said: old enough for yesterday's code, new enough for today's."""
 _NVIDIA = ("nvidia/", "nvcr.io/")
+_ROOTS = (*_NVIDIA, "ros:", "osrf/ros:", "ubuntu:", "debian:", "python:")
 _DESKTOPS = ("desktop-full", "desktop", "simulation", "perception", "robot")
 
 
@@ -67,8 +68,11 @@ def _ros(evidence: Evidence, config: Config, chosen: DistroChoice, cuda: CudaCho
 
 
 def _nvidia_recipe(evidence: Evidence) -> Recipe | None:
-    """Return the project's own image on CUDA: all of them must be, a CPU image beside it means that CUDA is a choice."""
-    own = [recipe for recipe in evidence.recipes if recipe.purpose == "project" and recipe.base]
+    """Return the project's own image on CUDA: all of them must be, a CPU image beside it means that CUDA is a choice.
+
+    An image of the author's own making (``lab/robot:base``) says nothing: another recipe builds it.
+    """
+    own = [recipe for recipe in evidence.recipes if recipe.purpose == "project" and (recipe.base or "").startswith(_ROOTS)]
     on_cuda = [recipe for recipe in own if recipe.base and recipe.base.startswith(_NVIDIA)]
     return on_cuda[0] if on_cuda and len(on_cuda) == len(own) else None
 

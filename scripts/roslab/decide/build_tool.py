@@ -27,7 +27,7 @@ def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Py
 
 def _ros1(evidence: Evidence) -> tuple[BuildTool, tuple[Reason, ...]]:
     reasons = [
-        Reason(question="build_tool", answer=m.value, reason=m.text[:120], file=m.file, line=m.line, weight=_SOURCES.get(m.source, 100) - 10 * m.file.count("/") - (200 if places.vendored(m.file) or places.documentation(m.file) else 0))
+        Reason(question="build_tool", answer=m.value, reason=m.text[:120], file=m.file, line=m.line, weight=_SOURCES.get(m.source, 100) - 30 * m.file.count("/") - (200 if places.vendored(m.file) or places.documentation(m.file) else 0))
         for m in evidence.mentions
         if m.topic == "build_tool" and m.value in {"catkin_make", "catkin_tools"}
     ]
@@ -47,11 +47,12 @@ def _ros1(evidence: Evidence) -> tuple[BuildTool, tuple[Reason, ...]]:
 
 
 def _python(evidence: Evidence, python: Python) -> tuple[BuildTool, tuple[Reason, ...]]:
-    if python.manager == "conda":
+    if python.conda_file:
         return "conda", (Reason(question="build_tool", answer="conda", reason="a conda environment", file=python.conda_file, line=1, weight=300),)
-    if python.projects or python.requirements or python.pip or python.pip_guessed:
-        file = next(iter(python.requirements), None) or (next((p.file for p in evidence.python if (p.folder or ".") in python.projects), None))
-        return "pip", (Reason(question="build_tool", answer="pip", reason="Python packages", file=file, line=1, weight=300),)
+    said = next((d for d in evidence.prose if d.namespace == "pip" and d.role not in {"option", "conda"}), None)
+    if python.projects or python.requirements or python.pip or said:
+        file = next(iter(python.requirements), None) or next((p.file for p in evidence.python if (p.folder or ".") in python.projects), None)
+        return "pip", (Reason(question="build_tool", answer="pip", reason="Python packages", file=file or (said.file if said else None), line=1, weight=300),)
     if any(p.top_level and "/" not in p.file for p in evidence.cmake):
         return "cmake", (Reason(question="build_tool", answer="cmake", reason="a CMake project", file="CMakeLists.txt", line=1, weight=200),)
-    return "none", (Reason(question="build_tool", answer="none", reason="nothing to build", weight=1),)
+    return "none", (Reason(question="build_tool", answer="none", reason="nothing to build, and no manifest to install", weight=1),)

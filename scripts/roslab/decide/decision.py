@@ -80,6 +80,8 @@ class Decision:
     apt_guessed: tuple[str, ...] = ()
     """Only read in prose or guessed: installed where the image's apt knows them, reported where not."""
     python: Python
+    pip: tuple[str, ...] = ()
+    """Every requirement line that the image installs, those of files, projects and conda environments too: a report."""
     source: tuple[SourceDependency, ...] = ()
     vcs: tuple[str, ...] = ()
     """vcs files to import into the workspace, relative to the root."""

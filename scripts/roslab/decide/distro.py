@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Reason, Warning_
 from roslab.decide.reasons import configured, ranked
+from roslab.decide.workspace import packages_of
 from roslab.evidence import places
+from roslab.evidence.conditions import holds
 from roslab.evidence.facts import Evidence, Mention, Recipe
 from roslab.knowledge.distros import Distro, distro, distros, distros_of, ubuntus
+from roslab.knowledge.libraries import library
+from roslab.knowledge.released import released, rosdep_keys
 
 DEFAULT = {"ros1": "noetic", "ros2": "humble"}
 """Where nothing is said: the last of ROS 1, and the ROS 2 that most repositories of 120 work on."""
+UNFIT = 400
+"""What a distribution loses that lacks a declared key: more than a recipe outweighs a branch's convention."""
+FAMILY = 2
+"""Images of more distributions than this are a family, one for each: none of them says which is meant."""
 _AGAINST = re.compile(
     r"not (?:been )?(?:tested|supported|work)|n't work|unsupported|no longer|deprecated|end[- ]of[- ]life|\beol\b|coming soon|todo|"
     r"(?:see|use|switch to|checkout|check out|available (?:in|on|at)|go to)\s+(?:the\s+)?[\w\"'`/-]*\s*(?:branch|tag)|\bbranch\b.*\bfor\b|for .*\bbranch\b|"
@@ -44,19 +52,55 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> DistroChoic
     if kind not in {"ros1", "ros2"}:
         return DistroChoice()
     ros = 1 if kind == "ros1" else 2
-    reasons = _reasons(evidence, ros)
+    unknown = unknown_keys(evidence, ros)
+    reasons = [_fitted(reason, unknown) for reason in _reasons(evidence, ros)]
     if config.base.ubuntu and (fitting := distros_of(config.base.ubuntu, 1 if ros == 1 else 2)):
         inside = [reason for reason in reasons if reason.answer in fitting]
         answer = max(inside, key=lambda reason: (reason.weight, _rank(reason.answer))).answer if inside else fitting[0]
         reason = configured(config, "ros_distro", answer, "base.ubuntu")
         return DistroChoice(distro=distros()[answer], reasons=(reason, *_demoted(reasons)))
     if not reasons:
-        answer = DEFAULT[kind]
+        answer = _default(kind, unknown)
         default = Reason(question="ros_distro", answer=answer, reason="nothing is said: the default", weight=1)
         warning = Warning_(message=f"nothing says which ROS distribution this is for: {answer} is taken; name it as base.ros in roslab.yaml")
         return DistroChoice(distro=distros()[answer], reasons=(default,), warnings=(warning,))
     best = max(reasons, key=lambda reason: (reason.weight, _rank(reason.answer)))
     return DistroChoice(distro=distros()[best.answer], reasons=ranked(reasons, best.answer))
+
+
+def unknown_keys(evidence: Evidence, ros: int) -> dict[str, frozenset[str]]:
+    """Return, for each distribution of a ROS version, the declared keys that it lacks and a better one has.
+
+    A package needs what its authors' distribution has: keys that came later rule out older ones, and the reverse.
+    """
+    packages = packages_of(evidence)
+    sources = {source.name for source in evidence.sources}
+    variables = {"ROS_VERSION": str(ros)}
+    keys = {d.name for m in packages.built for d in m.dependencies if d.role != "doc" and holds(d.condition, variables)}
+    keys -= packages.names | sources | rosdep_keys() | {key for key in keys if library("cmake", key, None) is not None}
+    if not keys:
+        return {}
+    lacking = {name: frozenset(keys - released(name)) for name, found in distros().items() if found.ros == ros and name != "rolling"}
+    least = min(lacking.values(), key=len)
+    return {name: missing - least if len(missing) > len(least) else frozenset() for name, missing in lacking.items()}
+
+
+def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
+    """Weigh a distribution less that lacks what the packages declare: its mention is older than they are."""
+    missing = sorted(unknown.get(reason.answer, ()))
+    if not missing:
+        return reason
+    text = f"{reason.reason}; but {reason.answer} has no {', '.join(missing[:3])}"
+    return replace(reason, reason=text, weight=max(1, reason.weight - UNFIT))
+
+
+def _default(kind: Kind, unknown: dict[str, frozenset[str]]) -> str:
+    """Return the default, or the longest supported one that has all keys where the default lacks some."""
+    answer = DEFAULT[kind]
+    if unknown.get(answer):
+        fitting = [name for name, missing in unknown.items() if not missing]
+        answer = max(fitting, key=_rank, default=answer)
+    return answer
 
 
 def _demoted(reasons: list[Reason]) -> tuple[Reason, ...]:
@@ -85,18 +129,20 @@ def _reasons(evidence: Evidence, ros: int) -> list[Reason]:
 
 
 def _recipes(evidence: Evidence) -> list[Reason]:
-    """Read the author's images: the project's own before CI's, near the root before deep ones; of a family of images, none."""
-    reasons = []
+    """Read the author's images: the project's own before CI's, near the root before deep ones; a family of images is a list."""
     named = {name for recipe in evidence.recipes for name in _names(recipe.base or "")}
-    for recipe in evidence.recipes:
-        for name in _names(recipe.base or ""):
-            weight = _recipe_weight(recipe)
-            if len(named) > 2:
-                weight -= 150  # one image a distribution: none of them says which is meant
-            reasons.append(
-                Reason(question="ros_distro", answer=name, reason=f"the author's image is FROM {recipe.base}", file=recipe.file, line=recipe.base_line, weight=weight)
-            )
-    return reasons
+    return [
+        Reason(
+            question="ros_distro",
+            answer=name,
+            reason=f"the author's image is FROM {recipe.base}",
+            file=recipe.file,
+            line=recipe.base_line,
+            weight=_recipe_weight(recipe) if len(named) <= FAMILY else 440,
+        )
+        for recipe in evidence.recipes
+        for name in _names(recipe.base or "")
+    ]
 
 
 def _recipe_weight(recipe: Recipe) -> int:

@@ -9,7 +9,7 @@ from roslab.decide.decision import Reason
 from roslab.decide.reasons import configured, ranked
 from roslab.decide.workspace import packages_of, ros_versions
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Dependency, Evidence
 from roslab.knowledge.distros import distro, distros
 
 _FRAMEWORKS = ("torch", "tensorflow", "jax", "keras", "flax", "mxnet", "paddle", "cupy", "pycuda", "caffe", "chainer", "isaacgym", "tensorflow-gpu", "pytorch")
@@ -77,14 +77,18 @@ def _ros(evidence: Evidence) -> list[Reason]:
 
 
 def _wrapper(evidence: Evidence, manifests: list[str]) -> bool:
-    """Tell whether the ROS packages are an addition to a Python program: few, below the root, beside its own manifest."""
+    """Tell whether the ROS packages are an addition to a Python program: few, below the root, its own code outside them."""
     folders = {file.rpartition("/")[0] for file in manifests}
     if not manifests or "" in folders or len(folders) > SMALL_WRAPPER:
         return False
     root = [p for p in evidence.python if not p.folder and p.installable]
     files = [r for r in evidence.requirements if "/" not in r.file and r.purpose == "run"]
     conda = [c for c in evidence.conda if "/" not in c.file]
-    return bool(root or files or conda)
+    if not (root or files or conda):
+        return False
+    code = {d.file for d in evidence.code if d.namespace == "import"} | {script.file for script in evidence.scripts}
+    inside = sum(any(file.startswith(folder + "/") for folder in folders) for file in code)
+    return 2 * inside < len(code)
 
 
 def _leaning(evidence: Evidence, version: int, count: int, other: int) -> int:
@@ -163,7 +167,7 @@ def _framework(evidence: Evidence) -> tuple[str, int, str] | None:
     return None
 
 
-def _pip(evidence: Evidence) -> list:  # type: ignore[type-arg]
+def _pip(evidence: Evidence) -> list[Dependency]:
     found = [d for p in evidence.python if not places.vendored(p.file) for d in p.dependencies]
     found += [d for r in evidence.requirements if r.purpose != "vendored" for d in r.dependencies]
     found += [d for c in evidence.conda for d in c.dependencies]
