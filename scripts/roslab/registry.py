@@ -16,7 +16,8 @@ from roslab.errors import BuildError, Problem
 
 TRANSIENT = re.compile(
     r"\b(429|50[0234])\b|too many requests|service unavailable|bad gateway|gateway time-?out|timed? ?out"
-    r"|deadline exceeded|connection (reset|refused|closed)|broken pipe|\bEOF\b|TLS handshake|temporary failure|try again",
+    r"|deadline exceeded|connection (reset|refused|closed)|broken pipe|\bEOF\b|TLS handshake"
+    r"|temporary failure|try again",
     re.IGNORECASE,
 )
 """What a registry or the way to it says of a fault that may pass."""

@@ -1,0 +1,56 @@
+"""Make the program's private Python environment on a runner, from the hashed lock beside this file.
+
+Run as ``python3 -I environment.py``; prints nothing and sets the step's output ``python``. The runner's own packages,
+PYTHONPATH and the caller's repository are out of reach of what runs in it. A second use in one job finds it made.
+It is read by the runner's Python, whatever its age: hence no syntax newer than 3.6.
+"""
+
+# ruff: noqa: PTH, UP031, UP036 - for that same reason
+
+import hashlib
+import os
+import subprocess
+import sys
+
+LOCK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "requirements.txt")
+DISTURBING = ("PIP_TARGET", "PIP_PREFIX", "PIP_USER", "PIP_REQUIRE_VIRTUALENV", "PYTHONPATH", "PYTHONHOME")
+"""Settings that would install elsewhere; a mirror that the runner's owner set stays, the hashes guard what it gives."""
+
+
+def main():
+    """Return the exit code: 0, or 5 where the environment cannot be made."""
+    if sys.version_info < (3, 10):
+        return fail("Python %d.%d is too old: the runner needs python3 of version 3.10 or newer" % sys.version_info[:2])
+    with open(LOCK, "rb") as stream:
+        content = stream.read() + sys.version.encode()
+    folder = os.path.join(
+        os.environ.get("RUNNER_TEMP") or ".", "roslab-python-" + hashlib.sha256(content).hexdigest()[:12]
+    )
+    python = os.path.join(folder, "bin", "python")
+    done = os.path.join(folder, "done")
+    if not os.path.exists(done):
+        environment = {name: value for name, value in os.environ.items() if name not in DISTURBING}
+        install = ["install", "--quiet", "--disable-pip-version-check", "--no-input", "--no-deps", "--require-hashes"]
+        commands = (
+            [sys.executable, "-I", "-m", "venv", "--clear", folder],
+            [python, "-I", "-m", "pip", *install, "--only-binary", ":all:", "--requirement", LOCK],
+        )
+        for command in commands:
+            # pip's own words go to the log; one clear line is the annotation
+            if subprocess.call(command, env=environment):
+                return fail("the private Python environment cannot be made: `%s` failed" % " ".join(command[1:5]))
+        with open(done, "w"):
+            pass
+    with open(os.environ.get("GITHUB_OUTPUT") or os.devnull, "a", encoding="utf-8") as stream:
+        stream.write("python=" + python + "\n")
+    return 0
+
+
+def fail(reason):
+    """Show why, as an annotation of the run."""
+    sys.stdout.write("::error::%s\n" % reason)
+    return 5
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,72 @@
+"""What a registry's refusal means in a workflow, and the line that mends it."""
+
+from __future__ import annotations
+
+import re
+
+from roslab.credentials import Access
+from roslab.errors import BuildError, Problem
+from roslab.github.event import Event
+
+OWN = "ghcr.io"
+"""The registry that takes the run's own token."""
+REFUSALS = (
+    (
+        re.compile(
+            r"permission_denied: (write_package|The token provided does not match expected scopes)|"
+            r"installation not allowed to Create organization package|denied: requested access to the resource"
+        ),
+        "forbidden",
+    ),
+    (
+        re.compile(r"401 Unauthorized|unauthorized: (authentication required|incorrect username)|denied: denied"),
+        "wrong password",
+    ),
+    (re.compile(r"dial tcp .*(connection refused|no such host|i/o timeout)"), "unreachable"),
+)
+"""What a failed push says in its log, and the verdict it amounts to."""
+
+
+def problem(access: Access, *, image: str, event: Event) -> Problem | None:
+    """Return what to tell of an access that is not granted, ``None`` where the push may be tried."""
+    host = image.partition("/")[0]
+    said = f" ({access.detail})" if access.detail else ""
+    if access.verdict == "wrong password":
+        hint = (
+            "leave the input token out: the run's own token is then used"
+            if host == OWN
+            else f"set the inputs username and token; keep the token for {host} in a secret of the repository"
+        )
+        return Problem(message=f"{host} refuses the username or the token{said}", hint=hint)
+    if access.verdict == "forbidden":
+        return Problem(message=f"the token may not write {image}{said}", hint=_right(host, image, event))
+    if access.verdict == "unreachable":
+        hint = "try again later: nothing was built and no tag was moved"
+        return Problem(message=f"the registry {host} does not answer{said}", hint=hint)
+    return None
+
+
+def _right(host: str, image: str, event: Event) -> str:
+    if host != OWN:
+        return f"give the token's account the right to push to {image}"
+    line = "add `packages: write` to the `permissions:` of the job that calls this"
+    name = image.rpartition("/")[2]
+    return (
+        f"{line}; if it stands there, the package is another repository's: open the settings of the package {name} and "
+        f"give {event.repository} the role Write under Manage Actions access"
+    )
+
+
+def require(access: Access, *, image: str, event: Event) -> None:
+    """Raise ``BuildError`` where a push cannot succeed."""
+    if found := problem(access, image=image, event=event):
+        raise BuildError(found)
+
+
+def refusal(log: str) -> Access | None:
+    """Return the registry's refusal that the log of a build ends with, ``None`` where it failed for another reason."""
+    end = "\n".join(log.splitlines()[-40:])
+    for pattern, verdict in REFUSALS:
+        if match := pattern.search(end):
+            return Access(verdict=verdict, detail=match[0])  # type: ignore[arg-type]
+    return None

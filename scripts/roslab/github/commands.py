@@ -1,0 +1,57 @@
+"""``roslab github STEP``: the steps of the action and of the workflows; environment in, outputs out."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from collections.abc import Callable, Mapping
+
+from roslab.errors import RoslabError
+from roslab.github import proving, steps, workflow
+from roslab.github.run import Folder
+
+STEPS: Mapping[str, tuple[str, Callable[[Mapping[str, str]], None]]] = {
+    "plan": (
+        "Read the event, the inputs and the repository; decide what is built and whether it is published.",
+        steps.plan,
+    ),
+    "ready": ("Check the engine and the registry before anything is built.", steps.ready),
+    "recipe": ("Write the Dockerfile and the settings of the build.", steps.recipe),
+    "explain": ("Say in plain words why the build failed.", steps.explain),
+    "prove": ("Run the image on its platforms.", proving.prove),
+    "tag": ("Put the tags on the proved images.", steps.tag),
+    "summary": ("Write the job's summary.", steps.summary),
+}
+
+
+def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add ``roslab github`` to the command line."""
+    command = subparsers.add_parser("github", help="steps of a workflow", description="Steps of a workflow on GitHub.")
+    names = command.add_subparsers(title="steps", metavar="STEP", required=True)
+    for name, (text, _) in STEPS.items():
+        step = names.add_parser(name, help=text, description=text)
+        step.set_defaults(handler=run, step=name)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Run one step; what stops it is also kept for the summary."""
+    try:
+        STEPS[options.step][1](os.environ)
+    except RoslabError as error:
+        _keep(options.step, error)
+        raise
+    return 0
+
+
+def _keep(step: str, error: RoslabError) -> None:
+    """Keep a failure for the step that writes the summary; where no run exists yet, this is the summary."""
+    lines = "".join(f"{' '.join(str(problem).split())}\n" for problem in error.problems)
+    try:
+        folder = Folder.of(os.environ)
+    except RoslabError:
+        if step != "summary":
+            workflow.summary(steps.nothing_built(lines.splitlines()), os.environ)
+        return
+    folder.artifact.mkdir(exist_ok=True)
+    with (folder.artifact / "failures.txt").open("a", encoding="utf-8") as stream:
+        stream.write(lines)

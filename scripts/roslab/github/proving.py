@@ -1,0 +1,106 @@
+"""Running what was built, on each platform of a job, before anything gets a tag."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from roslab import containers, engine, registry
+from roslab.errors import BuildError, Problem
+from roslab.github import workflow
+from roslab.github.run import Folder, Run, slug
+from roslab.proof import describe
+from roslab.render.summary import LayerSize, PlatformReport, ProofReport
+
+OUTPUT_LINES = 200
+"""Of a proof's output, kept for the summary."""
+
+
+def prove(environment: Mapping[str, str]) -> None:
+    """Run the image on every platform of this job, one after the other. Raises ``BuildError`` where a proof fails."""
+    folder = Folder.of(environment)
+    run = folder.run
+    build = json.loads(folder.read("build.json"))
+    seconds = time.time() - build["started"]
+    platforms = build["platforms"].split(",")
+    digest = environment.get("ROSLAB_DIGEST", "")
+    if run.push:
+        single = platforms[0] if len(platforms) == 1 else None
+        images = registry.platforms(run.image, digest, platform=single)
+        if sorted(image.platform for image in images) != sorted(platforms):
+            found = ", ".join(image.platform for image in images)
+            raise BuildError(Problem(message=f"{', '.join(platforms)} were to be built, the registry holds {found}"))
+        failed = [_prove_pushed(folder, run, image, digest, seconds) for image in images]
+    else:
+        failed = [_prove_loaded(folder, run, platform, build, seconds) for platform in platforms]
+    if problems := [problem for problem in failed if problem]:
+        raise BuildError(*problems)
+
+
+def _prove_pushed(
+    folder: Folder, run: Run, image: registry.PlatformImage, source: str, seconds: float
+) -> Problem | None:
+    reference = f"{run.image}@{image.digest}"
+    base = registry.base_layers(run.plan.base_image, image.platform)
+    with workflow.group(f"Prove {reference} on {image.platform}"):
+        registry.pull(reference, image.platform)
+        outcomes = containers.prove(reference, image.platform, run.plan.proofs)
+        engine.remove_image(reference)
+    layers = tuple(LayerSize(size=x.size, text=x.created_by, base=x.digest in base) for x in image.layers)
+    folder.write_report(
+        PlatformReport(
+            platform=image.platform,
+            digest=image.digest,
+            source=source,
+            layers=layers,
+            proofs=_proofs(outcomes),
+            build_seconds=seconds,
+        )
+    )
+    return _failure(outcomes)
+
+
+def _prove_loaded(folder: Folder, run: Run, platform: str, build: Mapping[str, str], seconds: float) -> Problem | None:
+    """Take one platform's image out of the builder, which holds every layer of it, and run it."""
+    candidate = f"{run.plan.name}:{folder.path.name.lower()}-{slug(platform)}"
+    pairs = tuple((line.partition("=")[0], line.partition("=")[2]) for line in build["labels"].splitlines())
+    job = engine.Build(
+        context=Path(build["context"]),
+        dockerfile=Path(build["dockerfile"]),
+        platforms=(platform,),
+        tags=(candidate,),
+        labels=pairs,
+        extra=("--provenance=false",),
+    )
+    with workflow.group(f"Load and prove {platform}"):
+        digest, _ = engine.build(job, environment={"SOURCE_DATE_EPOCH": build["epoch"]} if build["epoch"] else None)
+        outcomes = containers.prove(candidate, platform, run.plan.proofs)
+        engine.remove_image(candidate)
+    proofs = _proofs(outcomes)
+    folder.write_report(
+        PlatformReport(platform=platform, digest=digest, source="", layers=(), proofs=proofs, build_seconds=seconds)
+    )
+    return _failure(outcomes)
+
+
+def _proofs(outcomes: Sequence[containers.Outcome]) -> tuple[ProofReport, ...]:
+    return tuple(
+        ProofReport(
+            name=outcome.proof.name,
+            command=describe(outcome.proof),
+            passed=outcome.passed,
+            summary=outcome.summary,
+            output="\n".join(outcome.output.splitlines()[-OUTPUT_LINES:])[-20_000:],
+        )
+        for outcome in outcomes
+    )
+
+
+def _failure(outcomes: Sequence[containers.Outcome]) -> Problem | None:
+    failed = next((outcome for outcome in outcomes if not outcome.passed), None)
+    if failed is None:
+        return None
+    hint = "its output stands above; no tag was made or moved. Correct the code, or name another `test` in roslab.yaml"
+    return Problem(message=f"on {failed.platform}, {failed.proof.name}: {failed.summary}", hint=hint)

@@ -1,0 +1,68 @@
+"""The report of a run, gathered from what its steps and jobs kept."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from urllib.parse import quote
+
+from roslab.github import run as runs
+from roslab.github.event import Event
+from roslab.github.run import Folder, Run
+from roslab.render.markdown import code
+from roslab.render.summary import Report, platforms_of
+
+
+def collect(folder: Folder, reports: Path, event: Event) -> Report:
+    """Return the report; ``reports`` is the folder that holds every platform's."""
+    run = folder.run
+    published = json.loads(folder.read("published.json") or "{}")
+    failures = tuple(dict.fromkeys([*_failures(reports), *_failures(folder.artifact)]))
+    platforms = platforms_of(runs.reports(reports) if reports.is_dir() else (), run.plan)
+    if not published and not failures and (run.push or not platforms):
+        failures = ("the run stopped early: the failed step's log says why",)
+    return Report(
+        plan=run.plan,
+        image=run.image,
+        published=bool(published),
+        reason=run.reason,
+        digest=published.get("digest", ""),
+        tags=tuple(published.get("tags", ())),
+        platforms=platforms,
+        failures=failures,
+        notes=_visibility(run, event, public=published.get("public")) if published else (),
+        badge=_badge(run, event),
+    )
+
+
+def _failures(folder: Path) -> list[str]:
+    files = sorted(folder.rglob("failures.txt")) if folder.is_dir() else []
+    return [line for file in files for line in file.read_text(encoding="utf-8").splitlines() if line]
+
+
+def _visibility(run: Run, event: Event, *, public: bool | None) -> tuple[str, ...]:
+    """Say who may pull the image; on ghcr.io the first push makes a package that only its owner sees."""
+    if public is None:
+        return ()
+    if public:
+        return ("Anybody may pull this image.",)
+    if run.registry != "ghcr.io":
+        return (f"Nobody may pull this image from {code(run.registry)} without a password.",)
+    page = _package(run, event)
+    private = "**The package is private**, so readers of the paper cannot pull it."
+    return (f"{private} Open [its page]({page}), Package settings, Danger Zone, Change visibility, Public.",)
+
+
+def _package(run: Run, event: Event) -> str:
+    """Return the package's page: https://docs.github.com/en/packages/learn-github-packages/viewing-packages."""
+    name = quote(run.image.split("/", 2)[2], safe="")
+    return f"{event.server}/{event.repository}/pkgs/container/{name}"
+
+
+def _badge(run: Run, event: Event) -> str:
+    """Return the badge of the workflow, which says whether the last image was proved."""
+    if run.registry != "ghcr.io" or not event.workflow_file:
+        return ""
+    page = f"{event.server}/{event.repository}/actions/workflows/{quote(event.workflow_file)}"
+    branch = quote(event.default_branch, safe="")
+    return f"[![image]({page}/badge.svg?branch={branch})]({_package(run, event)})"

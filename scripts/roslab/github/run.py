@@ -1,0 +1,145 @@
+"""What one run decided, kept between the steps of a job as files and between jobs as one line of JSON."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from roslab.errors import ConfigurationError, Problem
+from roslab.github.inputs import Cache
+from roslab.plan import Plan, from_json
+from roslab.render.summary import PlatformReport
+
+PORTABLE = 100_000
+"""Bytes: Linux gives one environment variable 128 KiB, and a step reads another job's output from one."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Run:
+    """The plan, and what the event and the inputs make of it."""
+
+    plan: Plan
+    image: str
+    """``HOST/OWNER/NAME`` without a tag."""
+    username: str
+    push: bool
+    reason: str
+    cache: Cache
+
+    @property
+    def registry(self) -> str:
+        """Host of the image."""
+        return self.image.partition("/")[0]
+
+
+def to_json(run: Run) -> str:
+    """Return one line of JSON that fits into an environment variable.
+
+    What only explains is left out as far as it must be: first the evidence that lost, then all of it.
+    """
+    text = _dump(run)
+    if len(text) > PORTABLE:
+        reasons = tuple(reason for reason in run.plan.reasons if reason.decisive)
+        text = _dump(_thinner(run, reasons=reasons[:200], warnings=run.plan.warnings[:50]))
+    if len(text) > PORTABLE:
+        text = _dump(_thinner(run, reasons=(), warnings=run.plan.warnings[:20]))
+    return text
+
+
+def _thinner(run: Run, **changes: Any) -> Run:
+    return dataclasses.replace(run, plan=dataclasses.replace(run.plan, **changes))
+
+
+def _dump(run: Run) -> str:
+    return json.dumps(dataclasses.asdict(run), ensure_ascii=True, separators=(",", ":"))
+
+
+def from_line(text: str) -> Run:
+    """Read a run back. Raises ``ConfigurationError`` for anything that ``to_json`` did not write."""
+    try:
+        data = json.loads(text)
+        plan = from_json(json.dumps(data.pop("plan")))
+        return Run(plan=plan, **data)
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise ConfigurationError(Problem(message=f"not a run: {type(error).__name__}: {error}")) from None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Folder:
+    """The private folder of one use of the action, under the runner's own temporary folder."""
+
+    path: Path
+
+    @classmethod
+    def new(cls, environment: Mapping[str, str]) -> Folder:
+        """Make one; the runner empties RUNNER_TEMP before and after every job."""
+        return cls(path=Path(tempfile.mkdtemp(prefix="roslab-", dir=environment.get("RUNNER_TEMP") or None)))
+
+    @classmethod
+    def of(cls, environment: Mapping[str, str]) -> Folder:
+        """Return the folder that an earlier step made. Raises ``ConfigurationError`` where there is none."""
+        path = Path(environment.get("ROSLAB_FOLDER") or "/nonexistent")
+        if not (path / "run.json").is_file():
+            raise ConfigurationError(
+                Problem(message="ROSLAB_FOLDER names no run", hint="`roslab github plan` must have run in this job")
+            )
+        return cls(path=path)
+
+    @property
+    def run(self) -> Run:
+        """What the run decided."""
+        return from_line(self.read("run.json"))
+
+    @property
+    def recipe(self) -> Path:
+        """Where a generated Dockerfile lies."""
+        return self.path / "recipe"
+
+    @property
+    def artifact(self) -> Path:
+        """What the job keeps for later jobs and for people: reports, screenshots."""
+        return self.path / "artifact"
+
+    def write(self, name: str, text: str) -> None:
+        """Keep a text."""
+        (self.path / name).write_text(text, encoding="utf-8")
+
+    def read(self, name: str) -> str:
+        """Return a kept text, ``""`` where there is none."""
+        file = self.path / name
+        return file.read_text(encoding="utf-8") if file.is_file() else ""
+
+    def write_report(self, report: PlatformReport) -> None:
+        """Keep what was built and proved for one platform."""
+        self.artifact.mkdir(exist_ok=True)
+        file = self.artifact / f"report-{slug(report.platform)}.json"
+        file.write_text(json.dumps(dataclasses.asdict(report), indent=2) + "\n", encoding="utf-8")
+
+
+def reports(folder: Path) -> tuple[PlatformReport, ...]:
+    """Return every platform's report that lies anywhere under a folder, the newest of a platform where there are two.
+
+    Raises ``ConfigurationError`` for a file that ``write_report`` did not write.
+    """
+    from cattrs import Converter  # noqa: PLC0415 - slow to import, and only the later steps read reports
+    from cattrs.errors import BaseValidationError  # noqa: PLC0415
+
+    converter = Converter(forbid_extra_keys=True)
+    found: dict[str, PlatformReport] = {}
+    for file in sorted(folder.rglob("report-*.json"), key=lambda path: path.stat().st_mtime):
+        try:
+            report = converter.structure(json.loads(file.read_text(encoding="utf-8")), PlatformReport)
+        except (ValueError, RecursionError, BaseValidationError) as error:
+            raise ConfigurationError(Problem(message=f"{file.name} is no report: {type(error).__name__}")) from None
+        found[report.platform] = report
+    return tuple(found.values())
+
+
+def slug(platform: str) -> str:
+    """Return a platform as part of a file name: ``linux-arm-v7``."""
+    return platform.replace("/", "-")

@@ -1,0 +1,205 @@
+"""What each step does: the environment in, outputs and files out; everything it decides is decided elsewhere."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from roslab import credentials, engine, registry
+from roslab.errors import BuildError, ConfigurationError, Problem
+from roslab.github import access, builder, cache, event, inputs, report, workflow
+from roslab.github import run as runs
+from roslab.github.labels import commit, labels
+from roslab.github.run import Folder, Run, slug
+from roslab.pipeline import plan_repository, write_plan
+from roslab.plan import to_json
+from roslab.render.markdown import text
+from roslab.render.summary import platforms_of
+from roslab.render.summary import summary as render_summary
+
+Environment = Mapping[str, str]
+
+
+def plan(environment: Environment) -> None:
+    """Decide everything; the first step of every job chain.
+
+    Raises ``ConfigurationError``, ``NothingToBuildError`` or ``RefusedError``.
+    """
+    what = event.read(environment)
+    asked = inputs.read(environment)
+    planned = plan_repository(
+        _workspace(environment),
+        branch=what.branch or what.base_branch or None,
+        config_file=asked.config,
+        overrides=asked.overrides,
+        folder_name=what.repository.partition("/")[2],
+    )
+    publication = event.publication(what, asked.push)
+    image = inputs.image(asked, owner=what.owner, name=planned.plan.name)
+    run = Run(
+        plan=planned.plan,
+        image=image,
+        username=asked.username or what.actor,
+        push=publication.push,
+        reason=publication.reason,
+        cache=asked.cache,
+    )
+    for warning in planned.plan.warnings:
+        workflow.warn(Problem(message=warning.message, file=warning.file, line=warning.line))
+    if publication.warning:
+        workflow.warn(Problem(message=publication.warning))
+    folder = Folder.new(environment)
+    line = runs.to_json(run)
+    folder.write("run.json", line)
+    matrix = [
+        {"platform": platform, "slug": slug(platform), "runner": inputs.runner(platform, asked.runners)}
+        for platform in run.plan.platforms
+    ]
+    workflow.outputs(
+        {
+            "plan": json.dumps(json.loads(to_json(run.plan)), separators=(",", ":")),
+            "run": line,
+            "folder": str(folder.path),
+            "image": image,
+            "registry": run.registry,
+            "username": run.username,
+            "push": _flag(run.push),
+            "platforms": ",".join(run.plan.platforms),
+            "matrix": json.dumps({"include": matrix}),
+            "artifact": f"image-{image.partition('/')[2].replace('/', '-')}",
+        },
+        environment,
+    )
+    engine.say(f"{image} from {planned.plan.base_image} for {', '.join(run.plan.platforms)}; {publication.reason}")
+
+
+def ready(environment: Environment) -> None:
+    """Check that the build can succeed on this machine and that its result may be pushed; say which builder to use.
+
+    In a job that did not plan, ROSLAB_RUN holds what was decided. Raises ``BuildError``.
+    """
+    if environment.get("ROSLAB_RUN"):
+        folder = Folder.new(environment)
+        folder.write("run.json", environment["ROSLAB_RUN"])
+    else:
+        folder = Folder.of(environment)
+    workflow.outputs({"folder": str(folder.path)}, environment)  # first, so that a failure finds its way to the summary
+    run = folder.run
+    engine.say(f"Docker engine {engine.check()}")
+    if run.push:
+        right = credentials.may_push(run.image, run.username, environment.get("ROSLAB_TOKEN", ""))
+        access.require(right, image=run.image, event=event.read(environment))
+    lacking = builder.emulated(_platforms(environment, run))
+    workflow.outputs({**builder.settings(environment), "emulate": ",".join(lacking)}, environment)
+
+
+def recipe(environment: Environment) -> None:
+    """Write the Dockerfile and name everything that docker/build-push-action needs."""
+    folder = Folder.of(environment)
+    run, what = folder.run, event.read(environment)
+    root = _workspace(environment)
+    folder.recipe.mkdir(exist_ok=True)
+    dockerfile, context = write_plan(run.plan, root, folder.recipe)
+    revision, seconds = commit(root)
+    named = labels(run.plan, what, revision=revision, seconds=seconds)
+    platforms = _platforms(environment, run)
+    publication = event.Publication(push=run.push, reason=run.reason)
+    part = slug(platforms[0]) if len(platforms) == 1 else "all"
+    layers = cache.layers(what, publication, run.cache, image=run.image, part=part)
+    engine.say(f"layer cache: {layers.reason}")
+    by_digest = f"type=image,name={run.image},push=true,push-by-digest=true,name-canonical=true"
+    build = {
+        "dockerfile": str(dockerfile),
+        "context": str(context),
+        "labels": "\n".join(f"{name}={value}" for name, value in named),
+        "platforms": ",".join(platforms),
+        # A pull request's images stay in the builder, and are loaded one after the other to be proved
+        "exporter": by_digest if run.push else "type=cacheonly",
+        "cache-from": "\n".join(layers.read),
+        "cache-to": "\n".join(layers.write),
+        "epoch": str(seconds) if seconds is not None else "",
+        "sbom": _flag(run.push and what.public and not what.act),
+    }
+    folder.write("build.json", json.dumps({**build, "started": time.time()}))
+    workflow.outputs(build, environment)
+
+
+def explain(environment: Environment) -> None:
+    """Read the log of the build that has just failed and raise what it means as a ``BuildError``."""
+    from roslab.knowledge.failures import diagnose  # noqa: PLC0415 - a table that only a failed build needs
+
+    run = Folder.of(environment).run
+    log = engine.output(["docker", "buildx", "history", "logs", "--progress", "plain"]).stdout
+    refused = access.refusal(log)
+    if refused:
+        access.require(refused, image=run.image, event=event.read(environment))
+    known = [Problem(message=f"{found.cause}: {found.line}", hint=found.fix) for found in diagnose(log)]
+    if not log.strip():
+        known = [Problem(message="the build failed", hint="the log of the step above says why")]
+    raise BuildError(*(known or [Problem(message=f"the build failed: {engine.failed_step(log)}")]))
+
+
+def tag(environment: Environment) -> None:
+    """Put the tags on one index of the proved images.
+
+    ROSLAB_TAGS has one complete reference a line, ROSLAB_REPORTS names the folder with every platform's report.
+    Raises ``BuildError`` where a platform has no passed proof or the registry refuses.
+    """
+    folder = Folder.of(environment)
+    run = folder.run
+    proved = platforms_of(runs.reports(_reports(folder, environment)), run.plan)
+    missing = [p for p in run.plan.platforms if not any(r.platform == p and r.passed and r.source for r in proved)]
+    if not run.push or missing:
+        reason = f"no passed proof for {', '.join(missing)}" if missing else run.reason
+        raise BuildError(Problem(message=f"nothing gets a tag: {reason}"))
+    tags = _tags(environment.get("ROSLAB_TAGS", ""), run.image)
+    sources = tuple(dict.fromkeys(entry.source for entry in proved))
+    digest = registry.create_tags(run.image, sources, tags)
+    public = credentials.is_public(run.image, digest)
+    folder.write("published.json", json.dumps({"digest": digest, "tags": tags, "public": public}))
+    what = event.read(environment)
+    workflow.outputs(
+        {"digest": digest, "tags": "\n".join(tags), "sign": _flag(what.signing and what.public)}, environment
+    )
+    workflow.notice(f"{tags[-1]} is {digest}")
+
+
+def _tags(said: str, image: str) -> tuple[str, ...]:
+    """Return the tags, the one that no other commit has first: a registry that refuses does so before one moves."""
+    tags = tuple(dict.fromkeys(line.strip() for line in said.splitlines() if line.strip()))
+    strange = [tag for tag in tags if tag.rpartition(":")[0] != image]
+    if strange or not tags:
+        raise ConfigurationError(Problem(message=f"tags of {image} were expected, not {', '.join(strange) or 'none'}"))
+    return tuple(sorted(tags, key=lambda tag: not tag.rpartition(":")[2].startswith("sha-")))
+
+
+def summary(environment: Environment) -> None:
+    """Write the summary, of a failed run too."""
+    folder = Folder.of(environment)
+    found = report.collect(folder, _reports(folder, environment), event.read(environment))
+    workflow.summary(render_summary(found), environment)
+
+
+def nothing_built(problems: Sequence[str]) -> str:
+    """Return the summary of a run that stopped before anything was decided."""
+    return "### Nothing was built\n\n" + "".join(f"- {text(problem)}\n" for problem in problems)
+
+
+def _reports(folder: Folder, environment: Environment) -> Path:
+    return Path(environment.get("ROSLAB_REPORTS") or folder.artifact)
+
+
+def _workspace(environment: Environment) -> Path:
+    return Path(environment.get("GITHUB_WORKSPACE") or ".").resolve()
+
+
+def _platforms(environment: Environment, run: Run) -> tuple[str, ...]:
+    """Return the platforms of this job: the one that it was given, else the plan's."""
+    platform = environment.get("ROSLAB_PLATFORM")
+    return (platform,) if platform else run.plan.platforms
+
+
+def _flag(value: bool) -> str:
+    return "true" if value else "false"
