@@ -5,7 +5,8 @@ PYTHONPATH and the caller's repository are out of reach of what runs in it. A se
 It is read by the runner's Python, whatever its age: hence no syntax newer than 3.6.
 """
 
-# ruff: noqa: PTH, UP031, UP036 - for that same reason
+# The same reason for what the linter would rather see:
+# ruff: noqa: PTH, UP031, UP036
 
 import hashlib
 import os
