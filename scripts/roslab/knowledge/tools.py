@@ -8,16 +8,18 @@ from functools import cache
 from importlib.resources import files
 
 
+INSTALLERS = ("pip", "setuptools", "wheel")
+JUPYTER = ("jupyterlab", "notebook", "bash_kernel")
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class PythonTools:
-    """Requirement lines of the tools, the newest where a Python is young enough."""
+    """Requirement lines of the tools; each pin holds by its marker only where the interpreter is as old as expected."""
 
-    pip: str = "pip"
-    setuptools: str = "setuptools"
-    wheel: str = "wheel"
-    jupyterlab: str = "jupyterlab"
-    notebook: str = "notebook"
-    bash_kernel: str = "bash_kernel"
+    installers: tuple[str, ...] = INSTALLERS
+    jupyter: tuple[str, ...] = JUPYTER
+    pinned: bool = False
+    """The interpreter is too old for the newest of them."""
 
 
 SYSTEM_PYTHON = {
@@ -35,13 +37,22 @@ SYSTEM_PYTHON = {
 @cache
 def _table() -> dict[str, PythonTools]:
     with files("roslab.knowledge").joinpath("python_tools.csv").open(encoding="utf-8", newline="") as stream:
-        rows = csv.DictReader(stream)
         return {
-            row["python"]: PythonTools(
-                **{key: value for key in PythonTools.__dataclass_fields__ if (value := row[key])}
-            )
-            for row in rows
+            row["python"]: PythonTools(installers=_lines(row, INSTALLERS), jupyter=_lines(row, JUPYTER), pinned=True)
+            for row in csv.DictReader(stream)
         }
+
+
+def _lines(row: dict[str, str], names: tuple[str, ...]) -> tuple[str, ...]:
+    major, minor = map(int, row["python"].split("."))
+    after = f"{major}.{minor + 1}"
+    lines: list[str] = []
+    for name in names:
+        if pin := row[name]:
+            lines += [f'{pin}; python_version < "{after}"', f'{name}; python_version >= "{after}"']
+        else:
+            lines.append(name)
+    return tuple(lines)
 
 
 def python_tools(version: str | None, ubuntu: str | None) -> PythonTools:

@@ -35,7 +35,7 @@ def environment(plan: Plan) -> str:
     if installs or plan.rosdep:
         lines.append("# The image is the environment: packages go beside the distribution's own")
         lines.append("ENV PIP_BREAK_SYSTEM_PACKAGES=1")
-    if installs and plan.python_tools.pip != "pip":
+    if installs and plan.python_tools.pinned:
         # An old distribution's pip knows no wheels of today, and today's pip does not run on its Python
         lines.append(
             shell.run(f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}")
@@ -49,7 +49,7 @@ def interpreter(plan: Plan) -> str:
 
 
 def _tools(plan: Plan) -> tuple[str, ...]:
-    return (plan.python_tools.pip, plan.python_tools.setuptools, plan.python_tools.wheel)
+    return plan.python_tools.installers
 
 
 def _conda(plan: Plan) -> str:
@@ -128,13 +128,14 @@ def jupyter(plan: Plan) -> str:
     """Install JupyterLab with a bash kernel in an environment of its own: it disturbs no package of the author's."""
     if not plan.notebook:
         return ""
-    tools = plan.python_tools
+    pip = "/opt/jupyter/bin/python -m pip install --no-cache-dir"
+    programs = shell.words(f"/opt/jupyter/bin/{name}" for name in ("jupyter", "jupyter-lab", "jupyter-notebook"))
     return shell.run(
         "python3 -m venv /opt/jupyter",
-        f"/opt/jupyter/bin/python -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}",
-        f"/opt/jupyter/bin/python -m pip install --no-cache-dir{shell.words((tools.jupyterlab, tools.notebook, tools.bash_kernel))}",
+        f"{pip} --upgrade{shell.words(_tools(plan))}",
+        f"{pip}{shell.words(plan.python_tools.jupyter)}",
         "/opt/jupyter/bin/python -m bash_kernel.install --sys-prefix",
-        "ln --symbolic /opt/jupyter/bin/jupyter /opt/jupyter/bin/jupyter-lab /opt/jupyter/bin/jupyter-notebook /usr/local/bin/",
+        f"ln --symbolic --target-directory=/usr/local/bin{programs}",
         comment="JupyterLab with a bash kernel; docker_run.sh --notebook starts it",
     )
 

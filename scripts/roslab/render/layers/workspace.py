@@ -102,7 +102,8 @@ def _table_sources(tag: str | None) -> str:
 def copy_source(plan: Plan) -> str:
     """Copy the repository and make the user its owner."""
     folder = source_folder(plan)
-    return f"# The source\nCOPY --chown=${{NB_UID}}:${{NB_UID}} . {quote.docker_path(folder)}\nWORKDIR {quote.docker_path(folder)}"
+    target = quote.docker_path(folder)
+    return f"# The source\nCOPY --chown=${{NB_UID}}:${{NB_UID}} . {target}\nWORKDIR {target}"
 
 
 def own_home(_: Plan) -> str:
