@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 import shlex
 from collections.abc import Iterator
@@ -101,57 +102,65 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
 
 
 def _candidates(evidence: Evidence, kind: Kind) -> Iterator[_Candidate]:
+    """Yield what could be run, what the README runs first."""
     ros = kind in {"ros1", "ros2"}
-    programs = {script.file for script in evidence.scripts}
+    yield from _written(evidence, ros=ros)
+    if ros:
+        yield from _launched(evidence)
+    else:
+        yield from _installed(evidence)
+
+
+def _written(evidence: Evidence, *, ros: bool) -> Iterator[_Candidate]:
+    programs = [script.file for script in evidence.scripts]
     for mention in evidence.mentions:
-        if mention.topic == "command" and mention.source == "readme" and not places.vendored(mention.file):
-            argv = tuple(mention.value.split())
-            if _PLACEHOLDER.search(mention.value) or any(part.rpartition("/")[2] in _TOOLS for part in argv):
+        if mention.topic != "command" or mention.source != "readme" or places.vendored(mention.file):
+            continue
+        argv = tuple(mention.value.split())
+        if _PLACEHOLDER.search(mention.value) or any(part.rpartition("/")[2] in _TOOLS for part in argv):
+            continue
+        if argv[0].startswith("python"):
+            here = _here(argv, programs)
+            if here is None:
                 continue
-            if argv[0].startswith("python"):
-                script = next((part for part in argv[1:] if part.endswith(".py")), None)
-                if script is not None and not (
-                    script.removeprefix("./") in programs or any(p.endswith("/" + script) for p in programs)
-                ):
-                    continue
-                argv = ("python3" if argv[0] != "python" and ros else "python", *argv[1:])
-            elif not ros:
-                continue
-            yield _Candidate(argv=argv, why="the README runs it", file=mention.file, line=mention.line, strong=True)
+            argv = ("python3" if ros else "python", *here)
+        elif not ros:
+            continue
+        yield _Candidate(argv=argv, why="the README runs it", file=mention.file, line=mention.line, strong=True)
+
+
+def _here(argv: tuple[str, ...], programs: list[str]) -> tuple[str, ...] | None:
+    """Return the arguments of a Python that runs a program of the tree, its path from the root; else ``None``."""
+    if argv[1:2] == ("-m",):
+        module = argv[2].replace(".", "/") if len(argv) > 2 else ""
+        return argv[1:] if {f"{module}.py", f"{module}/__main__.py"} & set(programs) else None
+    for position, part in enumerate(argv[1:], 1):
+        if part.endswith(".py"):
+            path = posixpath.normpath(part)
+            ends = [path] if path in programs else [program for program in programs if program.endswith("/" + path)]
+            return (*argv[1:position], ends[0], *argv[position + 1 :]) if len(ends) == 1 else None
+    return None
+
+
+def _launched(evidence: Evidence) -> Iterator[_Candidate]:
     for launch in evidence.launch:
-        if launch.package and ros and not places.test(launch.file):
+        if launch.package and not places.test(launch.file):
             start = ("roslaunch",) if launch.ros == 1 else ("ros2", "launch")
-            name = launch.file.rpartition("/")[2]
-            yield _Candidate(
-                argv=(*start, launch.package, name),
-                why="a launch file",
-                file=launch.file,
-                line=launch.line,
-                strong=False,
-            )
+            argv = (*start, launch.package, launch.file.rpartition("/")[2])
+            yield _Candidate(argv=argv, why="a launch file", file=launch.file, line=launch.line, strong=False)
+
+
+def _installed(evidence: Evidence) -> Iterator[_Candidate]:
     for project in evidence.python:
-        if not places.vendored(project.file):
+        if not project.folder:
             for script, line in project.scripts:
-                if not project.folder and not ros:
-                    yield _Candidate(
-                        argv=(script,),
-                        why="a program that the project installs",
-                        file=project.file,
-                        line=line,
-                        strong=False,
-                    )
-    if not ros:
-        for script_file in evidence.scripts:
-            path = script_file.file
-            if (
-                script_file.kind == "main"
-                and path.count("/") <= 1
-                and not places.vendored(path)
-                and not places.example(path)
-            ):
-                yield _Candidate(
-                    argv=("python", path), why="it has a __main__ guard", file=path, line=script_file.line, strong=False
-                )
+                why = "a program that the project installs"
+                yield _Candidate(argv=(script,), why=why, file=project.file, line=line, strong=False)
+    for program in evidence.scripts:
+        path = program.file
+        if program.kind == "main" and path.count("/") <= 1 and not places.vendored(path) and not places.example(path):
+            why = "it has a __main__ guard"
+            yield _Candidate(argv=("python", path), why=why, file=path, line=program.line, strong=False)
 
 
 def _gui(evidence: Evidence) -> bool:

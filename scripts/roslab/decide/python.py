@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from roslab.config.model import Config, Kind
+from roslab.decide.cuda import DEFAULT as CUDA
 from roslab.decide.cuda import decide_cuda
 from roslab.decide.decision import Python, Reason, Warning_
 from roslab.decide.pins import conda_pins, name_of
@@ -39,12 +40,10 @@ def decide_python(
                 )
             )
     else:
-        number = wanted or DEFAULT
+        number = wanted or _default(evidence, config, kind)
         if wanted is None:
-            reasons = (
-                Reason(question="python", answer=DEFAULT, reason="nothing is said: the default", weight=1),
-                *reasons,
-            )
+            why = "nothing is said: the Python of the base"
+            reasons = (Reason(question="python", answer=number, reason=why, weight=1), *reasons)
         manager = _manager(evidence, config, kind, ubuntu, number, chosen)
     declared, extra, notes = _declared(evidence, chosen, config, manager)
     warnings += notes
@@ -98,12 +97,20 @@ def _readable(line: str) -> str:
     return f"{name_of(line)} @ {line}" if line.startswith("git+") and name_of(line) else line
 
 
+def _default(evidence: Evidence, config: Config, kind: Kind) -> str:
+    """Return the Python of the base: of the CUDA image's Ubuntu, of the one asked for, else the default."""
+    ubuntu = config.base.ubuntu
+    if kind == "cuda":
+        ubuntu = cuda_ubuntu(decide_cuda(evidence, config).cuda or CUDA, ubuntu, DEFAULT)
+    return SYSTEM_PYTHON.get(ubuntu or "", DEFAULT)
+
+
 def _manager(evidence: Evidence, config: Config, kind: Kind, ubuntu: str | None, number: str, chosen: Chosen) -> str:
     """Return conda where an environment file says so or no base has that Python, else a virtual environment."""
     if chosen.conda or number.startswith("2"):
         return "conda"
     if kind == "cuda" and not config.base.image:
-        cuda = decide_cuda(evidence, config).cuda or "11.8"
+        cuda = decide_cuda(evidence, config).cuda or CUDA
         return "venv" if SYSTEM_PYTHON.get(cuda_ubuntu(cuda, config.base.ubuntu, number)) == number else "conda"
     if ubuntu or config.base.ubuntu:
         return "venv" if SYSTEM_PYTHON.get(config.base.ubuntu or ubuntu or "") == number else "conda"

@@ -35,8 +35,8 @@ _DEBS = re.compile(
     r"^\s*(?:-\s*)?(?:ADDITIONAL_DEBS|apt_packages|apt-packages|extra_packages|packages)\s*[:=]\s*[\"']?([a-z][\w .+-]{2,})[\"']?\s*$",
     re.MULTILINE,
 )
-_TRAVIS_APT = re.compile(r"^(\s*)packages:\s*\n((?:\1\s*-\s*[\w.+-]+\s*\n?)+)", re.MULTILINE)
-_FOLDED = re.compile(r"^(\s*)(?:-\s+)?\w+:\s*>-?\s*\n((?:\1\s+\S.*\n?)+)", re.MULTILINE)
+_TRAVIS_APT = re.compile(r"^([ \t]*)packages:[ \t]*\n((?:\1[ \t]*-[ \t]*[\w.+-]+[ \t]*(?:\n|\Z))+)", re.MULTILINE)
+_FOLDED = re.compile(r"^([ \t]*)(?:-[ \t]+)?\w+:[ \t]*>-?[ \t]*\n((?:\1[ \t]+\S.*\n?)+)", re.MULTILINE)
 
 
 def read(repository: Repository) -> Prose:

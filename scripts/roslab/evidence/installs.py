@@ -18,7 +18,7 @@ TRIGGER = re.compile(
 """A line without one of these words says nothing here."""
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
-_APT_NAME = re.compile(r"^(?:ros-\{distro\}-)?[a-z0-9][a-z0-9+.-]+$")
+_APT_NAME = re.compile(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
 _STOP = frozenset(
     "and or the to for if on with then is as in it a an from via by into version you your this that "
     "sudo apt apt-get pip pip3 will should can which using command following".split()

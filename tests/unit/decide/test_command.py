@@ -1,0 +1,97 @@
+"""What the image runs when nothing is said, and for which platforms it can exist."""
+
+from __future__ import annotations
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide.command import decide_command
+from roslab.decide.decision import Python
+from roslab.decide.platforms import decide_platforms
+from roslab.evidence.facts import CondaEnvironment, Dependency, Evidence, LaunchFile, Mention, RequirementFile, Script
+
+MAIN = Script(file="train.py", line=3, kind="main")
+LAUNCH = LaunchFile(file="launch/a.launch", line=1, package="me", ros=1, dependencies=(), gui=True)
+
+
+def run(value: str) -> Mention:
+    return Mention(topic="command", value=value, source="readme", file="README.md", line=9, text=value)
+
+
+def test_a_shell_where_several_could_be_meant() -> None:
+    evidence = Evidence(scripts=(MAIN, Script(file="eval.py", line=1, kind="main")))
+    choice = decide_command(evidence, Config(), "python", None)
+    assert choice.command == ("bash",)
+    assert choice.candidates == (("python", "train.py"), ("python", "eval.py"))
+
+
+def test_the_one_obvious_program() -> None:
+    assert decide_command(Evidence(scripts=(MAIN,)), Config(), "python", None).command == ("python", "train.py")
+    choice = decide_command(Evidence(launch=(LAUNCH,)), Config(), "ros1", None)
+    assert (choice.command, choice.gui) == (("roslaunch", "me", "a.launch"), True)
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        "python other.py",
+        "python train.py --data /path/to/data",
+        "python -m venv x",
+        "python setup.py install",
+        "roslaunch a b",
+    ],
+)
+def test_what_cannot_be_run_here_is_no_candidate(value: str) -> None:
+    assert decide_command(Evidence(mentions=(run(value),)), Config(), "python", None).candidates == ()
+
+
+def test_the_readme_comes_first_and_the_configuration_wins() -> None:
+    evidence = Evidence(
+        scripts=(MAIN, Script(file="b.py", line=1, kind="main")), mentions=(run("python train.py --go"),)
+    )
+    assert decide_command(evidence, Config(), "cuda", None).command == ("python", "train.py", "--go")
+    assert decide_command(evidence, Config(command="ls", gui=False), "cuda", None).command == "ls"
+
+
+def platforms(*lines: str, base: str = "ubuntu:22.04", **more: object) -> tuple[str, ...]:
+    dependencies = tuple(
+        Dependency(namespace="pip", name=line, strength="declared", file="r.txt", line=1) for line in lines
+    )
+    file = RequirementFile(
+        file="r.txt", line=1, dependencies=dependencies, includes=(), constraints=(), options=(), purpose="run"
+    )
+    python = Python(version="3.10", manager="venv", requirements=("r.txt",))
+    given = {"kind": "python", "ros_distro": None, "cuda": None, **more}
+    choice = decide_platforms(
+        Evidence(requirements=(file,)), Config(), given["kind"], base, given["ros_distro"], given["cuda"], python
+    )  # type: ignore[arg-type]
+    assert len(choice.platforms) + len(choice.refused) == 2
+    return choice.platforms
+
+
+BOTH = ("linux/amd64", "linux/arm64")
+
+
+def test_platforms() -> None:
+    assert platforms("numpy") == BOTH
+    assert platforms(base="ros:humble-ros-base", kind="ros2", ros_distro="humble") == BOTH
+    assert platforms(base="osrf/ros:noetic-desktop", kind="ros1", ros_distro="noetic") == BOTH[:1]
+    assert platforms(kind="cuda", cuda="11.8", base="nvidia/cuda:11.8.0-cudnn8-devel-ubuntu22.04") == BOTH[:1]
+    assert platforms("open3d==0.12.0") == BOTH[:1]
+    assert platforms("open3d==0.18.0") == BOTH
+    assert platforms("mujoco-py") == BOTH[:1]
+
+
+def test_conda_builds_of_one_platform() -> None:
+    environment = CondaEnvironment(
+        file="e.yml", line=1, name=None, python="3.9", channels=(), packages=("numpy=1.2=py39h_0",), dependencies=()
+    )
+    python = Python(version="3.9", manager="conda", conda_file="e.yml")
+    choice = decide_platforms(Evidence(conda=(environment,)), Config(), "python", "ubuntu:22.04", None, None, python)
+    assert choice.refused[0][0] == "linux/arm64"
+
+
+def test_configured_platforms() -> None:
+    config = Config(platforms=("linux/arm64",))
+    python = Python(version=None, manager="system")
+    assert decide_platforms(Evidence(), config, "ros1", "osrf/ros:x", None, None, python).platforms == ("linux/arm64",)

@@ -1,0 +1,110 @@
+"""CUDA, and the images of plain Python and CUDA repositories."""
+
+from __future__ import annotations
+
+import pytest
+
+from roslab.config.model import Base, Config
+from roslab.decide.cuda import decide_cuda
+from roslab.decide.python_base import base_for
+from roslab.evidence.facts import CondaEnvironment, Dependency, Evidence, Mention, RequirementFile
+from roslab.knowledge.frameworks import cuda_images, nearest_cuda_image
+
+
+def asked(*lines: str) -> RequirementFile:
+    dependencies = tuple(
+        Dependency(namespace="pip", name=line, strength="declared", file="requirements.txt", line=number)
+        for number, line in enumerate(lines, 1)
+    )
+    return RequirementFile(
+        file="requirements.txt",
+        line=1,
+        dependencies=dependencies,
+        includes=(),
+        constraints=(),
+        options=(),
+        purpose="run",
+    )
+
+
+def said(value: str, text: str = "") -> Mention:
+    return Mention(topic="cuda", value=value, source="readme", file="README.md", line=1, text=text)
+
+
+@pytest.mark.parametrize(
+    ("evidence", "cuda"),
+    [
+        (Evidence(requirements=(asked("torch==2.0.1"),)), "11.7"),
+        (Evidence(requirements=(asked("torch==1.10.0+cu113"),)), "11.3"),
+        (Evidence(requirements=(asked("torch==1.10.0"),)), "11.1"),  # 10.2 is gone, another wheel exists
+        (Evidence(requirements=(asked("tensorflow-gpu==2.5.2"),)), "11.2"),
+        (Evidence(requirements=(asked("jax[cuda11_pip]==0.4.20"),)), "11.8"),
+        (Evidence(requirements=(asked("torch==2.0.1"),), mentions=(said("11.8"),)), "11.7"),
+        (Evidence(requirements=(asked("torch"),), mentions=(said("11.3"),)), "11.3"),
+        (Evidence(requirements=(asked("torch"),), mentions=(said("9.0", "CUDA 9.0 or above"),)), "12.8"),
+        (Evidence(cuda_files=("a.cu",)), "11.8"),
+    ],
+)
+def test_frameworks_decide(evidence: Evidence, cuda: str) -> None:
+    assert decide_cuda(evidence, Config()).cuda == cuda
+
+
+def test_nothing_asks_for_it() -> None:
+    assert decide_cuda(Evidence(), Config()).cuda is None
+
+
+def test_conda_toolkit_beats_the_default_wheel() -> None:
+    environment = CondaEnvironment(
+        file="environment.yml", line=1, name=None, python="3.9", channels=(), packages=("pytorch=1.12.1", "cudatoolkit=11.6"), dependencies=()
+    )  # fmt: skip
+    choice = decide_cuda(Evidence(conda=(environment,)), Config())
+    assert (choice.cuda, choice.cudnn) == ("11.6", "8")
+    assert [reason.decisive for reason in choice.reasons] == [True, False]
+
+
+def test_a_deleted_image_is_replaced_with_a_warning() -> None:
+    choice = decide_cuda(Evidence(requirements=(asked("tensorflow-gpu==1.13.1"),)), Config())
+    assert choice.cuda == "11.0"
+    assert "CUDA 10.0" in choice.warnings[0].message
+    assert choice.warnings[0].file == "requirements.txt"
+
+
+def test_the_configuration_wins() -> None:
+    choice = decide_cuda(Evidence(requirements=(asked("torch==2.0.1"),)), Config(base=Base(cuda="12.1")))
+    assert choice.cuda == "12.1"
+
+
+@pytest.mark.parametrize(
+    ("cuda", "python", "image"),
+    [
+        ("11.8", "3.10", "nvidia/cuda:11.8.0-cudnn8-devel-ubuntu22.04"),
+        ("11.3", "3.8", "nvidia/cuda:11.3.1-cudnn8-devel-ubuntu20.04"),
+        ("11.3", "3.6", "nvidia/cuda:11.3.1-cudnn8-devel-ubuntu18.04"),
+        ("12.1", "3.9", "nvidia/cuda:12.1.1-cudnn8-devel-ubuntu20.04"),
+        ("12.8", "3.12", "nvidia/cuda:12.8.1-cudnn-devel-ubuntu24.04"),
+        ("10.0", "3.6", "nvidia/cuda:11.0.3-cudnn8-devel-ubuntu18.04"),
+    ],
+)
+def test_cuda_images(cuda: str, python: str, image: str) -> None:
+    assert base_for("cuda", cuda, None, None, python)[0] == image
+
+
+@pytest.mark.parametrize(
+    ("python", "ubuntu", "image"),
+    [
+        ("3.8", None, "ubuntu:20.04"),
+        ("3.10", None, "ubuntu:22.04"),
+        ("3.7", None, "python:3.7-slim-bookworm"),
+        ("3.7", "focal", "ubuntu:20.04"),
+        ("2.7", None, "ubuntu:18.04"),
+        (None, None, "ubuntu:22.04"),
+    ],
+)
+def test_python_images(python: str | None, ubuntu: str | None, image: str) -> None:
+    assert base_for("python", None, None, ubuntu, python)[0] == image
+
+
+def test_every_image_row_can_be_named() -> None:
+    for row in cuda_images():
+        assert bool(row.tag) == bool(row.ubuntu)
+        assert nearest_cuda_image(row.cuda).tag

@@ -1,0 +1,158 @@
+"""Which Python with which packages, from small trees to an answer."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Base, Config, Kind
+from roslab.decide.decision import Python
+from roslab.decide.python import decide_python, specifiers
+from roslab.decide.wheels import apt_for_wheels
+from roslab.evidence import conda, dockerfile, imports, python_project, readme, requirements
+from roslab.evidence.facts import Evidence
+from roslab.repository import Repository
+
+
+def evidence_of(tmp_path: Path, files: dict[str, str]) -> Evidence:
+    for name, text in files.items():
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    repository = Repository.open(tmp_path)
+    prose = readme.read(repository)
+    return Evidence(
+        python=python_project.read(repository),
+        requirements=requirements.read(repository),
+        conda=conda.read(repository),
+        recipes=dockerfile.read(repository),
+        code=imports.read(repository),
+        scripts=imports.scripts(repository),
+        prose=prose.dependencies,
+        sources=prose.sources,
+        mentions=prose.mentions,
+    )
+
+
+def decide(
+    tmp_path: Path,
+    files: dict[str, str],
+    kind: Kind = "python",
+    ubuntu: str | None = None,
+    config: Config | None = None,
+) -> Python:
+    ros = "noetic" if kind == "ros1" else None
+    return decide_python(evidence_of(tmp_path, files), config or Config(), kind, ubuntu, ros)[0]
+
+
+@pytest.mark.parametrize(
+    ("files", "version"),
+    [
+        ({"requirements.txt": "torch==1.7.1\n"}, "3.8"),
+        ({"requirements.txt": "torch==2.1.0\n"}, "3.10"),
+        ({"requirements.txt": "tensorflow-gpu==1.4.0\n"}, "3.6"),
+        ({"requirements.txt": "numpy==1.19.5\nscipy==1.4.1\n"}, "3.8"),
+        ({"requirements.txt": "numpy==1.26.4\n", "README.md": "Python 3.11"}, "3.11"),
+        ({"requirements.txt": "numpy==1.26.4\n", "README.md": "Python 2.7"}, "3.10"),
+        ({"README.md": "conda create -n x python=3.7 -y"}, "3.7"),
+        ({"README.md": "Python 3.6, 3.7 or 3.8 (3.8 recommended)"}, "3.8"),
+        ({"environment.yml": "dependencies:\n  - python=3.9.1\n"}, "3.9"),
+        ({"pyproject.toml": "[project]\nname='a'\nrequires-python='>=3.12'\n"}, "3.12"),
+        ({"requirements.txt": "https://e.org/whl/torch-1.1.0-cp27-cp27mu-linux_x86_64.whl\n"}, "2.7"),
+        ({"a.py": "import numpy\n"}, "3.10"),
+    ],
+)
+def test_version(tmp_path: Path, files: dict[str, str], version: str) -> None:
+    assert decide(tmp_path, files).version == version
+
+
+def test_the_configuration_wins(tmp_path: Path) -> None:
+    config = Config(base=Base(python="3.9"), requirements=("b.txt",), pip3=("six",))
+    python = decide(tmp_path, {"requirements.txt": "numpy\n", "requirements-b.txt": "scipy\n"}, config=config)
+    assert (python.version, python.requirements, python.pip) == ("3.9", (), ("six",))
+
+
+def test_ros_takes_the_system_python(tmp_path: Path) -> None:
+    python = decide(tmp_path, {"pkg/requirements.txt": "numpy==1.19.5\n"}, kind="ros1", ubuntu="focal")
+    assert (python.version, python.manager, python.requirements) == (None, "system", ("pkg/requirements.txt",))
+
+
+@pytest.mark.parametrize(
+    ("files", "chosen"),
+    [
+        (("requirements.txt", "requirements_frozen.txt", "docs/requirements.txt"), ("requirements.txt",)),
+        (("python/requirements.txt", "third_party/x/requirements.txt"), ("python/requirements.txt",)),
+        (("requirements/base.txt", "requirements/dev.txt"), ("requirements/base.txt",)),
+        (("requirement.txt",), ("requirement.txt",)),
+        (("requirements-gpu.txt",), ("requirements-gpu.txt",)),
+    ],
+)
+def test_the_plainest_requirement_file_nearest_to_the_root(
+    tmp_path: Path, files: tuple[str, ...], chosen: tuple[str, ...]
+) -> None:
+    assert decide(tmp_path, dict.fromkeys(files, "six\n")).requirements == chosen
+
+
+def test_files_and_projects_that_the_readme_installs(tmp_path: Path) -> None:
+    files = {
+        "README.md": "```\npip install -r requirements_sim.txt\ncd third_party/gym && pip install -e ./third_party/gym\n```\n",
+        "requirements_sim.txt": "six\n",
+        "setup.py": "from setuptools import setup\nsetup(name='a')\n",
+        "third_party/gym/setup.py": "from setuptools import setup\nsetup(name='gym')\n",
+        "third_party/other/setup.py": "from setuptools import setup\nsetup(name='other')\n",
+    }
+    python = decide(tmp_path, files)
+    assert python.requirements == ("requirements_sim.txt",)
+    assert python.projects == (".", "third_party/gym")
+
+
+def test_conda_where_nothing_plainer_is_said(tmp_path: Path) -> None:
+    environment = "dependencies:\n  - python=3.9\n  - pytorch=1.12.1\n  - pip:\n    - einops==0.4\n"
+    evidence = evidence_of(tmp_path / "a", {"conda_env.yaml": environment})
+    python = decide_python(evidence, Config(), "cuda", None, None)[0]
+    assert (python.manager, python.conda_file) == ("conda", "conda_env.yaml")
+    assert specifiers(evidence, python) == ("einops==0.4", "torch==1.12.1")
+    both = decide(tmp_path / "b", {"conda_env.yaml": environment, "requirements.txt": "torch==1.12.1\n"})
+    assert both.conda_file is None
+
+
+def test_guesses_come_from_prose_and_imports_and_never_twice(tmp_path: Path) -> None:
+    files = {
+        "requirements.txt": "opencv-python-headless\nnumpy\n",
+        "README.md": "`pip install torch==1.10.0+cu113 -f https://download.pytorch.org/whl/cu113/torch_stable.html`",
+        "a.py": "import cv2, numpy, yaml, unheard_of\n",
+    }
+    python = decide(tmp_path, files, kind="cuda")
+    assert python.pip_guessed == ("torch==1.10.0+cu113", "PyYAML")
+    assert python.options == ("--find-links https://download.pytorch.org/whl/cu113/torch_stable.html",)
+
+
+def test_a_file_that_pip_would_refuse_is_installed_line_by_line(tmp_path: Path) -> None:
+    python = decide(tmp_path, {"requirements.txt": '"numpy == 2.3.5"\nsix\n'})
+    assert (python.requirements, python.pip) == ((), ("numpy==2.3.5", "six"))
+
+
+def test_what_must_be_there_first(tmp_path: Path) -> None:
+    files = {
+        "requirements.txt": "torch==2.0.1\nflash-attn\n",
+        "setup.py": "from torch.utils.cpp_extension import CUDAExtension\nfrom setuptools import setup\nsetup(name='a')\n",
+    }
+    assert decide(tmp_path, files).first == ("torch==2.0.1", "packaging", "ninja", "numpy")
+
+
+def test_wheels_bring_their_system_packages(tmp_path: Path) -> None:
+    evidence = evidence_of(tmp_path, {"requirements.txt": "opencv-python\nmatplotlib\n"})
+    python = decide_python(evidence, Config(), "python", None, None)[0]
+    found = dict(apt_for_wheels(python, "focal", evidence))
+    assert {"libgl1", "libglib2.0-0", "python3-tk"} <= set(found)
+    assert (found["libgl1"].file, found["libgl1"].line) == ("requirements.txt", 1)
+    assert "libgl1-mesa-glx" in dict(apt_for_wheels(python, "xenial", evidence))
+
+
+def test_imports_of_ros_code_come_from_apt(tmp_path: Path) -> None:
+    evidence = evidence_of(tmp_path, {"n.py": "import numpy\nimport rospy\nimport ultralytics\n"})
+    focal = decide_python(evidence, Config(), "ros1", "focal", "noetic")[0]
+    assert [name for name, _ in apt_for_wheels(focal, "focal", evidence)] == ["python3-numpy"]
+    assert focal.pip_guessed == ("ultralytics",)
+    assert [name for name, _ in apt_for_wheels(focal, "bionic", evidence)] == ["python-numpy"]

@@ -1,0 +1,65 @@
+"""Which of the author's recipes can be believed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide.recipe import decide_recipe, doubt
+from roslab.evidence.facts import Evidence, Recipe
+
+GOOD = Recipe(
+    file="docker/Dockerfile", line=1, base="ros:noetic-ros-base", base_line=1, copies_repository=True, clones=(),
+    build_tool=None, dependencies=(), command=(), purpose="project", context="",
+)  # fmt: skip
+
+
+def test_a_good_one_is_believed() -> None:
+    choice = decide_recipe(Evidence(recipes=(GOOD,)), Config(), "ros1", "noetic")
+    assert (choice.dockerfile, choice.context) == ("docker/Dockerfile", "")
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        ({"purpose": "documentation"}, "documentation"),
+        ({"purpose": "vendored"}, "copy of other"),
+        ({"purpose": "broken", "problem": "line 3"}, "does not parse"),
+        ({"copies_repository": False}, "does not copy"),
+        ({"clones_itself": True}, "clones"),
+        ({"problem": "line 4 needs a private key or token"}, "private"),
+        ({"context": "sub"}, "builds sub"),
+        ({"base": "ros:${D}"}, "not known"),
+        ({"base": "ros:melodic-ros-base"}, "it is for melodic"),
+        ({"base": "nvidia/cuda:10.0-cudnn7-devel-ubuntu16.04"}, "deleted"),
+        ({"base": "nvidia/cuda:11.3.0-devel-ubuntu20.04"}, "deleted"),
+        ({"base": "nvidia/cudagl:11.3.1-devel-ubuntu20.04"}, "no longer built"),
+    ],
+)
+def test_doubts(change: dict[str, object], why: str) -> None:
+    recipe = replace(GOOD, **change)  # type: ignore[arg-type]
+    assert why in (doubt(recipe, "ros1", "noetic") or "")
+    choice = decide_recipe(Evidence(recipes=(recipe,)), Config(), "ros1", "noetic")
+    assert choice.dockerfile is None
+    assert why in choice.reasons[0].reason
+
+
+def test_the_distro_in_the_path_comes_first() -> None:
+    recipes = (replace(GOOD, file="docker/Dockerfile.melodic"), replace(GOOD, file="docker/Dockerfile.noetic"))
+    assert decide_recipe(Evidence(recipes=recipes), Config(), "ros1", "noetic").dockerfile == "docker/Dockerfile.noetic"
+
+
+def test_a_link_of_a_chain_is_doubted() -> None:
+    chain = (
+        replace(GOOD, file="images/base/Dockerfile"),
+        replace(GOOD, file="images/top/Dockerfile", base="me/img:base"),
+    )
+    choice = decide_recipe(Evidence(recipes=chain), Config(), "ros1", "noetic")
+    assert choice.dockerfile == "images/base/Dockerfile"
+
+
+def test_the_configuration_wins() -> None:
+    choice = decide_recipe(Evidence(recipes=(GOOD,)), Config(dockerfile="x/Dockerfile", context="x"), "ros1", "noetic")
+    assert (choice.dockerfile, choice.context) == ("x/Dockerfile", "x")

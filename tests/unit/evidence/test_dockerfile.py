@@ -1,0 +1,112 @@
+"""The author's Dockerfiles."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.evidence import dockerfile
+from roslab.evidence.facts import Recipe
+from roslab.repository import Repository
+
+
+def read(tmp_path: Path, files: dict[str, str]) -> dict[str, Recipe]:
+    for name, text in files.items():
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return {recipe.file: recipe for recipe in dockerfile.read(Repository.open(tmp_path))}
+
+
+RECIPE = """\
+ARG DISTRO=noetic
+FROM ros:${DISTRO}-ros-base AS base
+RUN apt-get update && apt-get install -y --no-install-recommends \\
+    libone-dev \\
+    # the second
+    ros-${ROS_DISTRO}-two \\
+  && pip3 install "numpy==1.2"
+# RUN apt-get install nothing
+FROM base
+COPY . /ws/src/me
+RUN <<EOF
+apt-get install -y libthree
+catkin build
+EOF
+CMD ["roslaunch", "me", "it.launch"]
+"""
+
+
+def test_a_recipe_of_the_project(tmp_path: Path) -> None:
+    recipe = read(tmp_path, {"docker/Dockerfile": RECIPE, "package.xml": "<package/>"})["docker/Dockerfile"]
+    assert (recipe.base, recipe.base_line, recipe.purpose) == ("ros:noetic-ros-base", 9, "project")
+    assert [(d.namespace, d.name, d.line) for d in recipe.dependencies] == [
+        ("apt", "libone-dev", 4),
+        ("apt", "ros-{distro}-two", 6),
+        ("pip", "numpy==1.2", 7),
+        ("apt", "libthree", 12),
+    ]
+    assert (recipe.copies_repository, recipe.context, recipe.build_tool) == (True, "", "catkin_tools")
+    assert recipe.command == ("roslaunch", "me", "it.launch")
+    assert recipe.arguments == (("DISTRO", "noetic"),)
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["Dockerfile", "Dockerfile.noetic", "Dockerfile_20_04", "full.Dockerfile", "x.dockerfile", "docker/dockerfile",
+     ".docker/Dockerfile", ".devcontainer/Dockerfile", "Dockerfile/Dockerfile", "Containerfile"],
+)  # fmt: skip
+def test_usual_names(tmp_path: Path, path: str) -> None:
+    assert path in read(tmp_path, {path: "FROM ubuntu:20.04\n"})
+
+
+@pytest.mark.parametrize("path", ["Dockerfile.md", "dockerfile.py", "Dockerfile.j2", "docker/readme"])
+def test_other_names(tmp_path: Path, path: str) -> None:
+    assert read(tmp_path, {path: "FROM ubuntu:20.04\n"}) == {}
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "purpose"),
+    [
+        ("docs/Dockerfile", "FROM ubuntu\n", "documentation"),
+        ("third_party/x/Dockerfile", "FROM ubuntu\n", "vendored"),
+        (".github/Dockerfile", "FROM ubuntu\n", "ci"),
+        ("deploy/Dockerfile", "FROM nvcr.io/nvidia/l4t-base:r32\n", "deploy"),
+        ("Dockerfile", "FROM ubuntu\nRNU x\n", "broken"),
+        ("Dockerfile", "RUN x\n", "broken"),
+        ("Dockerfile", "# nothing\n", "broken"),
+    ],
+)
+def test_purposes(tmp_path: Path, path: str, text: str, purpose: str) -> None:
+    assert read(tmp_path, {path: text})[path].purpose == purpose
+
+
+def test_context_is_where_everything_copied_lies(tmp_path: Path) -> None:
+    text = "FROM ubuntu:20.04\nCOPY requirements.txt /\nCOPY node /node\n"
+    files = {"ros1/docker/Dockerfile": text, "ros1/requirements.txt": "", "ros1/node/a.py": "", "requirements.txt": ""}
+    recipe = read(tmp_path, files)["ros1/docker/Dockerfile"]
+    assert (recipe.context, recipe.copies_repository, recipe.problem) == ("ros1", True, None)
+
+
+def test_what_it_copies_must_be_there(tmp_path: Path) -> None:
+    recipe = read(tmp_path, {"Dockerfile": "FROM ubuntu:20.04\nCOPY . /x\nCOPY key.pem /\n"})["Dockerfile"]
+    assert recipe.problem == "line 3 copies key.pem, which the repository does not hold"
+    assert recipe.purpose == "project"
+
+
+def test_a_recipe_that_clones_itself(tmp_path: Path) -> None:
+    folder = tmp_path / "thing"
+    recipe = read(folder, {"Dockerfile": "FROM ubuntu:20.04\nRUN git clone https://github.com/me/thing.git\n"})[
+        "Dockerfile"
+    ]
+    assert (recipe.clones_itself, recipe.copies_repository) == (True, True)
+
+
+def test_private_tokens_are_noticed(tmp_path: Path) -> None:
+    text = "FROM ubuntu:20.04\nARG T\nRUN git clone https://me:${T_TOKEN}@github.com/a/b\n"
+    assert "private" in (read(tmp_path, {"Dockerfile": text})["Dockerfile"].problem or "")
+
+
+def test_an_argument_without_default_stays(tmp_path: Path) -> None:
+    assert read(tmp_path, {"Dockerfile": "ARG D\nFROM ros:${D}-ros-core\n"})["Dockerfile"].base == "ros:${D}-ros-core"

@@ -1,0 +1,136 @@
+"""README pages, CI files and install scripts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from roslab.evidence import ci, readme, scripts
+from roslab.evidence.facts import Prose
+from roslab.repository import Repository
+
+
+def read(module: ModuleType, tmp_path: Path, files: dict[str, str]) -> Prose:
+    for name, text in files.items():
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    found: Prose = module.read(Repository.open(tmp_path))
+    return found
+
+
+def named(prose: Prose, namespace: str = "apt") -> list[tuple[str, int]]:
+    return [(d.name, d.line) for d in prose.dependencies if d.namespace == namespace]
+
+
+README = """\
+# Thing
+Tested on Ubuntu 18.04 with ROS Melodic, Python 3.6, 3.7 or 3.8 and CUDA 10.2.
+
+## Install
+```bash
+sudo apt-get install liba-dev \\
+    ros-YOUR_DISTRO-b
+git clone https://github.com/x/dep.git -b v2
+```
+1. `pip install numpy==1.2` and `sudo apt install libc`
+2. $ sudo apt-get install libd
+
+    sudo apt-get install libe
+
+You need to install the libf package.
+```
+roslaunch thing it.launch
+```
+
+## Windows
+```
+pip install pywin32
+```
+## Real robot
+    sudo apt-get install librealsense2-dkms
+## Run
+python run.py --go
+"""
+
+
+def test_a_readme(tmp_path: Path) -> None:
+    prose = read(readme, tmp_path, {"README.md": README})
+    assert named(prose) == [("liba-dev", 6), ("ros-{distro}-b", 7), ("libc", 10), ("libd", 11), ("libe", 13)]
+    assert named(prose, "pip") == [("numpy==1.2", 10)]
+    assert [(s.name, s.ref) for s in prose.sources] == [("dep", "v2")]
+    mentions = {(m.topic, m.value) for m in prose.mentions}
+    assert {("ubuntu", "18.04"), ("distro", "melodic"), ("cuda", "10.2")} <= mentions
+    assert {("python", "3.6"), ("python", "3.7"), ("python", "3.8")} <= mentions
+    assert {("command", "roslaunch thing it.launch"), ("command", "python run.py --go")} <= mentions
+
+
+def test_other_pages_and_formats(tmp_path: Path) -> None:
+    files = {
+        "README.rst": "Install\n=======\n\n.. code-block:: bash\n\n   sudo apt-get install liba\n",
+        "docs/installation.md": "```\nsudo apt-get install libb\n```\n",
+        "docs/theory.md": "```\nsudo apt-get install libc\n```\n",
+        "third_party/x/README.md": "```\nsudo apt-get install libd\n```\n",
+        "INSTALL": "apt-get install libe\n",
+    }
+    assert {name for name, _ in named(read(readme, tmp_path, files))} == {"liba", "libb", "libe"}
+
+
+@pytest.mark.parametrize("line", ["a rolling stone", "the iron rod", "kinetic energy"])
+def test_words_that_only_look_like_distros(tmp_path: Path, line: str) -> None:
+    assert not [m for m in read(readme, tmp_path, {"README.md": line}).mentions if m.topic == "distro"]
+
+
+CI = """\
+on: push
+jobs:
+  build:
+    strategy:
+      matrix:
+        distro: [humble, jazzy]  # ROS
+    container:
+      image: ros:${{ matrix.distro }}
+    steps:
+      - run: |
+          sudo apt-get update
+          sudo apt-get install -y liba \\
+            ros-${{ matrix.ros_distro }}-b
+      - run: sudo apt-get install libc
+      - name: folded
+        run: >
+          sudo apt-get install
+          libd
+          libe
+      # - run: sudo apt-get install libx
+    env:
+      ADDITIONAL_DEBS: "libf libg"
+"""
+
+
+def test_github_actions(tmp_path: Path) -> None:
+    prose = read(
+        ci, tmp_path, {".github/workflows/main.yml": CI, ".github/workflows/docs.yml": "run: apt-get install z\n"}
+    )
+    assert {name for name, _ in named(prose)} == {"liba", "ros-{distro}-b", "libc", "libd", "libe", "libf", "libg"}
+    assert ("liba", 12) in named(prose)
+    assert {m.value for m in prose.mentions if m.topic == "distro"} == {"humble", "jazzy"}
+
+
+def test_travis_lists(tmp_path: Path) -> None:
+    text = "dist: xenial\naddons:\n  apt:\n    packages:\n    - liba\n    - libb\nscript:\n  - catkin_make\n"
+    prose = read(ci, tmp_path, {".travis.yml": text})
+    assert named(prose) == [("liba", 5), ("libb", 6)]
+    assert {(m.topic, m.value) for m in prose.mentions} == {("ubuntu", "xenial"), ("build_tool", "catkin_make")}
+
+
+def test_install_scripts_and_lists(tmp_path: Path) -> None:
+    files = {
+        "scripts/install_deps.sh": 'DEPS="liba libb"\nsudo apt-get install -y $DEPS libc\n',
+        "scripts/plot.sh": "apt-get install libx\n",
+        "install_jetson.sh": "apt-get install liby\n",
+        "apt.txt": "libd\nlibe\n",
+    }
+    assert {name for name, _ in named(read(scripts, tmp_path, files))} >= {"libc", "libd", "libe"}
+    assert not {name for name, _ in named(read(scripts, tmp_path, files))} & {"libx", "liby"}

@@ -1,0 +1,96 @@
+"""Requirements files, as people write them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.evidence import requirements
+from roslab.repository import Repository
+
+
+def read(tmp_path: Path, files: dict[str, str]) -> dict[str, requirements.RequirementFile]:
+    for name, text in files.items():
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return {file.file: file for file in requirements.read(Repository.open(tmp_path))}
+
+
+@pytest.mark.parametrize(
+    ("line", "name", "role"),
+    [
+        ("numpy", "numpy", ""),
+        ("numpy == 2.3.5", "numpy==2.3.5", ""),
+        ('"numpy == 2.3.5"', "numpy==2.3.5", "repaired"),
+        ("torch>=1.7, <2", "torch>=1.7,<2", ""),
+        ("absl-py>=0.7.0  # flags", "absl-py>=0.7.0", ""),
+        ("hydra-core[all]~=1.1", "hydra-core[all]~=1.1", ""),
+        ("numpy=1.19.5", "numpy==1.19.5", "repaired"),
+        ("certifi=2020.6.20=py37_0", "certifi==2020.6.20", "repaired"),
+        ("certifi @ file:///tmp/build/certifi", "certifi", "repaired"),
+        ("clip @ git+https://github.com/openai/CLIP.git", "clip @ git+https://github.com/openai/CLIP.git", ""),
+        ("git+https://github.com/a/b.git@v1#egg=b", "git+https://github.com/a/b.git@v1#egg=b", ""),
+        ("-e git+https://github.com/a/b.git#egg=b", "git+https://github.com/a/b.git#egg=b", "editable"),
+        ("-e .", ".", "project"),
+        ("./third_party/gym", "./third_party/gym", "project"),
+        ("torch==1.10.0+cu113", "torch==1.10.0+cu113", ""),
+        ("six==1.16.0 --hash=sha256:abc", "six==1.16.0", ""),
+    ],
+)
+def test_a_line_means_what_its_author_meant(tmp_path: Path, line: str, name: str, role: str) -> None:
+    (dependency,) = read(tmp_path, {"requirements.txt": f"\n{line}\n"})["requirements.txt"].dependencies
+    assert (dependency.name, dependency.role, dependency.line) == (name, role, 2)
+
+
+def test_markers_become_conditions(tmp_path: Path) -> None:
+    found = read(tmp_path, {"requirements.txt": "pywin32; sys_platform == 'win32'\n"})
+    assert found["requirements.txt"].dependencies[0].condition == "sys_platform == 'win32'"
+
+
+def test_options_includes_and_constraints(tmp_path: Path) -> None:
+    text = "--extra-index-url https://e.org/whl\n-f https://f.org\n-r base.txt\n-c pins/c.txt\n-r ../outside.txt\n"
+    found = read(tmp_path, {"requirements/all.txt": text, "requirements/base.txt": "six\n-r all.txt\n"})
+    file = found["requirements/all.txt"]
+    assert file.options == ("--extra-index-url https://e.org/whl", "--find-links https://f.org")
+    assert file.includes == ("requirements/base.txt", "outside.txt")
+    assert file.constraints == ("requirements/pins/c.txt",)
+    assert found["requirements/base.txt"].includes == ("requirements/all.txt",)
+
+
+@pytest.mark.parametrize(
+    ("path", "purpose"),
+    [
+        ("requirements.txt", "run"),
+        ("requirement.txt", "run"),
+        ("python/requirements-gpu.txt", "run"),
+        ("docs/requirements.txt", "docs"),
+        ("requirements-dev.txt", "dev"),
+        ("test_requirements.txt", "test"),
+        ("third_party/pybind11/requirements.txt", "vendored"),
+    ],
+)
+def test_purpose_is_told_by_the_path(tmp_path: Path, path: str, purpose: str) -> None:
+    assert read(tmp_path, {path: "six\n"})[path].purpose == purpose
+
+
+@pytest.mark.parametrize("name", ["apt-requirements.txt", "conda-requirements.txt", "CMakeLists.txt", "data.txt"])
+def test_other_lists_are_left_alone(tmp_path: Path, name: str) -> None:
+    assert read(tmp_path, {name: "libfoo-dev\n", "other": ""}) == {}
+
+
+def test_utf_16_and_stray_bytes(tmp_path: Path) -> None:
+    (tmp_path / "requirements.txt").write_bytes("numpy==1.2\r\nscipy\r\n".encode("utf-16"))
+    (tmp_path / "requirements-b.txt").write_bytes(b"six\n\xff\xfe\xfa\nyaml\n")
+    first, second = requirements.read(Repository.open(tmp_path))
+    names = sorted(d.name for file in (first, second) for d in file.dependencies)
+    assert names == ["numpy==1.2", "scipy", "six", "yaml"]
+
+
+def test_a_giant_file_is_read_as_far_as_a_person_writes(tmp_path: Path) -> None:
+    with (tmp_path / "requirements.txt").open("wb") as stream:
+        stream.write(b"numpy\n" * 1000)
+        stream.truncate(2 * 1024**3)
+    (file,) = requirements.read(Repository.open(tmp_path))
+    assert len(file.dependencies) <= requirements.MAX_LINES
