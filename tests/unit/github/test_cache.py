@@ -1,0 +1,68 @@
+"""A pull request cannot leave a layer for anybody, a release starts from none."""
+
+from __future__ import annotations
+
+import pytest
+
+from roslab.github.cache import layers
+from roslab.github.event import Event, publication
+
+IMAGE = "ghcr.io/lab/robot"
+
+
+def event(**said: object) -> Event:
+    usual = {
+        "name": "push",
+        "repository": "lab/robot",
+        "ref": "refs/heads/main",
+        "sha": "0" * 40,
+        "default_branch": "main",
+    }
+    return Event(**{**usual, **said})  # type: ignore[arg-type]
+
+
+def decide(found: Event, wish: str = "auto") -> tuple[tuple[str, ...], tuple[str, ...]]:
+    decided = layers(found, publication(found, "auto"), wish, image=IMAGE, part="linux-arm64")  # type: ignore[arg-type]
+    assert decided.reason
+    return decided.read, decided.write
+
+
+def reference(branch: str) -> str:
+    return f"type=registry,ref={IMAGE}:buildcache-{branch}-linux-arm64"
+
+
+def test_a_branch_reads_its_own_and_the_default_branchs_and_writes_its_own() -> None:
+    assert decide(event()) == ((reference("main"),), (f"{reference('main')},mode=max,ignore-error=true",))
+    read, write = decide(event(ref="refs/heads/feature/x"))
+    assert read == (reference("feature-x"), reference("main"))
+    assert write == (f"{reference('feature-x')},mode=max,ignore-error=true",)
+
+
+@pytest.mark.parametrize("head", ["lab/robot", "stranger/robot", None])
+def test_a_pull_request_reads_and_never_writes(head: str | None) -> None:
+    found = event(name="pull_request", ref="refs/pull/7/merge", proposed=True, head=head, base_branch="next")
+    assert decide(found) == ((reference("next"), reference("main")), ())
+    assert decide(found, "registry")[1] == ()
+
+
+def test_a_release_reads_and_writes_nothing() -> None:
+    assert decide(event(ref="refs/tags/v1.0.0"), "registry") == ((), ())
+
+
+def test_a_scheduled_build_reads_nothing() -> None:
+    read, write = decide(event(name="schedule"))
+    assert read == ()
+    assert write
+
+
+def test_off() -> None:
+    assert decide(event(), "none") == ((), ())
+    assert decide(event(act=True)) == ((), ())
+    assert decide(event(act=True), "registry")[1]
+
+
+def test_a_tag_of_the_cache_is_a_valid_tag() -> None:
+    read, _ = decide(event(ref="refs/heads/" + "ö/" * 100))
+    tag = read[0].rpartition(":")[2]
+    assert len(tag) <= 128
+    assert tag.isascii()

@@ -1,0 +1,115 @@
+"""Which runs publish, and which are refused."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from roslab.errors import ConfigurationError, RefusedError
+from roslab.github import event
+
+OWN: dict[str, Any] = {"full_name": "lab/robot", "default_branch": "main", "private": False}
+
+
+def read(tmp_path: Path, name: str, payload: dict[str, Any], **more: str) -> event.Event:
+    file = tmp_path / "event.json"
+    file.write_text(json.dumps({"repository": OWN, **payload}))
+    environment = {
+        "GITHUB_EVENT_NAME": name,
+        "GITHUB_EVENT_PATH": str(file),
+        "GITHUB_REPOSITORY": "lab/robot",
+        "GITHUB_REF": "refs/heads/main",
+        "GITHUB_SHA": "0" * 40,
+    }
+    return event.read({**environment, **more})
+
+
+def pull_request(head: str | None) -> dict[str, Any]:
+    return {"pull_request": {"head": {"repo": {"full_name": head} if head else None}, "base": {"ref": "main"}}}
+
+
+@pytest.mark.parametrize(
+    "name", ["push", "schedule", "workflow_dispatch", "repository_dispatch", "release", "create", "workflow_run"]
+)
+def test_own_code_is_published(tmp_path: Path, name: str) -> None:
+    payload = {"workflow_run": {"event": "push", "head_repository": {"full_name": "lab/robot"}}}
+    found = read(tmp_path, name, payload if name == "workflow_run" else {})
+    assert event.publication(found, "auto").push
+    assert event.publication(found, "true").push
+    assert not event.publication(found, "false").push
+
+
+@pytest.mark.parametrize("head", ["lab/robot", "stranger/robot", None])
+@pytest.mark.parametrize("wish", ["auto", "true", "false"])
+def test_a_pull_request_is_never_published(tmp_path: Path, head: str | None, wish: event.Push) -> None:
+    found = event.publication(read(tmp_path, "pull_request", pull_request(head)), wish)
+    assert not found.push
+    assert (found.warning is not None) == (wish == "true")
+    assert ("fork" in found.reason) == (head == "stranger/robot")
+
+
+@pytest.mark.parametrize(
+    "payload",
+    [pull_request("stranger/robot"), pull_request(None), {"pull_request": {}}, {}],
+    ids=["fork", "deleted fork", "no head", "nothing"],
+)
+def test_a_strangers_code_with_our_rights_is_refused(tmp_path: Path, payload: dict[str, Any]) -> None:
+    with pytest.raises(RefusedError, match="refused: pull_request_target") as caught:
+        read(tmp_path, "pull_request_target", payload)
+    assert caught.value.exit_code == 4
+
+
+def test_pull_request_target_of_our_own_branch_builds_only(tmp_path: Path) -> None:
+    found = read(tmp_path, "pull_request_target", pull_request("Lab/Robot"))
+    assert not event.publication(found, "true").push
+
+
+@pytest.mark.parametrize(
+    ("started_by", "head", "refused"),
+    [
+        ("pull_request", "stranger/robot", True),
+        ("pull_request", "lab/robot", False),
+        ("push", "stranger/robot", True),
+        ("push", None, True),
+    ],
+)
+def test_workflow_run(tmp_path: Path, started_by: str, head: str | None, *, refused: bool) -> None:
+    payload = {"workflow_run": {"event": started_by, "head_repository": {"full_name": head} if head else None}}
+    if refused:
+        with pytest.raises(RefusedError):
+            read(tmp_path, "workflow_run", payload)
+    else:
+        assert not event.publication(read(tmp_path, "workflow_run", payload), "true").push
+
+
+@pytest.mark.parametrize("name", ["merge_group", "issues", "fork", "watch"])
+def test_other_events_are_not_published_of_themselves(tmp_path: Path, name: str) -> None:
+    assert not event.publication(read(tmp_path, name, {}), "auto").push
+
+
+def test_a_comment_on_a_pull_request_does_not_publish(tmp_path: Path) -> None:
+    found = read(tmp_path, "issue_comment", {"issue": {"pull_request": {"url": "…"}}})
+    assert not event.publication(found, "true").push
+
+
+def test_dependabot_holds_a_token_that_may_only_read(tmp_path: Path) -> None:
+    found = read(tmp_path, "push", {}, GITHUB_ACTOR="dependabot[bot]")
+    assert not event.publication(found, "auto").push
+    assert event.publication(found, "true").warning
+
+
+def test_refs(tmp_path: Path) -> None:
+    assert read(tmp_path, "push", {}, GITHUB_REF="refs/heads/a/b").branch == "a/b"
+    assert read(tmp_path, "push", {}, GITHUB_REF="refs/tags/v1").tag == "v1"
+    pull = read(tmp_path, "pull_request", pull_request("lab/robot"), GITHUB_REF="refs/pull/7/merge")
+    assert (pull.branch, pull.tag, pull.base_branch) == (None, None, "main")
+
+
+def test_outside_a_workflow(tmp_path: Path) -> None:
+    with pytest.raises(ConfigurationError, match="GITHUB_EVENT_NAME is not set"):
+        event.read({})
+    with pytest.raises(ConfigurationError, match="cannot read the event"):
+        read(tmp_path, "push", {}, GITHUB_EVENT_PATH=str(tmp_path / "absent"))

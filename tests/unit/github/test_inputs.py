@@ -1,0 +1,75 @@
+"""Inputs become settings, or one clear error each."""
+
+from __future__ import annotations
+
+import pytest
+
+from roslab.errors import ConfigurationError
+from roslab.github import inputs
+
+
+def read(**said: str) -> inputs.Inputs:
+    return inputs.read({f"INPUT_{name.upper()}": value for name, value in said.items()})
+
+
+def test_nothing_said() -> None:
+    found = read(config="", image="", platforms="", push="", registry="")
+    assert (found.push, found.cache, found.registry) == ("auto", "auto", "ghcr.io")
+    assert found.overrides == inputs.Overrides()
+
+
+def test_what_roslab_yaml_could_say() -> None:
+    found = read(
+        platforms="linux/amd64, linux/arm64\n", command="ros2 run a b", test="true", kind="ros2", build_tool="colcon"
+    )
+    assert found.overrides.platforms == ("linux/amd64", "linux/arm64")
+    assert (found.overrides.command, found.overrides.test) == ("ros2 run a b", "true")
+    assert (found.overrides.kind, found.overrides.build) == ("ros2", "colcon")
+    distro = read(distro="humble").overrides.base
+    assert distro is not None
+    assert distro.ros == "humble"
+
+
+def test_every_mistake_at_once() -> None:
+    with pytest.raises(ConfigurationError) as caught:
+        read(push="yes", cache="gha", registry="https://ghcr.io", platforms="amd64", distro="jazzi", runners="arm64")
+    said = [str(problem) for problem in caught.value.problems]
+    assert len(said) == 6
+    for name in ("push", "cache", "registry", "platforms", "distro", "runners"):
+        assert sum(f"input {name}: " in line for line in said) == 1, said
+    assert any("did you mean `jazzy`" in line for line in said)
+
+
+def test_a_hostile_value_is_shown_and_not_obeyed() -> None:
+    with pytest.raises(ConfigurationError) as caught:
+        read(registry="ghcr.io\n::set-output name=x::y")
+    assert "\n" not in str(caught.value.problems[0])
+
+
+@pytest.mark.parametrize(
+    ("said", "expected"),
+    [
+        ("", "ghcr.io/my-lab/plan-name"),
+        ("Other", "ghcr.io/my-lab/other"),
+        ("Someone/Other", "ghcr.io/someone/other"),
+        ("a/b/c", "ghcr.io/a/b/c"),
+        ("ghcr.io/a/b", "ghcr.io/a/b"),
+    ],
+)
+def test_image(said: str, expected: str) -> None:
+    assert inputs.image(read(image=said), owner="My-Lab", name="plan-name") == expected
+
+
+@pytest.mark.parametrize("said", ["a:latest", "a@sha256:0", "a b", "-a", "a//b", "quay.io/a/b", "$(id)", "a\n-t x"])
+def test_no_image(said: str) -> None:
+    with pytest.raises(ConfigurationError, match="input image"):
+        inputs.image(read(image=said), owner="lab", name="x")
+
+
+def test_runner_of_the_most_specific_platform() -> None:
+    runners = read(runners="linux=self-hosted\nlinux/arm=small\nlinux/arm/v7 = special").runners
+    assert [inputs.runner(p, runners) for p in ("linux/amd64", "linux/arm/v6", "linux/arm/v7", "linux/arm64")] == [
+        "self-hosted", "small", "special", "self-hosted",
+    ]  # fmt: skip
+    assert inputs.runner("linux/arm64", read().runners) == "ubuntu-24.04-arm"
+    assert inputs.runner("linux/riscv64", read().runners) == "ubuntu-24.04"
