@@ -68,13 +68,13 @@ def _ros(evidence: Evidence, config: Config, chosen: DistroChoice, cuda: CudaCho
 
 
 def _nvidia_recipe(evidence: Evidence) -> Recipe | None:
-    """Return the project's own image on CUDA: all of them must be, a CPU image beside it means that CUDA is a choice.
+    """Return the project's own image where it is on CUDA: the plainest Dockerfile nearest to the root.
 
     An image of the author's own making (``lab/robot:base``) says nothing: another recipe builds it.
     """
     own = [recipe for recipe in evidence.recipes if recipe.purpose == "project" and (recipe.base or "").startswith(_ROOTS)]
-    on_cuda = [recipe for recipe in own if recipe.base and recipe.base.startswith(_NVIDIA)]
-    return on_cuda[0] if on_cuda and len(on_cuda) == len(own) else None
+    own.sort(key=lambda recipe: (recipe.file.count("/"), recipe.file.rpartition("/")[2].lower() != "dockerfile", recipe.file))
+    return own[0] if own and (own[0].base or "").startswith(_NVIDIA) else None
 
 
 def _cpp(evidence: Evidence, config: Config) -> BaseChoice:

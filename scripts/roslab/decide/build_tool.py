@@ -7,7 +7,7 @@ from roslab.decide.decision import Python, Reason
 from roslab.decide.reasons import configured, ranked
 from roslab.decide.workspace import packages_of, types
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 
 _SOURCES = {"readme": 400, "recipe": 420, "ci": 380, "script": 300}
 
@@ -27,7 +27,7 @@ def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Py
 
 def _ros1(evidence: Evidence) -> tuple[BuildTool, tuple[Reason, ...]]:
     reasons = [
-        Reason(question="build_tool", answer=m.value, reason=m.text[:120], file=m.file, line=m.line, weight=_SOURCES.get(m.source, 100) - 30 * m.file.count("/") - (200 if places.vendored(m.file) or places.documentation(m.file) else 0))
+        Reason(question="build_tool", answer=m.value, reason=m.text[:120], file=m.file, line=m.line, weight=_weight(m))
         for m in evidence.mentions
         if m.topic == "build_tool" and m.value in {"catkin_make", "catkin_tools"}
     ]
@@ -44,6 +44,16 @@ def _ros1(evidence: Evidence) -> tuple[BuildTool, tuple[Reason, ...]]:
     best = max(reasons, key=lambda reason: reason.weight)
     answer: BuildTool = "catkin_tools" if best.answer == "catkin_tools" else "catkin_make"
     return answer, ranked(reasons, answer)
+
+
+def _weight(mention: Mention) -> int:
+    """Rank a build command by where it stands; an isolated build is what CI runs, hardly ever what people do."""
+    weight = _SOURCES.get(mention.source, 100) - (5 if mention.source == "recipe" else 30) * mention.file.count("/")
+    if places.vendored(mention.file):
+        weight -= 200
+    if places.documentation(mention.file):
+        weight -= 50
+    return weight - (100 if "isolated" in mention.text else 0)
 
 
 def _python(evidence: Evidence, python: Python) -> tuple[BuildTool, tuple[Reason, ...]]:

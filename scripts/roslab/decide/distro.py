@@ -59,6 +59,7 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> DistroChoic
         answer = max(inside, key=lambda reason: (reason.weight, _rank(reason.answer))).answer if inside else fitting[0]
         reason = configured(config, "ros_distro", answer, "base.ubuntu")
         return DistroChoice(distro=distros()[answer], reasons=(reason, *_demoted(reasons)))
+    reasons += _fitting(reasons, unknown)
     if not reasons:
         answer = _default(kind, unknown)
         default = Reason(question="ros_distro", answer=answer, reason="nothing is said: the default", weight=1)
@@ -94,6 +95,15 @@ def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
     return replace(reason, reason=text, weight=max(1, reason.weight - UNFIT))
 
 
+def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[Reason]:
+    """Offer the best distribution that has every declared key, where one that is named lacks some."""
+    fitting = [name for name, missing in unknown.items() if not missing]
+    if not fitting or not any(unknown.get(reason.answer) for reason in reasons):
+        return []
+    best = max(fitting, key=_rank)
+    return [Reason(question="ros_distro", answer=best, reason="it has every key that the packages declare", weight=100)]
+
+
 def _default(kind: Kind, unknown: dict[str, frozenset[str]]) -> str:
     """Return the default, or the longest supported one that has all keys where the default lacks some."""
     answer = DEFAULT[kind]
@@ -107,13 +117,8 @@ def _demoted(reasons: list[Reason]) -> tuple[Reason, ...]:
     return tuple(reason for reason in ranked(reasons, "") if not reason.decisive)
 
 
-def _rank(name: str) -> tuple[int, str]:
-    """Of several that are equally well said: one with long support before one without, then the newer; rolling last."""
-    found = distros()[name]
-    if name == "rolling":
-        return (-1, "")
-    years = int((found.eol or "0")[:4]) - int(found.released[:4])
-    return (1 if years >= 3 else 0, found.released)
+def _rank(name: str) -> int:
+    return distros()[name].preference
 
 
 def _reasons(evidence: Evidence, ros: int) -> list[Reason]:
@@ -160,6 +165,8 @@ def _mention(mention: Mention, ros: int) -> Reason | None:
         return _distro_mention(mention)
     if mention.topic == "ubuntu":
         codename = ubuntus().get(mention.value, mention.value)
+        if codename == mention.value and mention.source == "readme" and "ubuntu" not in mention.text.lower():
+            return None  # "bionic" is also an arm, "focal" a length
         fitting = distros_of(codename, 1 if ros == 1 else 2)
         if fitting and mention.source in {"readme", "recipe", "ci"}:
             weight = {"recipe": 260, "ci": 240, "readme": 230}[mention.source] - 5 * mention.file.count("/")

@@ -81,14 +81,19 @@ def _wrapper(evidence: Evidence, manifests: list[str]) -> bool:
     folders = {file.rpartition("/")[0] for file in manifests}
     if not manifests or "" in folders or len(folders) > SMALL_WRAPPER:
         return False
-    root = [p for p in evidence.python if not p.folder and p.installable]
-    files = [r for r in evidence.requirements if "/" not in r.file and r.purpose == "run"]
-    conda = [c for c in evidence.conda if "/" not in c.file]
-    if not (root or files or conda):
+    compiled = any(project.executables and _within(project.file, folders) for project in evidence.cmake)
+    depth = 0 if compiled else 2  # packages of C++ nodes outweigh a script's requirements somewhere in the tree
+    own = [p.file for p in evidence.python if p.installable] + [c.file for c in evidence.conda]
+    own += [r.file for r in evidence.requirements if r.purpose == "run"]
+    if not any(file.count("/") <= depth and not _within(file, folders) and not places.vendored(file) for file in own):
         return False
     code = {d.file for d in evidence.code if d.namespace == "import"} | {script.file for script in evidence.scripts}
-    inside = sum(any(file.startswith(folder + "/") for folder in folders) for file in code)
+    inside = sum(_within(file, folders) for file in code)
     return 2 * inside < len(code)
+
+
+def _within(file: str, folders: set[str]) -> bool:
+    return any(file.startswith(folder + "/") for folder in folders)
 
 
 def _leaning(evidence: Evidence, version: int, count: int, other: int) -> int:
@@ -184,4 +189,14 @@ def _cpp(evidence: Evidence) -> list[Reason]:
     top = tops[0]
     root = "/" not in top.file
     answer = "cuda" if "cuda" in top.macros and "CUDA" in top.languages else "cpp"
+    bindings = next((p for p in evidence.python if not p.folder and "cmake" in p.extensions), None)
+    if root and bindings and _mostly_cpp(evidence):
+        return [Reason(question="kind", answer=answer, reason="a CMake project; Python only binds it", file=top.file, line=1, weight=450)]
     return [Reason(question="kind", answer=answer, reason="a CMake project", file=top.file, line=1, weight=360 if root else 150)]
+
+
+def _mostly_cpp(evidence: Evidence) -> bool:
+    """Compare the places of includes with those of imports, each a file of its own."""
+    included = {d.file for d in evidence.code if d.namespace == "include"}
+    imported = {d.file for d in evidence.code if d.namespace == "import"}
+    return len(included) > len(imported)

@@ -34,6 +34,8 @@ class Resolved:
     """What one name comes to."""
 
     apt: tuple[str, ...] = ()
+    beside: tuple[str, ...] = ()
+    """Guessed on top, whoever is asked."""
     recipe: str = ""
     known: bool = True
     """False for a name that no table has."""
@@ -59,8 +61,8 @@ def resolve(dependency: Dependency, target: Target) -> Resolved:
 def _library(found: Library, target: Target) -> Resolved:
     """A ROS package of the image's own distribution wins over Ubuntu's: the other packages were built with it."""
     if found.ros and target.knows(found.ros):
-        return Resolved(apt=(target.ros(found.ros),))
-    return Resolved(apt=found.apt, recipe=found.recipe if not found.apt else "")
+        return Resolved(apt=(target.ros(found.ros),), beside=found.beside)
+    return Resolved(apt=found.apt, beside=found.beside, recipe=found.recipe if not found.apt else "")
 
 
 def _ros(name: str, target: Target) -> Resolved:

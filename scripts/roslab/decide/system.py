@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
@@ -17,6 +18,7 @@ from roslab.knowledge.libraries import library
 from roslab.knowledge.never import never
 from roslab.knowledge.released import released, rosdep_keys
 
+_STARTED = re.compile(r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch))\s+(?:--?\S+\s+)*([a-z][a-z0-9_]+)\s")
 _NOT_INSTALLED = frozenset({"doc"})
 """rosdep leaves documentation alone."""
 
@@ -110,6 +112,9 @@ def decide_system(
                 declared.setdefault(apt, dependency)
             else:
                 guessed.setdefault(apt, dependency)
+        if dependency.strength != "optional":
+            for apt in found.beside:
+                guessed.setdefault(apt, dependency)
     for apt, dependency in apt_for_wheels(python, target.ubuntu, evidence):
         guessed.setdefault(apt, dependency)
     refused = never()
@@ -180,12 +185,21 @@ def _needs(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[tuple
         for dependency in evidence.code:
             if dependency.namespace == "import":
                 yield _as_ros(dependency), False
+        for dependency in started(evidence):
+            yield dependency, False
     for dependency in _prose(evidence):
         yield dependency, False
 
 
 def _as_ros(dependency: Dependency) -> Dependency:
     return Dependency(namespace="ros", name=dependency.name, strength=dependency.strength, file=dependency.file, line=dependency.line, role="exec")
+
+
+def started(evidence: Evidence) -> Iterator[Dependency]:
+    """Yield the ROS packages of the commands that pages tell people to run: ``rosrun rviz rviz``, ``ros2 launch PKG …``."""
+    for mention in evidence.mentions:
+        if mention.topic == "command" and (match := _STARTED.search(mention.text)):
+            yield Dependency(namespace="ros", name=match[1], strength="prose", file=mention.file, line=mention.line, role="exec")
 
 
 def _prose(evidence: Evidence) -> Iterable[Dependency]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
@@ -12,6 +13,8 @@ from roslab.evidence.conditions import holds
 from roslab.evidence.facts import Evidence, PackageManifest
 
 RosVersion = Literal[1, 2]
+_ASSET = re.compile(r"(?:^|/)(?:assets?|data|resources?|urdfs?|meshes|models)(?:/|$)", re.IGNORECASE)
+"""Folders of robot descriptions: a package there is read by a program, not built with it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -20,7 +23,7 @@ class Packages:
 
     built: tuple[PackageManifest, ...]
     assets: tuple[PackageManifest, ...]
-    """No CMakeLists.txt and no setup.py beside it: a robot's description that a program reads."""
+    """Among assets, or no CMakeLists.txt and no setup.py beside it: a robot's description that a program reads."""
     left_out: tuple[PackageManifest, ...]
     """Ignored by a marker, copied in, nested in another package, or unreadable."""
 
@@ -47,7 +50,7 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
         folder = manifest.file.rpartition("/")[0]
         if manifest.ignored or manifest.name is None or _below(folder, kept) or manifest.name in seen:
             left_out.append(manifest)
-        elif folder not in buildable and not manifest.metapackage:
+        elif (folder not in buildable and not manifest.metapackage) or (_ASSET.search(folder) and len(manifests) > 1):
             assets.append(manifest)
         else:
             built.append(manifest)

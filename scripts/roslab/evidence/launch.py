@@ -34,6 +34,7 @@ _PLUGIN = re.compile(
 _PARAM_PLUGIN = re.compile(rf"name=\"base_(?:local|global)_planner\"\s+value=\"({_PACKAGE})/[A-Z]")
 _GUI = re.compile(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
 _COMMENT = {"xml": re.compile(r"<!--.*?-->", re.DOTALL), "hash": re.compile(r"^[ \t]*#.*$", re.MULTILINE)}
+_VIEWERS = {"rviz": "rviz", "rviz_common": "rviz2"}
 _NAME = re.compile(r"<name>\s*([\w-]+)\s*</name>")
 _NO_PACKAGE = frozenset({"rviz", "find", "pkg", "package", "name", "python", "python3", "self"}) - {"rviz"}
 
@@ -65,7 +66,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
 
 
 def plugins(repository: Repository) -> tuple[Dependency, ...]:
-    """Return the packages whose plugins parameter files name (``plugin: pkg/Class``) and whose files robot descriptions find."""
+    """Return the packages whose plugins parameter files name (``plugin: pkg/Class``) and whose files robot descriptions find; and rviz for its own files."""
     found: dict[str, Dependency] = {}
     files = [f for f in repository.suffixed(".yaml", ".yml", ".xacro", ".urdf", ".sdf") if f.size < MAX_SIZE and not places.vendored(f.path)]
     for file in sorted(files, key=lambda file: file.path)[:MAX_FILES]:
@@ -73,6 +74,9 @@ def plugins(repository: Repository) -> tuple[Dependency, ...]:
         patterns = (_PLUGIN,) if file.name.endswith(("yaml", "yml")) else (_FIND,)
         for dependency in _matches(text, file, patterns):
             found.setdefault(dependency.name, dependency)
+    for file in repository.suffixed(".rviz")[:1]:
+        name = "rviz_common" if "rviz_common/" in repository.read(file) else "rviz"
+        found.setdefault(_VIEWERS[name], Dependency(namespace="ros", name=_VIEWERS[name], strength="used", file=file.path, line=1, role="exec"))
     return tuple(found.values())
 
 

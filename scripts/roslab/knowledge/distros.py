@@ -24,6 +24,9 @@ class Distro:
     rosdistro_tag: str | None
     """Tag of ros/rosdistro to resolve keys with, where the newest tables no longer know its Ubuntu."""
     arm64: bool
+    preference: int
+    """Of several distributions that a repository names alike, the one with the highest number: long support with all
+    packages before the newest, whose packages still come in."""
 
 
 @cache
@@ -39,6 +42,7 @@ def distros() -> dict[str, Distro]:
             eol=row["eol"] or None,
             rosdistro_tag=row["rosdistro_tag"] or None,
             arm64=row["arm64"] == "yes",
+            preference=int(row["preference"]),
         )
         for row in rows("distros")
     }
@@ -62,11 +66,6 @@ def rosdistro_tag(name: str | None) -> str | None:
 
 
 def distros_of(ubuntu: str | None, ros: Literal[1, 2]) -> tuple[str, ...]:
-    """Return the distributions of ROS 1 or 2 on an Ubuntu, the long-supported one first."""
+    """Return the distributions of ROS 1 or 2 on an Ubuntu, the preferred one first."""
     found = [d for d in distros().values() if d.ubuntu == ubuntu and d.ros == ros and d.name != "rolling"]
-    return tuple(d.name for d in sorted(found, key=_support, reverse=True))
-
-
-def _support(found: Distro) -> int:
-    """Years of support."""
-    return int((found.eol or "0")[:4]) - int(found.released[:4])
+    return tuple(d.name for d in sorted(found, key=lambda d: d.preference, reverse=True))

@@ -24,6 +24,8 @@ class Library:
     apt: tuple[str, ...] = ()
     ros: str = ""
     """A ROS package that holds it, preferred where the image has ROS."""
+    beside: tuple[str, ...] = ()
+    """What code that uses it usually needs too: headers it exposes, what its own build looks for."""
     recipe: str = ""
     """A row of ``recipes.toml`` that builds it, where no package holds it."""
 
@@ -34,7 +36,7 @@ def _table(naming: Naming) -> dict[str, list[tuple[tuple[str, ...], Library]]]:
     name, key = _TABLES[naming]
     found: dict[str, list[tuple[tuple[str, ...], Library]]] = {}
     for row in rows(name):
-        library = Library(apt=tuple(row["apt"].split()), ros=row.get("ros", ""), recipe=row.get("recipe", ""))
+        library = Library(apt=tuple(row["apt"].split()), ros=row.get("ros", ""), recipe=row.get("recipe", ""), beside=tuple(row.get("beside", "").split()))
         found.setdefault(row[key], []).append((tuple(row["ubuntu"].split()), library))
     for entries in found.values():
         entries.sort(key=lambda entry: not entry[0])
