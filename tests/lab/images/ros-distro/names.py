@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import gzip
 import hashlib
+import re
 import subprocess
 import sys
 import tomllib
@@ -21,7 +22,8 @@ HERE = Path(__file__).parent
 DEBIAN_TABLE = Path("/usr/share/python3-rosdep2/debian.yaml")
 ROSDEP = Path("/etc/ros/rosdep")
 REPOSITORY = Path("/opt/lab/apt")
-VERSION = "0~stand-in"
+# High, because some of Debian's packages refuse old versions of their Python 2 ancestors.
+VERSION = "99-stand-in"
 
 
 def main(distro: str) -> None:
@@ -35,7 +37,7 @@ def main(distro: str) -> None:
     _write("stand-in.yaml", rules)
     _write("index-v4.yaml", _index(distro, data))
     _write(f"{distro}.yaml", _distribution(sorted(ros)))
-    _install_satisfied({**names, **tools})
+    _install_satisfied(names)
     print(f"{len(names)} names of {distro}, {len(tools)} of tools, {len(rules)} system keys")
 
 
@@ -97,7 +99,7 @@ def _ros_packages(data: dict[str, dict[str, list[str]]], known: set[str]) -> dic
     found: dict[str, list[str]] = dict(data["ros"])
     for name, rule in yaml.safe_load(DEBIAN_TABLE.read_text()).items():
         packages = rule.get("debian") if isinstance(rule, dict) else None
-        if isinstance(packages, list) and set(packages) <= known:
+        if re.fullmatch(r"[a-z][a-z0-9_]*", name) and isinstance(packages, list) and set(packages) <= known:
             found.setdefault(name, packages)
     suggested: dict[str, list[str]] = {}
     for package in _of_ros_sources():

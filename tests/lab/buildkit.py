@@ -1,0 +1,94 @@
+"""A buildkitd of the lab's own: the engine's builder cannot push by digest, this one can."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+from . import engine, facts, packages, processes, registry
+from .command import run, succeeds
+from .home import folder, home, recipe
+
+NAME = "buildkitd"
+
+# The command cannot be had by `go install`: its module has replace directives. A module that imports it can build it.
+IMPORTER = """//go:build tools
+
+package tools
+
+import _ "{package}"
+"""
+
+
+def address() -> str:
+    """Return the address of the lab's buildkitd, running or not."""
+    return f"unix://{home() / 'run' / 'buildkitd.sock'}"
+
+
+def program() -> Path:
+    """Return the compiled program, compiled once for the version of facts.toml."""
+    module, package, version = (facts.text("buildkit", key) for key in ("module", "package", "version"))
+    place = folder("go", f"buildkitd-{recipe(module, package, version, IMPORTER)}")
+    if not (place / NAME).exists():
+        (place / "go.mod").write_text("module lab.example.org/buildkitd\n")
+        (place / "tools.go").write_text(IMPORTER.format(package=package))
+        environment = packages.go_environment()
+        run(["go", "get", f"{package}@{version}"], log="go-get-buildkitd", cwd=place, env=environment)
+        command = ["nice", "go", "build", "-trimpath", "-o", f"{NAME}.part", package]
+        run(command, log="go-buildkitd", cwd=place, env=environment)
+        (place / f"{NAME}.part").rename(place / NAME)
+    return place / NAME
+
+
+def up() -> str:
+    """Make sure that buildkitd answers."""
+    if processes.running(NAME) and answers():
+        return f"was there: {address()}"
+    daemon = program()
+    Path(address().removeprefix("unix://")).unlink(missing_ok=True)
+    engine.unmount_below(home() / "buildkit")
+    processes.start(NAME, [daemon, "--config", _configuration()], ready=answers)
+    return f"started: {address()}"
+
+
+def down() -> bool:
+    """End the lab's buildkitd and what it would leave mounted."""
+    was = processes.stop(NAME)
+    engine.unmount_below(home() / "buildkit")
+    return was
+
+
+def forget() -> None:
+    """Throw its store away; only while it does not run."""
+    shutil.rmtree(home() / "buildkit", ignore_errors=True)
+
+
+def answers() -> bool:
+    """Tell whether something listens on its socket; buildx's own client says whether it is sound when it is used."""
+    return succeeds(["python3", "-c", _KNOCK, address().removeprefix("unix://")], timeout=5)
+
+
+_KNOCK = "import socket, sys; socket.socket(socket.AF_UNIX).connect(sys.argv[1])"
+
+
+def _configuration() -> Path:
+    local = [registry.address(registry.PROTECTED), registry.address(registry.MIRROR)]
+    lines = [
+        f'root = "{folder("buildkit")}"',
+        "[grpc]",
+        f'  address = ["{address()}"]',
+        "[worker.oci]",
+        "  enabled = true",
+        # Builds use the machine's own network: it knows the way to the package registries.
+        '  networkMode = "host"',
+        '  platforms = ["linux/amd64", "linux/arm64"]',
+        "[worker.containerd]",
+        "  enabled = false",
+        '[registry."docker.io"]',
+        f'  mirrors = ["{registry.address(registry.MIRROR)}"]',
+    ]
+    for place in local:
+        lines += [f'[registry."{place}"]', "  http = true", "  insecure = true"]
+    path = folder("run") / "buildkitd.toml"
+    path.write_text("\n".join(lines) + "\n")
+    return path

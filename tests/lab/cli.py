@@ -1,0 +1,56 @@
+"""The lab's command: python3 tests/lab up | down | status | env | real."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from . import laboratory, network
+from .command import LabError
+from .home import home
+
+TEXT = """\
+The laboratory in which this project is tested for real where no image can be pulled: a Docker engine, two registries
+on the loopback, a buildkitd, emulation of arm64, stand-in base images under their real names, act and Node.
+
+  up [--all] [--native]   make and start what is missing; what is there stays. --all: also the images that take
+                          minutes under emulation; --native: nothing of arm64
+  up --lint               the linters alone; needs no engine
+  down                    end what `up` started; what it made stays in the cache
+  status                  say what runs
+  env                     print the lines for `eval "$(python3 tests/lab env)"`
+  real                    say whether the real docker.io is in reach (then no stand-ins are used)
+
+Everything it keeps is in $REPRO_LAB_HOME, else in repro-action-lab in the user's cache folder.
+"""
+
+
+def main(argv: list[str]) -> int:
+    """Run one command; return 0 when done, 1 when a step failed, 2 for wrong arguments."""
+    parser = argparse.ArgumentParser(prog="python3 tests/lab", description=TEXT, formatter_class=argparse.RawTextHelpFormatter)
+    commands = parser.add_subparsers(dest="command", required=True, metavar="up|down|status|env|real")
+    up = commands.add_parser("up", help="make and start what is missing")
+    up.add_argument("--all", action="store_true", help="also the images that take minutes under emulation")
+    up.add_argument("--native", action="store_true", help="nothing of arm64")
+    up.add_argument("--lint", action="store_true", help="the linters alone")
+    for name in ("down", "status", "env", "real"):
+        commands.add_parser(name)
+    options = parser.parse_args(argv)
+    try:
+        if options.command == "up" and options.lint:
+            laboratory.lint()
+        elif options.command == "up":
+            laboratory.up(emulated=not options.native, everything=options.all)
+        elif options.command == "down":
+            laboratory.down()
+        elif options.command == "status":
+            print(f"home: {home()}")
+            print("\n".join(f"{name}: {state}" for name, state in laboratory.status().items()))
+        elif options.command == "env":
+            print(laboratory.shell_exports())
+        else:
+            print("real: docker.io is in reach" if network.real_registry() else "stand-ins: docker.io is out of reach")
+    except LabError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    return 0

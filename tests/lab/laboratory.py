@@ -1,0 +1,179 @@
+"""The laboratory as tests see it: addresses, programs and the environment for what they start."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from . import buildkit, emulation, engine, images, network, processes, registry, rootfs, tools
+from .command import LabError, succeeds
+from .home import folder, lock
+from .steps import step
+
+ARCHITECTURES = ("amd64", "arm64")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Laboratory:
+    """What runs, where it answers, and how a test reaches it."""
+
+    docker_host: str
+    registry: str
+    mirror: str
+    username: str
+    password: str
+    buildkit: str
+    act: Path
+    node: Path
+    docker_config: Path
+    standins: bool
+    environment: Mapping[str, str] = field(repr=False)
+
+    def fresh_repository(self, name: str) -> str:
+        """Return a repository name in the protected registry that has nothing in it yet: HOST:PORT/NAME-NUMBER."""
+        taken = set(registry.repositories())
+        number = next(n for n in range(1, 100_000) if f"{name}-{n}" not in taken)
+        return f"{self.registry}/{name}-{number}"
+
+
+def up(*, emulated: bool = True, everything: bool = False) -> None:
+    """Make and start everything a test may want, one line of progress per step; what is there already stays.
+
+    Without `emulated` the stand-ins are for this machine alone; `everything` adds those that take long under emulation.
+    Raises LabError when a step fails.
+    """
+    if os.geteuid() != 0 and engine.host() is None:
+        raise LabError("no engine works here and only root can start one: start Docker 23 or newer, or run as root")
+    with lock(sys.stderr):
+        with step("engine") as told:
+            told.note = engine.up()
+        for name in (registry.PROTECTED, registry.MIRROR):
+            with step(f"{name}") as told:
+                told.note = registry.up(name)
+        if emulated:
+            with step("emulation of arm64") as told:
+                told.note = emulation.up()
+        with step("is the real docker.io in reach") as told:
+            real = network.real_registry()
+            _standins_marker().write_text("no" if real else "yes")
+            told.note = "yes, no stand-ins are made" if real else "no, stand-ins are made"
+        if not real:
+            _images(emulated=emulated, everything=everything)
+        for title, make in (("act", tools.act), ("node", tools.node)):
+            with step(title) as told:
+                told.note = str(make())
+        with step("buildkitd") as told:
+            told.note = buildkit.up()
+
+
+def _images(*, emulated: bool, everything: bool) -> None:
+    env = _docker_environment()
+    # An engine that was found may lack the image store that keeps several platforms.
+    architectures = ARCHITECTURES if emulated and images.several_platforms(env) else ARCHITECTURES[:1]
+    for architecture in architectures:
+        with step(f"root file system, {architecture}") as told:
+            told.note = rootfs.make(architecture).name
+    rootfs.machine(folder("rootfs", "machine"))
+    wanted = images.wanted(architectures, everything=everything)
+    for image in wanted:
+        with step(f"stand-in {image.names[0] if image.names else image.id}") as told:
+            told.note = images.make(image, wanted, env)
+
+
+def lint() -> None:
+    """Make the linters alone; no engine is needed for them."""
+    with lock(sys.stderr), step("linters") as told:
+        told.note = str(tools.linters())
+
+
+def down() -> None:
+    """End what the lab started, the last first, and take back what it mounted or registered."""
+    with lock(sys.stderr):
+        for title, end in (
+            ("buildkitd", buildkit.down),
+            ("mirror", lambda: registry.down(registry.MIRROR)),
+            ("registry", lambda: registry.down(registry.PROTECTED)),
+            ("engine", engine.down),
+            ("emulation of arm64", emulation.down),
+        ):
+            with step(title) as told:
+                told.note = "ended" if end() else "was not the lab's, or not there"
+
+
+def status() -> dict[str, str]:
+    """Return what runs now, in words, without starting anything."""
+    host = engine.host()
+    return {
+        "engine": host or "none",
+        **{
+            name: registry.address(name) if processes.running(name) and registry.answers(name) else "down"
+            for name in (registry.PROTECTED, registry.MIRROR)
+        },
+        "buildkitd": buildkit.address() if processes.running(buildkit.NAME) and buildkit.answers() else "down",
+        "emulation of arm64": "works" if emulation.works() else "none",
+        "stand-ins": _standins_marker().read_text() if _standins_marker().exists() else "not decided yet",
+    }
+
+
+def current() -> Laboratory:
+    """Return the laboratory as it runs now.
+
+    Raises LabError, saying what is missing, when it is not up; it starts nothing.
+    """
+    missing = [name for name, state in status().items() if state in {"none", "down", "not decided yet"}]
+    if missing:
+        raise LabError(f"the lab is not up ({', '.join(missing)}): run `python3 tests/lab up` first")
+    username, password = registry.credentials()
+    environment = _environment()
+    return Laboratory(
+        docker_host=environment["DOCKER_HOST"], registry=registry.address(registry.PROTECTED),
+        mirror=registry.address(registry.MIRROR), username=username, password=password, buildkit=buildkit.address(),
+        act=tools.act(), node=tools.node(), docker_config=Path(environment["DOCKER_CONFIG"]),
+        standins=_standins_marker().read_text() == "yes", environment=environment,
+    )  # fmt: skip
+
+
+@contextmanager
+def laboratory() -> Iterator[Laboratory]:
+    """Give a test the laboratory, brought up first where it is not; it stays up for the next test."""
+    try:
+        lab = current()
+    except LabError:
+        up()
+        lab = current()
+    yield lab
+
+
+def shell_exports() -> str:
+    """Return the lines that a shell evaluates to reach the lab."""
+    names = ("DOCKER_HOST", "DOCKER_CONFIG", "BUILDX_CONFIG", "BUILDKIT_HOST", "PATH")
+    environment = _environment()
+    return "\n".join(f"export {name}='{environment[name]}'" for name in names if name in environment)
+
+
+def _environment() -> dict[str, str]:
+    return {**os.environ, **_docker_environment(), "PATH": tools.path("node", "lint"), "BUILDKIT_HOST": buildkit.address()}
+
+
+def _docker_environment() -> dict[str, str]:
+    """Return where the engine is, with a Docker client's folder of the lab's own: no login of the user's is touched."""
+    settings = folder("docker-config")
+    return {"DOCKER_HOST": engine.host() or engine.own_host(), "DOCKER_CONFIG": str(settings)}
+
+
+def _standins_marker() -> Path:
+    return folder("run") / "standins"
+
+
+def usable() -> str:
+    """Return "" when this machine can have the lab, else the reason in words, for a test's skip."""
+    if engine.host() is None and os.geteuid() != 0:
+        return "no Docker engine, and only root can start one"
+    if engine.host() is None and not shutil.which("apt-get"):
+        return "no Docker engine, and the lab installs one on Debian only"
+    return "" if shutil.which("go") or succeeds(["go", "version"]) else "go, with which the lab compiles act, is not on PATH"

@@ -1,0 +1,20 @@
+"""Whether the real docker.io is in reach; only where it is not do stand-ins take its place."""
+
+from __future__ import annotations
+
+import urllib.error
+import urllib.request
+
+from . import facts
+
+
+def real_registry() -> bool:
+    """Tell whether a real registry answers within the time facts.toml gives; asking for a password is an answer."""
+    request = urllib.request.Request(facts.text("real", "url"), method="HEAD")
+    try:
+        with urllib.request.urlopen(request, timeout=facts.number("real", "seconds")):
+            return True
+    except urllib.error.HTTPError as error:
+        return error.code == 401
+    except OSError:
+        return False
