@@ -15,7 +15,7 @@ from roslab.engine import last_line, output
 from roslab.errors import BuildError, Problem
 
 TRANSIENT = re.compile(
-    r"\b(429|50[0234])\b|too many requests|service unavailable|bad gateway|gateway time-?out|timed? ?out"
+    r"\b(429|50[0234])\b|too ?many ?requests|service unavailable|bad gateway|gateway time-?out|timed? ?out"
     r"|deadline exceeded|connection (reset|refused|closed)|broken pipe|\bEOF\b|TLS handshake"
     r"|temporary failure|try again",
     re.IGNORECASE,

@@ -180,7 +180,9 @@ def _chart(entry: PlatformReport, base: int) -> str:
 
 def instruction(history: str) -> str:
     """Return an image's history entry as a label of a chart: short, and only characters that mean nothing there."""
-    said = re.sub(r"^(?:RUN )?(?:\|\d+ (?:\w+=\S* )*)?/bin/(?:ba)?sh (?:-\w+ )*(?:#\(nop\) +)?", "", history)
+    said = re.sub(
+        r"^(?:RUN )?(?:\|\d+ (?:\w+=\S* )*)?/bin/(?:ba)?sh (?:-\w+ (?:pipefail )?)*(?:#\(nop\) +)?", "", history
+    )
     said = re.sub(r"\s*# buildkit$", "", said).strip()
     said = " ".join(re.sub(r"[^A-Za-z0-9 ._/=+-]+", " ", said).split())
     return (said if len(said) <= 40 else said[:39].rstrip() + "...") or "layer"
