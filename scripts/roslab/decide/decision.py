@@ -56,6 +56,8 @@ class Python:
     conda_file: str | None = None
     first: tuple[str, ...] = ()
     """Requirement lines that must be there before the others are built (numpy, torch, Cython)."""
+    bounds: tuple[str, ...] = ()
+    """Constraints on what is installed: the code uses what newer versions no longer have."""
     options: tuple[str, ...] = ()
     """pip options: index URLs and find-links of the framework's own wheels."""
     python2: tuple[str, ...] = ()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from roslab.config.model import Config, Kind
+from roslab.decide.bounds import decide_bounds
 from roslab.decide.cuda import DEFAULT as CUDA
 from roslab.decide.cuda import decide_cuda
 from roslab.decide.decision import Python, Reason, Warning_
@@ -49,8 +50,11 @@ def decide_python(
     warnings += notes
     installed = [*declared, *(d.name for d in chosen.guessed)]
     everything = [*installed, *(d.name for d in _from_files(evidence, chosen))]
+    # A distribution's own packages are as old as it is: only what pip chooses freely needs a bound
+    bounds, bound_reasons = decide_bounds(evidence.bounds if manager != "system" else (), everything)
     python = Python(
         version=number,
+        bounds=bounds,
         manager=manager,  # type: ignore[arg-type]
         pip=tuple(dict.fromkeys(declared)),
         pip_guessed=tuple(dict.fromkeys(d.name for d in chosen.guessed)),
@@ -61,7 +65,7 @@ def decide_python(
         options=tuple(dict.fromkeys((*_indexes(installed), *_file_options(evidence, chosen, extra), *chosen.options))),
         python2=tuple(config.pip) if config.generation in {"later", "paper", "interim"} and config.pip3 else (),
     )
-    return python, (*reasons, *_package_reasons(chosen)), tuple(warnings)
+    return python, (*reasons, *_package_reasons(chosen), *bound_reasons), tuple(warnings)
 
 
 def specifiers(evidence: Evidence, python: Python) -> tuple[str, ...]:

@@ -213,6 +213,8 @@ class Evidence:
     """Install lines of README and scripts."""
     sources: tuple[GitSource, ...] = ()
     mentions: tuple[Mention, ...] = ()
+    bounds: tuple[Dependency, ...] = ()
+    """How old a Python package must be, by what the code uses of it."""
     cuda_files: tuple[str, ...] = ()
     problems: tuple[tuple[str, str, int], ...] = ()
     """``(message, file, line)``: what was malformed and passed over."""

@@ -14,6 +14,7 @@ from roslab.evidence import (
     package_xml,
     python_project,
     readme,
+    removed,
     requirements,
     scripts,
     vcs,
@@ -53,6 +54,7 @@ def gather(repository: Repository) -> Evidence:
         prose=prose.dependencies,
         sources=sources,
         mentions=(*names.read(repository), *prose.mentions),
+        bounds=removed.read(repository),
         cuda_files=cpp.cuda_files(repository),
         problems=tuple((f"not well-formed: {m.malformed}", m.file, m.line) for m in manifests if m.malformed),
     )

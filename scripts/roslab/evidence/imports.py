@@ -39,7 +39,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     """
     local = _local(repository)
     found: dict[str, Dependency] = {}
-    for file in _modules(repository):
+    for file in modules(repository):
         text = repository.read(file, limit=MAX_READ)
         if "import" not in text:
             continue
@@ -79,7 +79,7 @@ def _notebooks(repository: Repository) -> list[File]:
 def scripts(repository: Repository) -> tuple[Script, ...]:
     """Return the Python files that are programs: a ``__main__`` guard, ``__main__.py``, a ROS node."""
     found = []
-    for file in _modules(repository):
+    for file in modules(repository):
         if places.test(file.path) or file.name in {"setup.py", "conftest.py"}:
             continue
         text = repository.read(file, limit=MAX_READ)
@@ -97,7 +97,7 @@ def scripts(repository: Repository) -> tuple[Script, ...]:
     return tuple(sorted(found, key=lambda script: script.file))
 
 
-def _modules(repository: Repository) -> list[File]:
+def modules(repository: Repository) -> list[File]:
     """Return the modules worth reading, nearest to the root first; copies, documentation and CI are left out."""
     kept = [
         file

@@ -126,6 +126,14 @@ replaced() {
 
 add_volumes() {
   local i host real target writable=no
+  for ((i = 0; i < ${#own_volumes[@]}; i++)); do
+    host="${own_volumes[i]%%:*}"
+    target="${own_volumes[i]#*:}"
+    if [[ "${own_volumes[i]}" != ?*:/* ]]; then fail 2 "--volume ${own_volumes[i]}: write HOST:CONTAINER, where CONTAINER begins with /"; fi
+    if [[ ! -e "${host}" ]]; then fail 2 "--volume ${own_volumes[i]}: there is no ${host}"; fi
+    arguments+=(--volume "$(real_path "${host}"):${target}")
+    if [[ "${target}" != *:*ro* ]]; then writable=yes; fi
+  done
   for ((i = 0; i < ${#volumes[@]}; i += 3)); do
     target="${volumes[i + 1]}"
     if replaced "${target}"; then continue; fi
@@ -140,14 +148,6 @@ add_volumes() {
     say "the container sees ${real} at ${target}${volumes[i + 2]:+ (${volumes[i + 2]})}"
     arguments+=(--volume "${real}:${target}${volumes[i + 2]:+:${volumes[i + 2]}}")
     if [[ ",${volumes[i + 2]}," != *,ro,* ]]; then writable=yes; fi
-  done
-  for ((i = 0; i < ${#own_volumes[@]}; i++)); do
-    host="${own_volumes[i]%%:*}"
-    target="${own_volumes[i]#*:}"
-    if [[ "${own_volumes[i]}" != ?*:/* ]]; then fail 2 "--volume ${own_volumes[i]}: write HOST:CONTAINER, where CONTAINER begins with /"; fi
-    if [[ ! -e "${host}" ]]; then fail 2 "--volume ${own_volumes[i]}: there is no ${host}"; fi
-    arguments+=(--volume "$(real_path "${host}"):${target}")
-    if [[ "${target}" != *:*ro* ]]; then writable=yes; fi
   done
   case "${writable}-$(uname -s)-$(id -u)" in
     no-* | *-Darwin-* | *-0 | *-"${image_user:-0}") ;;

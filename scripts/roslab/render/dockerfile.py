@@ -23,6 +23,7 @@ IMAGE: tuple[Block, ...] = (
     system.libraries,
     workspace.sister_sources,
     workspace.rosdep,  # 4. what the manifests name
+    python.constraints,
     python.packages,
     python.guessed_packages,
     workspace.copy_source,  # 5. everything below is repeated when a file changes
@@ -35,6 +36,7 @@ IMAGE_OLD_FORMATS: tuple[Block, ...] = (
     python.environment,
     python.jupyter,
     system.newer_cmake,
+    python.constraints,
     python.packages,  # the old generators installed Python's packages before the libraries
     python.guessed_packages,
     system.libraries,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import fnmatch
 import posixpath
 import re
+from collections.abc import Sequence
 from functools import cache
 
 from roslab.plan import Plan
@@ -34,6 +35,12 @@ def ignore(plan: Plan) -> str:
     parts.append(f"# What `roslab create` writes\n{own}\n")
     parts.append("# The history, and the credentials that a checkout leaves in it, belong in no image\n**/.git\n")
     return "\n".join(parts)
+
+
+def keeps_out(lines: Sequence[str], path: str) -> bool:
+    """Tell whether an ignore file of these lines keeps a path out of the build."""
+    decisive = _decisive([_parts(line) for line in lines], path)
+    return decisive is not None and not lines[decisive].lstrip().startswith("!")
 
 
 def _needed(plan: Plan) -> tuple[str, ...]:

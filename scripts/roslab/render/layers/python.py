@@ -43,6 +43,15 @@ def environment(plan: Plan) -> str:
     return "\n".join(lines)
 
 
+def constraints(plan: Plan) -> str:
+    """Keep out what newer versions no longer have, in every later call of pip and in the reader's own too."""
+    if not plan.python.bounds:
+        return ""
+    file = "/usr/local/share/roslab/constraints.txt"
+    text = "# The code uses what newer versions no longer have\n" + "\n".join(map(quote.checked, plan.python.bounds))
+    return f"{shell.heredoc(file, text)}\nENV PIP_CONSTRAINT={file}"
+
+
 def interpreter(plan: Plan) -> str:
     """Name of the interpreter that the packages are for."""
     return "python2" if (plan.python.version or "").startswith("2") and plan.python.manager == "system" else "python3"

@@ -1,0 +1,86 @@
+"""Code that uses what a package has removed keeps the versions that still have it."""
+
+from __future__ import annotations
+
+import datetime as dt
+import time
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+
+from roslab.decide.bounds import decide_bounds
+from roslab.evidence import removed
+from roslab.knowledge.removals import removals
+from roslab.knowledge.table import rows
+from roslab.repository import Repository
+
+
+def bounds(tmp_path: Path, code: str) -> dict[str, int]:
+    (tmp_path / "demo.py").write_text(code, encoding="utf-8")
+    return {use.name: use.line for use in removed.read(Repository.open(tmp_path))}
+
+
+@pytest.mark.parametrize(
+    ("code", "bound"),
+    [
+        ("rc = {'text.latex.preamble': [r'\\usepackage{amsmath}']}", "matplotlib<3.5"),
+        ("plt.rcParams['text.latex.preamble'] = [r'\\usepackage{bm}']", "matplotlib<3.5"),
+        ("ax = fig.gca(projection='3d')", "matplotlib<3.6"),
+        ("x = np.zeros(3, dtype=np.float)", "numpy<1.24"),
+        ("limit = np.Inf", "numpy<2"),
+        ("from scipy.misc import imread, toimage", "scipy<1.2"),
+        ("from sklearn.externals import joblib", "scikit-learn<0.23"),
+        ("cfg = yaml.load(open('a.yaml'))", "PyYAML<6"),
+        ("df = df.append({'a': 1}, ignore_index=True)", "pandas<2"),
+    ],
+)
+def test_a_removed_name_gives_a_bound(tmp_path: Path, code: str, bound: str) -> None:
+    assert bounds(tmp_path, f"import os\n{code}\n") == {bound: 2}
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "x = np.float32(1) + np.int64(2) + np.bool_(1)",
+        "plt.rcParams['text.latex.preamble'] = r'\\usepackage{bm}'",
+        "cfg = yaml.load(stream, Loader=yaml.SafeLoader)",
+        "rows.append(row)",
+        "limit = np.inf",
+    ],
+)
+def test_todays_names_give_none(tmp_path: Path, code: str) -> None:
+    assert bounds(tmp_path, code) == {}
+
+
+def test_the_lowest_bound_of_a_package_counts(tmp_path: Path) -> None:
+    assert bounds(tmp_path, "a = np.Inf\nb = np.float(1)\n") == {"numpy<1.24": 2}
+
+
+@pytest.mark.parametrize(
+    ("line", "bounded"),
+    [("numpy", True), ("NumPy>=1.10", True), ("numpy==1.26.4", False), ("numpy<3", False), ("scipy", False)],
+)
+def test_the_authors_own_limit_wins_and_what_is_not_installed_needs_none(
+    tmp_path: Path, line: str, bounded: bool
+) -> None:
+    (tmp_path / "a.py").write_text("np.float(1)", encoding="utf-8")
+    chosen, reasons = decide_bounds(removed.read(Repository.open(tmp_path)), [line])
+    assert chosen == (("numpy<1.24",) if bounded else ())
+    assert [(reason.file, reason.line) for reason in reasons] == ([("a.py", 1)] if bounded else [])
+
+
+def test_every_row_is_whole() -> None:
+    for row, removal in zip(rows("removals"), removals(), strict=True):
+        assert Requirement(row["bound"]).name == row["package"]
+        assert row["source"].startswith("https://")
+        assert dt.date.fromisoformat(row["date"])
+        assert removal.what
+
+
+def test_patterns_take_linear_time() -> None:
+    text = "np.x.append(from scipy.misc import yaml.load(((((" * 5_000
+    start = time.perf_counter()
+    for removal in removals():
+        removal.pattern.search(text)
+    assert time.perf_counter() - start < 5, "a pattern backtracks"
