@@ -22,6 +22,8 @@ _CONDA_NAMES = {
 _NO_PACKAGE = frozenset(
     "python pip cudatoolkit cuda pytorch-cuda cuda-toolkit cudnn cuda-nvcc mkl nccl gcc gxx cmake ninja git ffmpeg nodejs".split()
 )
+MAX_FILES = 60
+"""Requirement files that are weighed, the nearest to the root first."""
 DEVELOPMENT = re.compile(r"(?:^|/)(?:\.github|\.circleci|\.ci|ci|docs?)(?:/|$)")
 
 
@@ -58,8 +60,9 @@ def name_of(line: str) -> str:
 def pins(evidence: Evidence) -> Iterator[Pin]:
     """Yield every mention, the most trusted first; tests', documentation's and copies' files are left out."""
     found: list[Pin] = []
-    for file in evidence.requirements:
-        if file.purpose == "run":
+    own = sorted((f for f in evidence.requirements if f.purpose == "run"), key=lambda f: (f.file.count("/"), f.file))
+    for file in own[:MAX_FILES]:
+        if file.dependencies:
             depth = 3 if "/" not in file.file else 2 if file.file.count("/") == 1 else 0
             found += [_pin(dependency, depth) for dependency in file.dependencies]
     for project in evidence.python:

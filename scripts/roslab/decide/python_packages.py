@@ -60,6 +60,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind) -> Chosen:
     options += [
         d.name for r in evidence.recipes for d in r.dependencies if d.role == "option" and r.purpose == "project"
     ]
+    options = [o.replace("--index-url", "--extra-index-url") if o.startswith("--index-url") else o for o in options]
     return Chosen(files=files, projects=projects, guessed=guessed, options=tuple(dict.fromkeys(options)), conda=conda)
 
 
@@ -145,7 +146,7 @@ def _resolve(dependency: Dependency, known: Iterable[str]) -> str | None:
     for candidate in (posixpath.normpath(name), posixpath.normpath(posixpath.join(folder, name))):
         if candidate in known:
             return candidate
-    parts = [part for part in name.split("/") if part not in {"", ".", "..", "~"}]
+    parts = [part for part in name.split("/") if part not in {"", ".", "..", "~"}]  # "pip install ." in a folder
     for start in range(len(parts)):
         tail = "/".join(parts[start:])
         if tail in known:

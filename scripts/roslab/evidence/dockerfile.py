@@ -99,7 +99,7 @@ def _built(text: str, path: str) -> tuple[Mention, ...]:
 
 def instructions(text: str) -> Iterator[Instruction]:
     """Yield the instructions of a Dockerfile; a line that is none has the name ``""``."""
-    heredoc, pending = "", Instruction("", "", 0)
+    heredoc, pending, following = "", Instruction("", "", 0), 0
     body: list[str] = []
     for line, logical in logical_lines(text):
         if heredoc:
@@ -107,7 +107,9 @@ def instructions(text: str) -> Iterator[Instruction]:
                 yield Instruction(pending.name, "\n".join((pending.text, *body)), pending.line, script=True)
                 heredoc, body = "", []
             else:
-                body += [""] * max(0, line - pending.line - 1 - sum(part.count("\n") + 1 for part in body)) + [logical]
+                body.extend("" for _ in range(line - following))  # comment lines, which carry no text
+                body.append(logical)
+                following = line + logical.count("\n") + 1
             continue
         if not logical.strip():
             continue
@@ -116,7 +118,7 @@ def instructions(text: str) -> Iterator[Instruction]:
         pending = Instruction(name if name in _KNOWN else "", match[2] if match else logical, line)
         start = _HEREDOC.search(pending.text) if name in {"RUN", "COPY"} else None
         if start:
-            heredoc = start[1]
+            heredoc, following = start[1], line + 1
             pending = pending._replace(text=pending.text[: start.start()] if name == "RUN" else pending.text)
         else:
             yield pending

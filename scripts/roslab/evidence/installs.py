@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -13,7 +14,7 @@ from roslab.evidence.shell import UNKNOWN, Command, commands, logical_lines
 MentionSource = Literal["recipe", "ci", "readme", "script"]
 TRIGGER = re.compile(
     r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|\s+build|\s+init)|"
-    r"\bcolcon\b|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b"
+    r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b"
 )
 """A line without one of these words says nothing here."""
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
@@ -62,6 +63,8 @@ class Collector:
     dependencies: list[Dependency] = field(default_factory=list)
     sources: list[GitSource] = field(default_factory=list)
     mentions: list[Mention] = field(default_factory=list)
+    folder: str = ""
+    """Where ``cd`` went, as far as that can be told; what pip is given is relative to it."""
     fresh: int | None = None
     """Index of the clone that a ``git checkout`` would belong to."""
 
@@ -94,6 +97,8 @@ class Collector:
             self._conda(command)
         elif program == "git":
             self._git(command)
+        elif program == "cd":
+            self._cd(words[1] if len(words) > 1 else "~")
         else:
             self._program(program, command)
 
@@ -180,11 +185,15 @@ class Collector:
             ):
                 target = glued or (word[2:] if word.startswith("-r") and len(word) > 2 else following)
                 index += target == following
-                self._depend("pip", target, line, role="file")
+                self._depend("pip", self._here(target), line, role="file")
             elif flag in {"-e", "--editable"}:
                 continue  # what it names comes next, and is read as a path or a URL
             elif not word.startswith("-") and not self._pip_word(word, line, two=two):
                 break
+
+    def _here(self, path: str) -> str:
+        """Return a path as seen from where the text began."""
+        return posixpath.join(self.folder, path.removeprefix("./")) if self.folder and path[:1] not in "/~" else path
 
     def _pip_word(self, word: str, line: int, *, two: bool) -> bool:
         """Keep one argument of ``pip install``; False where the sentence goes on in prose."""
@@ -193,7 +202,7 @@ class Collector:
         if _URL.match(word):
             self._depend("pip", word, line, role="python2" if two else "")
         elif word.startswith((".", "/", "~")) or word.endswith((".whl", ".tar.gz", "/")):
-            self._depend("pip", word, line, role="project")
+            self._depend("pip", self._here(word), line, role="project")
         else:
             name = word.rstrip(",:)") if not word.endswith(".") else word.rstrip(".")
             if name.lower() in _STOP:
@@ -235,6 +244,12 @@ class Collector:
             ):
                 exact = f"=={number[0]}" if number and number[0] == version else ""
                 self._depend("pip", _CONDA_NAMES.get(name, name) + exact, line, role="conda")
+
+    def _cd(self, target: str) -> None:
+        if target.startswith(("/", "~", "$", "-")) or UNKNOWN in target or "<" in target:
+            self.folder = "" if target in {"~", "-"} else target.rstrip("/").rpartition("/")[2].replace(UNKNOWN, "")
+        else:
+            self.folder = posixpath.normpath(posixpath.join(self.folder, target)).removeprefix("../").strip(".")
 
     def _git(self, command: Command) -> None:
         words = command.words

@@ -27,33 +27,33 @@ _AMBIGUOUS = frozenset(
         "lyrical",
     }
 )
-_PATTERNS: tuple[tuple[Literal["distro", "ubuntu", "cuda", "cudnn", "python"], re.Pattern[str]], ...] = (
-    ("distro", re.compile(rf"(?<![A-Za-z])({_DISTROS})(?![A-Za-z])", re.IGNORECASE)),
-    (
-        "ubuntu",
-        re.compile(
-            r"(?<![A-Za-z])(?:ubuntu[\s:_-]*(?:lts\s*)?(1[46]\.04|18\.04|2[0246]\.04)|(trusty|xenial|bionic|focal|jammy|noble|resolute))(?![A-Za-z])",
-            re.IGNORECASE,
-        ),
-    ),
-    (
-        "cuda",
-        re.compile(
-            r"(?<![A-Za-z])cuda(?:[\s_-]*toolkit)?(?:\s*\(?\s*(?:version|v|==?|>=|~|:)?\s*|[-=:]+)(\d{1,2}\.\d)(?:\.\d+)*",
-            re.IGNORECASE,
-        ),
-    ),
-    ("cuda", re.compile(r"(?<=[+/])cu(\d{2,3})\b")),
-    ("cudnn", re.compile(r"(?<![A-Za-z])cudnn(?:[\s:v=_-]|version)*(\d)(?:\.\d+)*", re.IGNORECASE)),
-    (
-        "python",
-        re.compile(
-            r"(?<![A-Za-z])python(?:\s*(?:version|>=|==?|~=|:|\()?\s*|[-=])([23]\.\d{1,2})(?:\.\d+|\.x)?(?![\d])",
-            re.IGNORECASE,
-        ),
-    ),
+"""English words too: they need ROS, a branch or an Ubuntu near them."""
+_UBUNTU = (
+    r"ubuntu[\s:_-]{0,3}(?:lts\s{0,2})?(1[46]\.04|18\.04|2[0246]\.04)|(trusty|xenial|bionic|focal|jammy|noble|resolute)"
 )
-_MORE = re.compile(r"(?:[\s,/|&-]*(?:or|and|to)?\s*(?:python)?\s*[23]\.\d{1,2}(?![\d.])){1,6}", re.IGNORECASE)
+_CUDA = r"cuda(?:[\s_-]{0,3}toolkit)?(?:\s{0,3}\(?(?:version|v|==?|>=|~|:)?\s{0,3}|[-=:]{1,3})(\d{1,2}\.\d)"
+_CUDNN = r"cudnn(?:[\s:v=_-]|version){0,9}(\d)"
+_PYTHON = r"python(?:\s{0,3}(?:version|>=|==?|~=|:|\()?\s{0,3}|[-=])([23]\.\d{1,2})(?:\.\d+|\.x)?(?!\d)"
+_LOCAL = re.compile(r"(?<=[+/])cu(\d{2,3})\b")
+"""``+cu118`` and ``/cu118``."""
+_MORE = re.compile(
+    r"(?:[\s,/|&-]{0,4}(?:or|and|to)?\s{0,3}(?:python)?\s{0,2}[23]\.\d{1,2}(?![\d.])){1,6}", re.IGNORECASE
+)
+"""What goes on after a version of Python: ``3.6, 3.7 or 3.8``. Every blank is counted, so that no line can take long."""
+
+
+def _word(pattern: str) -> re.Pattern[str]:
+    return re.compile(rf"(?<![A-Za-z])(?:{pattern})", re.IGNORECASE)
+
+
+_PATTERNS: tuple[tuple[Literal["distro", "ubuntu", "cuda", "cudnn", "python"], re.Pattern[str]], ...] = (
+    ("distro", _word(rf"({_DISTROS})(?![A-Za-z])")),
+    ("ubuntu", _word(rf"(?:{_UBUNTU})(?![A-Za-z])")),
+    ("cuda", _word(_CUDA)),
+    ("cuda", _LOCAL),
+    ("cudnn", _word(_CUDNN)),
+    ("python", _word(_PYTHON)),
+)
 _CONTEXT = re.compile(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
 
 
@@ -64,15 +64,13 @@ def read(
     for topic, pattern in _PATTERNS:
         position, line, found = 0, first, 0
         for match in pattern.finditer(text):
-            start = text.rfind("\n", 0, match.start()) + 1
-            end = text.find("\n", match.end())
-            context = text[
-                max(start, match.start() - 90) : min(end if end >= 0 else len(text), match.end() + 90)
-            ].strip()
+            start = max(text.rfind("\n", max(0, match.start() - 200), match.start()) + 1, match.start() - 90)
+            end = text.find("\n", match.end(), match.end() + 90)
+            context = text[max(0, start) : end if end >= 0 else match.end() + 90].strip()
             value = next(group for group in match.groups() if group).lower()
             if topic == "distro" and value in _AMBIGUOUS and not _CONTEXT.search(context):
                 continue
-            if pattern.pattern.startswith("(?<=[+/])cu"):
+            if pattern is _LOCAL:
                 value = f"{value[:-1]}.{value[-1]}"
             line += text.count("\n", position, match.start())
             position = match.start()

@@ -16,6 +16,8 @@ from roslab.repository import File, Repository
 
 MAX_SIZE = 256 * 1024
 MAX_PAGES = 60
+MAX_LINE = 2_000
+"""Characters of a line that a person types."""
 _PAGE = re.compile(
     r"^(?:readme|install|installation|building|build|getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
 )
@@ -75,12 +77,12 @@ def _code(text: str) -> Iterator[tuple[int, str]]:
         line = lines[index]
         start = index
         index += 1
-        if opening := _FENCE.match(line):
+        if opening := _FENCE.match(line[:80]):
             fence = "" if fence else opening[1]
             continue
         if not fence:
-            heading = _HEADING.match(line)
-            underlined = index < len(lines) and line.strip() and _RST_LINE.match(lines[index])
+            heading = _HEADING.match(line[:200])
+            underlined = index < len(lines) and line.strip() and _RST_LINE.match(lines[index][:200])
             if heading or underlined:
                 level = len(heading[1]) if heading else 2
                 title = heading[2] if heading else line
@@ -88,9 +90,9 @@ def _code(text: str) -> Iterator[tuple[int, str]]:
                     elsewhere = elsewhere or level
                 elif elsewhere and level <= elsewhere:
                     elsewhere = 0
-        if elsewhere or not TRIGGER.search(line):
+        if elsewhere or len(line) > MAX_LINE or not TRIGGER.search(line):
             continue
-        while line.rstrip().endswith("\\") and index < len(lines):
+        while line.rstrip().endswith("\\") and index < len(lines) and len(line) < 4 * MAX_LINE:
             line = line.rstrip() + "\n" + lines[index].lstrip()
             index += 1
         if match := _START.match(line.replace("\\\n", "\\\x01")):

@@ -148,18 +148,23 @@ class _Reader:
             return self.strings(self.names[node.id], depth + 1)
         return []
 
-    def files(self, node: ast.AST, depth: int = 0, seen: frozenset[str] = frozenset()) -> list[str]:
+    def files(self, node: ast.AST) -> list[str]:
         """Return the requirement files named on the way to a value: ``open("requirements.txt")``, a helper's argument."""
         found: list[str] = []
-        if depth > MAX_DEPTH or isinstance(node, (ast.List, ast.Tuple)):
-            return found
-        for part in ast.walk(node):
-            if isinstance(part, ast.Constant) and isinstance(part.value, str) and _FILE.match(part.value):
-                found.append(part.value)
-            elif isinstance(part, ast.Name) and part.id not in seen:
-                following = self.names.get(part.id) or self.functions.get(part.id)
-                if following is not None:
-                    found += self.files(following, depth + 1, seen | {part.id})
+        seen: set[str] = set()
+        pending = [node]
+        while pending:
+            node = pending.pop()
+            if isinstance(node, (ast.List, ast.Tuple)):
+                continue
+            for part in ast.walk(node):
+                if isinstance(part, ast.Constant) and isinstance(part.value, str) and _FILE.match(part.value):
+                    found.append(part.value)
+                elif isinstance(part, ast.Name) and part.id not in seen:
+                    seen.add(part.id)
+                    following = self.names.get(part.id) or self.functions.get(part.id)
+                    if following is not None:
+                        pending.append(following)
         return list(dict.fromkeys(found))
 
 

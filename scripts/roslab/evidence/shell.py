@@ -14,6 +14,8 @@ UNKNOWN = "\x00"
 """Stands in a word for what only a running shell would know."""
 MAX_LOGICAL = 20_000
 """Characters of one logical line; a longer one is data."""
+MAX_VALUE = 4_000
+"""Characters of a variable's value: one that doubles itself line by line would fill the memory."""
 _PLACEHOLDER = re.compile(
     r"""\bros-(?:
         \$?\{\{\s*[\w.]*distro[\w.]*\s*\}\}                      # ${{ matrix.ros_distro }}
@@ -192,9 +194,9 @@ def _expand(text: str, known: Mapping[str, str]) -> str:
         name = match[1] or match[3]
         if name is None:
             return UNKNOWN
-        return known.get(name) or match[2] or UNKNOWN
+        return (known.get(name) or match[2] or UNKNOWN)[:MAX_VALUE]
 
-    return _REFERENCE.sub(value, text) if "$" in text or "`" in text else text
+    return _REFERENCE.sub(value, text)[:MAX_LOGICAL] if "$" in text or "`" in text else text
 
 
 def expand(text: str, known: Mapping[str, str]) -> str:
@@ -204,7 +206,7 @@ def expand(text: str, known: Mapping[str, str]) -> str:
         name = match[1] or match[3]
         return (known.get(name) if name else None) or match[2] or match[0]
 
-    return _REFERENCE.sub(value, text) if "$" in text else text
+    return _REFERENCE.sub(value, text)[:MAX_VALUE] if "$" in text else text
 
 
 def _unwrapped(words: list[tuple[str, int]], known: dict[str, str], depth: int = 0) -> Iterator[Command]:
@@ -213,7 +215,7 @@ def _unwrapped(words: list[tuple[str, int]], known: dict[str, str], depth: int =
         word = words[index][0]
         if assignment := _ASSIGNMENT.match(word):
             if UNKNOWN not in assignment[2]:
-                known[assignment[1]] = assignment[2]
+                known[assignment[1]] = assignment[2][:MAX_VALUE]
         elif word in {"export", "ARG", "ENV"}:
             pass
         elif word not in _WRAPPERS and not (index and words[index - 1][0] == "sudo" and word.startswith("-")):
