@@ -1,0 +1,105 @@
+"""Dockerfile.dockerignore: the author's lines hold, the Dockerfile gets what it names, .git never goes in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.plan import Plan, Rosdep
+from roslab.render.ignore import OWN, ignore, keeps_out
+
+Plans = Callable[..., Plan]
+
+
+def rosdep(*manifests: str) -> Rosdep:
+    return Rosdep(manifests=manifests, skip_keys=(), rosdistro_tag=None)
+
+
+def lines_of(text: str) -> list[str]:
+    return [line for line in text.splitlines() if line and not line.startswith("#")]
+
+
+def test_without_an_ignore_file_of_the_authors(plan: Plans) -> None:
+    assert lines_of(ignore(plan())) == [*OWN, "**/.git"]
+
+
+def test_the_authors_lines_are_kept_in_their_order(plan: Plans) -> None:
+    """The original wrote over .dockerignore: what its author had kept out was in the image."""
+    lines = ("# secrets", "*.key", "", "data/", "!data/small.csv", "  spaced  ")
+    text = ignore(plan(ignore=lines))
+    assert "# secrets\n*.key\n\ndata/\n!data/small.csv\n  spaced" in text
+
+
+def test_git_stays_out_whatever_the_author_excepts(plan: Plans) -> None:
+    """The original let .git into the image, with the credentials that a checkout leaves in it."""
+    lines = lines_of(ignore(plan(ignore=("*", "!.git", "!**"))))
+    assert keeps_out(lines, ".git/config")
+    assert keeps_out(lines, "third_party/library/.git")
+    assert not keeps_out(lines, ".gitignore")
+
+
+def test_the_notebook_goes_into_the_image(plan: Plans) -> None:
+    assert not keeps_out(lines_of(ignore(plan())), "README.ipynb")
+
+
+@pytest.mark.parametrize(
+    "line", ["*.txt", "**/*.txt", "requirements*", "*", "**", "/requirements.txt", "require?ents.txt"]
+)
+def test_a_requirements_file_comes_back(plan: Plans, line: str) -> None:
+    lines = lines_of(ignore(plan(requirements=("requirements.txt",), ignore=(line, "*.key"))))
+    assert lines[:3] == [line, "!requirements.txt", "*.key"]
+    assert not keeps_out(lines, "requirements.txt")
+
+
+def test_what_is_not_shut_out_is_not_named(plan: Plans) -> None:
+    lines = lines_of(ignore(plan(requirements=("requirements.txt",), ignore=("*.txt", "!requirements.txt"))))
+    assert lines == ["*.txt", "!requirements.txt", *OWN, "**/.git"]
+
+
+def test_a_package_comes_back_whole_where_its_folder_was_shut_out(plan: Plans) -> None:
+    lines = lines_of(ignore(plan(rosdep=rosdep("src/robot/package.xml"), ignore=("*", "!docs", "**/build", "*.bag"))))
+    assert lines[:2] == ["*", "!src/robot"]
+    assert not keeps_out(lines, "src/robot/src/main.cpp")
+    assert keeps_out(lines, "src/robot/build")
+    assert keeps_out(lines, "notes.md")
+
+
+def test_a_package_comes_back_as_its_manifest_where_only_that_was_shut_out(plan: Plans) -> None:
+    lines = lines_of(ignore(plan(rosdep=rosdep("robot/package.xml", "package.xml"), ignore=("robot/data", "**/*.xml"))))
+    assert lines[:4] == ["robot/data", "**/*.xml", "!package.xml", "!robot/package.xml"]
+    assert keeps_out(lines, "robot/data/x.bag")
+    assert keeps_out(lines, "robot/launch.xml")
+
+
+def test_a_name_with_wildcards_is_written_to_the_letter(plan: Plans) -> None:
+    lines = lines_of(ignore(plan(requirements=("req[1]*.txt",), ignore=("*.txt",))))
+    assert lines[1] == r"!req\[1]\*.txt"
+    assert not keeps_out(lines, "req[1]*.txt")
+    assert keeps_out(lines, "req1x.txt")
+
+
+@pytest.mark.parametrize(
+    ("pattern", "path", "out"),
+    [
+        ("data", "data/x/y", True),
+        ("data", "more/data", False),
+        ("**/data", "more/data/x", True),
+        ("a/**/z", "a/z", True),
+        ("a/**/z", "a/b/c/z", True),
+        ("a/**", "a/b", True),
+        ("a/*/c", "a/b/x/c", False),
+        ("./a//b/", "a/b", True),
+        ("[a-c]x", "bx", True),
+        ("[^a-c]x", "bx", False),
+        ("[^a-c]x", "dx", True),
+        (r"\*x", "*x", True),
+        (r"\*x", "yx", False),
+        ("# data", "# data", False),
+        ("*" * 40 + "b", "a" * 200, False),
+        ("/".join(["**"] * 60) + "/b", "/".join("a" * 60), False),
+    ],
+)
+def test_patterns_mean_what_docker_says(pattern: str, path: str, out: bool) -> None:
+    """https://docs.docker.com/build/concepts/context/#syntax, and github.com/moby/patternmatcher."""
+    assert keeps_out([pattern], path) is out
