@@ -66,17 +66,12 @@ def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
     found = []
     if decision.dockerfile is None:
         found += _workspace_proofs(decision)
-        distributions = sorted({n for line in decision.python.pip if (n := _distribution(line))})
+        distributions = _declared_distributions(decision)
         if distributions:
-            found.append(
-                Proof(
-                    name="declared Python packages import",
-                    command=("python3", "-c", IMPORT_SCRIPT, *distributions),
-                )
-            )
+            found.append(_import_proof(decision.python.version, distributions))
     # An author's own recipe says itself what it starts: its CMD, which an empty command runs.
-    command = () if decision.dockerfile else decision.command
-    argv = ("bash", "-c", command) if isinstance(command, str) else command
+    start: tuple[str, ...] | str = () if decision.dockerfile else decision.command
+    argv = ("bash", "-c", start) if isinstance(start, str) else start
     found.append(Proof(name="the default command starts", command=argv, may_run_on=True))
     return tuple(found)
 
@@ -100,6 +95,13 @@ def _import_proof(version: str | None, distributions: list[str]) -> Proof:
             name="declared Python packages are installed", command=(python, "-m", "pip", "show", *distributions)
         )
     return Proof(name="declared Python packages import", command=("python3", "-c", IMPORT_SCRIPT, *distributions))
+
+
+def _declared_distributions(decision: Decision) -> list[str]:
+    """Return what must be there: not what was guessed, and not what conda calls by names of its own."""
+    python = decision.python
+    lines = python.pip if python.manager == "conda" else decision.pip
+    return sorted({name for line in lines if line not in python.pip_guessed and (name := _distribution(line))})
 
 
 def _distribution(line: str) -> str | None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import csv
 import re
 from dataclasses import dataclass
-from importlib.resources import files
+
+from roslab.knowledge.table import rows
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -20,9 +20,7 @@ class Diagnosis:
 def diagnose(log: str) -> tuple[Diagnosis, ...]:
     """Return every known failure in a log, each once, in the order of the table: what is found first is rarer."""
     found: dict[tuple[str, str], Diagnosis] = {}
-    with files("roslab.knowledge").joinpath("failures.csv").open(encoding="utf-8", newline="") as stream:
-        rows = list(csv.DictReader(stream))
-    for row in rows:
+    for row in rows("failures"):
         for match in re.finditer(row["pattern"], log):
             start = log.rfind("\n", 0, match.start()) + 1
             end = log.find("\n", match.end())

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 
+from roslab.knowledge.table import rows
 
 INSTALLERS = ("pip", "setuptools", "wheel")
 JUPYTER = ("jupyterlab", "notebook", "bash_kernel")
@@ -36,11 +35,10 @@ SYSTEM_PYTHON = {
 
 @cache
 def _table() -> dict[str, PythonTools]:
-    with files("roslab.knowledge").joinpath("python_tools.csv").open(encoding="utf-8", newline="") as stream:
-        return {
-            row["python"]: PythonTools(installers=_lines(row, INSTALLERS), jupyter=_lines(row, JUPYTER), pinned=True)
-            for row in csv.DictReader(stream)
-        }
+    return {
+        row["python"]: PythonTools(installers=_lines(row, INSTALLERS), jupyter=_lines(row, JUPYTER), pinned=True)
+        for row in rows("python_tools")
+    }
 
 
 def _lines(row: dict[str, str], names: tuple[str, ...]) -> tuple[str, ...]:

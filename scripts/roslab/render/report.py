@@ -15,7 +15,6 @@ from roslab.repository import printable
 def inspection(decision: Decision, plan: Plan) -> dict[str, Any]:
     """Return the object of ``inspect --format json``; its keys are a contract with other programs."""
     python = decision.python
-    pip = (*python.first, *python.pip, *python.pip_guessed, *(f"-r {name}" for name in python.requirements))
     return {
         "kind": decision.kind,
         "ros_distro": decision.ros_distro,
@@ -25,7 +24,7 @@ def inspection(decision: Decision, plan: Plan) -> dict[str, Any]:
         "dependencies": {
             "rosdep": list(decision.rosdep),
             "apt": list(dict.fromkeys((*plan.apt, *plan.apt_guessed))),
-            "pip": list(dict.fromkeys((*pip, *python.python2))),
+            "pip": list(dict.fromkeys((*decision.pip, *python.python2))),
             "conda": python.conda_file,
             "source": [{"name": s.name, "url": s.repo or s.zip, "ref": s.ref} for s in decision.source],
         },
@@ -75,9 +74,10 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
     python = decision.python
     lines += _section(
         "pip packages",
-        (*python.first, *python.pip, *(f"-r {name}" for name in python.requirements), *python.python2),
+        dict.fromkeys(line for line in (*decision.pip, *python.python2) if line not in python.pip_guessed),
     )
     lines += _section("pip packages, guessed", python.pip_guessed)
+    lines += _section("no newer than", python.bounds)
     lines += _section(
         "from source",
         (f"{s.name} {s.repo or s.zip or ''} {s.ref or '(no fixed ref)'}".strip() for s in decision.source),
