@@ -18,7 +18,8 @@ the image's user is not root, and what the README installs is in the image."""
 _LANGUAGE = re.compile(r"\{?\s*\.?([\w+#-]+)")
 _PROMPT = re.compile(
     r"\s*(?:\([\w.-]+\)\s*)?"  # (venv)
-    r"(?:\[?[\w.-]+@[\w.-]+(?:[: ]\s*[~/][^\s$#%>]*)?\]?\s?[$#%]|[~/][\w./~-]*\$|\$)"  # user@host:~/folder$
+    r"(?:[\w.-]+@[\w.-]+(?:[: ]\s*[~/][^\s$#%>]*)?\s?[$#%]"  # user@host:~/folder$
+    r"|\[[\w.-]+@[\w.-]+ [^\s\]]+\]\s?[$#]|[~/][\w./~-]*\$|\$)"  # [user@host folder]$ and ~/folder$
     r"(?:\s+(?=\S)|\s*$)"
 )
 _ROOT = re.compile(r"\s*#\s+(?=(\S+))")

@@ -1,0 +1,51 @@
+"""All files together: which there are, where they point, and that each is known again as roslab's own."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.files import generated
+from roslab.plan import Plan, Recipe
+from roslab.render import render_all
+from roslab.render.script import script
+
+Plans = Callable[..., Plan]
+
+
+def test_the_files_of_a_plan(plan: Plans) -> None:
+    files = render_all(plan(), readme="# x", output_is_root=True, context="ignored")
+    names = ["Dockerfile", "Dockerfile.dockerignore", "docker_build.sh", "docker_run.sh", "README.ipynb"]
+    assert [file.path for file in files] == names
+    assert [file.executable for file in files] == [False, False, True, True, False]
+    assert all(generated(file.path, file.text.encode()) for file in files)
+    assert all(file.text.endswith("\n") and not file.text.endswith("\n\n") for file in files)
+    assert "context=.\n" in files[2].text
+
+
+def test_elsewhere_the_scripts_name_the_repository(plan: Plans) -> None:
+    files = render_all(plan(), readme=None, output_is_root=False, context="../repo")
+    assert "context=../repo\n" in files[2].text
+    assert "context=../repo\n" in files[3].text
+
+
+def test_an_authors_recipe_gets_no_dockerfile(plan: Plans) -> None:
+    recipe = Recipe(dockerfile="docker/Dockerfile", context=".")
+    files = render_all(plan(recipe=recipe), readme=None, output_is_root=True, context=".")
+    assert [file.path for file in files] == ["docker_build.sh", "docker_run.sh", "README.ipynb"]
+    assert "dockerfile=./docker/Dockerfile\n" in files[0].text
+
+
+def test_a_head_of_other_names_is_a_mistake_of_ours() -> None:
+    with pytest.raises(KeyError):
+        script("docker_build.sh", {"image": "x"})
+
+
+def test_nothing_slow_is_imported_where_nothing_is_rendered() -> None:
+    code = "import sys, roslab.render; sys.exit('nbformat' in sys.modules or 'markdown_it' in sys.modules)"
+    scripts = Path(__file__).resolve().parents[3] / "scripts"
+    subprocess.run([sys.executable, "-c", code], cwd=scripts, check=True)
