@@ -122,16 +122,3 @@ def imports() -> dict[str, tuple[str | None, str | None]]:
 def arm64_wheels() -> dict[str, str | None]:
     """Return the first release of a pip package with a Linux arm64 wheel, ``None`` for never."""
     return {row["pip"]: row["first"] or None for row in rows("arm64_wheels")}
-
-
-@cache
-def host_packages() -> tuple[tuple[re.Pattern[str], str], ...]:
-    """Return ``(pattern of apt names, why they belong to the host)``."""
-    from fnmatch import translate  # noqa: PLC0415
-
-    return tuple((re.compile(translate(row["pattern"])), row["reason"]) for row in rows("host_packages"))
-
-
-def host_reason(name: str) -> str | None:
-    """Return why an apt package has no place in an image, ``None`` for every other."""
-    return next((reason for pattern, reason in host_packages() if pattern.match(name)), None)
