@@ -7,7 +7,7 @@ import random
 import re
 import subprocess
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -85,12 +85,14 @@ def platforms(image: str, digest: str, *, platform: str | None = None) -> tuple[
     """
     found = _inspect(f"{image}@{digest}")
     if "manifests" not in found:
-        return (_image(image, digest, platform or "", found),)
-    children = [entry for entry in found["manifests"] if not is_attestation(entry)]
-    return tuple(
-        _image(image, child["digest"], platform_name(child.get("platform", {})), _inspect(f"{image}@{child['digest']}"))
-        for child in children
-    )
+        return (_image(digest, platform or "", found, _histories(image, digest, platform or "")),)
+    children = [
+        (entry["digest"], platform_name(entry.get("platform", {})))
+        for entry in found["manifests"]
+        if not is_attestation(entry)
+    ]
+    histories = _histories(image, digest, children[0][1] if len(children) == 1 else "")
+    return tuple(_image(child, name, _inspect(f"{image}@{child}"), histories) for child, name in children)
 
 
 def is_attestation(descriptor: dict[str, Any]) -> bool:
@@ -107,9 +109,11 @@ def platform_name(platform: dict[str, Any]) -> str:
     return "/".join(filter(None, parts))
 
 
-def _image(image: str, digest: str, platform: str, manifest: dict[str, Any]) -> PlatformImage:
+def _image(
+    digest: str, platform: str, manifest: Mapping[str, Any], histories: Mapping[str, list[str]]
+) -> PlatformImage:
     layers = [(entry["digest"], int(entry["size"])) for entry in manifest.get("layers", [])]
-    history = _history(image, digest)
+    history = histories.get(platform, [])
     # Without a history of the same length the layers have no names, but their sizes still hold
     names = history if len(history) == len(layers) else [""] * len(layers)
     return PlatformImage(
@@ -119,16 +123,24 @@ def _image(image: str, digest: str, platform: str, manifest: dict[str, Any]) -> 
     )
 
 
-def _history(image: str, digest: str) -> list[str]:
-    """Return the instructions that made the layers, in their order; instructions without a layer are left out."""
+def _histories(image: str, digest: str, platform: str) -> dict[str, list[str]]:
+    """Return the instructions that made the layers, by platform; instructions without a layer are left out.
+
+    buildx gives the configurations of an index as one object by platform, and a single one, ``platform``'s, as itself.
+    """
     command = ["docker", "buildx", "imagetools", "inspect", f"{image}@{digest}", "--format", "{{json .Image}}"]
     answer = with_retries(lambda: output(command))
     try:
         data: Any = json.loads(answer.stdout) if answer.returncode == 0 else {}
     except ValueError:
-        return []
-    entries = data.get("history", []) if isinstance(data, dict) else []
-    return [str(entry.get("created_by", "")) for entry in entries if not entry.get("empty_layer")]
+        data = {}
+    data = data if isinstance(data, dict) else {}
+    configurations = {platform: data} if "history" in data else data
+    return {
+        name: [str(e.get("created_by", "")) for e in entry.get("history", []) if not e.get("empty_layer")]
+        for name, entry in configurations.items()
+        if isinstance(entry, dict)
+    }
 
 
 def base_layers(reference: str, platform: str) -> frozenset[str]:
@@ -178,27 +190,27 @@ def create_tags(image: str, digests: Sequence[str], tags: Sequence[str]) -> str:
     its first tag, and the other tags are then put on that very digest.
     Raises ``BuildError`` where the registry refuses, with what it said.
     """
-    first, *others = tags
-    _create(first, [f"{image}@{digest}" for digest in digests])
-    digest = _digest(first)
-    for tag in others:
-        _create(tag, [f"{image}@{digest}"])
+    _create(tags[:1], [f"{image}@{digest}" for digest in digests])
+    digest = _digest(tags[0])
+    if tags[1:]:
+        _create(tags[1:], [f"{image}@{digest}"])
     return digest
 
 
-def _create(tag: str, sources: Sequence[str]) -> None:
-    command = ["docker", "buildx", "imagetools", "create", "--tag", tag, *sources]
+def _create(tags: Sequence[str], sources: Sequence[str]) -> None:
+    flags = [word for tag in tags for word in ("--tag", tag)]
+    command = ["docker", "buildx", "imagetools", "create", *flags, *sources]
     answer = with_retries(lambda: output(command, timeout=600.0))
     if answer.returncode:
-        raise BuildError(Problem(message=f"the tag {tag} was not made: {last_line(answer.stderr)}"))
+        names = ", ".join(tag.rpartition(":")[2] for tag in tags)
+        raise BuildError(Problem(message=f"the tags {names} were not made: {last_line(answer.stderr)}"))
 
 
 def _digest(reference: str) -> str:
-    command = ["docker", "buildx", "imagetools", "inspect", reference, "--format", "{{.Manifest.Digest}}"]
+    command = ["docker", "buildx", "imagetools", "inspect", reference, "--format", "{{json .Manifest}}"]
     answer = with_retries(lambda: output(command))
-    digest = answer.stdout.strip()
-    if answer.returncode or not re.fullmatch(r"sha256:[0-9a-f]{64}", digest):
-        raise BuildError(
-            Problem(message=f"the registry does not give the digest of {reference}: {last_line(answer.stderr)}")
-        )
-    return digest
+    match = re.search(r'"digest":\s*"(sha256:[0-9a-f]{64})"', answer.stdout)
+    if answer.returncode or not match:
+        said = last_line(answer.stderr)
+        raise BuildError(Problem(message=f"the registry does not give the digest of {reference}: {said}"))
+    return match[1]

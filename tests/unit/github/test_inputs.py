@@ -6,6 +6,7 @@ import pytest
 
 from roslab.errors import ConfigurationError
 from roslab.github import inputs
+from roslab.pipeline import Overrides
 
 
 def read(**said: str) -> inputs.Inputs:
@@ -15,7 +16,7 @@ def read(**said: str) -> inputs.Inputs:
 def test_nothing_said() -> None:
     found = read(config="", image="", platforms="", push="", registry="")
     assert (found.push, found.cache, found.registry) == ("auto", "auto", "ghcr.io")
-    assert found.overrides == inputs.Overrides()
+    assert found.overrides == Overrides()
 
 
 def test_what_roslab_yaml_could_say() -> None:
