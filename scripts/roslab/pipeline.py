@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+import posixpath
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 from roslab import config as configuration
+from roslab.config import vocabulary
 from roslab.config.model import Base, BuildTool, Config, Kind
 from roslab.decide import decide
 from roslab.decide.decision import Decision
@@ -15,7 +17,7 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
 from roslab.knowledge.distros import rosdistro_tag
 from roslab.plan import Plan, image_name, make_plan
-from roslab.render import OutputFile, render_all
+from roslab.render import OutputFile, quote, render_all
 from roslab.repository import Repository, printable
 
 MAX_CONFIG = 1024 * 1024
@@ -23,6 +25,10 @@ MAX_CONFIG = 1024 * 1024
 READMES = ("README.md", "Readme.md", "readme.md", "README.markdown", "README.rst", "README.txt", "README")
 CONFIG_NAMES = ("roslab.yaml", "roslab.yml", ".roslab.yaml", "repolab.yaml")
 """Where a configuration is looked for, at the root: the first one counts."""
+
+
+OWN_NAMES = ("Dockerfile", "Dockerfile.dockerignore", "docker_build.sh", "docker_run.sh", "README.ipynb")
+"""What ``create`` writes, where it carries the mark."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -63,8 +69,9 @@ def plan_repository(
     ``config_file`` is relative to the repository; ``folder_name`` names the image where nothing else does.
     Raises ``ConfigurationError``, ``NothingToBuildError`` or ``RefusedError``.
     """
-    repository = Repository.open(path, branch=branch)
+    repository = _without_own_files(Repository.open(path, branch=branch))
     config = _override(_read_config(repository, config_file), overrides or Overrides())
+    _check_paths(config, repository)
     evidence = gather(repository)
     name = folder_name or _folder_name(repository)
     decision = decide(evidence, config, folder_name=name)
@@ -73,6 +80,45 @@ def plan_repository(
         decision, config, folder_name=name, ignore=ignore, rosdistro_tag=rosdistro_tag(decision.ros_distro)
     )
     return Planned(repository=repository, evidence=evidence, config=config, decision=decision, plan=plan)
+
+
+def _without_own_files(repository: Repository) -> Repository:
+    """Leave out what ``create`` wrote: it is no evidence, and its Dockerfile no recipe of the author's."""
+    candidates = repository.named(*OWN_NAMES)
+    if not candidates:
+        return repository
+    from roslab.files import generated  # noqa: PLC0415 - most repositories have none of these names
+
+    return repository.leaving_out(
+        {file.path for file in candidates if generated(file.name, repository.read_bytes(file))}
+    )
+
+
+def _check_paths(config: Config, repository: Repository) -> None:
+    """Raise ``ConfigurationError`` where roslab.yaml names a file or folder that is not there, all of them at once."""
+    files = [("dockerfile", config.dockerfile), ("conda", config.conda)]
+    for key, paths in (("requirements", config.requirements), ("vcs", config.vcs)):
+        files += [(f"{key}.{index}", path) for index, path in enumerate(paths or ())]
+    missing = [(key, path) for key, path in files if path and not repository.has(posixpath.normpath(path))]
+    context = posixpath.normpath(config.context or ".")
+    if context != "." and context not in repository.folders:
+        missing.append(("context", context))
+    problems = []
+    for key, path in missing:
+        outside = path in repository.listing.outside
+        what = "a link that leads out of the repository" if outside else "not there"
+        place = config.place(key) or config.place(key.partition(".")[0])
+        problems.append(
+            Problem(
+                message=f"{key.partition('.')[0]}: {printable(path)} is {what}",
+                hint="give a path relative to the root of the repository",
+                file=place.file if place else config.file,
+                line=place.line if place else None,
+                column=place.column if place else None,
+            )
+        )
+    if problems:
+        raise ConfigurationError(*problems)
 
 
 def _folder_name(repository: Repository) -> str:
@@ -131,8 +177,14 @@ def rendered(planned: Planned, folder: Path) -> tuple[OutputFile, ...]:
     """Return the files of a plan, as they are to be written to ``folder``."""
     root = planned.repository.root
     target = folder.resolve()
-    readme = next((planned.repository.read(name) for name in READMES if planned.repository.has(name)), None)
-    return render_all(planned.plan, readme=readme, output_is_root=target == root, context=os.path.relpath(root, target))
+    name = next((name for name in READMES if planned.repository.has(name)), None)
+    return render_all(
+        planned.plan,
+        readme=planned.repository.read(name) if name else None,
+        readme_name=name or READMES[0],
+        output_is_root=target == root,
+        context=os.path.relpath(root, target),
+    )
 
 
 def write_recipe(planned: Planned, folder: Path) -> tuple[Path, Path]:
@@ -164,6 +216,17 @@ def _override(config: Config, overrides: Overrides) -> Config:
                 hint=f"write {image_name(said['name'])!r}: lower case, digits, - _ .",
             )
         )
+    known = vocabulary.definition("platform")["enum"]
+    if unknown := [platform for platform in said.get("platforms", ()) if platform not in known]:
+        near = vocabulary.nearest(unknown[0], known)
+        meant = f"did you mean {near}? " if near else ""
+        raise ConfigurationError(
+            Problem(message=f"{unknown[0]!r} is no platform", hint=f"{meant}allowed: {', '.join(known)}")
+        )
+    for key in ("command", "test"):
+        value = said.get(key, ())
+        for text in (value,) if isinstance(value, str) else value:
+            quote.checked(text)
     if isinstance(said.get("base"), Base):
         unset = Base()
         changed = {f.name: v for f in fields(Base) if (v := getattr(said["base"], f.name)) != getattr(unset, f.name)}

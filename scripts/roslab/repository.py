@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import re
 import stat
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Collection, Iterator
+from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from functools import cached_property
 from pathlib import Path
@@ -88,6 +88,13 @@ class Repository:
     def listing(self) -> Listing:
         """Everything in the tree, sorted by path; unreadable folders are left out and named."""
         return _list(self.root)
+
+    def leaving_out(self, paths: Collection[str]) -> Repository:
+        """Return the same folder without some of its files: nobody finds or reads them."""
+        other = Repository(self.root, self.branch_hint)
+        kept = tuple(file for file in self.listing.files if file.path not in paths)
+        other.__dict__["listing"] = replace(self.listing, files=kept)  # where the cached property looks first
+        return other
 
     @property
     def files(self) -> tuple[File, ...]:
