@@ -208,6 +208,8 @@ def _packages(
     decision: Decision, config: Config, libraries: tuple[Source, ...], in_workspace: tuple[Source, ...]
 ) -> tuple[str, ...]:
     """Return what the steps of the plan themselves need, then what the repository needs."""
+    if decision.dockerfile:
+        return decision.apt  # the author's recipe has its own steps
     python = decision.python
     old_format = config.generation != "today"
     notebook = old_format if config.notebook is None and config.file else bool(config.notebook)
@@ -216,7 +218,8 @@ def _packages(
     needs: list[str] = []
     if in_workspace or (libraries and old_format) or any("git+" in line for line in lines):
         needs += ["ca-certificates", "git"]
-    if libraries and old_format:
+    compiled = decision.build_tool == "cmake" and decision.kind not in ("ros1", "ros2")  # a ROS base has a compiler
+    if compiled or (libraries and old_format):
         needs += ["build-essential", "cmake"]
     if any(source.zip for source in decision.source) or config.base.cmake_update:
         needs += ["build-essential", "ca-certificates", "curl", "unzip"]
