@@ -58,7 +58,7 @@ import filter
 
 def cells(plan: Plan, readme: str | None, **options: Any) -> list[tuple[str, str]]:
     text = notebook(plan, readme=readme, **options)
-    document = nbformat.reads(text, as_version=4)
+    document: Any = nbformat.reads(text, as_version=4)  # type: ignore[no-untyped-call, unused-ignore]
     nbformat.validate(document)
     return [(cell.cell_type, cell.source) for cell in document.cells]
 
