@@ -18,6 +18,8 @@ _WINDOWS = frozenset(
     {"PyQt5", "PyQt6", "PySide2", "PySide6", "tkinter", "Tkinter", "pygame", "wx", "pyglet", "vispy", "mayavi", "kivy"}
 )
 _PLACEHOLDER = re.compile(r"YOUR|your[_-]|path/to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx", re.IGNORECASE)
+_ARGUMENT = re.compile(r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|--help\b|(?:^|\s)-h\b")
+"""Files of the author's machine, or a question: no program to start by default."""
 _TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 
 
@@ -84,7 +86,8 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
                 weight=60,
             )
             return CommandChoice(command=recipe.command, candidates=candidates, gui=gui, reasons=(own, *reasons))
-    obvious = [c for c in found.values() if c.strong] or list(found.values())
+    obvious = [c for c in found.values() if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
+    obvious = obvious if any(c.strong for c in found.values()) else list(found.values())
     if len(obvious) == 1:
         only = obvious[0]
         chosen = Reason(

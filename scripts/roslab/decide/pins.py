@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Dependency, Evidence
-from roslab.knowledge.frameworks import canonical
+from roslab.knowledge.frameworks import canonical, imports
 
 _EXACT = re.compile(r"(?:===?|~=)\s*v?(\d[\w.]*(?:\+[\w.]+)?)")
 _UPPER = re.compile(r"<=?\s*(\d[\w.]*)")
@@ -88,6 +88,9 @@ def pins(evidence: Evidence) -> Iterator[Pin]:
             and not DEVELOPMENT.search(dependency.file)
         ):
             found.append(_pin(dependency, 1))
+    known = {canonical(package) for package, _ in imports().values() if package}
+    # "conda install libfoo" is no package of pip's: only names that pip has too are taken over
+    found = [p for p in found if p.dependency.role != "conda" or p.dependency.strength != "prose" or p.name in known]
     yield from sorted((pin for pin in found if pin.name), key=lambda pin: -pin.trust)
 
 

@@ -53,7 +53,9 @@ def choose(evidence: Evidence, config: Config, kind: Kind) -> Chosen:
     else:
         files = _files(evidence, kind, conda)
     projects = _projects(evidence, kind)
-    guessed = _guesses(evidence, ros=ros, known=_known(evidence, files, projects, conda))
+    manifests = bool(files or conda or any(project.dependencies for project in projects))
+    known = _known(evidence, files, projects, conda)
+    guessed = _guesses(evidence, ros=ros, manifests=manifests, known=known)
     options = [
         d.name for d in evidence.prose if d.namespace == "pip" and d.role == "option" and not DEVELOPMENT.search(d.file)
     ]
@@ -210,14 +212,16 @@ def with_includes(evidence: Evidence, files: Iterable[RequirementFile]) -> list[
     return list(found.values())
 
 
-def _guesses(evidence: Evidence, *, ros: bool, known: set[str]) -> tuple[Dependency, ...]:
+def _guesses(evidence: Evidence, *, ros: bool, manifests: bool, known: set[str]) -> tuple[Dependency, ...]:
     """Return what prose, recipes and imports name beyond the manifests, each package once, the best source first."""
     found: dict[str, Dependency] = {}
+    urls = {_repository(pin.line) for pin in pins(evidence) if pin.trust >= 2} - {""}
     for pin in sorted((pin for pin in pins(evidence) if pin.trust == 1), key=_specific):
         declared = pin.dependency.strength == "declared"
         ci = bool(re.search(r"(?:^|/)\.(?:github|circleci|travis|gitlab)", pin.dependency.file))
         if (
             declared
+            or _repository(pin.line) in urls
             or pin.name in known
             or pin.name == "pip"
             or (pin.name in _TOOLS and not pin.release)
@@ -226,7 +230,7 @@ def _guesses(evidence: Evidence, *, ros: bool, known: set[str]) -> tuple[Depende
             continue
         found.setdefault(pin.name, pin.dependency)
     heavy = bool(known & {"torch", "tensorflow", "jax"})
-    strengths = {"used"} if known else {"used", "optional"}
+    strengths = {"used"} if manifests else {"used", "optional"}
     for dependency in evidence.code:
         if dependency.namespace != "import" or dependency.strength not in strengths or places.test(dependency.file):
             continue
@@ -241,6 +245,12 @@ def _guesses(evidence: Evidence, *, ros: bool, known: set[str]) -> tuple[Depende
             namespace="pip", name=package, strength="used", file=dependency.file, line=dependency.line, role="import"
         )
     return tuple(found.values())[:MAX_GUESSES]
+
+
+def _repository(line: str) -> str:
+    """Return the repository of a ``git+`` line, so that two spellings of one package are not both installed."""
+    match = re.search(r"git\+\w+://(?:[^@/]*@)?([\w.-]+/[\w.-]+/[\w.-]+?)(?:\.git)?(?:[@#].*)?$", line)
+    return match[1].lower() if match else ""
 
 
 def _same(name: str, other: str) -> bool:

@@ -17,7 +17,9 @@ PREFERRED = ("3.10", "3.8", "3.12", "3.9", "3.11", "3.7", "3.6", "3.13", "3.14",
 _TABLED = {"tensorflow-gpu": "tensorflow", "tensorflow-cpu": "tensorflow", "jaxlib": "jax"}
 _SPECIFIER = re.compile(r"(>=|<=|==|~=|!=|>|<|\^)?\s*(\d+(?:\.\d+|\.\*)*)")
 _CLASSIFIER = re.compile(r"Python :: (\d\.\d+)")
-_PYTHON2 = re.compile(r"\bpython\s*2\b|python2\.7", re.IGNORECASE)
+
+
+_BOTH = re.compile(r"python\s*3|\b3\.\d|as well as|\bstill\b|or (?:later|newer|above)|\balso\b|\+|≥|>=", re.IGNORECASE)
 
 
 def python_version(evidence: Evidence, config: Config) -> tuple[str | None, tuple[Reason, ...]]:
@@ -83,6 +85,8 @@ def _named(evidence: Evidence) -> Iterator[Reason]:
     for mention in evidence.mentions:
         if mention.topic != "python" or version(mention.value) < (2, 7):
             continue
+        if mention.value.startswith("2") and _BOTH.search(mention.text):
+            continue  # Python 3 does as well
         depth = min(mention.file.count("/"), 3)
         created = "create" in mention.text and "python" in mention.text
         weight = (

@@ -135,6 +135,8 @@ def _base_doubt(base: str, kind: Kind, ros_distro: str | None) -> str | None:
     if _OLD_UBUNTU.search(base):
         return f"{base} has no packages any more"
     named = _ROS.search(base)
+    if named and kind in {"python", "cpp"}:
+        return f"it tries the code with ROS ({base}), which the repository does not need"
     release = distro(named[1]) if named else None
     if release and kind in {"ros1", "ros2"} and ros_distro and release.name != ros_distro:
         return f"it is for {release.name}, the repository for {ros_distro}"

@@ -46,13 +46,16 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
         installable=first.installable and not ros,
         requires_python=next((part.requires_python for part in parts if part.requires_python), None),
         build_requires=tuple(dict.fromkeys(line for part in parts for line in part.build_requires)),
-        dependencies=tuple(
-            {(d.name, d.role): d for part in (*reversed(rest), first) for d in part.dependencies}.values()
-        ),
+        dependencies=tuple({(d.name, d.role): d for part in _asked(first, rest) for d in part.dependencies}.values()),
         scripts=tuple(script for part in parts for script in part.scripts),
         extensions=tuple(dict.fromkeys(extension for part in parts for extension in part.extensions)),
         classifiers=tuple(dict.fromkeys(line for part in parts for line in part.classifiers)),
     )
+
+
+def _asked(first: PythonProject, rest: list[PythonProject]) -> list[PythonProject]:
+    """Return the files whose dependencies count: pip asks the first alone, unless that leaves them to another."""
+    return [first] if any(not d.role for d in first.dependencies) else [*reversed(rest), first]
 
 
 def _finder(text: str) -> Callable[[str], int]:
