@@ -30,7 +30,7 @@ REFUSALS = (
 def problem(access: Access, *, image: str, event: Event) -> Problem | None:
     """Return what to tell of an access that is not granted, ``None`` where the push may be tried."""
     host = image.partition("/")[0]
-    said = f" ({access.detail})" if access.detail else ""
+    said = f": {access.detail}" if access.detail else ""
     if access.verdict == "wrong password":
         hint = (
             "leave the input token out: the run's own token is then used"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Mapping, Sequence
 
@@ -31,3 +32,28 @@ def listed(inspection: str) -> tuple[str, ...]:
     """Return the platforms that ``docker buildx inspect`` lists; a star marks preferred ones."""
     lines = re.findall(r"^\s*Platforms:\s*(.+)$", inspection, flags=re.MULTILINE)
     return tuple(part.strip().rstrip("*") for line in lines for part in line.split(",") if part.strip())
+
+
+def failed_log() -> str:
+    """Return the log of the builder's newest build that failed, ``""`` where it keeps none.
+
+    https://docs.docker.com/reference/cli/docker/buildx/history/
+    """
+    listing = output(["docker", "buildx", "history", "ls", "--format", "json"]).stdout
+    newest = newest_failure(listing)
+    if not newest:
+        return ""
+    answer = output(["docker", "buildx", "history", "logs", "--progress", "plain", newest])
+    return answer.stdout + answer.stderr if answer.returncode == 0 else ""
+
+
+def newest_failure(listing: str) -> str | None:
+    """Return the newest failed build of ``docker buildx history ls --format json``: one object a line, newest first."""
+    for line in listing.splitlines():
+        try:
+            record = json.loads(line)
+        except ValueError:
+            continue
+        if isinstance(record, dict) and str(record.get("status", "")).lower() == "error":
+            return str(record.get("ref", "")).rpartition("/")[2] or None
+    return None

@@ -131,14 +131,14 @@ def explain(environment: Environment) -> None:
     from roslab.knowledge.failures import diagnose  # noqa: PLC0415 - a table that only a failed build needs
 
     run = Folder.of(environment).run
-    log = engine.output(["docker", "buildx", "history", "logs", "--progress", "plain"]).stdout
-    refused = access.refusal(log)
-    if refused:
+    log = builder.failed_log()
+    if refused := access.refusal(log):
         access.require(refused, image=run.image, event=event.read(environment))
     known = [Problem(message=f"{found.cause}: {found.line}", hint=found.fix) for found in diagnose(log)]
-    if not log.strip():
-        known = [Problem(message="the build failed", hint="the log of the step above says why")]
-    raise BuildError(*(known or [Problem(message=f"the build failed: {engine.failed_step(log)}")]))
+    if not known:
+        step = f": {engine.failed_step(log)}" if log else ""
+        known = [Problem(message=f"the build failed{step}", hint="the log of the step above has the lines before it")]
+    raise BuildError(*known)
 
 
 def tag(environment: Environment) -> None:
