@@ -1,0 +1,178 @@
+"""Run a workflow with act: on this machine, without GitHub, in an environment that holds only what is named here."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from . import caller, facts
+from .api_stub import api_stub
+from .home import CHECKOUT, folder
+from .laboratory import Laboratory
+
+# What pip, git, docker and certificates need on this machine; everything else of the environment stays outside.
+PASSED = ("LANG", "SSL_CERT_FILE", "SSL_CERT_DIR", "REQUESTS_CA_BUNDLE", "CURL_CA_BUNDLE", "NODE_EXTRA_CA_CERTS",
+          "GIT_SSL_CAINFO", "HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY", "http_proxy", "https_proxy", "no_proxy")  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Result:
+    """What came of a run: act's exit code, its log, the result of each job, and what the steps put out.
+
+    `jobs` maps `workflow/job` (of a called workflow `workflow/job/inner`, a matrix job with its number) to "success",
+    "failure" or "skipped" as act names them; `outputs` maps the same names to every output their steps set.
+    """
+
+    exit_code: int
+    log: str
+    jobs: Mapping[str, str]
+    outputs: Mapping[str, Mapping[str, str]]
+    summary: str
+
+    def output(self, name: str) -> str:
+        """Return the last value that any step gave this output; KeyError when none did."""
+        values = [outputs[name] for outputs in self.outputs.values() if name in outputs]
+        if not values:
+            raise KeyError(name)
+        return values[-1]
+
+
+def run_workflow(
+    lab: Laboratory,
+    caller_dir: Path,
+    event: str,
+    event_payload: dict[str, Any] | None = None,
+    *,
+    jobs: Sequence[str] | None = None,
+    workflow: str | None = None,
+    env: Mapping[str, str] | None = None,
+    secrets: Mapping[str, str] | None = None,
+    inputs: Mapping[str, str] | None = None,
+    actions_dir: Path | None = None,
+    timeout: float = 900,
+) -> Result:
+    """Run the caller's workflows for an event in a throw-away copy and return what came of it.
+
+    `jobs` and `workflow` (a path below the caller) narrow what runs; `env` is added to every step's environment;
+    `inputs` are those of workflow_dispatch; `actions_dir` holds copies of real actions in folders OWNER__NAME.
+    The caller's folder and the user's home are not touched. Raises LabError when an action has no stand-in.
+    """
+    payload = _payload(event_payload or {})
+    with tempfile.TemporaryDirectory(prefix="repro-act-", ignore_cleanup_errors=True) as name, api_stub(
+        {"default_branch": payload["repository"]["default_branch"]}
+    ) as api:
+        place = Path(name)
+        copy = caller.prepare(caller_dir, place / "caller", payload)
+        event_file = place / "event.json"
+        event_file.write_text(json.dumps(payload))
+        environment = _environment(lab, place)
+        steps = {
+            "GITHUB_API_URL": api,
+            "REPRO_LAB_SOURCE": str(CHECKOUT),
+            "REPRO_LAB_BUILDKIT": lab.buildkit,
+            "REPRO_LAB_ARTIFACTS": str(place / "artifacts"),
+            "DOCKER_BUILD_SUMMARY": "false",
+            "DOCKER_BUILD_RECORD_UPLOAD": "false",
+            **(env or {}),
+        }
+        command = [str(lab.act), event, "--json", "-C", str(copy), "-e", str(event_file), *_host_labels(), *_offline(place)]
+        command += ["--defaultbranch", payload["repository"]["default_branch"], "--actor", payload["sender"]["login"]]
+        for job in jobs or ():
+            command += ["--job", job]
+        if workflow:
+            command += ["-W", str(copy / workflow)]
+        for pair, target in caller.mappings(copy, actions_dir).items():
+            command += ["--local-repository", f"{pair}={target}"]
+        for option, values in (("--env", steps), ("--secret", {"GITHUB_TOKEN": lab.password, **(secrets or {})}), ("--input", inputs or {})):
+            for key, value in values.items():
+                command += [option, f"{key}={value}"]
+        code, lines = _run(command, environment, timeout)
+    return _result(code, lines)
+
+
+def _payload(given: dict[str, Any]) -> dict[str, Any]:
+    """Complete an event: act leaves it nearly empty, and rules about the default branch need it."""
+    repository = {"full_name": "someone/something", "default_branch": "main", "private": False, **given.get("repository", {})}
+    owner, _, name = repository["full_name"].partition("/")
+    repository = {"name": name, "owner": {"login": owner}, **repository}
+    return {"sender": {"login": owner}, **given, "repository": repository}
+
+
+def _environment(lab: Laboratory, place: Path) -> dict[str, str]:
+    """Return everything that act and, in host mode, every step inherits."""
+    settings = place / "docker-config"
+    settings.mkdir()
+    home = place / "home"
+    home.mkdir()
+    # The interpreter below a test's own virtual environment: a step must not see what the tests installed.
+    path = os.pathsep.join([str(lab.node), str(Path(sys.base_prefix) / "bin"), os.environ.get("PATH", os.defpath)])
+    passed = {name: value for name, value in os.environ.items() if name in PASSED or name.startswith("PIP_")}
+    return {
+        **passed,
+        "HOME": str(home),
+        "PATH": path,
+        "DOCKER_HOST": lab.docker_host,
+        "DOCKER_CONFIG": str(settings),
+        "PIP_CACHE_DIR": str(folder("pip-cache")),
+    }
+
+
+def _host_labels() -> list[str]:
+    return [word for label in facts.texts("act", "labels") for word in ("-P", f"{label}=-self-hosted")]
+
+
+def _offline(place: Path) -> list[str]:
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    artifacts = ["--artifact-server-path", str(place / "act-artifacts"), "--artifact-server-port", str(port)]
+    servers = ["--artifact-server-addr", "127.0.0.1", "--cache-server-addr", "127.0.0.1", "--no-cache-server"]
+    return [*artifacts, *servers, "--container-daemon-socket", "-", "--action-offline-mode"]
+
+
+def _run(command: Sequence[str], environment: Mapping[str, str], timeout: float) -> tuple[int, list[str]]:
+    """Run act in a process group of its own and end the whole of it when it takes too long."""
+    process = subprocess.Popen(
+        command, env=dict(environment), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        text=True, errors="replace", start_new_session=True,
+    )  # fmt: skip
+    try:
+        said, _ = process.communicate(timeout=timeout)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        said, _ = process.communicate()
+        said += f"\nact did not end within {timeout:.0f} s and was ended\n"
+    return process.returncode, said.splitlines()
+
+
+def _result(code: int, lines: Sequence[str]) -> Result:
+    log: list[str] = []
+    jobs: dict[str, str] = {}
+    outputs: dict[str, dict[str, str]] = {}
+    summary: list[str] = []
+    for line in lines:
+        try:
+            entry = json.loads(line)
+        except ValueError:
+            entry = {"msg": line}
+        if not isinstance(entry, dict):
+            entry = {"msg": line}
+        job, message = str(entry.get("job", "")).strip(), str(entry.get("msg", "")).rstrip("\n")
+        log.append(f"[{job}] {message}" if job else message)
+        if "jobResult" in entry:
+            jobs[job] = str(entry["jobResult"])
+        if entry.get("command") == "set-output" and "name" in entry:
+            outputs.setdefault(job, {})[str(entry["name"])] = str(entry.get("arg", ""))
+        if entry.get("command") == "summary":
+            summary.append(str(entry.get("content", message)))
+    return Result(exit_code=code, log="\n".join(log), jobs=jobs, outputs=outputs, summary="\n".join(summary))
+

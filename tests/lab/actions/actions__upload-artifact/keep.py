@@ -1,0 +1,59 @@
+"""Keep files as actions/upload-artifact does, which this stands in for: below their nearest common folder."""
+
+from __future__ import annotations
+
+import glob
+import os
+import shutil
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+
+def files(patterns: list[str], *, hidden: bool) -> list[Path]:
+    """Return the files of all patterns; one that begins with `!` takes files out again."""
+    found: dict[Path, None] = {}
+    for pattern in patterns:
+        matched: list[Path] = []
+        for name in glob.glob(pattern.lstrip("!"), recursive=True, include_hidden=hidden):
+            path = Path(name).absolute()
+            matched += [path] if path.is_file() else [inner for inner in sorted(path.rglob("*")) if inner.is_file()]
+        for path in matched:
+            if pattern.startswith("!"):
+                found.pop(path, None)
+            elif hidden or not any(part.startswith(".") for part in path.relative_to(Path.cwd()).parts):
+                found[path] = None
+    return list(found)
+
+
+def main(environment: Mapping[str, str]) -> int:
+    """Copy the files and write the outputs; return 1 when there are none and that is an error."""
+    name = environment["ARTIFACT_NAME"]
+    patterns = [line.strip() for line in environment["ARTIFACT_PATH"].splitlines() if line.strip()]
+    kept = files(patterns, hidden=environment["ARTIFACT_HIDDEN"] == "true")
+    if not kept:
+        level = environment["ARTIFACT_MISSING"]
+        if level != "ignore":
+            print(f"::{'error' if level == 'error' else 'warning'}::No files were found with the provided path: {patterns}")
+        return 1 if level == "error" else 0
+    target = Path(environment["REPRO_LAB_ARTIFACTS"]) / name
+    if target.exists():
+        if environment["ARTIFACT_OVERWRITE"] != "true":
+            print(f"::error::an artifact with the name {name} exists already (409 Conflict)")
+            return 1
+        shutil.rmtree(target)
+    folder = len(patterns) == 1 and Path(patterns[0]).is_dir()
+    root = Path(patterns[0]).absolute() if folder else Path(os.path.commonpath([path.parent for path in kept]))
+    for path in kept:
+        place = target / path.relative_to(root)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(path, place)
+    number = len(list(target.parent.iterdir()))
+    with open(environment["GITHUB_OUTPUT"], "a", encoding="utf-8") as handle:
+        handle.write(f"artifact-id={number}\nartifact-url=file://{target}\n")
+    print(f"kept {len(kept)} files as {name}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(os.environ))

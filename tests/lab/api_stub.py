@@ -1,0 +1,56 @@
+"""A stand-in for GitHub's API on the loopback: the few answers that docker/metadata-action asks for."""
+
+from __future__ import annotations
+
+import json
+import re
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any
+
+REPOSITORY = re.compile(r"/repos/([^/]+/[^/]+)$")
+COMMIT = re.compile(r"/repos/([^/]+/[^/]+)/commits/([0-9a-f]{7,40})$")
+
+
+def answer(path: str, repository: dict[str, Any]) -> dict[str, Any] | None:
+    """Return what the API would say to a GET of this path, None for what the stand-in does not know."""
+    if found := REPOSITORY.match(path):
+        name = found[1]
+        facts = {
+            "name": name.partition("/")[2], "full_name": name, "description": "a repository of the lab", "private": False,
+            "html_url": f"https://github.com/{name}", "default_branch": "main", "license": {"spdx_id": "MIT"},
+        }  # fmt: skip
+        return {**facts, **repository}
+    if found := COMMIT.match(path):
+        return {"sha": found[2], "commit": {"committer": {"date": "2026-01-01T00:00:00Z"}}}
+    return None
+
+
+@contextmanager
+def api_stub(repository: dict[str, Any] | None = None) -> Iterator[str]:
+    """Serve the stand-in on a free port of the loopback and yield its address; `repository` overrides what it says."""
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            said = answer(self.path.partition("?")[0], repository or {})
+            body = json.dumps(said if said is not None else {"message": "the lab's stand-in does not know this"}).encode()
+            self.send_response(404 if said is None else 200)
+            self.send_header("Content-Type", "application/json")
+            self.send_header("Content-Length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+
+        def log_message(self, format: str, *args: object) -> None:
+            """Say nothing: act's log is what a test reads."""
+
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    try:
+        yield f"http://127.0.0.1:{server.server_address[1]}"
+    finally:
+        server.shutdown()
+        server.server_close()
+        thread.join()

@@ -1,0 +1,102 @@
+"""A throw-away caller: a repository that uses ours, as a stranger's would, and every mapping act needs to find the rest."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from .command import LabError, run
+from .home import CHECKOUT, HERE
+
+OURS = "org/repro-action"
+ACTIONS = HERE / "actions"
+USES = re.compile(r"^\s*(?:-\s+)?uses:\s*['\"]?(?P<name>[\w.-]+/[\w.-]+)(?P<path>/[^@\s'\"]+)?@(?P<ref>[^\s'\"#]+)", re.M)
+NESTED = re.compile(r"^\s*(?:-\s+)?uses:\s*['\"]?\./(?P<path>\.github/workflows/[\w.-]+\.ya?ml)", re.M)
+
+
+def prepare(source: Path, place: Path, payload: dict[str, Any]) -> Path:
+    """Copy a caller to `place` and make it the git repository that act wants, on the branch or tag of the event.
+
+    Our workflows that call a sibling by `./` are right on GitHub, but act looks in the caller: it gets copies of those.
+    """
+    shutil.copytree(source, place, symlinks=True, ignore=shutil.ignore_patterns(".git"))
+    for path in nested_workflows():
+        target = place / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if not target.exists():
+            shutil.copy(CHECKOUT / path, target)
+    ref = str(payload.get("ref") or "refs/heads/main")
+    branch = ref.removeprefix("refs/heads/") if ref.startswith("refs/heads/") else "main"
+    name = str(payload.get("repository", {}).get("full_name") or "someone/something")
+    identity = ("-c", "user.name=someone", "-c", "user.email=someone@example.org", "-c", "commit.gpgsign=false")
+    # A fixed time: the commit's id is the same in every run.
+    when = {"GIT_AUTHOR_DATE": "2026-01-01T00:00:00Z", "GIT_COMMITTER_DATE": "2026-01-01T00:00:00Z"}
+    commands: list[tuple[str, ...]] = [
+        ("init", "--quiet", f"--initial-branch={branch}"),
+        ("remote", "add", "origin", f"https://github.com/{name}"),
+        ("add", "--all", "--force"),
+        ("commit", "--quiet", "--allow-empty", "--message", "Everything"),
+    ]
+    if ref.startswith("refs/tags/"):
+        commands.append(("tag", ref.removeprefix("refs/tags/")))
+    for command in commands:
+        run(["git", "-C", place, *identity, *command], env=when)
+    return place
+
+
+def nested_workflows() -> tuple[str, ...]:
+    """Return the paths of our workflows that another of ours calls by `./`."""
+    found: set[str] = set()
+    for path in _workflows(CHECKOUT):
+        if not path.name.startswith("."):
+            found |= {match["path"] for match in NESTED.finditer(path.read_text())}
+    return tuple(sorted(path for path in found if (CHECKOUT / path).is_file()))
+
+
+def mappings(caller: Path, actions: Path | None = None) -> dict[str, Path]:
+    """Return `OWNER/NAME@REF` -> folder for everything that the caller, our files and the actions themselves use.
+
+    `actions`, else $REPRO_LAB_ACTIONS, is a folder of real actions in sub-folders OWNER__NAME, which replace the
+    stand-ins. Raises LabError, naming them, when something is used that is in neither place.
+    """
+    chosen = actions or (Path(os.environ["REPRO_LAB_ACTIONS"]) if os.environ.get("REPRO_LAB_ACTIONS") else None)
+    found: dict[str, Path] = {}
+    missing: set[str] = set()
+    seen: set[Path] = set()
+    files = [CHECKOUT / "action.yml", *_workflows(CHECKOUT, own=False), *_workflows(caller)]
+    while files:
+        file = files.pop()
+        if file in seen or not file.is_file():
+            continue
+        seen.add(file)
+        for name, ref in _used(file):
+            folder = CHECKOUT if name == OURS else _action(name, chosen)
+            if folder is None:
+                missing.add(f"{name}@{ref} (in {file.name})")
+                continue
+            found[f"{name}@{ref}"] = folder
+            files += [folder / "action.yml", folder / "action.yaml"]
+    if missing:
+        raise LabError(f"no stand-in and no copy of: {', '.join(sorted(missing))}; put one under tests/lab/actions/OWNER__NAME")
+    return found
+
+
+def _used(file: Path) -> Iterable[tuple[str, str]]:
+    return ((match["name"], match["ref"]) for match in USES.finditer(file.read_text()))
+
+
+def _action(name: str, chosen: Path | None) -> Path | None:
+    folder = name.replace("/", "__")
+    # act's own checkout copies the caller; only our self-checkout comes to the shim, which the real one cannot replace.
+    places = (ACTIONS,) if chosen is None or name == "actions/checkout" else (chosen, ACTIONS)
+    return next((place / folder for place in places if (place / folder).is_dir()), None)
+
+
+def _workflows(place: Path, *, own: bool = True) -> list[Path]:
+    """Return the workflow files of a checkout; without `own`, not those of its own CI, which begin with a dot."""
+    listed = sorted((place / ".github" / "workflows").glob("*.y*ml")) if (place / ".github" / "workflows").is_dir() else []
+    return [path for path in listed if own or not path.name.startswith(".")]
