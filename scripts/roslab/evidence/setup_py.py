@@ -67,6 +67,10 @@ def read(text: str) -> SetupScript:
                     names[item.optional_vars.id] = item.context_expr
         elif isinstance(node, ast.Call) and _called(node) == "setup":
             call = node
+        elif isinstance(node, ast.Call) and _called(node) in {"append", "extend"} and node.args:
+            target = node.func.value if isinstance(node.func, ast.Attribute) else None
+            if isinstance(target, ast.Name) and target.id in names:
+                names[target.id] = ast.BinOp(names[target.id], ast.Add(), node.args[0])
     if call is None:
         return script
     script.line = call.lineno

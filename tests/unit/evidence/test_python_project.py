@@ -26,14 +26,16 @@ def test_setup_py_follows_names_and_sums(tmp_path: Path) -> None:
 from setuptools import setup, find_packages
 CORE = ["numpy>=1.2", 'scipy']
 DEPS = CORE + ["six"]
+DEPS += ["yaml"]
+DEPS.append("tqdm")
 setup(name="thing", install_requires=DEPS, extras_require={"sim": ["pybullet"]}, python_requires=">=3.6",
       classifiers=["Programming Language :: Python :: 3.7"], entry_points={"console_scripts": ["run-it = thing:main"]})
 """
     project = read(tmp_path, {"setup.py": text})[""]
     assert (project.name, project.installable, project.requires_python) == ("thing", True, ">=3.6")
-    assert names(project) == ["numpy>=1.2", "scipy", "six"]
+    assert names(project) == ["numpy>=1.2", "scipy", "six", "yaml", "tqdm"]
     assert names(project, "extra:sim") == ["pybullet"]
-    assert project.scripts == (("run-it", 6),)
+    assert project.scripts == (("run-it", 8),)
     assert project.dependencies[0].line == 3
 
 
