@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
@@ -24,6 +25,7 @@ _PROMPT = re.compile(
 )
 _ROOT = re.compile(r"\s*#\s+(?=(\S+))")
 _FIRST = re.compile(r"(?:^|&&|\|\||;|\|)\s*(?:(?:\w+=\S*|time|exec|nohup|env)\s+)*([^\s;&|]+)(?:\s+(\S+))?")
+_PROGRAM = re.compile(r"\.{0,2}/\w|\w+=|[\w.-]+/[\w./-]+\.(?:py|sh)$")
 _NO_COMMAND = re.compile(r"[<>=~]+|v?\d+(?:\.\d+)+|[:=].*|is|are|and|or|version")
 """Second words of a list of requirements (``cmake >= 3.5``) or of prose."""
 _OPEN = re.compile(r"(?:\\|&&|\|\|?|\{|\(|\b(?:do|then|else))\s*$")
@@ -48,6 +50,7 @@ def steps(info: str, content: str) -> tuple[Step, ...]:
     language = match[1].lower() if match else ""
     if language and language not in SHELLS | SESSIONS:
         return ()
+    content = _without_margin(content)
     lines = content.split("\n")
     prompt = _PROMPT
     if language in SESSIONS and not any(map(_PROMPT.match, lines)):
@@ -59,8 +62,15 @@ def steps(info: str, content: str) -> tuple[Step, ...]:
     else:
         return ()
     typed = [word for step in found if step.typed for word, _ in first_words(step.text)]
-    places = [_commands().get(word, "image") for word in typed]
+    places = [_commands().get(word.removeprefix("./"), "image") for word in typed]
     return () if not typed or "host" in places or set(places) == {"root"} else tuple(found)
+
+
+def _without_margin(content: str) -> str:
+    """Take off what indents all lines, and leading tabs: to the bash behind a notebook a tab asks for a completion."""
+    if "<<-" not in content:  # whose tabs have a meaning
+        content = re.sub(r"^[ \t]+", lambda match: match[0].expandtabs(4), content, flags=re.MULTILINE)
+    return textwrap.dedent(content)
 
 
 @cache
@@ -116,16 +126,15 @@ def _unfinished(command: str) -> bool:
 
 
 def first_words(text: str) -> Iterator[tuple[str, str]]:
-    """Yield the first and the second word of each command, the first without its folder."""
+    """Yield the first and the second word of each command, ``""`` where there is no second."""
     for line in re.sub(r"\\\n\s*", " ", text).split("\n"):
         if not line.lstrip().startswith("#"):
             for match in _FIRST.finditer(line):
-                yield match[1].rpartition("/")[2] if match[1].endswith(".sh") else match[1], match[2] or ""
+                yield match[1], match[2] or ""
 
 
 def _all_commands(content: str) -> bool:
     found = list(first_words(content))
     return bool(found) and all(
-        (word in _commands() or re.match(r"\.{0,2}/\w|\w+=", word)) and not _NO_COMMAND.fullmatch(second)
-        for word, second in found
+        (word in _commands() or _PROGRAM.match(word)) and not _NO_COMMAND.fullmatch(second) for word, second in found
     )

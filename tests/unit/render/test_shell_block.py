@@ -35,6 +35,8 @@ def test_a_block_of_another_language(info: str) -> None:
         "CUDA_VISIBLE_DEVICES=0 python3 train.py\n",
         "# build it\ncolcon build\n",
         "../build/demo\n",
+        "make build\n./run.sh euroc.launch   # takes long\n",
+        "experiments/train.py --map loop\n",
     ],
 )
 def test_a_block_without_a_language_that_is_all_commands(content: str) -> None:
@@ -93,6 +95,13 @@ def test_what_came_back_is_text() -> None:
 )
 def test_a_command_over_several_lines(content: str, wanted: str) -> None:
     assert typed("console", content)[0] == wanted
+
+
+def test_margins_and_tabs_go() -> None:
+    """In a notebook a tab asks bash for a completion."""
+    assert typed("", "\tcd x\n\tcatkin build\n\n") == ["cd x\ncatkin build"]
+    assert typed("sh", "if x; then\n\tmake\nfi") == ["if x; then\n    make\nfi"]
+    assert typed("sh", "cat <<-END\n\ta\n\tEND") == ["cat <<-END\n\ta\n\tEND"]
 
 
 def test_root_prompts_where_nothing_else_marks_a_command() -> None:
