@@ -28,7 +28,7 @@ for name in names:
         except Exception as error:
             failed[name] = f"import {module}: {type(error).__name__}: {error}"
 print("imported", len(names) - len(failed), "of", len(names), "packages")
-sys.exit("\\n".join(f"{name}: {why}" for name, why in failed.items()))
+sys.exit("\\n".join(f"{name}: {why}" for name, why in failed.items()) or 0)
 """
 """A distribution's name is not its module's (``opencv-python`` is ``cv2``): its own record says what to import."""
 
