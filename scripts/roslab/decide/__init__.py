@@ -9,14 +9,16 @@ from roslab.decide.command import decide_command
 from roslab.decide.cuda import CudaChoice, decide_cuda
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.distro import decide_distro
+from roslab.decide.keys import declared_keys
 from roslab.decide.kind import decide_kind
 from roslab.decide.layout import decide_layout
 from roslab.decide.names import Target
+from roslab.decide.needs import code_needs
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.python import decide_python, specifiers
 from roslab.decide.recipe import decide_recipe
 from roslab.decide.sources import decide_sources, with_recipes
-from roslab.decide.system import code_needs, decide_system, declared_keys
+from roslab.decide.system import decide_system
 from roslab.decide.workspace import packages_of
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
@@ -37,21 +39,35 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     distro = ros.distro.name if ros.distro else None
     cuda = decide_cuda(evidence, config)
     if kind.kind in _ROS or kind.kind == "cpp" or distro:
-        base = decide_base(evidence, config, kind.kind, ros, cuda, None)
+        base = decide_base(evidence, config, kind.kind, chosen=ros, cuda=cuda, python=None)
         python, python_reasons, python_warnings = decide_python(evidence, config, kind.kind, base.ubuntu, distro)
     else:
         python, python_reasons, python_warnings = decide_python(evidence, config, kind.kind, config.base.ubuntu, distro)
-        base = decide_base(evidence, config, kind.kind, ros, cuda, python.version)
+        base = decide_base(evidence, config, kind.kind, chosen=ros, cuda=cuda, python=python.version)
     build_tool, tool_reasons = decide_build_tool(evidence, config, kind.kind, python)
     recipe = decide_recipe(evidence, config, kind.kind, distro)
     packages = packages_of(evidence)
     target = Target(ros_distro=distro, ubuntu=base.ubuntu)
     needed = (*declared_keys(packages, target, kind.kind), *code_needs(evidence, packages))
     sources = decide_sources(
-        evidence, config, kind.kind, ros_distro=distro, build_tool=build_tool, needed=needed, own=packages.names, folder_name=folder_name
+        evidence,
+        config,
+        kind.kind,
+        ros_distro=distro,
+        build_tool=build_tool,
+        needed=needed,
+        own=packages.names,
+        folder_name=folder_name,
     )
     system = decide_system(
-        evidence, config, kind.kind, target=target, packages=packages, python=python, base_packages=base.ros_packages, sisters=sources.names
+        evidence,
+        config,
+        kind.kind,
+        target=target,
+        packages=packages,
+        python=python,
+        base_packages=base.ros_packages,
+        sisters=sources.names,
     )
     sources = with_recipes(sources, recipes_for(system.recipes, base.ubuntu))
     layout = decide_layout(evidence, kind.kind, packages)
@@ -74,7 +90,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         source=sources.sources,
         vcs=sources.vcs,
         packages=tuple(manifest.file for manifest in packages.built) if kind.kind in _ROS else (),
-        package_names=tuple(sorted(manifest.name for manifest in packages.built if manifest.name)) if kind.kind in _ROS else (),
+        package_names=tuple(sorted(manifest.name for manifest in packages.built if manifest.name))
+        if kind.kind in _ROS
+        else (),
         workspace=layout.workspace,
         cmake_folder=layout.cmake_folder,
         dockerfile=recipe.dockerfile,
@@ -89,7 +107,10 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         gui=command.gui if config.gui is None else config.gui,
         warnings=(
             *(Warning_(message=message, file=file, line=line) for message, file, line in evidence.problems),
-            *(Warning_(message=message, file=place.file if place else None, line=place.line if place else None) for message, place in config.warnings),
+            *(
+                Warning_(message=message, file=place.file if place else None, line=place.line if place else None)
+                for message, place in config.warnings
+            ),
             *ros.warnings,
             *python_warnings,
             *cuda.warnings,
@@ -117,18 +138,15 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
 def _something(evidence: Evidence, config: Config) -> None:
     """Raise where the folder holds nothing to build an image around, and roslab.yaml says nothing either."""
     found = (
-        evidence.manifests, evidence.cmake, evidence.python, evidence.requirements, evidence.conda, evidence.recipes, evidence.scripts,
-        evidence.sources, evidence.code, evidence.cuda_files,
-    )  # fmt: skip
+        *(evidence.manifests, evidence.cmake, evidence.python, evidence.requirements, evidence.conda),
+        *(evidence.recipes, evidence.scripts, evidence.sources, evidence.code, evidence.cuda_files),
+    )
     if any(found) or config.file:
         return
     raise NothingToBuildError(
         Problem(
-            message="nothing to build was found: no package.xml, CMakeLists.txt, setup.py, pyproject.toml, requirements file, conda environment, "
-            "Dockerfile, Python program or C++ source",
+            message="nothing to build was found: no package.xml, CMakeLists.txt, setup.py, pyproject.toml, "
+            "requirements file, conda environment, Dockerfile, Python program or C++ source",
             hint="is this the root of the repository? a roslab.yaml can say what it needs",
         )
     )
-
-
-

@@ -12,12 +12,16 @@ from roslab.evidence.facts import Evidence, Mention
 _SOURCES = {"readme": 400, "recipe": 420, "ci": 380, "script": 300}
 
 
-def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Python) -> tuple[BuildTool, tuple[Reason, ...]]:
+def decide_build_tool(
+    evidence: Evidence, config: Config, kind: Kind, python: Python
+) -> tuple[BuildTool, tuple[Reason, ...]]:
     """Return the build tool with its reasons."""
     if config.build:
         return config.build, (configured(config, "build_tool", config.build, "build"),)
     if kind == "ros2":
-        return "colcon", (Reason(question="build_tool", answer="colcon", reason="ROS 2 is built by colcon", weight=500),)
+        return "colcon", (
+            Reason(question="build_tool", answer="colcon", reason="ROS 2 is built by colcon", weight=500),
+        )
     if kind == "ros1":
         return _ros1(evidence)
     if kind == "cpp":
@@ -34,11 +38,27 @@ def _ros1(evidence: Evidence) -> tuple[BuildTool, tuple[Reason, ...]]:
     plain = [m for m in packages_of(evidence).built if types(m, 1) == {"cmake"}]
     if plain:
         reasons.append(
-            Reason(question="build_tool", answer="catkin_tools", reason="a plain CMake package, which catkin_make refuses", file=plain[0].file, line=plain[0].line, weight=350)
+            Reason(
+                question="build_tool",
+                answer="catkin_tools",
+                reason="a plain CMake package, which catkin_make refuses",
+                file=plain[0].file,
+                line=plain[0].line,
+                weight=350,
+            )
         )
     simple = next((p for p in evidence.cmake for d in p.dependencies if d.name == "catkin_simple"), None)
     if simple:
-        reasons.append(Reason(question="build_tool", answer="catkin_tools", reason="catkin_simple, of the same hands as catkin_tools", file=simple.file, line=1, weight=250))
+        reasons.append(
+            Reason(
+                question="build_tool",
+                answer="catkin_tools",
+                reason="catkin_simple, of the same hands as catkin_tools",
+                file=simple.file,
+                line=1,
+                weight=250,
+            )
+        )
     if not reasons:
         reasons.append(Reason(question="build_tool", answer="catkin_make", reason="ROS 1's own", weight=1))
     best = max(reasons, key=lambda reason: reason.weight)
@@ -58,11 +78,42 @@ def _weight(mention: Mention) -> int:
 
 def _python(evidence: Evidence, python: Python) -> tuple[BuildTool, tuple[Reason, ...]]:
     if python.conda_file:
-        return "conda", (Reason(question="build_tool", answer="conda", reason="a conda environment", file=python.conda_file, line=1, weight=300),)
+        return "conda", (
+            Reason(
+                question="build_tool",
+                answer="conda",
+                reason="a conda environment",
+                file=python.conda_file,
+                line=1,
+                weight=300,
+            ),
+        )
     said = next((d for d in evidence.prose if d.namespace == "pip" and d.role not in {"option", "conda"}), None)
     if python.projects or python.requirements or python.pip or said:
-        file = next(iter(python.requirements), None) or next((p.file for p in evidence.python if (p.folder or ".") in python.projects), None)
-        return "pip", (Reason(question="build_tool", answer="pip", reason="Python packages", file=file or (said.file if said else None), line=1, weight=300),)
+        file = next(iter(python.requirements), None) or next(
+            (p.file for p in evidence.python if (p.folder or ".") in python.projects), None
+        )
+        return "pip", (
+            Reason(
+                question="build_tool",
+                answer="pip",
+                reason="Python packages",
+                file=file or (said.file if said else None),
+                line=1,
+                weight=300,
+            ),
+        )
     if any(p.top_level and "/" not in p.file for p in evidence.cmake):
-        return "cmake", (Reason(question="build_tool", answer="cmake", reason="a CMake project", file="CMakeLists.txt", line=1, weight=200),)
-    return "none", (Reason(question="build_tool", answer="none", reason="nothing to build, and no manifest to install", weight=1),)
+        return "cmake", (
+            Reason(
+                question="build_tool",
+                answer="cmake",
+                reason="a CMake project",
+                file="CMakeLists.txt",
+                line=1,
+                weight=200,
+            ),
+        )
+    return "none", (
+        Reason(question="build_tool", answer="none", reason="nothing to build, and no manifest to install", weight=1),
+    )

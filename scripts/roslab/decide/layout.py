@@ -28,10 +28,24 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> LayoutC
             return LayoutChoice()
         inside = [manifest for manifest in packages.built if manifest.file.startswith("src/")]
         if len(inside) == len(packages.built) and not any(m.file.count("/") < 2 for m in inside):
-            why = Reason(question="workspace", answer="root", reason="every package lies in src/", file=inside[0].file, line=1, weight=100)
+            why = Reason(
+                question="workspace",
+                answer="root",
+                reason="every package lies in src/",
+                file=inside[0].file,
+                line=1,
+                weight=100,
+            )
             return LayoutChoice(workspace="root", reasons=(why,))
         first = packages.built[0]
-        why = Reason(question="workspace", answer="overlay", reason="its packages lie beside its other files", file=first.file, line=1, weight=100)
+        why = Reason(
+            question="workspace",
+            answer="overlay",
+            reason="its packages lie beside its other files",
+            file=first.file,
+            line=1,
+            weight=100,
+        )
         return LayoutChoice(workspace="overlay", reasons=(why,))
     tops = [project for project in evidence.cmake if project.top_level and not places.vendored(project.file)]
     tops.sort(key=lambda project: (project.file.count("/"), project.file))

@@ -50,7 +50,7 @@ def resolve(dependency: Dependency, target: Target) -> Resolved:
     if dependency.namespace == "include":
         return _include(dependency.name, target)
     if dependency.namespace in {"cmake", "pkg-config", "link"}:
-        found = library(dependency.namespace, dependency.name, target.ubuntu)  # type: ignore[arg-type]
+        found = library(dependency.namespace, dependency.name, target.ubuntu)
         if found is not None:
             return _library(found, target)
         if dependency.namespace != "link":
@@ -59,7 +59,7 @@ def resolve(dependency: Dependency, target: Target) -> Resolved:
 
 
 def _library(found: Library, target: Target) -> Resolved:
-    """A ROS package of the image's own distribution wins over Ubuntu's: the other packages were built with it."""
+    """Prefer a ROS package of the image's own distribution: the others were built with it."""
     if found.ros and target.knows(found.ros):
         return Resolved(apt=(target.ros(found.ros),), beside=found.beside)
     return Resolved(apt=found.apt, beside=found.beside, recipe=found.recipe if not found.apt else "")

@@ -1,20 +1,29 @@
-"""What is built from its source: vcs files, README clones that a manifest asks for, libraries of the table of recipes."""
+"""What is built from its source: vcs files, clones that a manifest asks for, libraries of the table of recipes."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from typing import Literal
 
 from roslab.config.model import BuildTool, Config, Kind, Place, Source
 from roslab.decide.decision import Reason, Warning_
+from roslab.decide.reasons import because, configured
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency, Evidence, GitSource
 from roslab.evidence.vcs import https
 from roslab.knowledge.distros import distros
 
-_EXTRA = re.compile(r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE)
+_EXTRA = re.compile(
+    r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
+)
 _WORDS = re.compile(r"[a-z]+")
+_IN_WORKSPACE: dict[BuildTool, Literal["catkin_make", "catkin_tools", "colcon"]] = {
+    "catkin_make": "catkin_make",
+    "catkin_tools": "catkin_tools",
+    "colcon": "colcon",
+}
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -40,45 +49,68 @@ def decide_sources(
     own: frozenset[str],
     folder_name: str,
 ) -> SourceChoice:
-    """Return the sources; ``needed`` are the names that a manifest or CMake asks for, ``own`` the repository's packages."""
-    ros = kind in {"ros1", "ros2"}
-    reasons: list[Reason] = []
-    warnings: list[Warning_] = []
-    chosen: dict[str, Source] = {}
+    """Return the sources; ``needed`` are the names that a manifest or CMake asks for, ``own`` the repository's own."""
+    chosen = _Chosen(build_tool=build_tool)
     for index, source in enumerate(config.source):
-        chosen[source.name] = source
-        place = source.place
-        reasons.append(Reason(question="source", answer=source.name, reason=f"source.{index} says so", file=place.file if place else config.file, line=place.line if place else None, weight=1000))
+        chosen.sources[source.name] = source
+        chosen.reasons.append(configured(config, "source", source.name, f"source.{index}"))
+    if kind not in {"ros1", "ros2"}:
+        return chosen.choice(())
     itself = {folder_name.lower(), *(name.lower() for name in own if len(own) == 1)}
-    files = _vcs_files(evidence, config, ros_distro) if ros else ()
+    files = _vcs_files(evidence, config, ros_distro)
     for git in evidence.sources:
         if git.kind == "vcs" and git.file in files and not _is(git, itself):
-            _add(chosen, git, build_tool, reasons, f"{git.file} lists it")
+            chosen.add(git, f"{git.file} lists it")
     wanted = _wanted(needed)
-    for git in _clones(evidence, ros=ros):
-        if _is(git, itself) or _plain(git.name) in own:
+    for git in _clones(evidence):
+        asked = None if _is(git, itself) or _plain(git.name) in own else wanted.get(_plain(git.name))
+        if asked is None:
             continue
-        dependency = wanted.get(_plain(git.name))
-        if dependency is None:
-            continue
-        _add(chosen, git, build_tool, reasons, f"{dependency.file}:{dependency.line} needs {dependency.name}, and it is cloned here")
-        if dependency.strength == "declared" and dependency.namespace == "rosdep":
-            message = f"{dependency.name} is also cloned from {git.url} ({git.file}:{git.line}): a package of that name that rosdep knows may be another one; the clone is used"
-            warnings.append(Warning_(message=message, file=dependency.file, line=dependency.line))
+        chosen.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
+        if asked.namespace == "rosdep":
+            message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
+            more = "a package of that name that rosdep knows may be another one: the clone is used"
+            chosen.warnings.append(Warning_(message=f"{message}; {more}", file=asked.file, line=asked.line))
     for git in evidence.sources:
         if git.kind == "submodule":
-            reasons.append(Reason(question="source", answer=git.name, reason=f"a submodule, {git.url}: check it out with the repository", file=git.file, line=git.line, weight=10, decisive=False))
-    names = frozenset(_plain(name) for name in chosen) | frozenset(chosen)
-    return SourceChoice(sources=tuple(chosen.values()), vcs=files, names=names, reasons=tuple(reasons), warnings=tuple(warnings))
+            why = f"a submodule, {git.url}: check it out with the repository"
+            chosen.reasons.append(replace(because("source", git.name, why, git, weight=10), decisive=False))
+    return chosen.choice(files)
 
 
-def _add(chosen: dict[str, Source], git: GitSource, build_tool: BuildTool, reasons: list[Reason], why: str) -> None:
-    name = re.sub(r"[^\w.-]+", "_", git.name.strip("/").rpartition("/")[2]) or "source"
-    if name in chosen or any(source.repo and _url(source.repo) == _url(git.url) for source in chosen.values()):
-        return
-    build = build_tool if build_tool in {"catkin_make", "catkin_tools", "colcon"} else "none"
-    chosen[name] = Source(name=name, repo=https(git.url), ref=_ref(git.ref), build=build, place=Place(file=git.file, line=git.line))  # type: ignore[arg-type]
-    reasons.append(Reason(question="source", answer=name, reason=why, file=git.file, line=git.line, weight=500))
+@dataclass
+class _Chosen:
+    """What was chosen so far."""
+
+    build_tool: BuildTool
+    sources: dict[str, Source] = field(default_factory=dict)
+    reasons: list[Reason] = field(default_factory=list)
+    warnings: list[Warning_] = field(default_factory=list)
+
+    def add(self, git: GitSource, why: str) -> None:
+        """Take a repository, unless one of that name or URL is there already."""
+        name = re.sub(r"[^\w.-]+", "_", git.name.strip("/").rpartition("/")[2]).strip(".") or "source"
+        urls = {_url(source.repo) for source in self.sources.values() if source.repo}
+        if name in self.sources or _url(git.url) in urls:
+            return
+        self.sources[name] = Source(
+            name=name,
+            repo=https(git.url),
+            ref=_ref(git.ref),
+            build=_IN_WORKSPACE.get(self.build_tool, "none"),
+            place=Place(file=git.file, line=git.line),
+        )
+        self.reasons.append(because("source", name, why, git, weight=500))
+
+    def choice(self, files: tuple[str, ...]) -> SourceChoice:
+        """Return all of it."""
+        return SourceChoice(
+            sources=tuple(self.sources.values()),
+            vcs=files,
+            names=frozenset(self.sources) | {_plain(name) for name in self.sources},
+            reasons=tuple(self.reasons),
+            warnings=tuple(self.warnings),
+        )
 
 
 def _ref(ref: str | None) -> str | None:
@@ -107,20 +139,19 @@ def _wanted(needed: Iterable[Dependency]) -> dict[str, Dependency]:
     return found
 
 
-def _clones(evidence: Evidence, *, ros: bool) -> list[GitSource]:
-    """Clone lines, the README's before CI's, those with a ref first; only a ROS workspace takes sister packages."""
-    kinds = {"clone", "git_url"} if ros else set()
-    found = [git for git in evidence.sources if git.kind in kinds and not places.vendored(git.file)]
-    found += [clone for recipe in evidence.recipes if recipe.purpose == "project" and ros for clone in recipe.clones]
-    return sorted(found, key=lambda git: (git.kind != "git_url", git.ref is None, git.file.count("/"), git.file, git.line))
+def _clones(evidence: Evidence) -> list[GitSource]:
+    """Return what manifests and pages clone: a package.xml's word first, then what has a ref, then the nearest page."""
+    found = [git for git in evidence.sources if git.kind in {"clone", "git_url"} and not places.vendored(git.file)]
+    found += [clone for recipe in evidence.recipes if recipe.purpose == "project" for clone in recipe.clones]
+    return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))
 
 
 def _vcs_files(evidence: Evidence, config: Config, ros_distro: str | None) -> tuple[str, ...]:
-    """Return the vcs files to import: roslab.yaml's, else those for this distribution, else the plainest of each folder."""
+    """Return the vcs files to import: roslab.yaml's, else those for this distribution, else the plainest ones."""
     if config.vcs is not None:
         return config.vcs
     files = list(dict.fromkeys(source.file for source in evidence.sources if source.kind == "vcs"))
-    distinct = [(file, [word for word in _WORDS.findall(file.rpartition("/")[2].lower()) if word in distros()]) for file in files]
+    distinct = [(file, set(_WORDS.findall(file.rpartition("/")[2].lower())) & distros().keys()) for file in files]
     named = [file for file, words in distinct if ros_distro in words]
     plain = [file for file, words in distinct if not words]
     candidates = named or plain
@@ -137,11 +168,12 @@ def _vcs_files(evidence: Evidence, config: Config, ros_distro: str | None) -> tu
 
 def with_recipes(choice: SourceChoice, recipes: Iterable[tuple[Source, Dependency]]) -> SourceChoice:
     """Put libraries of the table of recipes before the sister packages that link them."""
-    added: list[Source] = []
+    added: dict[str, Source] = {}
     reasons = list(choice.reasons)
-    for source, dependency in recipes:
-        if source.name in choice.names or any(source.name == other.name for other in added):
-            continue
-        added.append(source)
-        reasons.append(Reason(question="source", answer=source.name, reason=f"{dependency.name} is needed and no package of this Ubuntu holds it", file=dependency.file, line=dependency.line, weight=400))
-    return replace(choice, sources=(*added, *choice.sources), names=choice.names | {source.name for source in added}, reasons=tuple(reasons))
+    for source, asked in recipes:
+        if source.name not in choice.names and source.name not in added:
+            added[source.name] = source
+            why = f"{asked.name} is needed and no package of this Ubuntu holds it"
+            reasons.append(because("source", source.name, why, asked, weight=400))
+    names = choice.names | added.keys()
+    return replace(choice, sources=(*added.values(), *choice.sources), names=names, reasons=tuple(reasons))

@@ -2,25 +2,31 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Python, Reason, Warning_
+from roslab.decide.keys import declared_keys, translate
 from roslab.decide.names import Target, resolve
+from roslab.decide.needs import needs
+from roslab.decide.reasons import because, configured
 from roslab.decide.wheels import apt_for_wheels
 from roslab.decide.workspace import Packages
-from roslab.evidence import places
-from roslab.evidence.conditions import holds
 from roslab.evidence.facts import Dependency, Evidence
-from roslab.knowledge.libraries import library
 from roslab.knowledge.never import never
-from roslab.knowledge.released import released, rosdep_keys
 
-_STARTED = re.compile(r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch))\s+(?:--?\S+\s+)*([a-z][a-z0-9_]+)\s")
-_NOT_INSTALLED = frozenset({"doc"})
-"""rosdep leaves documentation alone."""
+_IN_ANY_ROS = ("catkin", "ros_base", "ros_core", "ament_cmake")
+_HOW = {
+    "cmake": "find_package",
+    "pkg-config": "pkg-config",
+    "link": "linked",
+    "include": "included",
+    "ros": "a ROS package in use",
+    "apt": "an install line",
+    "pip": "its wheel lacks it",
+    "rosdep": "a key",
+}
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -37,37 +43,15 @@ class SystemChoice:
     warnings: tuple[Warning_, ...] = ()
 
 
-def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Dependency, ...]:
-    """Return the keys of the packages that are built, each once, their conditions evaluated."""
-    variables = {
-        "ROS_VERSION": "1" if kind == "ros1" else "2",
-        "ROS_DISTRO": target.ros_distro or "",
-        "ROS_PYTHON_VERSION": "2" if target.ubuntu in {"trusty", "xenial", "bionic"} and kind == "ros1" else "3",
-    }
-    found: dict[str, Dependency] = {}
-    for manifest in packages.built:
-        for dependency in manifest.dependencies:
-            if dependency.role in _NOT_INSTALLED or dependency.name in packages.names:
-                continue
-            if holds(dependency.condition, variables):
-                found.setdefault(dependency.name, dependency)
-    return tuple(found[name] for name in sorted(found))
+@dataclass
+class _Found:
+    """What was gathered so far, each name with the first that asked for it."""
 
-
-def code_needs(evidence: Evidence, packages: Packages) -> tuple[Dependency, ...]:
-    """Return what CMake files look for, outside the packages that are not built."""
-    skipped = {m.file.rpartition("/")[0] for m in packages.left_out if m.ignored}
-    return tuple(
-        dependency
-        for project in evidence.cmake
-        if not places.vendored(project.file) and not any(_inside(project.file, folder) for folder in skipped)
-        for dependency in project.dependencies
-        if dependency.role != "test" and dependency.name not in packages.names
-    )
-
-
-def _inside(path: str, folder: str) -> bool:
-    return not folder or path.startswith(folder + "/")
+    declared: dict[str, Dependency | None] = field(default_factory=dict)
+    guessed: dict[str, Dependency] = field(default_factory=dict)
+    recipes: dict[str, Dependency] = field(default_factory=dict)
+    skip: dict[str, None] = field(default_factory=dict)
+    warnings: list[Warning_] = field(default_factory=list)
 
 
 def decide_system(
@@ -83,149 +67,74 @@ def decide_system(
 ) -> SystemChoice:
     """Return the system packages; ``sisters`` are the names that sources in the workspace answer for."""
     keys = declared_keys(packages, target, kind) if target.ros_distro else ()
-    reasons: list[Reason] = []
-    warnings: list[Warning_] = []
-    declared: dict[str, Dependency | None] = {}
-    guessed: dict[str, Dependency] = {}
-    recipes: dict[str, Dependency] = {}
-    skip = dict.fromkeys((*config.skip_keys, *(key.name for key in keys if key.name in sisters)))
-    for index, name in enumerate(config.apt):
-        declared[name] = None
-        place = config.place(f"apt.{index}")
-        reasons.append(Reason(question="dependencies", answer=name, reason="apt says so", file=place.file if place else config.file, line=place.line if place else None, weight=1000))
-    for name in base_packages:
-        declared[name] = None
+    found = _Found(declared=dict.fromkeys((*config.apt, *base_packages)))
+    found.skip = dict.fromkeys((*config.skip_keys, *(key.name for key in keys if key.name in sisters)))
     for key in keys:
-        _key(key, target, sisters, skip, declared, recipes, warnings)
-    known_keys = {key.name for key in keys}
-    for dependency, trusted in _needs(evidence, packages, kind):
-        name = dependency.name
-        if name in known_keys or name in packages.names or name in sisters or name in config.skip_keys:
-            continue
-        found = resolve(dependency, target)
-        if found.recipe and dependency.strength != "optional" and trusted:
-            recipes.setdefault(found.recipe, dependency)
-        for apt in found.apt:
-            if _covered(apt, target, known_keys, packages, sisters):
-                continue
-            if trusted and dependency.strength == "declared" and dependency.namespace in {"cmake", "pkg-config"} and not apt.startswith("ros-"):
-                declared.setdefault(apt, dependency)
-            else:
-                guessed.setdefault(apt, dependency)
-        if dependency.strength != "optional":
-            for apt in found.beside:
-                guessed.setdefault(apt, dependency)
+        if key.name not in found.skip:
+            _translate(key, target, found)
+    known = frozenset({key.name for key in keys} | packages.names | sisters | set(config.skip_keys))
+    for dependency, trusted in needs(evidence, packages, kind):
+        if dependency.name not in known:
+            _add(dependency, target, found, known, trusted=trusted)
     for apt, dependency in apt_for_wheels(python, target.ubuntu, evidence):
-        guessed.setdefault(apt, dependency)
+        found.guessed.setdefault(apt, dependency)
     refused = never()
-    kept = {name: dependency for name, dependency in guessed.items() if name not in declared and not refused.match(name)}
-    reasons += _explained(declared, kept, keys)
+    kept = {n: d for n, d in found.guessed.items() if n not in found.declared and not refused.match(n)}
+    said = (configured(config, "dependencies", name, f"apt.{index}") for index, name in enumerate(config.apt))
     return SystemChoice(
-        rosdep=tuple(key.name for key in keys if key.name not in sisters and key.name not in skip),
-        skip_keys=tuple(skip),
-        apt=tuple(declared),
+        rosdep=tuple(key.name for key in keys if key.name not in found.skip),
+        skip_keys=tuple(found.skip),
+        apt=tuple(found.declared),
         apt_guessed=tuple(sorted(kept)),
-        recipes=tuple(recipes.items()),
-        reasons=tuple(reasons),
-        warnings=tuple(warnings),
+        recipes=tuple(found.recipes.items()),
+        reasons=(*said, *_explained(found.declared, kept, keys)),
+        warnings=tuple(found.warnings),
     )
 
 
-def _covered(apt: str, target: Target, keys: set[str], packages: Packages, sisters: frozenset[str]) -> bool:
-    """Tell whether a ROS package is already a key, the repository's own or a sister's."""
-    if not apt.startswith("ros-"):
-        return False
+def _translate(key: Dependency, target: Target, found: _Found) -> None:
+    meant = translate(key, target)
+    for apt in meant.apt:
+        found.declared.setdefault(apt, key)
+    if meant.recipe:
+        found.recipes.setdefault(meant.recipe, key)
+    if meant.skip:
+        found.skip[key.name] = None
+    if meant.warning:
+        found.warnings.append(meant.warning)
+
+
+def _add(dependency: Dependency, target: Target, found: _Found, known: frozenset[str], *, trusted: bool) -> None:
+    """Take what a name comes to: must install where the build requires it and Ubuntu has it, else a guess."""
+    meant = resolve(dependency, target)
+    sure = trusted and dependency.strength == "declared" and dependency.namespace in {"cmake", "pkg-config"}
+    if meant.recipe and trusted and dependency.strength != "optional":
+        found.recipes.setdefault(meant.recipe, dependency)
+    for apt in meant.apt:
+        if apt.startswith("ros-") and _covered(apt, target, known):
+            continue
+        if sure and not apt.startswith("ros-"):
+            found.declared.setdefault(apt, dependency)
+        else:
+            found.guessed.setdefault(apt, dependency)
+    if dependency.strength != "optional":
+        for apt in meant.beside:
+            found.guessed.setdefault(apt, dependency)
+
+
+def _covered(apt: str, target: Target, known: frozenset[str]) -> bool:
+    """Tell whether a ROS package is a key already, the repository's own, a sister's, or in every image of ROS."""
     name = apt.split("-", 2)[2].replace("-", "_")
-    return name in keys or name in packages.names or name in sisters or apt in {target.ros(n) for n in ("catkin", "ros_base", "ros_core", "ament_cmake")}
+    return name in known or apt in {target.ros(each) for each in _IN_ANY_ROS}
 
 
-def _key(
-    key: Dependency,
-    target: Target,
-    sisters: frozenset[str],
-    skip: dict[str, None],
-    declared: dict[str, Dependency | None],
-    recipes: dict[str, Dependency],
-    warnings: list[Warning_],
-) -> None:
-    """A key that rosdep cannot know: a name of CMake's is translated, any other is named with its place."""
-    name = key.name
-    if name in sisters or name in skip or name in rosdep_keys() or name in released(target.ros_distro or ""):
-        return
-    found = library("cmake", name, target.ubuntu)
-    if found and (found.apt or found.recipe):
-        skip[name] = None
-        for apt in found.apt:
-            declared.setdefault(apt, key)
-        if found.recipe and not found.apt:
-            recipes.setdefault(found.recipe, key)
-        message = f"{name} is no key of rosdep but a name of CMake's: {' '.join(found.apt) or found.recipe + ' from source'} is installed for it"
-    else:
-        message = f"rosdep knows no {name} for ROS {target.ros_distro}, and nothing here says where it comes from: name it under source in roslab.yaml"
-    warnings.append(Warning_(message=message, file=key.file, line=key.line))
-
-
-def _needs(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[tuple[Dependency, bool]]:
-    """Yield what is needed, and whether its place is trusted: what the build really runs through."""
-    compiled = kind in {"ros1", "ros2", "cpp"}
-    folders = [manifest.file.rpartition("/")[0] for manifest in packages.built]
-    for dependency in code_needs(evidence, packages):
-        inside = not folders or any(_inside(dependency.file, folder) for folder in folders)
-        aside = places.example(dependency.file) or places.test(dependency.file) or places.documentation(dependency.file)
-        if compiled or not aside:
-            yield dependency, compiled and inside and not aside
-    ros = kind in {"ros1", "ros2"}
-    for dependency in evidence.code:
-        if dependency.namespace == "include" or (ros and dependency.namespace == "ros"):
-            yield dependency, False
-    if ros:
-        for launch in evidence.launch:
-            for dependency in launch.dependencies:
-                yield dependency, False
-        for dependency in evidence.code:
-            if dependency.namespace == "import":
-                yield _as_ros(dependency), False
-        for dependency in started(evidence):
-            yield dependency, False
-    for dependency in _prose(evidence):
-        yield dependency, False
-
-
-def _as_ros(dependency: Dependency) -> Dependency:
-    return Dependency(namespace="ros", name=dependency.name, strength=dependency.strength, file=dependency.file, line=dependency.line, role="exec")
-
-
-def started(evidence: Evidence) -> Iterator[Dependency]:
-    """Yield the ROS packages of the commands that pages tell people to run: ``rosrun rviz rviz``, ``ros2 launch PKG …``."""
-    for mention in evidence.mentions:
-        if mention.topic == "command" and (match := _STARTED.search(mention.text)):
-            yield Dependency(namespace="ros", name=match[1], strength="prose", file=mention.file, line=mention.line, role="exec")
-
-
-def _prose(evidence: Evidence) -> Iterable[Dependency]:
-    """Yield what pages, CI and the author's own images install by apt."""
-    for dependency in evidence.prose:
-        if dependency.namespace == "apt":
-            yield dependency
-    for recipe in evidence.recipes:
-        if recipe.purpose in {"project", "ci"}:
-            for dependency in recipe.dependencies:
-                if dependency.namespace == "apt":
-                    yield dependency
-
-
-def _explained(declared: dict[str, Dependency | None], guessed: dict[str, Dependency], keys: tuple[Dependency, ...]) -> Iterator[Reason]:
+def _explained(
+    declared: dict[str, Dependency | None], guessed: dict[str, Dependency], keys: tuple[Dependency, ...]
+) -> Iterator[Reason]:
     for key in keys:
-        yield Reason(question="dependencies", answer=key.name, reason=f"a key of a package.xml ({key.role})", file=key.file, line=key.line, weight=500)
+        yield because("dependencies", key.name, f"a key of a package.xml ({key.role})", key, weight=500)
     for name, dependency in (*declared.items(), *guessed.items()):
         if dependency is not None:
-            what = {"cmake": "find_package", "pkg-config": "pkg-config", "link": "linked", "include": "included", "ros": "a ROS package in use", "apt": "an install line"}
-            how = what.get(dependency.namespace, dependency.namespace)
-            yield Reason(
-                question="dependencies",
-                answer=name,
-                reason=f"{how}: {dependency.name} ({dependency.strength})",
-                file=dependency.file,
-                line=dependency.line,
-                weight=400 if name in declared else 100,
-            )
+            how = _HOW.get(dependency.namespace, dependency.namespace)
+            why = f"{how}: {dependency.name} ({dependency.strength})"
+            yield because("dependencies", name, why, dependency, weight=400 if name in declared else 100)

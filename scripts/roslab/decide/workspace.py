@@ -27,15 +27,15 @@ class Packages:
     left_out: tuple[PackageManifest, ...]
     """Ignored by a marker, copied in, nested in another package, or unreadable."""
 
-    @property
-    def names(self) -> frozenset[str]:
-        """Names of all, also of what is not built: none of them is a key for rosdep."""
-        return frozenset(m.name for m in (*self.built, *self.assets, *self.left_out) if m.name)
+    names: frozenset[str]
+    """Names of all, also of what is not built: none of them is a key for rosdep."""
 
 
 def packages_of(evidence: Evidence) -> Packages:
     """Sort the manifests of a repository."""
-    return _packages(evidence.manifests, tuple(p.file for p in evidence.cmake), tuple(p.folder for p in evidence.python))
+    return _packages(
+        evidence.manifests, tuple(p.file for p in evidence.cmake), tuple(p.folder for p in evidence.python)
+    )
 
 
 @cache
@@ -60,7 +60,12 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
     if len(vendored) < len(built) and all(types(m) <= {"cmake"} for m in vendored):
         left_out += vendored  # libraries that another package of the tree adds itself
         built = [m for m in built if m not in vendored]
-    return Packages(built=tuple(sorted(built, key=lambda m: m.file)), assets=tuple(assets), left_out=tuple(left_out))
+    return Packages(
+        built=tuple(sorted(built, key=lambda m: m.file)),
+        assets=tuple(assets),
+        left_out=tuple(left_out),
+        names=frozenset(m.name for m in manifests if m.name),
+    )
 
 
 def _below(folder: str, folders: set[str]) -> bool:
@@ -75,19 +80,38 @@ def _below(folder: str, folders: set[str]) -> bool:
 def types(manifest: PackageManifest, ros: RosVersion | None = None) -> frozenset[str]:
     """Return the build types that hold for a ROS version, for either where none is given."""
     versions: Iterable[RosVersion] = (ros,) if ros else (1, 2)
-    return frozenset(name for version in versions for name, condition in manifest.build_types if holds(condition, {"ROS_VERSION": str(version)}))
+    return frozenset(
+        name
+        for version in versions
+        for name, condition in manifest.build_types
+        if holds(condition, {"ROS_VERSION": str(version)})
+    )
 
 
 def ros_versions(manifest: PackageManifest, macros: tuple[str, ...] = ()) -> frozenset[int]:
     """Return the ROS versions that a package is made for; none for plain CMake."""
     found = set()
-    for version, family, tools in ((1, "catkin", ("catkin",)), (2, "ament", ("ament_cmake", "ament_python", "ament_cmake_auto", "ament_cmake_ros", "rosidl_default_generators"))):
+    for version, family, tools in (
+        (1, "catkin", ("catkin",)),
+        (
+            2,
+            "ament",
+            ("ament_cmake", "ament_python", "ament_cmake_auto", "ament_cmake_ros", "rosidl_default_generators"),
+        ),
+    ):
         names = types(manifest, 1 if version == 1 else 2)
         needs = {
-            d.name for d in manifest.dependencies if holds(d.condition, {"ROS_VERSION": str(version)}) and d.role in {"buildtool", "build"}
+            d.name
+            for d in manifest.dependencies
+            if holds(d.condition, {"ROS_VERSION": str(version)}) and d.role in {"buildtool", "build"}
         }
         said = any(name.startswith(family) for name in names)
-        if family == "catkin" and said and manifest.build_types == (("catkin", None),) and not (needs & {"catkin", "catkin_simple", "roscpp", "rospy"}):
+        if (
+            family == "catkin"
+            and said
+            and manifest.build_types == (("catkin", None),)
+            and not (needs & {"catkin", "catkin_simple", "roscpp", "rospy"})
+        ):
             said = "catkin" in macros  # nothing is said: catkin is only the standard's default
         if said or (needs & set(tools) and not names - {"catkin"} and family == "ament"):
             found.add(version)

@@ -8,16 +8,38 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cache
 
 _BRACKET_COMMENT = re.compile(r"#\[(=*)\[.*?\]\1\]", re.DOTALL)
 _TOKEN = re.compile(r"#[^\n]*|\"((?:[^\"\\]|\\.)*)\"|\[(=*)\[(.*?)\]\2\]|([()])|((?:[^\s()#\"\\]|\\.)+)", re.DOTALL)
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
 _OPENERS = frozenset({"if", "while", "function", "macro", "foreach", "block"})
-_CONTROL = ("if", "elseif", "else", "endif", "foreach", "endforeach", "function", "endfunction", "macro", "endmacro", "set", "list", "option")
+_CONTROL = (
+    "if",
+    "elseif",
+    "else",
+    "endif",
+    "foreach",
+    "endforeach",
+    "function",
+    "endfunction",
+    "macro",
+    "endmacro",
+    "set",
+    "list",
+    "option",
+)
 MAX_WORDS = 400
 """Words of one call: a longer one is a list of source files."""
 MAX_EXPANSION = 200
+"""Words of one variable."""
+MAX_VALUE = 2_000
+"""Characters of one word: a longer one is made of variables that double themselves."""
+MAX_CONDITIONS = 20
+"""Nested ``if`` blocks that are remembered; deeper ones count, but say nothing."""
+MAX_TOTAL = 300_000
+"""Words of one file, those of a call without an end counted again by each call inside it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -35,49 +57,73 @@ class Call:
 
 
 def calls(text: str, names: frozenset[str]) -> Iterator[Call]:
-    """Yield the calls of the given lower-cased names in order; ``names`` may end in ``*``."""
+    """Yield the calls of the given lower-cased names in order; a name may end in ``*``."""
     if "#[" in text:
         text = _BRACKET_COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text)
-    variables: dict[str, tuple[str, ...]] = {}
-    options: dict[str, bool] = {}
-    conditions: list[str] = []
-    stack: list[str] = []
-    position, line = 0, 1
+    scope = _Scope()
+    position, line, total = 0, 1, 0
     for match in _opener(names).finditer(text):
         name = match[1].lower()
         line += text.count("\n", position, match.start(1))
         position = match.start(1)
         raw = _words(text, match.end())
+        total += len(raw)
+        if total > MAX_TOTAL:
+            return
+        scope.enter(name, raw)
+        if name in names or any(pattern[-1] == "*" and name.startswith(pattern[:-1]) for pattern in names):
+            yield Call(
+                name=name,
+                words=tuple(_filled(raw, scope.variables)),
+                line=line,
+                conditions=tuple(scope.conditions[:MAX_CONDITIONS]),
+                in_function=any(part in {"function", "macro"} for part in scope.stack[:MAX_CONDITIONS]),
+            )
+
+
+@dataclass
+class _Scope:
+    """What is known at one point of a file: variables, options that are off, the blocks around it."""
+
+    variables: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    off: set[str] = field(default_factory=set)
+    conditions: list[str] = field(default_factory=list)
+    stack: list[str] = field(default_factory=list)
+
+    def enter(self, name: str, words: list[str]) -> None:
+        """Note what a call of the language itself changes."""
         if name in _OPENERS:
-            stack.append(name)
+            self.stack.append(name)
             if name == "if":
-                conditions.append(_condition(raw, options))
-            elif name == "foreach" and raw:
-                variables[raw[0]] = tuple(_looped(raw[1:], variables))[:MAX_EXPANSION]
-        elif name in {"elseif", "else"} and conditions:
-            conditions[-1] = _condition(raw, options) if name == "elseif" else f"NOT ({conditions[-1]})"
+                self.conditions.append(self._condition(words))
+            elif name == "foreach" and words:
+                self.variables[words[0]] = tuple(_looped(words[1:], self.variables))[:MAX_EXPANSION]
+        elif name in {"elseif", "else"} and self.conditions:
+            negated = f"NOT ({self.conditions[-1]})"[:MAX_VALUE]
+            self.conditions[-1] = self._condition(words) if name == "elseif" else negated
         elif name.startswith("end") and name[3:] in _OPENERS:
-            if stack:
-                stack.pop()
-            if name == "endif" and conditions:
-                conditions.pop()
-        elif name == "set" and raw:
-            if len(raw) <= MAX_EXPANSION:
-                variables[raw[0]] = tuple(word for word in _filled(raw[1:], variables) if word not in {"CACHE", "PARENT_SCOPE", "FORCE"})
-        elif name == "list":
-            if len(raw) > 2 and raw[0].upper() == "APPEND":
-                variables[raw[1]] = (*variables.get(raw[1], ()), *_filled(raw[2:], variables))[:MAX_EXPANSION]
-        elif name == "option" and raw:
-            options[raw[0]] = len(raw) > 2 and raw[-1].upper() in {"ON", "TRUE", "1", "YES"}
-        if not _asked(name, names):
-            continue
-        yield Call(
-            name=name,
-            words=tuple(_filled(raw, variables)),
-            line=line,
-            conditions=tuple(conditions),
-            in_function=any(part in {"function", "macro"} for part in stack),
-        )
+            if self.stack:
+                self.stack.pop()
+            if name == "endif" and self.conditions:
+                self.conditions.pop()
+        elif words:
+            self._assign(name, words)
+
+    def _assign(self, name: str, words: list[str]) -> None:
+        if name == "set" and len(words) <= MAX_EXPANSION:
+            values = (w for w in _filled(words[1:], self.variables) if w not in {"CACHE", "PARENT_SCOPE", "FORCE"})
+            self.variables[words[0]] = tuple(values)[:MAX_EXPANSION]
+        elif name == "list" and len(words) > 2 and words[0].upper() == "APPEND":
+            more = (*self.variables.get(words[1], ()), *_filled(words[2:], self.variables))
+            self.variables[words[1]] = more[:MAX_EXPANSION]
+        elif name == "option" and not (len(words) > 2 and words[-1].upper() in {"ON", "TRUE", "1", "YES"}):
+            self.off.add(words[0])
+
+    def _condition(self, words: list[str]) -> str:
+        """Return a condition's text; an option that is off by default makes it ``OFF``."""
+        if len(words) == 1 and words[0] in self.off:
+            return f"OFF {words[0]}"
+        return " ".join(words)[:MAX_VALUE]
 
 
 def _looped(words: list[str], variables: dict[str, tuple[str, ...]]) -> Iterator[str]:
@@ -92,18 +138,10 @@ def _looped(words: list[str], variables: dict[str, tuple[str, ...]]) -> Iterator
             yield from _filled([word], variables)
 
 
-def _asked(name: str, names: frozenset[str]) -> bool:
-    return name in names or any(pattern.endswith("*") and name.startswith(pattern[:-1]) for pattern in names)
-
-
-_OPENER_CACHE: dict[frozenset[str], re.Pattern[str]] = {}
-
-
+@cache
 def _opener(names: frozenset[str]) -> re.Pattern[str]:
-    if names not in _OPENER_CACHE:
-        parts = "|".join(sorted((name.replace("*", r"\w*") for name in {*names, *_CONTROL}), key=len, reverse=True))
-        _OPENER_CACHE[names] = re.compile(rf"^[ \t]*({parts})[ \t]*\(", re.MULTILINE | re.IGNORECASE)
-    return _OPENER_CACHE[names]
+    parts = "|".join(sorted((name.replace("*", r"\w*") for name in {*names, *_CONTROL}), key=len, reverse=True))
+    return re.compile(rf"^[ \t]*({parts})[ \t]*\(", re.MULTILINE | re.IGNORECASE)
 
 
 def _words(text: str, start: int) -> list[str]:
@@ -126,8 +164,8 @@ def _words(text: str, start: int) -> list[str]:
     return words
 
 
-def _filled(words: tuple[str, ...] | list[str], variables: dict[str, tuple[str, ...]]) -> Iterator[str]:
-    """Fill in the variables that are known lists; what is unknown stays as written."""
+def _filled(words: list[str], variables: dict[str, tuple[str, ...]]) -> Iterator[str]:
+    """Fill in the variables that are known lists; what is unknown, or grows without end, stays as written."""
     for word in words:
         if "${" not in word:
             yield from word.split(";") if ";" in word and "/" not in word else (word,)
@@ -136,11 +174,4 @@ def _filled(words: tuple[str, ...] | list[str], variables: dict[str, tuple[str, 
         if whole:
             yield from variables.get(whole[1], (word,))
         else:
-            yield _VARIABLE.sub(lambda match: " ".join(variables.get(match[1], (match[0],))), word)
-
-
-def _condition(words: list[str], options: dict[str, bool]) -> str:
-    """Return a condition's text; an option that is off by default makes it ``OFF``."""
-    if len(words) == 1 and options.get(words[0]) is False:
-        return f"OFF {words[0]}"
-    return " ".join(words)
+            yield _VARIABLE.sub(lambda match: " ".join(variables.get(match[1], (match[0],))), word)[:MAX_VALUE]

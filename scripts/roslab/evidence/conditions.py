@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 _TOKEN = re.compile(r"\s*(\(|\)|==|!=|<=|>=|<|>|\band\b|\bor\b|\$\w+|\"[^\"]*\"|'[^']*'|[\w.+-]+)")
 MAX_TOKENS = 60
+_COMPARE = {"==": str.__eq__, "!=": str.__ne__, "<": str.__lt__, ">": str.__gt__, "<=": str.__le__, ">=": str.__ge__}
 
 
 def holds(condition: str | None, variables: Mapping[str, str]) -> bool:
@@ -46,12 +47,9 @@ def _one(tokens: list[str], variables: Mapping[str, str]) -> tuple[bool, list[st
             raise ValueError(rest[0])
         return value, rest[1:]
     left, operator, right = _value(tokens[0], variables), tokens[1], _value(tokens[2], variables)
-    results = {
-        "==": left == right, "!=": left != right, "<": left < right, ">": left > right, "<=": left <= right, ">=": left >= right,
-    }  # fmt: skip
-    if operator not in results:
+    if operator not in _COMPARE:
         raise ValueError(operator)
-    return results[operator], tokens[3:]
+    return _COMPARE[operator](left, right), tokens[3:]
 
 
 def _value(token: str, variables: Mapping[str, str]) -> str:

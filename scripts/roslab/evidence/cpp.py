@@ -15,7 +15,9 @@ MAX_SOURCES = 2_500
 """Sources opened, those nearest to the root first."""
 MAX_SIZE = 1024 * 1024
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]", re.MULTILINE)
-_STANDARD = re.compile(r"^(?:[a-z_]+|c[a-z]+|std\w+\.h|bits/.*|sys/.*|linux/.*|arpa/.*|netinet/.*|net/.*|experimental/.*|(?:math|string|time|errno|signal|unistd|assert|ctype|fcntl|float|limits|inttypes|poll|pthread|termios|dirent|getopt|memory|locale|dlfcn|x86intrin|immintrin|emmintrin|xmmintrin|malloc|sched|wchar|windows)\.h)$")
+_STANDARD = re.compile(
+    r"^(?:[a-z_]+|c[a-z]+|std\w+\.h|bits/.*|sys/.*|linux/.*|arpa/.*|netinet/.*|net/.*|experimental/.*|(?:math|string|time|errno|signal|unistd|assert|ctype|fcntl|float|limits|inttypes|poll|pthread|termios|dirent|getopt|memory|locale|dlfcn|x86intrin|immintrin|emmintrin|xmmintrin|malloc|sched|wchar|windows)\.h)$"
+)
 
 
 def read(repository: Repository) -> tuple[Dependency, ...]:
@@ -27,7 +29,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         for match in _INCLUDE.finditer(text):
             name = match[1]
             key = name if "/" not in name else "/".join(name.split("/")[:2])
-            if key in found or _STANDARD.match(name) or _local(repository, file, name):
+            if key in found or _STANDARD.match(name) or _local(repository, name):
                 continue
             line += text.count("\n", position, match.start(1))
             position = match.start(1)
@@ -49,7 +51,7 @@ def _sources(repository: Repository) -> list[File]:
     return sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_SOURCES]
 
 
-def _local(repository: Repository, file: File, name: str) -> bool:
+def _local(repository: Repository, name: str) -> bool:
     """Tell whether a header lies in the tree: its last parts are those of a file there."""
     last = name.rpartition("/")[2].lower()
     candidates = repository.by_name.get(last)

@@ -7,7 +7,7 @@ and a package's name looks the same in all of them.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Literal
 
 from roslab.evidence import places
@@ -15,7 +15,8 @@ from roslab.evidence.facts import Dependency, LaunchFile
 from roslab.repository import File, Repository
 
 MAX_SIZE = 256 * 1024
-MAX_FILES = 2_000
+MAX_FILES = 800
+"""Launch files, and parameter files, that are opened; those nearest to the root first."""
 _XML = re.compile(r"\.launch$|\.launch\.xml$|\.launch\.inc$|\.test$")
 _PYTHON = re.compile(r"(?:\.launch|_launch|[-_.]?launch[-_]\w+|^launch)\.py$")
 _YAML = re.compile(r"\.launch\.ya?ml$|_launch\.ya?ml$")
@@ -23,20 +24,24 @@ _PACKAGE = r"[a-z][a-z0-9_-]{1,60}"
 _ATTRIBUTE = re.compile(rf"\bpkg\s*[=:]\s*[\"']?({_PACKAGE})\b(?![\w/$(])")
 _FIND = re.compile(rf"\$\(\s*find(?:-pkg-share|-pkg-prefix)?\s+['\"]?({_PACKAGE})['\"]?\s*\)|package://({_PACKAGE})/")
 _PYTHON_PACKAGE = re.compile(
-    rf"(?:FindPackageShare|FindPackagePrefix|get_package_share_directory|get_package_prefix|get_package_share_path|get_package_path)\(\s*(?:package\s*=\s*)?[\"']({_PACKAGE})[\"']"
+    rf"(?:FindPackage(?:Share|Prefix)|get_package_(?:share_directory|prefix|share_path|path))"
+    rf"\(\s*(?:package\s*=\s*)?[\"']({_PACKAGE})[\"']"
     rf"|\b(?:package|node_package|pkg)\s*=\s*[\"']({_PACKAGE})[\"']|\bros2\s+(?:run|launch)\s+({_PACKAGE})\b"
 )
 _NODELET = re.compile(rf"\bload\s+({_PACKAGE})/[A-Za-z]")
 _PLUGIN = re.compile(
-    rf"^[ \t]*(?:-[ \t]*)?\{{?[ \t]*(?:name[ \t]*:[ \t]*\S+[ \t]*,[ \t]*)?(?:plugin|type|base_(?:local|global)_planner|planner_plugin|class)[ \t]*:[ \t]*[\"']?({_PACKAGE})(?:/|::)[A-Z]\w+",
+    rf"^[ \t]*(?:-[ \t]*)?\{{?[ \t]*(?:name[ \t]*:[ \t]*\S+[ \t]*,[ \t]*)?"
+    rf"(?:plugin|type|base_(?:local|global)_planner|planner_plugin|class)[ \t]*:[ \t]*"
+    rf"[\"']?({_PACKAGE})(?:/|::)[A-Z]\w+",
     re.MULTILINE,
 )
 _PARAM_PLUGIN = re.compile(rf"name=\"base_(?:local|global)_planner\"\s+value=\"({_PACKAGE})/[A-Z]")
+_NEW = re.compile(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node")
+"""Words that only ROS 2 has in a launch file of XML."""
 _GUI = re.compile(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
 _COMMENT = {"xml": re.compile(r"<!--.*?-->", re.DOTALL), "hash": re.compile(r"^[ \t]*#.*$", re.MULTILINE)}
-_VIEWERS = {"rviz": "rviz", "rviz_common": "rviz2"}
 _NAME = re.compile(r"<name>\s*([\w-]+)\s*</name>")
-_NO_PACKAGE = frozenset({"rviz", "find", "pkg", "package", "name", "python", "python3", "self"}) - {"rviz"}
+_NO_PACKAGE = frozenset({"find", "pkg", "package", "name", "python", "python3", "self"})
 
 
 def read(repository: Repository) -> tuple[LaunchFile, ...]:
@@ -51,7 +56,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
         if not python and xml and "<launch" not in text:
             continue
         text = _uncommented(text, "xml" if xml else "hash")
-        old = bool(xml) and not re.search(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node", text) and not file.name.endswith(".launch.xml")
+        old = bool(xml) and not _NEW.search(text) and not file.name.endswith(".launch.xml")
         found.append(
             LaunchFile(
                 file=file.path,
@@ -66,17 +71,22 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
 
 
 def plugins(repository: Repository) -> tuple[Dependency, ...]:
-    """Return the packages whose plugins parameter files name (``plugin: pkg/Class``) and whose files robot descriptions find; and rviz for its own files."""
+    """Return the packages that parameter files and robot descriptions name, and rviz for its own files."""
     found: dict[str, Dependency] = {}
-    files = [f for f in repository.suffixed(".yaml", ".yml", ".xacro", ".urdf", ".sdf") if f.size < MAX_SIZE and not places.vendored(f.path)]
-    for file in sorted(files, key=lambda file: file.path)[:MAX_FILES]:
+    files = [
+        f
+        for f in repository.suffixed(".yaml", ".yml", ".xacro", ".urdf", ".sdf")
+        if f.size < MAX_SIZE and not places.vendored(f.path)
+    ]
+    for file in _nearest(files):
         text = repository.read(file)
         patterns = (_PLUGIN,) if file.name.endswith(("yaml", "yml")) else (_FIND,)
         for dependency in _matches(text, file, patterns):
             found.setdefault(dependency.name, dependency)
     for file in repository.suffixed(".rviz")[:1]:
-        name = "rviz_common" if "rviz_common/" in repository.read(file) else "rviz"
-        found.setdefault(_VIEWERS[name], Dependency(namespace="ros", name=_VIEWERS[name], strength="used", file=file.path, line=1, role="exec"))
+        name = "rviz2" if "rviz_common/" in repository.read(file) else "rviz"
+        viewer = Dependency(namespace="ros", name=name, strength="used", file=file.path, line=1, role="exec")
+        found.setdefault(name, viewer)
     return tuple(found.values())
 
 
@@ -93,7 +103,11 @@ def _candidates(repository: Repository) -> list[File]:
         )
         and not places.vendored(file.path)
     )
-    return sorted(named, key=lambda file: file.path)[:MAX_FILES]
+    return sorted(_nearest(named), key=lambda file: file.path)
+
+
+def _nearest(files: Iterable[File]) -> list[File]:
+    return sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]
 
 
 def _uncommented(text: str, kind: Literal["xml", "hash"]) -> str:

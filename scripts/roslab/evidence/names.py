@@ -11,7 +11,9 @@ from roslab.knowledge.distros import distros
 from roslab.repository import Repository
 
 _WORD = re.compile(r"[a-z]+[0-9]*|[0-9.]+")
-_FILES = re.compile(r"dockerfile|containerfile|\.repos$|\.rosinstall$|\.repos\.ya?ml$|docker-compose|\.ya?ml$|\.sh$", re.IGNORECASE)
+_FILES = re.compile(
+    r"dockerfile|containerfile|\.repos$|\.rosinstall$|\.repos\.ya?ml$|docker-compose|\.ya?ml$|\.sh$", re.IGNORECASE
+)
 
 
 def read(repository: Repository) -> tuple[Mention, ...]:
@@ -44,4 +46,6 @@ def _files(repository: Repository) -> Iterator[Mention]:
 
 
 def _mention(value: str, source: str, file: str, text: str) -> Mention:
-    return Mention(topic="distro", value=value, source="branch" if source == "branch" else "filename", file=file, line=1, text=text)
+    return Mention(
+        topic="distro", value=value, source="branch" if source == "branch" else "filename", file=file, line=1, text=text
+    )

@@ -13,6 +13,7 @@ IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 """A folder with one of these holds no package: catkin_pkg and colcon-ros obey all three."""
 MAX_SIZE = 256 * 1024
 """The longest package.xml of 73 real repositories has 20 kB."""
+_VERSIONS = {"version_eq": "=", "version_gte": ">=", "version_gt": ">", "version_lte": "<=", "version_lt": "<"}
 _ROLES: dict[str, tuple[str, ...]] = {
     "depend": ("build", "exec"),
     "build_depend": ("build",),
@@ -39,11 +40,15 @@ def read(repository: Repository) -> tuple[PackageManifest, ...]:
 def _manifest(repository: Repository, file: File, ignored: frozenset[str]) -> PackageManifest | None:
     text = repository.read(file)
     # No entity is resolved, no DTD and no network read, no huge tree accepted: a manifest needs none of them
-    parser = etree.XMLParser(recover=True, resolve_entities=False, no_network=True, load_dtd=False, remove_comments=True, remove_pis=True)
+    problem: str | None
+    parser = etree.XMLParser(
+        recover=True, resolve_entities=False, no_network=True, load_dtd=False, remove_comments=True, remove_pis=True
+    )
     try:
         root = etree.fromstring(text.encode(), parser)
     except (etree.XMLSyntaxError, ValueError) as error:
-        root, problem = None, str(error)
+        root = None
+        problem = str(error)
     else:
         problem = next((f"line {entry.line}: {entry.message}" for entry in parser.error_log), "") or None
     if root is None:
@@ -67,7 +72,14 @@ def _manifest(repository: Repository, file: File, ignored: frozenset[str]) -> Pa
 
 def _empty(file: File, ignored: bool, malformed: str) -> PackageManifest:
     return PackageManifest(
-        file=file.path, line=1, name=None, format=1, build_types=(), dependencies=(), ignored=ignored, malformed=malformed
+        file=file.path,
+        line=1,
+        name=None,
+        format=1,
+        build_types=(),
+        dependencies=(),
+        ignored=ignored,
+        malformed=malformed,
     )
 
 
@@ -88,7 +100,9 @@ def _text(element: etree._Element | None) -> str | None:
 
 
 def _build_types(root: etree._Element) -> tuple[tuple[str, str | None], ...]:
-    found = tuple((name, element.get("condition")) for element in root.iterfind("export/build_type") if (name := _text(element)))
+    found = tuple(
+        (name, element.get("condition")) for element in root.iterfind("export/build_type") if (name := _text(element))
+    )
     return found or (("catkin", None),)
 
 
@@ -99,7 +113,7 @@ def _dependencies(root: etree._Element, path: str) -> Iterator[Dependency]:
         name = _text(element)
         if name is None:
             continue
-        version = next((f"{op}{value}" for op in ("version_eq", "version_gte", "version_gt", "version_lte", "version_lt") if (value := element.get(op))), None)
+        version = next((f"{sign}{value}" for key, sign in _VERSIONS.items() if (value := element.get(key))), None)
         for role in _ROLES[element.tag]:
             yield Dependency(
                 namespace="rosdep",
@@ -114,13 +128,15 @@ def _dependencies(root: etree._Element, path: str) -> Iterator[Dependency]:
 
 
 def _sources(root: etree._Element, path: str) -> Iterator[GitSource]:
-    """Read ``<git_url target="NAME" url="…" branch="…"/>`` of the export, catkin_tools_fetch's way to an unreleased package.
+    """Read ``<git_url target="NAME" url="…" branch="…"/>``, catkin_tools_fetch's way to an unreleased package.
 
     https://github.com/niosus/catkin_tools_fetch
     """
     for element in root.iter("git_url"):
         url = (element.get("url") or _text(element) or "").strip()
-        name = (element.get("target") or url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")).strip()
+        name = (
+            element.get("target") or url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
+        ).strip()
         if url and name:
             yield GitSource(
                 name=name,

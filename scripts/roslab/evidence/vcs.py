@@ -15,6 +15,8 @@ from roslab.evidence.yaml_text import load
 from roslab.repository import File, Repository
 
 MAX_SIZE = 256 * 1024
+MAX_OTHERS = 300
+"""YAML files of other names that are opened, those nearest to the root first."""
 _SUFFIX = re.compile(r"\.(?:repos|rosinstall)$|^\.rosinstall$|[._]rosinstall$|\.repos\.ya?ml$")
 _LOOKS = re.compile(r"^repositories:[ \t]*(?:#.*)?$|^-[ \t]*(?:git|hg|svn|tar):", re.MULTILINE)
 _INLINE = re.compile(r"\b(?:url|uri)[ \t]*:", re.MULTILINE)
@@ -53,28 +55,30 @@ def https(url: str, origin: str | None = None) -> str:
 
 
 def _files(repository: Repository) -> list[File]:
-    found = []
-    for suffix in (".repos", ".rosinstall", ".yaml", ".yml", ""):
-        for file in repository.suffixed(suffix):
-            if file.size > MAX_SIZE or places.vendored(file.path):
-                continue
-            if _SUFFIX.search(file.name.lower()) or (suffix in {".yaml", ".yml"} and file.path.count("/") <= 3 and _is_list(repository, file)):
-                found.append(file)
-    return sorted(found, key=lambda file: file.path)
+    files = [f for f in repository.suffixed(".repos", ".rosinstall", ".yaml", ".yml") if 0 < f.size <= MAX_SIZE]
+    files += [f for f in repository.named(".rosinstall") if 0 < f.size <= MAX_SIZE]
+    found = {f.path: f for f in files if _SUFFIX.search(f.name.lower()) and not places.vendored(f.path)}
+    others = [f for f in files if f.path not in found and f.path.count("/") <= 2 and f.size <= 64 * 1024]
+    others.sort(key=lambda file: (file.path.count("/"), file.path))
+    for file in others[:MAX_OTHERS]:
+        if not file.path.startswith(".github/") and not places.vendored(file.path) and _is_list(repository, file):
+            found[file.path] = file
+    return [found[path] for path in sorted(found)]
 
 
 def _is_list(repository: Repository, file: File) -> bool:
-    if file.path.startswith(".github/") or file.size > 64 * 1024:
-        return False
-    head = repository.read(file)
-    match = _LOOKS.search(head)
-    return bool(match and "://" in head + "://" * ("git@" in head) and _INLINE.search(head) and ("version" in head or "type" in head or "local-name" in head))
+    """Tell whether a YAML file of any name lists repositories."""
+    text = repository.read(file)
+    named = _LOOKS.search(text) and _INLINE.search(text) and ("://" in text or "git@" in text)
+    return bool(named) and any(word in text for word in ("version", "type", "local-name"))
 
 
 def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
     text = repository.read(file)
     data = load(text)
-    entries = list(_vcstool(data)) if isinstance(data, dict) else list(_rosinstall(data)) if isinstance(data, list) else []
+    entries = (
+        list(_vcstool(data)) if isinstance(data, dict) else list(_rosinstall(data)) if isinstance(data, list) else []
+    )
     for name, url, ref in entries:
         if not isinstance(url, str) or not _PLAIN_URL.match(url.strip()):
             continue
@@ -102,7 +106,11 @@ def _rosinstall(data: list[object]) -> Iterator[tuple[str, object, object]]:
         inner = entry.get("git") if isinstance(entry, dict) else None
         if isinstance(inner, dict):
             url = inner.get("uri")
-            yield str(inner.get("local-name") or str(url).rpartition("/")[2].removesuffix(".git")), url, inner.get("version")
+            yield (
+                str(inner.get("local-name") or str(url).rpartition("/")[2].removesuffix(".git")),
+                url,
+                inner.get("version"),
+            )
 
 
 def _line(text: str, needle: str) -> int:
@@ -132,4 +140,3 @@ def _submodules(repository: Repository, file: File) -> Iterator[GitSource]:
                 line=_line(text, url),
                 kind="submodule",
             )
-

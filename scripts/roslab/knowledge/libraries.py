@@ -36,7 +36,12 @@ def _table(naming: Naming) -> dict[str, list[tuple[tuple[str, ...], Library]]]:
     name, key = _TABLES[naming]
     found: dict[str, list[tuple[tuple[str, ...], Library]]] = {}
     for row in rows(name):
-        library = Library(apt=tuple(row["apt"].split()), ros=row.get("ros", ""), recipe=row.get("recipe", ""), beside=tuple(row.get("beside", "").split()))
+        library = Library(
+            apt=tuple(row["apt"].split()),
+            ros=row.get("ros", ""),
+            recipe=row.get("recipe", ""),
+            beside=tuple(row.get("beside", "").split()),
+        )
         found.setdefault(row[key], []).append((tuple(row["ubuntu"].split()), library))
     for entries in found.values():
         entries.sort(key=lambda entry: not entry[0])

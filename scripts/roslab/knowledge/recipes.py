@@ -32,7 +32,12 @@ def recipe(name: str, ubuntu: str | None) -> tuple[Source, ...]:
     depends = [*found.get("depends", ()), *found.get("depends_on", {}).get(ubuntu or "", ())]
     first = tuple(source for needed in found.get("after", ()) for source in recipe(needed, ubuntu))
     own = Source(
-        name=name, repo=found["repo"], ref=ref, depends=tuple(depends), build="cmake", cmake_options=" ".join(found.get("options", ()))
+        name=name,
+        repo=found["repo"],
+        ref=ref,
+        depends=tuple(depends),
+        build="cmake",
+        cmake_options=" ".join(found.get("options", ())),
     )
     return (*first, own)
 

@@ -1,4 +1,4 @@
-"""Which ROS packages a distribution released, and which other keys rosdep knows: for warnings and for telling names apart.
+"""Which ROS packages a distribution released, and which other keys rosdep knows: for warnings, to tell names apart.
 
 The truth is in the image, where rosdep and apt answer; this table only says beforehand what they will probably say.
 """
@@ -17,7 +17,9 @@ _AS = {"jade": "indigo", "lunar": "kinetic"}
 def released(distro: str) -> frozenset[str]:
     """Return the names of the packages that a distribution released, an empty set for an unknown one."""
     wanted = _AS.get(distro, distro)
-    return next((frozenset(row["packages"].split()) for row in rows("released") if row["distro"] == wanted), frozenset())
+    return next(
+        (frozenset(row["packages"].split()) for row in rows("released") if row["distro"] == wanted), frozenset()
+    )
 
 
 @cache

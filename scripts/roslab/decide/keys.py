@@ -1,0 +1,65 @@
+"""The keys of the package.xml files that are built, and those of them that rosdep cannot know."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from roslab.config.model import Kind
+from roslab.decide.decision import Warning_
+from roslab.decide.names import Target
+from roslab.decide.workspace import Packages
+from roslab.evidence.conditions import holds
+from roslab.evidence.facts import Dependency
+from roslab.knowledge.libraries import library
+from roslab.knowledge.released import released, rosdep_keys
+
+_NOT_INSTALLED = frozenset({"doc"})
+"""rosdep leaves documentation alone."""
+_PYTHON2 = frozenset({"trusty", "xenial", "bionic"})
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Translated:
+    """What a key stands for that is no key but a library's name, and what to tell the author."""
+
+    apt: tuple[str, ...] = ()
+    recipe: str = ""
+    skip: bool = False
+    warning: Warning_ | None = None
+
+
+def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Dependency, ...]:
+    """Return the keys of the packages that are built, each once and sorted, their conditions evaluated."""
+    variables = {
+        "ROS_VERSION": "1" if kind == "ros1" else "2",
+        "ROS_DISTRO": target.ros_distro or "",
+        "ROS_PYTHON_VERSION": "2" if target.ubuntu in _PYTHON2 and kind == "ros1" else "3",
+    }
+    found: dict[str, Dependency] = {}
+    for manifest in packages.built:
+        for dependency in manifest.dependencies:
+            if dependency.role in _NOT_INSTALLED or dependency.name in packages.names:
+                continue
+            if holds(dependency.condition, variables):
+                found.setdefault(dependency.name, dependency)
+    return tuple(found[name] for name in sorted(found))
+
+
+def translate(key: Dependency, target: Target) -> Translated:
+    """Return what a key comes to that rosdep cannot resolve: a library's packages or recipe, else a warning."""
+    name = key.name
+    if name in rosdep_keys() or name in released(target.ros_distro or ""):
+        return Translated()
+    found = library("cmake", name, target.ubuntu)
+    if found is None or not (found.apt or found.recipe):
+        message = f"rosdep knows no {name} for ROS {target.ros_distro}, and nothing here says where it comes from"
+        hint = "correct the name, or give its repository under source in roslab.yaml"
+        return Translated(warning=Warning_(message=f"{message}: {hint}", file=key.file, line=key.line))
+    instead = " ".join(found.apt) or f"{found.recipe}, from its source,"
+    message = f"{name} is no key of rosdep but a library's name: {instead} is installed for it"
+    return Translated(
+        apt=found.apt,
+        recipe="" if found.apt else found.recipe,
+        skip=True,
+        warning=Warning_(message=message, file=key.file, line=key.line),
+    )

@@ -1,0 +1,13 @@
+"""Python packages that compute on CUDA."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from roslab.knowledge.table import rows
+
+
+@cache
+def accelerated() -> frozenset[str]:
+    """Return the names, as pip, conda and ``import`` call them."""
+    return frozenset(row["name"] for row in rows("accelerated"))
