@@ -192,7 +192,8 @@ def _reports(folder: Folder, environment: Environment) -> Path:
 
 
 def _workspace(environment: Environment) -> Path:
-    return Path(environment.get("GITHUB_WORKSPACE") or ".").resolve()
+    """Return the checkout; ROSLAB_WORKSPACE names a folder of it, for a repository that is part of another."""
+    return Path(environment.get("ROSLAB_WORKSPACE") or environment.get("GITHUB_WORKSPACE") or ".").resolve()
 
 
 def _platforms(environment: Environment, run: Run) -> tuple[str, ...]:
