@@ -20,10 +20,29 @@ _CONDA_NAMES = {
     "opencv": "opencv-python",
 }
 _NO_PACKAGE = frozenset(
-    "python pip cudatoolkit cuda pytorch-cuda cuda-toolkit cudnn cuda-nvcc mkl nccl gcc gxx cmake ninja git ffmpeg nodejs".split()
+    [
+        "python",
+        "pip",
+        "cudatoolkit",
+        "cuda",
+        "pytorch-cuda",
+        "cuda-toolkit",
+        "cudnn",
+        "cuda-nvcc",
+        "mkl",
+        "nccl",
+        "gcc",
+        "gxx",
+        "cmake",
+        "ninja",
+        "git",
+        "ffmpeg",
+        "nodejs",
+    ]
 )
 MAX_FILES = 60
 """Requirement files that are weighed, the nearest to the root first."""
+_NOT_OURS = frozenset({"vendored", "documentation", "ci"})
 DEVELOPMENT = re.compile(r"(?:^|/)(?:\.github|\.circleci|\.ci|ci|docs?)(?:/|$)")
 
 
@@ -59,39 +78,43 @@ def name_of(line: str) -> str:
 
 def pins(evidence: Evidence) -> Iterator[Pin]:
     """Yield every mention, the most trusted first; tests', documentation's and copies' files are left out."""
-    found: list[Pin] = []
+    found = [*_of_files(evidence), *_of_projects(evidence), *_of_conda(evidence), *_of_prose(evidence)]
+    yield from sorted((pin for pin in found if pin.name), key=lambda pin: -pin.trust)
+
+
+def _of_files(evidence: Evidence) -> Iterator[Pin]:
     own = sorted((f for f in evidence.requirements if f.purpose == "run"), key=lambda f: (f.file.count("/"), f.file))
     for file in own[:MAX_FILES]:
-        if file.dependencies:
-            depth = 3 if "/" not in file.file else 2 if file.file.count("/") == 1 else 0
-            found += [_pin(dependency, depth) for dependency in file.dependencies]
+        trust = {0: 3, 1: 2}.get(file.file.count("/"), 0)
+        yield from (_pin(dependency, trust) for dependency in file.dependencies)
+
+
+def _of_projects(evidence: Evidence) -> Iterator[Pin]:
     for project in evidence.python:
-        if not places.vendored(project.file) and not places.example(project.file) and not places.test(project.file):
-            depth = 3 if not project.folder else 1
-            found += [
-                _pin(dependency, depth if not dependency.role.startswith(("extra", "test")) else 0)
-                for dependency in project.dependencies
-            ]
-    for environment in evidence.conda:
-        if places.vendored(environment.file):
+        if places.vendored(project.file) or places.example(project.file) or places.test(project.file):
             continue
-        trust = 2 if environment.file.count("/") <= 1 else 0
-        found += [_pin(dependency, trust) for dependency in environment.dependencies]
-        found += conda_pins(environment, trust)
-    for recipe in evidence.recipes:
-        if recipe.purpose not in {"vendored", "documentation", "ci"}:
-            found += [_pin(d, 1) for d in recipe.dependencies if d.namespace == "pip" and d.role in {"", "conda"}]
-    for dependency in evidence.prose:
-        if (
-            dependency.namespace == "pip"
-            and dependency.role in {"", "conda"}
-            and not DEVELOPMENT.search(dependency.file)
-        ):
-            found.append(_pin(dependency, 1))
+        trust = 1 if project.folder else 3
+        for dependency in project.dependencies:
+            yield _pin(dependency, 0 if dependency.role.startswith(("extra", "test")) else trust)
+
+
+def _of_conda(evidence: Evidence) -> Iterator[Pin]:
+    for environment in evidence.conda:
+        if not places.vendored(environment.file):
+            trust = 2 if environment.file.count("/") <= 1 else 0
+            yield from (_pin(dependency, trust) for dependency in environment.dependencies)
+            yield from conda_pins(environment, trust)
+
+
+def _of_prose(evidence: Evidence) -> Iterator[Pin]:
     known = {canonical(package) for package, _ in imports().values() if package}
-    # "conda install libfoo" is no package of pip's: only names that pip has too are taken over
-    found = [p for p in found if p.dependency.role != "conda" or p.dependency.strength != "prose" or p.name in known]
-    yield from sorted((pin for pin in found if pin.name), key=lambda pin: -pin.trust)
+    said = [d for r in evidence.recipes if r.purpose not in _NOT_OURS for d in r.dependencies]
+    said += [d for d in evidence.prose if not DEVELOPMENT.search(d.file)]
+    for dependency in said:
+        if dependency.namespace == "pip" and dependency.role in {"", "conda"}:
+            pin = _pin(dependency, 1)
+            if not dependency.role or pin.name in known:  # of "conda install", only what pip has by that name
+                yield pin
 
 
 def conda_pins(environment: CondaEnvironment, trust: int = 2) -> list[Pin]:

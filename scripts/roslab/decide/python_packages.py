@@ -19,11 +19,52 @@ _VARIANT = re.compile(
     re.IGNORECASE,
 )
 _TOOLS = frozenset(
-    "pip setuptools wheel virtualenv virtualenvwrapper conda uv pipenv poetry pipx twine build tox nox mamba".split()
+    [
+        "pip",
+        "setuptools",
+        "wheel",
+        "virtualenv",
+        "virtualenvwrapper",
+        "conda",
+        "uv",
+        "pipenv",
+        "poetry",
+        "pipx",
+        "twine",
+        "build",
+        "tox",
+        "nox",
+        "mamba",
+    ]
 )
 _CI_TOOLS = frozenset(
-    "black flake8 isort pylint mypy pytest pytest-cov coverage codecov pre-commit sphinx ruff autopep8 clang-format clang-tidy cpplint "
-    "cmakelang cmake-format codespell gcovr yapf bandit pydocstyle pycodestyle mkdocs".split()
+    [
+        "black",
+        "flake8",
+        "isort",
+        "pylint",
+        "mypy",
+        "pytest",
+        "pytest-cov",
+        "coverage",
+        "codecov",
+        "pre-commit",
+        "sphinx",
+        "ruff",
+        "autopep8",
+        "clang-format",
+        "clang-tidy",
+        "cpplint",
+        "cmakelang",
+        "cmake-format",
+        "codespell",
+        "gcovr",
+        "yapf",
+        "bandit",
+        "pydocstyle",
+        "pycodestyle",
+        "mkdocs",
+    ]
 )
 _FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
 MAX_GUESSES = 40

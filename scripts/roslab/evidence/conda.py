@@ -14,6 +14,7 @@ _NAME = re.compile(
 )
 _SHAPE = re.compile(r"^dependencies:", re.MULTILINE)
 _PYTHON = re.compile(r"^(?:[\w-]+::)?python\s*[=<>~! ]+\s*(\d+(?:\.\d+)*)")
+_OPTIONS = ("-f ", "-i ", "--extra-index-url", "--find-links", "--index-url")
 MAX_SIZE = 256 * 1024
 
 
@@ -38,36 +39,9 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
         return next((number for number, line in enumerate(lines, 1) if entry in line), 1)
 
     packages = tuple(entry.strip() for entry in entries if isinstance(entry, str))
-    pip: list[Dependency] = []
-    for entry in entries:
-        if isinstance(entry, dict) and isinstance(entry.get("pip"), list):
-            for item in entry["pip"]:
-                if not isinstance(item, str):
-                    continue
-                if item.startswith(("-r ", "--requirement ")):
-                    pip.append(
-                        Dependency(
-                            namespace="pip",
-                            name=item.split()[-1],
-                            strength="declared",
-                            file=file.path,
-                            line=line_of(item),
-                            role="file",
-                        )
-                    )
-                elif item.startswith(("-f ", "-i ", "--extra-index-url", "--find-links", "--index-url")):
-                    pip.append(
-                        Dependency(
-                            namespace="pip",
-                            name=item,
-                            strength="declared",
-                            file=file.path,
-                            line=line_of(item),
-                            role="option",
-                        )
-                    )
-                elif dependency := requirement(item.split(" #")[0].strip(), file.path, line_of(item)):
-                    pip.append(dependency)
+    inner = [entry["pip"] for entry in entries if isinstance(entry, dict) and isinstance(entry.get("pip"), list)]
+    items = [item for listed in inner for item in listed if isinstance(item, str)]
+    pip = [found for item in items if (found := _item(item, file.path, line_of(item)))]
     python = next((match[1] for package in packages if (match := _PYTHON.match(package))), None)
     channels = data.get("channels")
     name = data.get("name")
@@ -80,3 +54,14 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
         packages=packages,
         dependencies=tuple(pip),
     )
+
+
+def _item(item: str, path: str, line: int) -> Dependency | None:
+    """Read one entry of the ``pip:`` part: a file, an option, a requirement."""
+    if item.startswith(("-r ", "--requirement ")):
+        name, role = item.split()[-1], "file"
+    elif item.startswith(_OPTIONS):
+        name, role = item, "option"
+    else:
+        return requirement(item.split(" #")[0].strip(), path, line)
+    return Dependency(namespace="pip", name=name, strength="declared", file=path, line=line, role=role)

@@ -10,10 +10,11 @@ import json
 import posixpath
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 from roslab.evidence import mentions, places
-from roslab.evidence.facts import Dependency, GitSource, Mention, Prose, Recipe
+from roslab.evidence.facts import GitSource, Mention, Prose, Recipe
 from roslab.evidence.installs import Collector, merge
 from roslab.evidence.shell import expand, logical_lines
 from roslab.repository import File, Repository
@@ -124,67 +125,87 @@ def instructions(text: str) -> Iterator[Instruction]:
             yield pending
 
 
-def _recipe(repository: Repository, file: File) -> Recipe:
-    text = repository.read(file, limit=MAX_SIZE)
-    arguments: dict[str, str | None] = {}
-    known: dict[str, str] = {}
-    stages: dict[str, str] = {}
-    collector = Collector(file.path, "recipe", known)
-    base, base_line = None, 1
-    copied: list[tuple[str, int]] = []
+@dataclass
+class _Reading:
+    """What was read of one Dockerfile so far."""
+
+    collector: Collector
+    known: dict[str, str]
+    arguments: dict[str, str | None] = field(default_factory=dict)
+    stages: dict[str, str] = field(default_factory=dict)
+    base: str | None = None
+    base_line: int = 1
+    copied: list[tuple[str, int]] = field(default_factory=list)
     command: tuple[str, ...] = ()
-    problem = needs = None
-    started = False
-    for instruction in instructions(text):
+    problem: str | None = None
+    """Why it is no Dockerfile."""
+    needs: str | None = None
+    """What it needs that a build does not have."""
+
+    def take(self, instruction: Instruction) -> None:
+        """Read one instruction."""
         name, body, line = instruction.name, instruction.text, instruction.line
         if not name:
-            problem = problem or f"line {line} is no instruction: {body.strip()[:60]!r}"
-        elif not started and name not in {"ARG", "FROM"}:
-            problem = problem or f"line {line}: {name} before FROM"
+            self.problem = self.problem or f"line {line} is no instruction: {body.strip()[:60]!r}"
+        elif self.base is None and name not in {"ARG", "FROM"}:
+            self.problem = self.problem or f"line {line}: {name} before FROM"
         if name == "FROM":
-            started = True
-            if match := _FROM.match(expand(body.strip(), known)):
-                image = stages.get(match[1].lower(), match[1])
-                base, base_line = image, line
-                if match[2]:
-                    stages[match[2].lower()] = image
-        elif name == "ARG":
-            variable, _, default = body.strip().partition("=")
-            arguments[variable] = default.strip("\"'") or None
-            if default:
-                known.setdefault(variable, expand(default.strip().strip("\"'"), known))
-        elif name == "ENV":
-            known.update((key, expand(value.strip("\"'"), known)) for key, value in _PAIR.findall(body))
-            if len(words := body.split(None, 1)) == 2 and "=" not in words[0]:
-                known[words[0]] = expand(words[1].strip(), known)
+            self._from(body, line)
+        elif name in {"ARG", "ENV"}:
+            self._set(name, body)
         elif name == "RUN":
-            _collect(collector, instruction)
+            _collect(self.collector, instruction)
             if _PRIVATE.search(body):
-                needs = needs or f"line {line} needs a private key or token"
+                self.needs = self.needs or f"line {line} needs a private key or token"
         elif name in {"COPY", "ADD"}:
-            copied += [(source, line) for source in _sources(body)]
-        elif name in {"CMD", "ENTRYPOINT"}:
-            command = _argv(body) if name == "CMD" or not command else command
-    if not started:
-        problem = problem or "no FROM"
-    copies, context, missing = _context(repository, file, copied)
+            self.copied += [(source, line) for source in _sources(body)]
+        elif name == "CMD" or (name == "ENTRYPOINT" and not self.command):
+            self.command = _argv(body)
+
+    def _from(self, body: str, line: int) -> None:
+        if match := _FROM.match(expand(body.strip(), self.known)):
+            self.base, self.base_line = self.stages.get(match[1].lower(), match[1]), line
+            if match[2]:
+                self.stages[match[2].lower()] = self.base
+
+    def _set(self, name: str, body: str) -> None:
+        if name == "ARG":
+            variable, _, default = body.strip().partition("=")
+            self.arguments[variable] = default.strip("\"'") or None
+            if default:
+                self.known.setdefault(variable, expand(default.strip().strip("\"'"), self.known))
+            return
+        self.known.update((key, expand(value.strip("\"'"), self.known)) for key, value in _PAIR.findall(body))
+        if len(words := body.split(None, 1)) == 2 and "=" not in words[0]:
+            self.known[words[0]] = expand(words[1].strip(), self.known)
+
+
+def _recipe(repository: Repository, file: File) -> Recipe:
+    known: dict[str, str] = {}
+    reading = _Reading(collector=Collector(file.path, "recipe", known), known=known)
+    for instruction in instructions(repository.read(file, limit=MAX_SIZE)):
+        reading.take(instruction)
+    problem = reading.problem or ("no FROM" if reading.base is None else None)
+    copies, context, missing = _context(repository, file, reading.copied)
+    collector = reading.collector
     clones = tuple(collector.sources)
+    itself = any(_itself(repository, clone) for clone in clones)
     tools = [mention.value for mention in collector.mentions if mention.topic == "build_tool"]
     return Recipe(
         file=file.path,
         line=1,
-        base=base,
-        base_line=base_line,
-        copies_repository=copies or any(_itself(repository, clone) for clone in clones),
+        base=reading.base,
+        base_line=reading.base_line,
+        copies_repository=copies or itself,
         clones=clones,
         build_tool=next((tool for tool in tools if tool != "cmake"), tools[0] if tools else None),
-        dependencies=tuple(dict.fromkeys(_own(collector.dependencies))),
-        command=command,
-        purpose=_purpose(file.path, base or "", problem),
-        arguments=tuple(arguments.items()),
-        problem=problem or needs or missing,
+        dependencies=tuple(dict.fromkeys(collector.dependencies)),
+        command=reading.command,
+        purpose=_purpose(file.path, reading.base or "", problem),
+        arguments=tuple(reading.arguments.items()),
+        problem=problem or reading.needs or missing,
         context=context,
-        clones_itself=any(_itself(repository, clone) for clone in clones),
+        clones_itself=itself,
     )
 
 
@@ -194,10 +215,6 @@ def _collect(collector: Collector, instruction: Instruction) -> None:
         collector.text(text, instruction.line)
     else:
         collector.logical(text, instruction.line)
-
-
-def _own(dependencies: list[Dependency]) -> list[Dependency]:
-    return [dependency for dependency in dependencies if not dependency.name.startswith("$")]
 
 
 def _itself(repository: Repository, clone: GitSource) -> bool:

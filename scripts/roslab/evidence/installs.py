@@ -21,8 +21,44 @@ _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
 _APT_NAME = re.compile(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
 _STOP = frozenset(
-    "and or the to for if on with then is as in it a an from via by into version you your this that "
-    "sudo apt apt-get pip pip3 will should can which using command following".split()
+    [
+        "and",
+        "or",
+        "the",
+        "to",
+        "for",
+        "if",
+        "on",
+        "with",
+        "then",
+        "is",
+        "as",
+        "in",
+        "it",
+        "a",
+        "an",
+        "from",
+        "via",
+        "by",
+        "into",
+        "version",
+        "you",
+        "your",
+        "this",
+        "that",
+        "sudo",
+        "apt",
+        "apt-get",
+        "pip",
+        "pip3",
+        "will",
+        "should",
+        "can",
+        "which",
+        "using",
+        "command",
+        "following",
+    ]
 )
 _PIP = re.compile(r"^pip(?:[23](?:\.\d+)?)?$")
 _PYTHON = re.compile(r"^(?:i?python)(\d(?:\.\d+)?)?$")

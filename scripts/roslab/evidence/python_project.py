@@ -162,9 +162,9 @@ def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> Pyt
 
 def _pyproject(repository: Repository, path: str, folder: str, text: str) -> PythonProject | None:
     if sys.version_info >= (3, 11):
-        import tomllib  # noqa: PLC0415 - most repositories never need it
+        import tomllib
     else:
-        import tomli as tomllib  # noqa: PLC0415
+        import tomli as tomllib
     try:
         data: dict[str, Any] = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError, ValueError):
@@ -218,7 +218,7 @@ def _poetry(table: dict[str, Any]) -> dict[str, str]:
     for name, value in table.items():
         optional = isinstance(value, dict) and value.get("optional")
         if isinstance(value, list):
-            value = value[0] if value else "*"  # noqa: PLW2901
+            value = value[0] if value else "*"
         if isinstance(value, dict) and "git" in value:
             ref = value.get("rev") or value.get("tag") or value.get("branch")
             lines[name] = f"{name} @ git+{value['git']}" + (f"@{ref}" if ref else "")

@@ -70,39 +70,41 @@ def _read(text: str, file: File) -> Prose:
 def _code(text: str) -> Iterator[tuple[int, str]]:
     """Yield ``(line, shell text)``: fenced and indented blocks' lines, lines that begin with a command, inline code."""
     lines = text.split("\n")
-    elsewhere = 0
-    fence = ""
-    index = 0
+    elsewhere = index = 0
+    fenced = False
     while index < len(lines):
         line = lines[index]
-        start = index
         index += 1
-        if opening := _FENCE.match(line[:80]):
-            fence = "" if fence else opening[1]
+        if _FENCE.match(line[:80]):
+            fenced = not fenced
             continue
-        if not fence:
-            heading = _HEADING.match(line[:200])
-            underlined = index < len(lines) and line.strip() and _RST_LINE.match(lines[index][:200])
-            if heading or underlined:
-                level = len(heading[1]) if heading else 2
-                title = heading[2] if heading else line
-                if _ELSEWHERE.search(title):
-                    elsewhere = elsewhere or level
-                elif elsewhere and level <= elsewhere:
-                    elsewhere = 0
+        if not fenced:
+            elsewhere = _section(line, lines[index] if index < len(lines) else "", elsewhere)
         if elsewhere or len(line) > MAX_LINE or not TRIGGER.search(line):
             continue
+        first = index
         while line.rstrip().endswith("\\") and index < len(lines) and len(line) < 4 * MAX_LINE:
             line = line.rstrip() + "\n" + lines[index].lstrip()
             index += 1
-        if match := _START.match(line.replace("\\\n", "\\\x01")):
-            yield (
-                start + 1,
-                re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n").replace("`", ""),
-            )
-        elif fence:
-            yield start + 1, line
-        else:
-            for span in _SPAN.finditer(line):
-                if TRIGGER.search(span[2]) and " " in span[2]:
-                    yield start + 1, span[2]
+        for shell in _shell(line, fenced=fenced):
+            yield first, shell
+
+
+def _section(line: str, below: str, elsewhere: int) -> int:
+    """Return the level of the heading under which the text is for another machine, 0 where it is for this one."""
+    heading = _HEADING.match(line[:200])
+    if heading is None and not (line.strip() and _RST_LINE.match(below[:200])):
+        return elsewhere
+    level, title = (len(heading[1]), heading[2]) if heading else (2, line)
+    if _ELSEWHERE.search(title):
+        return elsewhere or level
+    return 0 if level <= elsewhere else elsewhere
+
+
+def _shell(line: str, *, fenced: bool) -> Iterator[str]:
+    if match := _START.match(line.replace("\\\n", "\\\x01")):
+        yield re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n").replace("`", "")
+    elif fenced:
+        yield line
+    else:
+        yield from (span[2] for span in _SPAN.finditer(line) if TRIGGER.search(span[2]) and " " in span[2])

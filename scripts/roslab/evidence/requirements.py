@@ -144,19 +144,20 @@ def requirement(line: str, path: str, number: int, *, role: str = "") -> Depende
         return made(line)
     if line.startswith((".", "/")) or (role == "editable" and re.fullmatch(r"[\w./-]+(?:\[.*\])?", line)):
         return made(line, "project")
+    text, repaired = _named(line)
+    return made(text, "repaired" if repaired else role) if text else None
+
+
+def _named(line: str) -> tuple[str, bool]:
+    """Return a requirement as pip spells it, and whether the author's spelling is one that pip refuses."""
     named = _NAMED.match(line)
     if named is None:
-        return None
-    name, extras, rest = named[1], (named[2] or "").replace(" ", ""), named[3].strip()
-    if not rest:
-        return made(name + extras)
+        return "", False
+    name, rest = named[1] + (named[2] or "").replace(" ", ""), named[3].strip()
     if rest.startswith("@"):
-        url = rest[1:].strip()
-        if url.startswith("file:"):  # pip freeze in a conda environment: a path of the author's machine
-            return made(name + extras, "repaired")
-        return made(f"{name}{extras} @ {url}")
-    if _SPECIFIER.match(rest):
-        return made(name + extras + re.sub(r"\s+", "", rest.strip("()")))
-    if exported := _EXPORTED.match(line):  # conda list --export: name=version=build
-        return made(f"{exported[1]}=={exported[2]}", "repaired")
-    return None
+        local = rest[1:].strip().startswith("file:")  # pip freeze in conda: a path of the author's machine
+        return (name if local else f"{name} @ {rest[1:].strip()}"), local
+    if not rest or _SPECIFIER.match(rest):
+        return name + re.sub(r"\s+", "", rest.strip("()")), False
+    exported = _EXPORTED.match(line)  # conda list --export: name=version=build
+    return (f"{exported[1]}=={exported[2]}", True) if exported else ("", False)

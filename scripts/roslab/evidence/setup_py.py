@@ -49,31 +49,9 @@ def read(text: str) -> SetupScript:
         tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return _by_pattern(text, script)
-    names: dict[str, ast.expr] = {}
-    functions: dict[str, ast.AST] = {}
-    call: ast.Call | None = None
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Assign):
-            for target in node.targets:
-                if isinstance(target, ast.Name):
-                    names[target.id] = node.value
-        elif isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name) and node.target.id in names:
-            names[node.target.id] = ast.BinOp(names[node.target.id], node.op, node.value)
-        elif isinstance(node, (ast.FunctionDef, ast.ClassDef)):
-            functions[node.name] = node
-        elif isinstance(node, ast.With):
-            for item in node.items:
-                if isinstance(item.optional_vars, ast.Name):
-                    names[item.optional_vars.id] = item.context_expr
-        elif isinstance(node, ast.Call) and _called(node) == "setup":
-            call = node
-        elif isinstance(node, ast.Call) and _called(node) in {"append", "extend"} and node.args:
-            target = node.func.value if isinstance(node.func, ast.Attribute) else None
-            if isinstance(target, ast.Name) and target.id in names:
-                names[target.id] = ast.BinOp(names[target.id], ast.Add(), node.args[0])
+    names, functions, call = _bound(tree)
     if call is None:
         return script
-    script.line = call.lineno
     keywords = {keyword.arg: keyword.value for keyword in call.keywords if keyword.arg}
     for keyword in call.keywords:
         if keyword.arg is None:
@@ -84,30 +62,57 @@ def read(text: str) -> SetupScript:
             lines, files = script.requirements.setdefault(role, ([], []))
             lines += reader.strings(keywords[key])
             files += reader.files(keywords[key])
-    extras = keywords.get("extras_require")
-    for extra, value in _dictionary(extras, names).items() if extras else ():
+    for extra, value in _dictionary(keywords.get("extras_require"), names).items():
         script.requirements[f"extra:{extra}"] = (reader.strings(value), [])
-    script.name = next(iter(reader.strings(keywords["name"])), None) if "name" in keywords else None
-    script.requires_python = (
-        next(iter(reader.strings(keywords["python_requires"])), None) if "python_requires" in keywords else None
-    )
-    script.build_requires = tuple(reader.strings(keywords["setup_requires"])) if "setup_requires" in keywords else ()
-    script.classifiers = tuple(reader.strings(keywords["classifiers"])) if "classifiers" in keywords else ()
-    entries = (
-        _dictionary(keywords["entry_points"], names).get("console_scripts") if "entry_points" in keywords else None
-    )
+
+    def given(key: str) -> list[str]:
+        return reader.strings(keywords[key]) if key in keywords else []
+
+    script.line = call.lineno
+    script.name = next(iter(given("name")), None)
+    script.requires_python = next(iter(given("python_requires")), None)
+    script.build_requires = tuple(given("setup_requires"))
+    script.classifiers = tuple(given("classifiers"))
+    entries = _dictionary(keywords.get("entry_points"), names).get("console_scripts")
     script.scripts = tuple(line.partition("=")[0].strip() for line in reader.strings(entries)) if entries else ()
     return script
 
 
+Bound = tuple[dict[str, ast.expr], dict[str, ast.AST], "ast.Call | None"]
+
+
+def _bound(tree: ast.AST) -> Bound:
+    """Return what names are bound to, the functions, and the call of ``setup``."""
+    names: dict[str, ast.expr] = {}
+    functions: dict[str, ast.AST] = {}
+    call: ast.Call | None = None
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Assign):
+            names.update((target.id, node.value) for target in node.targets if isinstance(target, ast.Name))
+        elif isinstance(node, ast.AugAssign):
+            _extend(names, node.target, node.value)
+        elif isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            functions[node.name] = node
+        elif isinstance(node, ast.With):
+            opened = ((item.optional_vars, item.context_expr) for item in node.items)
+            names.update((target.id, value) for target, value in opened if isinstance(target, ast.Name))
+        elif isinstance(node, ast.Call) and _called(node) == "setup":
+            call = node
+        elif isinstance(node, ast.Call) and _called(node) in {"append", "extend"} and node.args:
+            _extend(names, node.func.value if isinstance(node.func, ast.Attribute) else None, node.args[0])
+    return names, functions, call
+
+
+def _extend(names: dict[str, ast.expr], target: ast.AST | None, value: ast.expr) -> None:
+    if isinstance(target, ast.Name) and target.id in names:
+        names[target.id] = ast.BinOp(names[target.id], ast.Add(), value)
+
+
 def _called(node: ast.Call) -> str:
-    return (
-        node.func.id
-        if isinstance(node.func, ast.Name)
-        else node.func.attr
-        if isinstance(node.func, ast.Attribute)
-        else ""
-    )
+    """Return the last part of what is called."""
+    if isinstance(node.func, ast.Name):
+        return node.func.id
+    return node.func.attr if isinstance(node.func, ast.Attribute) else ""
 
 
 def _dictionary(node: ast.expr | None, names: dict[str, ast.expr], depth: int = 0) -> dict[str, ast.expr]:

@@ -43,6 +43,9 @@ _TOKEN = re.compile(
 )
 _WRAPPERS = frozenset(
     {
+        "export",
+        "ARG",
+        "ENV",
         "sudo",
         "time",
         "exec",
@@ -209,29 +212,34 @@ def expand(text: str, known: Mapping[str, str]) -> str:
     return _REFERENCE.sub(value, text)[:MAX_VALUE] if "$" in text else text
 
 
-def _unwrapped(words: list[tuple[str, int]], known: dict[str, str], depth: int = 0) -> Iterator[Command]:
+def _start(words: list[tuple[str, int]], known: dict[str, str]) -> int:
+    """Return where the program stands, after assignments and wrappers; the assignments are kept."""
     index = 0
     while index < len(words):
         word = words[index][0]
-        if assignment := _ASSIGNMENT.match(word):
-            if UNKNOWN not in assignment[2]:
-                known[assignment[1]] = assignment[2][:MAX_VALUE]
-        elif word in {"export", "ARG", "ENV"}:
-            pass
-        elif word not in _WRAPPERS and not (index and words[index - 1][0] == "sudo" and word.startswith("-")):
-            break
-        elif word == "sudo":
+        assignment = _ASSIGNMENT.match(word)
+        if assignment and UNKNOWN not in assignment[2]:
+            known[assignment[1]] = assignment[2][:MAX_VALUE]
+        if word == "sudo":
             while index + 1 < len(words) and words[index + 1][0].startswith("-"):
                 index += 2 if words[index + 1][0] in _VALUED_SUDO else 1
+        elif not assignment and word not in _WRAPPERS:
+            return index
         index += 1
+    return index
+
+
+def _unwrapped(words: list[tuple[str, int]], known: dict[str, str], depth: int = 0) -> Iterator[Command]:
+    index = _start(words, known)
     rest = words[index:]
     if not rest:
         return
     program = rest[0][0].rpartition("/")[2]
     if program in _SHELLS and depth < 3:
-        for position, (word, line) in enumerate(rest[1:], 1):
-            if re.fullmatch(r"-\w*c", word) and position + 1 < len(rest):
-                for inner in _split(_filled(rest[position + 1][0]), line, known):
-                    yield from _unwrapped(inner, known, depth + 1)
-                return
+        script = next((i + 1 for i, (word, _) in enumerate(rest) if re.fullmatch(r"-\w*c", word)), len(rest))
+        if script < len(rest):
+            text, line = rest[script]
+            for inner in _split(_filled(text), line, known):
+                yield from _unwrapped(inner, known, depth + 1)
+            return
     yield Command(tuple(word for word, _ in rest), tuple(line for _, line in rest))

@@ -18,9 +18,9 @@ def load(text: str) -> Any:
         deepest = max(deepest, depth)
     if deepest > MAX_DEPTH or _DEEP.search(text):
         return None
-    import yaml  # noqa: PLC0415 - 20 ms that most repositories never need
+    import yaml
 
     try:
-        return next(yaml.load_all(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)), None)  # noqa: S506
+        return next(yaml.load_all(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)), None)
     except (yaml.YAMLError, ValueError, RecursionError, TypeError, KeyError, AttributeError, OverflowError):
         return None
