@@ -63,9 +63,8 @@ def rosdep(plan: Plan) -> str:
     arguments = f'--ignore-src --rosdistro "${{ROS_DISTRO}}" --from-paths {" ".join(folders)} --skip-keys "${{skip}}"'
     return f"""\
 # What the package.xml files name; keys that rosdep does not know are named and left out
-{_tables(plan.rosdep.rosdistro_tag)}{copy}RUN apt-get update; \\
-    {_table_sources(plan.rosdep.rosdistro_tag)}; \\
-    rosdep update --rosdistro "${{ROS_DISTRO}}"; \\
+{copy}{_pin(plan.rosdep.rosdistro_tag)}RUN apt-get update; \\
+    {_update(plan.rosdep.rosdistro_tag)}; \\
     skip={quote.shell(" ".join(plan.rosdep.skip_keys))}; \\
     before=''; \\
     while :; do \\
@@ -80,23 +79,39 @@ def rosdep(plan: Plan) -> str:
     rm -rf /var/lib/apt/lists/*"""
 
 
-def _tables(tag: str | None) -> str:
-    if tag is None:
-        return ""
-    return f"""\
-# The last tables that know this release of Ubuntu
-ARG ROSDISTRO_INDEX_URL={ROSDISTRO}/{tag}/index-v4.yaml
-ARG ROSDEP_TABLES={ROSDISTRO}/{tag}/rosdep
-"""
+def _pin(tag: str | None) -> str:
+    return f"ARG ROSDISTRO_TAG={tag}\n" if tag else ""
 
 
-def _table_sources(tag: str | None) -> str:
-    if tag is None:
-        return "{ ls /etc/ros/rosdep/sources.list.d/*.list >/dev/null 2>&1 || rosdep init; }"
-    # An empty ROSDEP_TABLES keeps the tables that the base has
-    tables = 'for table in base python ruby; do echo "yaml ${ROSDEP_TABLES}/${table}.yaml"; done'
+def _update(tag: str | None) -> str:
+    """Return the commands that fetch rosdep's tables: the last ones that know this Ubuntu, else the base's own.
+
+    The newest tables forget a release some years after its end: https://github.com/ros/rosdistro/pull/36755
+    """
     folder = "/etc/ros/rosdep/sources.list.d"
-    return f'if [ -n "${{ROSDEP_TABLES}}" ]; then mkdir --parents {folder} && {tables} >{folder}/20-default.list; fi'
+    update = 'rosdep update --rosdistro "${ROS_DISTRO}"'
+    if tag is None:
+        return f"{{ ls {folder}/*.list >/dev/null 2>&1 || rosdep init; }}; \\\n    {update}"
+    lines = (
+        "mkdir --parents /etc/ros/rosdep/sources.list.d /tmp/own-tables",
+        f"find {folder} -name '*.list' -exec mv --target-directory=/tmp/own-tables {{}} +",
+        'own_index="${ROSDISTRO_INDEX_URL:-}"',
+        f'tables="{ROSDISTRO}/${{ROSDISTRO_TAG}}"',
+        f"printf 'yaml %s\\n' \"${{tables}}/rosdep/\"{{base,python,ruby}}.yaml >{folder}/20-default.list",
+        'export ROSDISTRO_INDEX_URL="${tables}/index-v4.yaml"',
+        f"if ! {update}; then",
+        '  echo "roslab: the tables of rosdistro ${ROSDISTRO_TAG} do not answer: the base\'s own are used"',
+        f"  rm {folder}/20-default.list",
+        "  find /tmp/own-tables -name '*.list' -exec mv --target-directory=" + folder + " {} +",
+        '  export ROSDISTRO_INDEX_URL="${own_index}"',
+        '  [ -n "${own_index}" ] || unset ROSDISTRO_INDEX_URL',
+        f"  {update}",
+        "fi",
+    )
+    joined = ""
+    for line in lines:
+        joined += line + (" \\\n    " if line.endswith("then") else "; \\\n    ")
+    return joined.removesuffix("; \\\n    ")
 
 
 def copy_source(plan: Plan) -> str:
