@@ -168,8 +168,8 @@ def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: t
         weight=101,
     )
     warning = Warning_(
-        message=f"CUDA {cuda}: {why}; the image has {instead.cuda}. A framework that loads CUDA {cuda} itself will not see "
-        "the GPU; set base.cuda or base.image in roslab.yaml to choose another",
+        message=f"CUDA {cuda}: {why}; the image has {instead.cuda}. A framework that loads CUDA {cuda} itself will "
+        "not see the GPU; set base.cuda or base.image in roslab.yaml to choose another",
         file=reasons[0].file,
         line=reasons[0].line,
     )

@@ -32,7 +32,7 @@ class PlatformChoice:
     reasons: tuple[Reason, ...] = ()
 
 
-def decide_platforms(
+def decide_platforms(  # noqa: PLR0917 - the order in which the questions are answered
     evidence: Evidence,
     config: Config,
     kind: Kind,
@@ -68,7 +68,7 @@ def decide_platforms(
     return PlatformChoice(platforms=(AMD64,), refused=((ARM64, why),), reasons=(reason,))
 
 
-def _against(
+def _against(  # noqa: PLR0917
     evidence: Evidence, kind: Kind, base_image: str, ros_distro: str | None, cuda: str | None, python: Python
 ) -> tuple[str, str | None, int | None] | None:
     """Return why there can be no arm64 image, with the place that says so."""

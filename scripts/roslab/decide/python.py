@@ -71,7 +71,7 @@ def decide_python(
 def specifiers(evidence: Evidence, python: Python) -> tuple[str, ...]:
     """Return every requirement line that the image installs: its own, those of the files, the projects and conda.
 
-    conda's own packages stand by their names on the index, a bare ``git+URL`` by the repository's name: this is a report.
+    conda's own packages stand by their names on the index, a bare ``git+URL`` by its repository's: this is a report.
     """
     lines = list(python.pip)
     by_path = {file.file: file for file in evidence.requirements}
@@ -109,7 +109,9 @@ def _default(evidence: Evidence, config: Config, kind: Kind) -> str:
     return SYSTEM_PYTHON.get(ubuntu or "", DEFAULT)
 
 
-def _manager(evidence: Evidence, config: Config, kind: Kind, ubuntu: str | None, number: str, chosen: Chosen) -> str:
+def _manager(  # noqa: PLR0917
+    evidence: Evidence, config: Config, kind: Kind, ubuntu: str | None, number: str, chosen: Chosen
+) -> str:
     """Return conda where an environment file says so or no base has that Python, else a virtual environment."""
     if chosen.conda or number.startswith("2"):
         return "conda"

@@ -14,8 +14,10 @@ from roslab.evidence.facts import Dependency, Evidence, PythonProject, Requireme
 from roslab.knowledge.frameworks import canonical, imports
 
 _VARIANT = re.compile(
-    r"(?:^|[-_.])(?:frozen|freeze|lock|locked|full|all|extra|extras|optional|mac|macos|osx|darwin|windows|win|cpu|gpu|cuda|rocm|tpu|jetson|arm|colab|"
-    r"notebooks?|examples?|demo|eval|train|py2|python2|py27|min|minimum|old|backup|hpc|cluster|benchmark|ros|real|robot|server|web|app|viz|vis)(?:[-_.\d]|$)",
+    r"(?:^|[-_.])(?:frozen|freeze|lock|locked|full|all|extra|extras|optional|mac|macos|osx|darwin|windows|win|"
+    r"cpu|gpu|cuda|rocm|tpu|jetson|arm|colab|"
+    r"notebooks?|examples?|demo|eval|train|py2|python2|py27|min|minimum|old|backup|hpc|cluster|benchmark|ros|"
+    r"real|robot|server|web|app|viz|vis)(?:[-_.\d]|$)",
     re.IGNORECASE,
 )
 _TOOLS = frozenset(
@@ -138,7 +140,7 @@ def _conda(evidence: Evidence, config: Config, kind: Kind) -> str | None:
 
 
 def _files(evidence: Evidence, kind: Kind, conda: str | None) -> tuple[RequirementFile, ...]:
-    """Return the requirement files to install: those that the README installs and those at the root, else the nearest."""
+    """Return the requirement files to install: what the README installs and the root's, else the nearest."""
     run = {file.file: file for file in evidence.requirements if file.purpose == "run" and not places.example(file.file)}
     if conda:
         named = {d.name for e in evidence.conda if e.file == conda for d in e.dependencies if d.role == "file"}

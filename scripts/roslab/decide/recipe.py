@@ -41,7 +41,7 @@ class RecipeChoice:
 
 
 def decide_recipe(evidence: Evidence, config: Config, kind: Kind, ros_distro: str | None) -> RecipeChoice:
-    """Return the author's recipe where it can be believed: it is the project's, brings this source, and can be built."""
+    """Return the author's recipe where it can be believed: it is the project's, brings its source, can be built."""
     by_path = {recipe.file: recipe for recipe in evidence.recipes}
     if config.dockerfile:
         place = config.place("dockerfile")
@@ -90,7 +90,7 @@ def decide_recipe(evidence: Evidence, config: Config, kind: Kind, ros_distro: st
     return RecipeChoice(dockerfile=best.file, context=best.context or "", reasons=tuple(reasons[:20]))
 
 
-def doubt(recipe: Recipe, kind: Kind, ros_distro: str | None) -> str | None:
+def doubt(recipe: Recipe, kind: Kind, ros_distro: str | None) -> str | None:  # noqa: PLR0911 - one doubt a line
     """Return why a recipe cannot be believed, ``None`` where it can."""
     if recipe.purpose != "project":
         return {

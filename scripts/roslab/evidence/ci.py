@@ -14,17 +14,21 @@ from roslab.repository import File, Repository
 
 MAX_SIZE = 128 * 1024
 _NAMES = (
-    ".travis.yml", ".gitlab-ci.yml", "azure-pipelines.yml", "Jenkinsfile", "appveyor.yml", ".appveyor.yml", "bitbucket-pipelines.yml", ".drone.yml",
+    ".travis.yml", ".gitlab-ci.yml", "azure-pipelines.yml", "Jenkinsfile", "appveyor.yml", ".appveyor.yml",
+    "bitbucket-pipelines.yml", ".drone.yml",
     "circle.yml", ".cirrus.yml",
 )  # fmt: skip
 _FOLDERS = re.compile(
-    r"^(?:.*/)?(?:\.github/workflows|\.github/actions/[^/]+|\.circleci|\.gitlab(?:-ci)?|\.azure-pipelines|\.jenkins|\.ci)/[^/]+\.ya?ml$"
+    r"^(?:.*/)?(?:\.github/workflows|\.github/actions/[^/]+|\.circleci|\.gitlab(?:-ci)?|\.azure-pipelines|"
+    r"\.jenkins|\.ci)/[^/]+\.ya?ml$"
 )
 _OTHER = re.compile(
-    r"(?:^|/)(?:.*(?:docs?|pages|release|publish|deploy|stale|label|lint|format|windows|macos?|osx|cla|pre-commit|codeql).*)\.ya?ml$"
+    r"(?:^|/)(?:.*(?:docs?|pages|release|publish|deploy|stale|label|lint|format|windows|macos?|osx|cla|"
+    r"pre-commit|codeql).*)\.ya?ml$"
 )
 _PREFIX = re.compile(
-    r"^\s*(?:-\s+)?(?:(?:run|script|command|sh|bash|cmd|install|before_install|before_script)\s*:\s*)?(?:-\s+)?[|>]?-?\s*"
+    r"^\s*(?:-\s+)?(?:(?:run|script|command|sh|bash|cmd|install|before_install|"
+    r"before_script)\s*:\s*)?(?:-\s+)?[|>]?-?\s*"
 )
 _EXPRESSION = re.compile(r"\$\{\{[^}\n]*\}\}")
 _IMAGE = re.compile(
@@ -32,7 +36,8 @@ _IMAGE = re.compile(
     re.MULTILINE,
 )
 _DEBS = re.compile(
-    r"^\s*(?:-\s*)?(?:ADDITIONAL_DEBS|apt_packages|apt-packages|extra_packages|packages)\s*[:=]\s*[\"']?([a-z][\w .+-]{2,})[\"']?\s*$",
+    r"^\s*(?:-\s*)?(?:ADDITIONAL_DEBS|apt_packages|apt-packages|extra_packages|"
+    r"packages)\s*[:=]\s*[\"']?([a-z][\w .+-]{2,})[\"']?\s*$",
     re.MULTILINE,
 )
 _TRAVIS_APT = re.compile(r"^([ \t]*)packages:[ \t]*\n((?:\1[ \t]*-[ \t]*[\w.+-]+[ \t]*(?:\n|\Z))+)", re.MULTILINE)
@@ -40,7 +45,7 @@ _FOLDED = re.compile(r"^([ \t]*)(?:-[ \t]+)?\w+:[ \t]*>-?[ \t]*\n((?:\1[ \t]+\S.
 
 
 def read(repository: Repository) -> Prose:
-    """Return the install lines, container images and versions of CI files; a release or documentation job's are left out."""
+    """Return the install lines, container images and versions of CI files; those of releases are left out."""
     files = [file for file in (*repository.suffixed(".yml", ".yaml"), *repository.named("Jenkinsfile")) if _is_ci(file)]
     return merge(
         _read(repository.read(file), file.path)

@@ -59,9 +59,9 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
 def _item(item: str, path: str, line: int) -> Dependency | None:
     """Read one entry of the ``pip:`` part: a file, an option, a requirement."""
     if item.startswith(("-r ", "--requirement ")):
-        name, role = item.split()[-1], "file"
+        name, role = item.rsplit(maxsplit=1)[-1], "file"
     elif item.startswith(_OPTIONS):
         name, role = item, "option"
     else:
-        return requirement(item.split(" #")[0].strip(), path, line)
+        return requirement(item.split(" #", maxsplit=1)[0].strip(), path, line)
     return Dependency(namespace="pip", name=name, strength="declared", file=path, line=line, role=role)

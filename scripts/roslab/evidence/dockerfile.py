@@ -1,7 +1,7 @@
 """The author's Dockerfiles, under any usual name.
 
-Instructions are cut here, not by a library: the one that is kept (dockerfile-parse) knows neither here-documents nor the
-line of a word inside a continuation, and both are what a reason has to show.
+Instructions are cut here, not by a library: the one that is kept (dockerfile-parse) knows neither here-documents nor
+the line of a word inside a continuation, and both are what a reason has to show.
 """
 
 from __future__ import annotations
@@ -26,12 +26,16 @@ _NOT = re.compile(
 )
 _INSTRUCTION = re.compile(r"^\s*([A-Za-z]+)\s+(.*)$", re.DOTALL)
 _DOCKER_FOLDER = re.compile(
-    r"^(?:.*/)?\.?(?:docker\w*|container\w*|devcontainer|build\w*|images?|env\w*|recipes?|images?/\w+)(?:/[^/]+)*$|^$",
+    r"^(?:.*/)?\.?(?:docker\w*|container\w*|devcontainer|build\w*|images?|env\w*|recipes?|"
+    r"images?/\w+)(?:/[^/]+)*$|^$",
     re.IGNORECASE,
 )
 """Folders that only hold recipes: what they copy is the root."""
 _KNOWN = frozenset(
-    {"ADD", "ARG", "CMD", "COPY", "ENTRYPOINT", "ENV", "EXPOSE", "FROM", "HEALTHCHECK", "LABEL", "MAINTAINER", "ONBUILD", "RUN", "SHELL", "STOPSIGNAL", "USER", "VOLUME", "WORKDIR"}
+    {
+        "ADD", "ARG", "CMD", "COPY", "ENTRYPOINT", "ENV", "EXPOSE", "FROM", "HEALTHCHECK",
+        "LABEL", "MAINTAINER", "ONBUILD", "RUN", "SHELL", "STOPSIGNAL", "USER", "VOLUME", "WORKDIR",
+    }
 )  # fmt: skip
 _HEREDOC = re.compile(r"<<-?\s*[\"']?(\w+)[\"']?")
 _FROM = re.compile(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
@@ -41,7 +45,8 @@ _DEPLOY = re.compile(
     re.IGNORECASE,
 )
 _CI = re.compile(
-    r"(?:^|[/._-])ci(?:[/._-]|$)|\.circleci|\.?devcontainer|\.github|\.gitlab|jenkins|travis|azure|clang-tidy|coverage|lint",
+    r"(?:^|[/._-])ci(?:[/._-]|$)|\.circleci|\.?devcontainer|\.github|\.gitlab|jenkins|travis|azure|clang-tidy|"
+    r"coverage|lint",
     re.IGNORECASE,
 )
 _DOCS = re.compile(r"sphinx|mkdocs|doxygen|jekyll|readthedocs|(?:^|[/._-])docs?(?:[/._-]|$)", re.IGNORECASE)

@@ -14,7 +14,8 @@ MAX_READ = 128 * 1024
 MAX_MODULES = 6_000
 """Modules opened: in a larger tree the first ones, nearest to the root, name what matters."""
 _IMPORT = re.compile(
-    r"^(?P<indent>[ \t]*)(?:import[ \t]+(?P<plain>[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?(?:[ \t]*,[ \t]*[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?)*)"
+    r"^(?P<indent>[ \t]*)(?:import[ \t]+(?P<plain>[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?"
+    r"(?:[ \t]*,[ \t]*[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?)*)"
     r"|from[ \t]+(?P<module>[A-Za-z_][\w.]*)[ \t]+import\b)",
     re.MULTILINE,
 )
@@ -25,9 +26,12 @@ _MAIN = re.compile(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULT
 _NODE = re.compile(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
 _STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
     {
-        "__builtin__", "ConfigParser", "Queue", "StringIO", "cPickle", "commands", "copy_reg", "cStringIO", "distutils", "httplib", "imp", "md5",
-        "sets", "thread", "Tkinter", "tkMessageBox", "tkFileDialog", "urllib2", "urlparse", "xmlrpclib", "SimpleHTTPServer", "SocketServer",
-        "BaseHTTPServer", "cookielib", "HTMLParser", "dummy_thread", "asyncore", "asynchat", "smtpd", "exceptions", "ttk", "typing", "tomllib",
+        "__builtin__", "ConfigParser", "Queue", "StringIO", "cPickle", "commands", "copy_reg", "cStringIO",
+        "distutils", "httplib", "imp", "md5",
+        "sets", "thread", "Tkinter", "tkMessageBox", "tkFileDialog", "urllib2", "urlparse", "xmlrpclib",
+        "SimpleHTTPServer", "SocketServer",
+        "BaseHTTPServer", "cookielib", "HTMLParser", "dummy_thread", "asyncore", "asynchat", "smtpd",
+        "exceptions", "ttk", "typing", "tomllib",
     }
 )  # fmt: skip
 

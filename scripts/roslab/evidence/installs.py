@@ -13,7 +13,8 @@ from roslab.evidence.shell import UNKNOWN, Command, commands, logical_lines
 
 MentionSource = Literal["recipe", "ci", "readme", "script"]
 TRIGGER = re.compile(
-    r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|\s+build|\s+init)|"
+    r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|"
+    r"\s+build|\s+init)|"
     r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b"
 )
 """A line without one of these words says nothing here."""
@@ -85,7 +86,27 @@ _CONDA_NAMES = {
     "opencv": "opencv-python",
     "pytables": "tables",
 }
-_NOT_PIP = frozenset({"python", "pip", "cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit", "cudnn", "mamba", "conda", "git", "cmake", "ninja", "ffmpeg", "gcc", "gxx", "mkl", "nodejs"})  # fmt: skip
+_NOT_PIP = frozenset(
+    {
+        "python",
+        "pip",
+        "cudatoolkit",
+        "pytorch-cuda",
+        "cuda",
+        "cuda-toolkit",
+        "cudnn",
+        "mamba",
+        "conda",
+        "git",
+        "cmake",
+        "ninja",
+        "ffmpeg",
+        "gcc",
+        "gxx",
+        "mkl",
+        "nodejs",
+    }
+)
 _VERSION = re.compile(r"\d+(?:\.\d+)*")
 
 

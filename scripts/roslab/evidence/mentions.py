@@ -10,7 +10,10 @@ from roslab.evidence.facts import Mention
 
 MAX_MENTIONS = 120
 """Per file and topic: a changelog names versions without end."""
-_DISTROS = "indigo|jade|kinetic|lunar|melodic|noetic|dashing|eloquent|foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling|crystal|bouncy|ardent"
+_DISTROS = (
+    "indigo|jade|kinetic|lunar|melodic|noetic|dashing|eloquent|"
+    "foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling|crystal|bouncy|ardent"
+)
 _AMBIGUOUS = frozenset(
     {
         "iron",
@@ -29,7 +32,8 @@ _AMBIGUOUS = frozenset(
 )
 """English words too: they need ROS, a branch or an Ubuntu near them."""
 _UBUNTU = (
-    r"ubuntu[\s:_-]{0,3}(?:lts\s{0,2})?(1[46]\.04|18\.04|2[0246]\.04)|(trusty|xenial|bionic|focal|jammy|noble|resolute)"
+    r"ubuntu[\s:_-]{0,3}(?:lts\s{0,2})?(1[46]\.04|18\.04|2[0246]\.04)|(trusty|xenial|bionic|focal|jammy|noble|"
+    r"resolute)"
 )
 _CUDA = r"cuda(?:[\s_-]{0,3}toolkit)?(?:\s{0,3}\(?(?:version|v|==?|>=|~|:)?\s{0,3}|[-=:]{1,3})(\d{1,2}\.\d)"
 _CUDNN = r"cudnn(?:[\s:v=_-]|version){0,9}(\d)"
@@ -39,7 +43,7 @@ _LOCAL = re.compile(r"(?<=[+/])cu(\d{2,3})\b")
 _MORE = re.compile(
     r"(?:[\s,/|&-]{0,4}(?:or|and|to)?\s{0,3}(?:python)?\s{0,2}[23]\.\d{1,2}(?![\d.])){1,6}", re.IGNORECASE
 )
-"""What goes on after a version of Python: ``3.6, 3.7 or 3.8``. Every blank is counted, so that no line can take long."""
+"""What goes on after a version of Python: ``3.6, 3.7 or 3.8``. Blanks are counted: no line can take long."""
 
 
 def _word(pattern: str) -> re.Pattern[str]:

@@ -162,9 +162,9 @@ def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> Pyt
 
 def _pyproject(repository: Repository, path: str, folder: str, text: str) -> PythonProject | None:
     if sys.version_info >= (3, 11):
-        import tomllib
+        import tomllib  # noqa: PLC0415 - most repositories never need it
     else:
-        import tomli as tomllib
+        import tomli as tomllib  # noqa: PLC0415
     try:
         data: dict[str, Any] = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError, ValueError):
@@ -215,10 +215,9 @@ def _list(data: dict[str, Any], key: str) -> list[Any]:
 def _poetry(table: dict[str, Any]) -> dict[str, str]:
     """Return Poetry's dependency table as requirement lines. https://python-poetry.org/docs/dependency-specification/."""
     lines: dict[str, str] = {}
-    for name, value in table.items():
-        optional = isinstance(value, dict) and value.get("optional")
-        if isinstance(value, list):
-            value = value[0] if value else "*"
+    for name, said in table.items():
+        optional = isinstance(said, dict) and said.get("optional")
+        value = (said[0] if said else "*") if isinstance(said, list) else said
         if isinstance(value, dict) and "git" in value:
             ref = value.get("rev") or value.get("tag") or value.get("branch")
             lines[name] = f"{name} @ git+{value['git']}" + (f"@{ref}" if ref else "")

@@ -15,7 +15,8 @@ MAX_LINES = 3_000
 MAX_SIZE = 512 * 1024
 Purpose = Literal["run", "docs", "test", "dev", "vendored"]
 _NAME = re.compile(
-    r"^(?!.*(?:apt|conda|rosdep|system|constraint|debian))(?:.*[-_.])?(?:requirements?|requires)(?:[-_.\d].*)?\.(?:txt|in|pip)$"
+    r"^(?!.*(?:apt|conda|rosdep|system|constraint|debian))(?:.*[-_.])?(?:requirements?|"
+    r"requires)(?:[-_.\d].*)?\.(?:txt|in|pip)$"
 )
 _FOLDER = re.compile(r"(?:^|/)requirements?$", re.IGNORECASE)
 _DOCS = re.compile(r"(?:^|[-_./])(?:docs?|sphinx|mkdocs|documentation|rtd|readthedocs)(?:[-_./]|$)", re.IGNORECASE)
@@ -25,7 +26,8 @@ _DEV = re.compile(
     re.IGNORECASE,
 )
 _OPTION = re.compile(
-    r"^(-i|--index-url|--extra-index-url|-f|--find-links|--pre|--trusted-host|--no-index|--no-binary|--only-binary|--prefer-binary|--use-feature)\b[ =]*(.*)$"
+    r"^(-i|--index-url|--extra-index-url|-f|--find-links|--pre|--trusted-host|--no-index|--no-binary|"
+    r"--only-binary|--prefer-binary|--use-feature)\b[ =]*(.*)$"
 )
 _LONG = {"-i": "--index-url", "-f": "--find-links"}
 _NESTED = re.compile(r"^(?:-r|--requirement)[ =]*(\S+)$")
@@ -69,7 +71,7 @@ def purpose_of(path: str) -> Purpose:
 
 
 def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
-    """Read one file's text. A line that pip itself would refuse is repaired where its meaning is plain, role ``repaired``."""
+    """Read one file's text. A line that pip would refuse is repaired where its meaning is plain."""
     dependencies: list[Dependency] = []
     includes: list[str] = []
     constraints: list[str] = []

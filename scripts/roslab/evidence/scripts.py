@@ -12,11 +12,13 @@ from roslab.repository import Repository
 MAX_SIZE = 128 * 1024
 MAX_SCRIPTS = 400
 _NAME = re.compile(
-    r"install|setup|dep(?:s|end)|require|bootstrap|prepare|build|provision|prereq|environment|docker|ci|catkin|apt|init|configure"
+    r"install|setup|dep(?:s|end)|require|bootstrap|prepare|build|provision|prereq|environment|docker|ci|"
+    r"catkin|apt|init|configure"
 )
 _ROBOT = re.compile(r"jetson|tegra|raspberry|nvidia[-_]?driver|udev|kernel|windows|macos?|osx|homebrew|uninstall")
 _LIST = re.compile(
-    r"^(?:apt|debian|ubuntu|system|os)?[-_]?(?:additional[-_]?)?(?:apt|debs?|packages|dependencies)(?:[-_]?(?:packages|requirements|dependencies|list|deps))?\.txt$"
+    r"^(?:apt|debian|ubuntu|system|os)?[-_]?(?:additional[-_]?)?(?:apt|debs?|packages|"
+    r"dependencies)(?:[-_]?(?:packages|requirements|dependencies|list|deps))?\.txt$"
 )
 _NAMES = re.compile(r"[a-z0-9][a-z0-9+.-]+")
 
@@ -40,19 +42,20 @@ def read(repository: Repository) -> Prose:
             _assignments(text, collector)
             collector.text(text)
             parts.append(collector.prose()._replace(mentions=()))
-    for file in repository.suffixed(".txt"):
-        if (
-            _LIST.match(file.name.lower())
-            and not places.vendored(file.path)
-            and file.size < MAX_SIZE
-            and file.name.lower() not in {"packages.txt", "dependencies.txt"}
-        ):
-            parts.append(_listed(repository.read(file), file.path))
+    lists = (
+        file
+        for file in repository.suffixed(".txt")
+        if _LIST.match(file.name.lower())
+        and not places.vendored(file.path)
+        and file.size < MAX_SIZE
+        and file.name.lower() not in {"packages.txt", "dependencies.txt"}
+    )
+    parts += (_listed(repository.read(file), file.path) for file in lists)
     return merge(parts)
 
 
 def _assignments(text: str, collector: Collector) -> None:
-    """Give the collector what the script assigns at its start of lines: lists of packages are often kept in a variable."""
+    """Give the collector what the script assigns: lists of packages are often kept in a variable."""
     known = {
         match[1]: " ".join(match[2].strip("\"'()").replace("\\\n", " ").split())
         for match in re.finditer(

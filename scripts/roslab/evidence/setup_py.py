@@ -135,7 +135,7 @@ class _Reader:
     def __init__(self, names: dict[str, ast.expr], functions: dict[str, ast.AST]) -> None:
         self.names, self.functions = names, functions
 
-    def strings(self, node: ast.expr, depth: int = 0) -> list[str]:
+    def strings(self, node: ast.expr, depth: int = 0) -> list[str]:  # noqa: PLR0911 - one kind of node each
         """Return the strings of a constant, list, tuple, sum, f-string's constant parts or name."""
         if depth > MAX_DEPTH:
             return []
@@ -158,7 +158,7 @@ class _Reader:
         return []
 
     def files(self, node: ast.AST) -> list[str]:
-        """Return the requirement files named on the way to a value: ``open("requirements.txt")``, a helper's argument."""
+        """Return the requirement files named on the way to a value: what is opened, a helper's argument."""
         found: list[str] = []
         seen: set[str] = set()
         pending = [node]

@@ -159,8 +159,7 @@ def _split(text: str, line: int, known: Mapping[str, str]) -> Iterator[list[tupl
             continue
         if kind == "separator":
             finish()
-            if words:
-                yield words
+            yield words
             words = []
             continue
         if kind == "redirect" or (kind == "version" and not started):
@@ -171,8 +170,7 @@ def _split(text: str, line: int, known: Mapping[str, str]) -> Iterator[list[tupl
         word += _value(kind or "other", token, known)
         line += token.count("\n")
     finish()
-    if words:
-        yield words
+    yield words
 
 
 def _value(kind: str, token: str, known: Mapping[str, str]) -> str:

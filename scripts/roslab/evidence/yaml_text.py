@@ -18,7 +18,7 @@ def load(text: str) -> Any:
         deepest = max(deepest, depth)
     if deepest > MAX_DEPTH or _DEEP.search(text):
         return None
-    import yaml
+    import yaml  # noqa: PLC0415 - 20 ms that most repositories never need
 
     try:
         return next(yaml.load_all(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)), None)

@@ -96,7 +96,7 @@ def test_the_plainest_requirement_file_nearest_to_the_root(
 
 def test_files_and_projects_that_the_readme_installs(tmp_path: Path) -> None:
     files = {
-        "README.md": "```\npip install -r requirements_sim.txt\ncd third_party/gym && pip install -e ./third_party/gym\n```\n",
+        "README.md": "```\npip install -r requirements_sim.txt\ncd third_party/gym && pip install -e .\n```\n",
         "requirements_sim.txt": "six\n",
         "setup.py": "from setuptools import setup\nsetup(name='a')\n",
         "third_party/gym/setup.py": "from setuptools import setup\nsetup(name='gym')\n",
@@ -136,7 +136,7 @@ def test_a_file_that_pip_would_refuse_is_installed_line_by_line(tmp_path: Path) 
 def test_what_must_be_there_first(tmp_path: Path) -> None:
     files = {
         "requirements.txt": "torch==2.0.1\nflash-attn\n",
-        "setup.py": "from torch.utils.cpp_extension import CUDAExtension\nfrom setuptools import setup\nsetup(name='a')\n",
+        "setup.py": "from torch.utils.cpp_extension import CUDAExtension\nimport setuptools\nsetuptools.setup(name='a')\n",
     }
     assert decide(tmp_path, files).first == ("torch==2.0.1", "packaging", "ninja", "numpy")
 

@@ -50,7 +50,8 @@ def test_apt_lines(text: str, expected: list[str]) -> None:
 
 @pytest.mark.parametrize(
     "written",
-    ["YOUR_DISTRO", "<distro>", "$ROS_DISTRO", "${ROS_DISTRO}", '"${ROS_DISTRO}"', "XXX", "[distro]", "$(rosversion -d)",
+    ["YOUR_DISTRO", "<distro>", "$ROS_DISTRO", "${ROS_DISTRO}", '"${ROS_DISTRO}"', "XXX", "[distro]",
+     "$(rosversion -d)",
      "${{ matrix.ros_distro }}", "{distro}", "<your-ros-version>"],
 )  # fmt: skip
 def test_placeholders_of_a_distro(written: str) -> None:
@@ -90,7 +91,7 @@ def test_roles_of_what_pip_is_given() -> None:
 
 
 def test_a_clone_takes_the_ref_that_is_checked_out() -> None:
-    text = "git clone --depth 1 -b dev https://g.org/a/one.git\ngit clone git@g.org:a/two.git && cd two && git checkout tags/v2"
+    text = "git clone -b dev https://g.org/a/one.git\ngit clone git@g.org:a/two.git && cd two && git checkout tags/v2"
     sources = collected(text).sources
     assert [(s.name, s.ref, s.kind) for s in sources] == [("one", "dev", "clone"), ("two", "v2", "clone")]
 
