@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from roslab.config import written
 from roslab.config.document import parse
 from roslab.config.edit import Edits, flow_list, is_text, quoted
+from roslab.config.generation import NAMES
 from roslab.config.model import Config, Generation
 from roslab.config.node import Mapping, Node, Scalar, Sequence
 from roslab.config.reader import mapping_of, read
@@ -76,7 +77,8 @@ def _edit(edits: Edits, root: Mapping, config: Config) -> None:
     if generation == "interim":
         _interim_base(edits, root, config)
     for old, new in _RENAMED[generation].items():
-        edits.rename(root, old, new)
+        if new != "pip2" or config.pip_python == "2":
+            edits.rename(root, old, new)
     name = root.get("name")
     if isinstance(name, Scalar) and config.name and name.text.strip() != config.name:
         edits.value(name, config.name, f"the name becomes `{config.name}`, in lower case")
@@ -96,6 +98,12 @@ def _head(edits: Edits, root: Mapping, config: Config) -> None:
     """Write ``format: 3`` first, and what the old format did without being asked."""
     lines = ["format: 3"]
     edits.changes.append("new: `format: 3`, the mark of a file of today")
+    if config.compatible:
+        lines.append(f"compatible: {config.compatible}")
+        edits.changes.append(
+            f"new: `compatible: {config.compatible}`, as before: only what the file names is installed, old paths work; "
+            "take it out for today's way"
+        )
     if "notebook" not in root.names:
         lines.append("notebook: true")
         edits.changes.append("new: `notebook: true`, as every image of the old formats held JupyterLab")
@@ -105,9 +113,9 @@ def _head(edits: Edits, root: Mapping, config: Config) -> None:
             edits.changes.append(
                 f"new: `{name}: true`, as the old run script gave the container the GPU and the display"
             )
-    if config.generation == "interim" and "build" not in root.names:
-        lines.append("build: cmake")
-        edits.changes.append("new: `build: cmake`, as the interim format built everything with cmake")
+    if config.build and "build" not in root.names:
+        lines.append(f"build: {config.build}")
+        edits.changes.append(f"new: `build: {config.build}`, as {NAMES[config.generation]} did where nothing was said")
     first = root.pairs[0][0]
     separator = edits.separator(root, first)
     edits.put(first.start.index, first.start.index, "".join(line + separator for line in lines))

@@ -13,6 +13,7 @@ from typing import Literal
 Kind = Literal["ros1", "ros2", "cuda", "python", "cpp"]
 BuildTool = Literal["catkin_make", "catkin_tools", "colcon", "cmake", "pip", "conda", "none"]
 Generation = Literal["paper", "later", "interim", "today"]
+Compatible = Literal["paper", "later"]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -90,8 +91,9 @@ class Matlab:
 class Custom:
     """Shell commands of the author.
 
-    ``paper``: one RUN each, as the image's user, in the home folder. ``later`` and today: one chained RUN as root
-    (``cd`` carries over), in ``/`` for the later old format and in the source folder today.
+    ``paper``: one RUN each, as the image's user, in the home folder, which held the source where that was no ROS
+    workspace. ``later`` and today: one chained RUN as root (``cd`` carries over), in ``/`` for the later old format and
+    in the source folder today.
     """
 
     commands: tuple[str, ...]
@@ -107,6 +109,9 @@ class Config:
     file: str | None = None
     """The file it was read from, relative to the repository; ``None`` where there is none."""
     generation: Generation = "today"
+    compatible: Compatible | None = None
+    """Whose ways the image keeps, so that what the file says still works: the old generators installed nothing that
+    the file does not name, built libraries in place and had paths of their own. ``migrate`` writes it."""
     name: str | None = None
     kind: Kind | None = None
     base: Base = field(default_factory=Base)

@@ -8,7 +8,7 @@ from roslab.config import base as bases
 from roslab.config import generation as generations
 from roslab.config import packages, running, vocabulary
 from roslab.config.document import Document, parse
-from roslab.config.model import BuildTool, Config, Generation, Kind
+from roslab.config.model import Base, BuildTool, Compatible, Config, Generation, Kind
 from roslab.config.node import Mapping, Scalar, Sequence
 from roslab.config.reading import Reading
 from roslab.config.shape import Shape
@@ -81,13 +81,15 @@ def _config(reading: Reading, root: Mapping, generation: Generation) -> Config:
     shared = bases.implied(reading, root, generation, base)
     gui, gpu = reading.truth(root, "gui", "gui"), reading.truth(root, "gpu", "gpu")
     notebook = reading.truth(root, "notebook", "notebook")
-    python2 = "pip2" in root.names or old
+    compatible = _compatible(reading, root, generation, base)
+    python2 = "pip2" in root.names or compatible is not None
     pip, pip_options = packages.pip(reading, root, "pip2" if "pip2" in root.names else key["pip"], "pip")
     pip3, pip3_options = packages.pip(reading, root, key["pip3"], "pip3")
     _advise(reading, root, generation)
     return Config(
         file=reading.file,
         generation=generation,
+        compatible=compatible,
         name=_name(reading, root),
         kind=cast(Kind | None, reading.value(root, "kind", "kind")),
         base=base,
@@ -102,7 +104,7 @@ def _config(reading: Reading, root: Mapping, generation: Generation) -> Config:
         conda=reading.value(root, "conda", "conda"),
         vcs=_files(reading, root, "vcs"),
         source=sources(reading, root, key["source"]),
-        build=_build(reading, root, generation),
+        build=_build(reading, root, generation, compatible),
         build_args=running.arguments(reading, root, "build_args"),
         cmake_options=reading.value(root, "cmake_options", "cmake_options") or "",
         skip_keys=reading.values(root, "skip_keys", "skip_keys") or (),
@@ -132,7 +134,7 @@ def _advise(reading: Reading, root: Mapping, generation: Generation) -> None:
     if used:
         reading.warn(
             f"`{used[0]}` is of today, but without `format: 3` the file is read as {generations.NAMES[generation]}: "
-            "JupyterLab comes into the image, `custom` and `pip` keep their old meaning",
+            "JupyterLab comes into the image, `custom` keeps its old meaning",
             root.key(used[0]),
         )
 
@@ -146,10 +148,25 @@ def _name(reading: Reading, root: Mapping) -> str | None:
     return text.value.lower()
 
 
-def _build(reading: Reading, root: Mapping, generation: Generation) -> BuildTool | None:
+_OLD_UBUNTU = frozenset({"xenial", "bionic"})
+"""What the generator of the later old format built on: every working file of its names one of them."""
+
+
+def _compatible(reading: Reading, root: Mapping, generation: Generation, base: Base) -> Compatible | None:
+    """Return whose ways the image keeps; a file that no old generator could build is read by its words alone."""
+    if generation == "today":
+        return cast(Compatible | None, reading.value(root, "compatible", "compatible"))
+    if generation == "later":
+        return "later" if base.ubuntu in _OLD_UBUNTU and base.image is None else None
+    return "paper" if generation == "paper" else "later"
+
+
+def _build(reading: Reading, root: Mapping, generation: Generation, compatible: Compatible | None) -> BuildTool | None:
     tool = reading.value(root, "build", "build")
+    if tool is None and generation == "interim":
+        return "cmake"  # repolab built every repository with cmake
     if tool is None:
-        return "cmake" if generation == "interim" else None  # repolab built every repository with cmake
+        return "none" if generation == "later" and compatible else None
     return cast(BuildTool, OLD_TOOLS.get(tool, tool))
 
 

@@ -17,6 +17,7 @@ def written(config: Config) -> str:
     python2 = config.pip_python == "2"
     said: dict[str, Any] = {
         "format": 3,
+        "compatible": config.compatible,
         "name": config.name,
         "kind": config.kind,
         "base": base(config.base),

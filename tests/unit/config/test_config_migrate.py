@@ -53,12 +53,14 @@ def test_a_paper_file_in_full() -> None:
     old += "packages:\n  - git # tool\npython-packages: [numpy]\ncustom:\n- make\n"
     migration = migrate(old)
     assert migration.text == (
-        "# mine\nformat: 3\nnotebook: true\nname: a   # the name\n\n"
+        "# mine\nformat: 3\ncompatible: paper\nnotebook: true\nname: a   # the name\n\n"
         "base: {ros: kinetic-desktop-full, opengl: devel}\ngpu: true\ngui: true  # we draw\napt:\n  - git # tool\n"
         "pip2: [numpy]\ncustom:\n  user: jovyan\n  folder: home\n  chained: false\n  commands:\n  - make\n"
     )
     assert migration.changes == (
         "new: `format: 3`, the mark of a file of today",
+        "new: `compatible: paper`, as before: only what the file names is installed, old paths work; "
+        "take it out for today's way",
         "new: `notebook: true`, as every image of the old formats held JupyterLab",
         "line 4: `distro` becomes `base: {ros: kinetic-desktop-full, opengl: devel}`",
         "line 5: `runtime: nvidia` becomes `gpu: true` and `gui: true`",
@@ -77,7 +79,7 @@ def test_a_later_file_in_full() -> None:
         "volume:\n  - host_path: /a\n  - container_path: /b\napt: git cmake\n"
     )
     assert migrate(old).text == (
-        "format: 3\nnotebook: true\ngpu: true\ngui: true\nname: demo\n"
+        "format: 3\ncompatible: later\nnotebook: true\ngpu: true\ngui: true\nbuild: none\nname: demo\n"
         "base:\n  ubuntu: bionic # sic\n  opengl: runtime\n"
         "pip2:\n  - numpy\nsource:\n"
         "  - name: a\n    repo: https://h.org/a.git # old\n    ref: v1.0\n"
