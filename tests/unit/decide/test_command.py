@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslab.config.model import Config
+from roslab.config.model import Config, Kind
 from roslab.decide.command import decide_command
 from roslab.decide.decision import Python
 from roslab.decide.platforms import decide_platforms
@@ -53,18 +53,15 @@ def test_the_readme_comes_first_and_the_configuration_wins() -> None:
     assert decide_command(evidence, Config(command="ls", gui=False), "cuda", None).command == "ls"
 
 
-def platforms(*lines: str, base: str = "ubuntu:22.04", **more: object) -> tuple[str, ...]:
-    dependencies = tuple(
-        Dependency(namespace="pip", name=line, strength="declared", file="r.txt", line=1) for line in lines
-    )
+def platforms(
+    *lines: str, base: str = "ubuntu:22.04", kind: Kind = "python", ros: str | None = None, cuda: str | None = None
+) -> tuple[str, ...]:
+    found = tuple(Dependency(namespace="pip", name=line, strength="declared", file="r.txt", line=1) for line in lines)
     file = RequirementFile(
-        file="r.txt", line=1, dependencies=dependencies, includes=(), constraints=(), options=(), purpose="run"
+        file="r.txt", line=1, dependencies=found, includes=(), constraints=(), options=(), purpose="run"
     )
     python = Python(version="3.10", manager="venv", requirements=("r.txt",))
-    given = {"kind": "python", "ros_distro": None, "cuda": None, **more}
-    choice = decide_platforms(
-        Evidence(requirements=(file,)), Config(), given["kind"], base, given["ros_distro"], given["cuda"], python
-    )  # type: ignore[arg-type]
+    choice = decide_platforms(Evidence(requirements=(file,)), Config(), kind, base, ros, cuda, python)
     assert len(choice.platforms) + len(choice.refused) == 2
     return choice.platforms
 
@@ -74,8 +71,8 @@ BOTH = ("linux/amd64", "linux/arm64")
 
 def test_platforms() -> None:
     assert platforms("numpy") == BOTH
-    assert platforms(base="ros:humble-ros-base", kind="ros2", ros_distro="humble") == BOTH
-    assert platforms(base="osrf/ros:noetic-desktop", kind="ros1", ros_distro="noetic") == BOTH[:1]
+    assert platforms(base="ros:humble-ros-base", kind="ros2", ros="humble") == BOTH
+    assert platforms(base="osrf/ros:noetic-desktop", kind="ros1", ros="noetic") == BOTH[:1]
     assert platforms(kind="cuda", cuda="11.8", base="nvidia/cuda:11.8.0-cudnn8-devel-ubuntu22.04") == BOTH[:1]
     assert platforms("open3d==0.12.0") == BOTH[:1]
     assert platforms("open3d==0.18.0") == BOTH

@@ -136,7 +136,7 @@ def test_a_file_that_pip_would_refuse_is_installed_line_by_line(tmp_path: Path) 
 def test_what_must_be_there_first(tmp_path: Path) -> None:
     files = {
         "requirements.txt": "torch==2.0.1\nflash-attn\n",
-        "setup.py": "from torch.utils.cpp_extension import CUDAExtension\nimport setuptools\nsetuptools.setup(name='a')\n",
+        "setup.py": "from torch.x import CUDAExtension\nimport setuptools\nsetuptools.setup(name='a')\n",
     }
     assert decide(tmp_path, files).first == ("torch==2.0.1", "packaging", "ninja", "numpy")
 

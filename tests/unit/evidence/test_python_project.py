@@ -71,7 +71,7 @@ def test_catkin_and_ament_scripts_are_not_for_pip(tmp_path: Path) -> None:
     catkin = (
         "from distutils.core import setup\nfrom catkin_pkg.python_setup import generate_distutils_setup\nsetup(**d)\n"
     )
-    ament = "import setuptools\nsetuptools.setup(name='b', data_files=[('share/ament_index/resource_index/packages', [])])\n"
+    ament = "import setuptools\nsetuptools.setup(name='b', data_files=[('share/ament_index/resource_index', [])])\n"
     found = read(
         tmp_path,
         {

@@ -7,10 +7,11 @@ from pathlib import Path
 import pytest
 
 from roslab.evidence import requirements
+from roslab.evidence.facts import RequirementFile
 from roslab.repository import Repository
 
 
-def read(tmp_path: Path, files: dict[str, str]) -> dict[str, requirements.RequirementFile]:
+def read(tmp_path: Path, files: dict[str, str]) -> dict[str, RequirementFile]:
     for name, text in files.items():
         path = tmp_path / name
         path.parent.mkdir(parents=True, exist_ok=True)
