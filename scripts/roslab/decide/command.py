@@ -129,7 +129,8 @@ def _written(evidence: Evidence, *, ros: bool) -> Iterator[_Candidate]:
             argv = ("python3" if ros else "python", *here)
         elif not ros:
             continue
-        yield _Candidate(argv=argv, why="the README runs it", file=mention.file, line=mention.line, strong=True)
+        strong = not any(places.example(part) for part in argv)
+        yield _Candidate(argv=argv, why="the README runs it", file=mention.file, line=mention.line, strong=strong)
 
 
 def _here(argv: tuple[str, ...], programs: list[str]) -> tuple[str, ...] | None:

@@ -21,25 +21,10 @@ _CONDA_NAMES = {
 }
 _NO_PACKAGE = frozenset(
     [
-        "python",
-        "pip",
-        "cudatoolkit",
-        "cuda",
-        "pytorch-cuda",
-        "cuda-toolkit",
-        "cudnn",
-        "cuda-nvcc",
-        "mkl",
-        "nccl",
-        "gcc",
-        "gxx",
-        "cmake",
-        "ninja",
-        "git",
-        "ffmpeg",
-        "nodejs",
+        "python", "pip", "cudatoolkit", "cuda", "pytorch-cuda", "cuda-toolkit", "cudnn", "cuda-nvcc", "mkl",
+        "nccl", "gcc", "gxx", "cmake", "ninja", "git", "ffmpeg", "nodejs",
     ]
-)
+)  # fmt: skip
 MAX_FILES = 60
 """Requirement files that are weighed, the nearest to the root first."""
 _NOT_OURS = frozenset({"vendored", "documentation", "ci"})

@@ -22,52 +22,17 @@ _VARIANT = re.compile(
 )
 _TOOLS = frozenset(
     [
-        "pip",
-        "setuptools",
-        "wheel",
-        "virtualenv",
-        "virtualenvwrapper",
-        "conda",
-        "uv",
-        "pipenv",
-        "poetry",
-        "pipx",
-        "twine",
-        "build",
-        "tox",
-        "nox",
-        "mamba",
+        "pip", "setuptools", "wheel", "virtualenv", "virtualenvwrapper", "conda", "uv", "pipenv", "poetry",
+        "pipx", "twine", "build", "tox", "nox", "mamba",
     ]
-)
+)  # fmt: skip
 _CI_TOOLS = frozenset(
     [
-        "black",
-        "flake8",
-        "isort",
-        "pylint",
-        "mypy",
-        "pytest",
-        "pytest-cov",
-        "coverage",
-        "codecov",
-        "pre-commit",
-        "sphinx",
-        "ruff",
-        "autopep8",
-        "clang-format",
-        "clang-tidy",
-        "cpplint",
-        "cmakelang",
-        "cmake-format",
-        "codespell",
-        "gcovr",
-        "yapf",
-        "bandit",
-        "pydocstyle",
-        "pycodestyle",
-        "mkdocs",
+        "black", "flake8", "isort", "pylint", "mypy", "pytest", "pytest-cov", "coverage", "codecov",
+        "pre-commit", "sphinx", "ruff", "autopep8", "clang-format", "clang-tidy", "cpplint", "cmakelang",
+        "cmake-format", "codespell", "gcovr", "yapf", "bandit", "pydocstyle", "pycodestyle", "mkdocs",
     ]
-)
+)  # fmt: skip
 _FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
 MAX_GUESSES = 40
 MAX_PROJECTS = 6

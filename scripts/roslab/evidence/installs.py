@@ -23,44 +23,11 @@ _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--de
 _APT_NAME = re.compile(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
 _STOP = frozenset(
     [
-        "and",
-        "or",
-        "the",
-        "to",
-        "for",
-        "if",
-        "on",
-        "with",
-        "then",
-        "is",
-        "as",
-        "in",
-        "it",
-        "a",
-        "an",
-        "from",
-        "via",
-        "by",
-        "into",
-        "version",
-        "you",
-        "your",
-        "this",
-        "that",
-        "sudo",
-        "apt",
-        "apt-get",
-        "pip",
-        "pip3",
-        "will",
-        "should",
-        "can",
-        "which",
-        "using",
-        "command",
-        "following",
+        "and", "or", "the", "to", "for", "if", "on", "with", "then", "is", "as", "in", "it", "a", "an", "from",
+        "via", "by", "into", "version", "you", "your", "this", "that", "sudo", "apt", "apt-get", "pip", "pip3",
+        "will", "should", "can", "which", "using", "command", "following",
     ]
-)
+)  # fmt: skip
 _PIP = re.compile(r"^pip(?:[23](?:\.\d+)?)?$")
 _PYTHON = re.compile(r"^(?:i?python)(\d(?:\.\d+)?)?$")
 _PIP_VALUED = frozenset(
@@ -88,25 +55,10 @@ _CONDA_NAMES = {
 }
 _NOT_PIP = frozenset(
     {
-        "python",
-        "pip",
-        "cudatoolkit",
-        "pytorch-cuda",
-        "cuda",
-        "cuda-toolkit",
-        "cudnn",
-        "mamba",
-        "conda",
-        "git",
-        "cmake",
-        "ninja",
-        "ffmpeg",
-        "gcc",
-        "gxx",
-        "mkl",
-        "nodejs",
+        "python", "pip", "cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit", "cudnn", "mamba", "conda",
+        "git", "cmake", "ninja", "ffmpeg", "gcc", "gxx", "mkl", "nodejs",
     }
-)
+)  # fmt: skip
 _VERSION = re.compile(r"\d+(?:\.\d+)*")
 
 
