@@ -1,0 +1,193 @@
+"""The action, the workflows and the starters: pinned, alike in both doors, linted, and naming only what exists."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+WORKFLOWS = sorted((ROOT / ".github/workflows").glob("*.yml")) + sorted((ROOT / ".github/workflows").glob(".*.yml"))
+CALLABLE = [path for path in WORKFLOWS if not path.name.startswith(".")]
+STARTERS = sorted(path for path in (ROOT / "workflows").glob("*.yml") if path.name != "gitlab-ci.yml")
+THIN = [path for path in CALLABLE if path.name != "image.yml"]
+EVERYTHING = [ROOT / "action.yml", *WORKFLOWS, *STARTERS]
+USES = re.compile(r"^\s*(?:-\s+)?uses:\s*(?P<what>[^\s#]+)(?:\s*#\s*(?P<comment>.*))?$", re.MULTILINE)
+OURS = "org/repro-action"
+Tool = Callable[[str], str]
+
+
+def load(path: Path) -> dict[Any, Any]:
+    found = yaml.safe_load(path.read_text())
+    assert isinstance(found, dict)
+    return found
+
+
+def called(path: Path) -> dict[str, Any]:
+    """Return the ``workflow_call`` of a workflow; PyYAML reads the key ``on`` as true."""
+    found: dict[str, Any] = load(path)[True]["workflow_call"]
+    return found
+
+
+def run(*command: str | Path) -> None:
+    answer = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert answer.returncode == 0, answer.stdout + answer.stderr
+
+
+@pytest.mark.parametrize("path", EVERYTHING, ids=lambda path: str(path.relative_to(ROOT)))
+def test_every_action_is_pinned_with_its_version(path: Path) -> None:
+    for match in USES.finditer(path.read_text()):
+        what, comment = match["what"], match["comment"] or ""
+        if what.startswith(("./", OURS)):
+            continue
+        assert re.fullmatch(r"[\w.-]+/[\w./-]+@[0-9a-f]{40}", what), f"{what} is not pinned by its full SHA"
+        assert re.fullmatch(r"v\d+\.\d+\.\d+", comment), f"{what} names no version"
+
+
+def test_an_action_has_one_version_everywhere() -> None:
+    found: dict[str, set[str]] = {}
+    for path in EVERYTHING:
+        for match in USES.finditer(path.read_text()):
+            name, _, ref = match["what"].partition("@")
+            if ref and not name.startswith(OURS):
+                found.setdefault(name, set()).add(f"{ref} {match['comment']}")
+    assert "docker/build-push-action" in found
+    assert {name: refs for name, refs in found.items() if len(refs) > 1} == {}
+
+
+def test_both_doors_do_the_same() -> None:
+    """The same actions with the same settings, the job's and the step's names for one value apart."""
+    small = {step["name"]: step for step in load(ROOT / "action.yml")["runs"]["steps"]}
+    jobs = load(ROOT / ".github/workflows/image.yml")["jobs"]
+    wide = {step["name"]: step for job in ("build", "publish") for step in jobs[job]["steps"]}
+    shared = ("Set up emulation", "Set up the builder", "Build, and push without a tag")
+    for name in shared:
+        for key in ("uses", "with", "if", "env", "id"):
+            assert small[name].get(key) == wide[name].get(key), f"{name}: {key}"
+    assert small["Name the tags"]["with"]["tags"] == wide["Name the tags"]["with"]["tags"]
+    assert small["Name the tags"]["with"]["flavor"] == wide["Name the tags"]["with"]["flavor"]
+
+
+def test_the_action_has_at_most_ten_inputs_and_each_has_a_sentence() -> None:
+    found = load(ROOT / "action.yml")
+    assert len(found["inputs"]) <= 10
+    for name, entry in {**found["inputs"], **found["outputs"]}.items():
+        assert re.fullmatch(r"[a-z]+(-[a-z]+)*", name)
+        assert re.fullmatch(r"[A-Z].*\.", entry["description"]), f"{name}: no sentence"
+
+
+@pytest.mark.parametrize("path", CALLABLE, ids=lambda path: path.name)
+def test_a_callable_workflow_takes_its_rights_from_its_caller(path: Path) -> None:
+    found = load(path)
+    assert set(found[True]) == {"workflow_call"}
+    assert "permissions" not in found
+    assert not [name for name, job in found["jobs"].items() if "permissions" in job]
+    for name, entry in {**called(path)["inputs"], **called(path)["outputs"]}.items():
+        assert re.fullmatch(r"[A-Z].*\.", entry["description"]), f"{name}: no sentence"
+
+
+@pytest.mark.parametrize("path", THIN, ids=lambda path: path.name)
+def test_a_thin_workflow_hands_on_every_input_as_it_is(path: Path) -> None:
+    (job,) = load(path)["jobs"].values()
+    assert job["uses"] == "./.github/workflows/image.yml"
+    own, common = called(path)["inputs"], called(ROOT / ".github/workflows/image.yml")["inputs"]
+    assert job["with"] == {"kind": path.stem, **{name: f"${{{{ inputs.{name} }}}}" for name in own}}
+    assert {name: entry["default"] for name, entry in own.items()} == {name: common[name]["default"] for name in own}
+
+
+def test_no_expression_in_a_script() -> None:
+    for path in EVERYTHING:
+        found = load(path)
+        steps = (
+            found["runs"]["steps"]
+            if "runs" in found
+            else [s for j in found["jobs"].values() for s in j.get("steps", [])]
+        )
+        for step in steps:
+            assert "${{" not in step.get("run", ""), f"{path.name}: {step['name']}"
+
+
+def test_an_id_is_read_somewhere() -> None:
+    for path in EVERYTHING:
+        text = path.read_text()
+        for name in re.findall(r"^\s+id: (\S+)$", text, flags=re.MULTILINE):
+            assert f"steps.{name}." in text, f"{path.name}: nothing reads the id {name}"
+
+
+def _uses_of_ours(text: str) -> list[tuple[str, dict[str, Any]]]:
+    """Return what a YAML text uses of this repository, and the settings it gives."""
+    found: list[tuple[str, dict[str, Any]]] = []
+
+    def walk(node: Any) -> None:
+        if isinstance(node, dict):
+            uses = node.get("uses")
+            if isinstance(uses, str) and uses.startswith(OURS):
+                found.append((uses.partition("@")[0].removeprefix(OURS).strip("/"), node.get("with") or {}))
+            for child in node.values():
+                walk(child)
+        elif isinstance(node, list):
+            for child in node:
+                walk(child)
+
+    walk(yaml.safe_load(text))
+    return found
+
+
+def _snippets() -> list[tuple[str, str]]:
+    readme = (ROOT / "README.md").read_text()
+    blocks = re.findall(r"^```ya?ml\n(.*?)^```", readme, flags=re.MULTILINE | re.DOTALL)
+    return [(path.name, path.read_text()) for path in STARTERS] + [("README.md", block) for block in blocks]
+
+
+@pytest.mark.parametrize(("name", "text"), _snippets())
+def test_what_a_caller_copies_names_only_what_exists(name: str, text: str) -> None:
+    for path, settings in _uses_of_ours(text):
+        inputs = load(ROOT / "action.yml")["inputs"] if not path else called(ROOT / path)["inputs"]
+        assert set(settings) <= set(inputs), f"{name}: {path or 'action.yml'}"
+
+
+def test_there_is_a_starter_for_every_workflow() -> None:
+    used = {path for starter in STARTERS for path, _ in _uses_of_ours(starter.read_text())}
+    assert used == {f".github/workflows/{path.name}" for path in CALLABLE} | {""}
+
+
+def test_no_starter_asks_for_more_than_it_needs() -> None:
+    for path in STARTERS:
+        found = load(path)
+        assert found["permissions"] == {}
+        publishes = path.name not in ("pull-request.yml", "watch.yml")
+        expected = {"contents": "read", "packages": "write"} if publishes else {"contents": "read"}
+        assert [job["permissions"] for job in found["jobs"].values()] == [expected], path.name
+
+
+def test_actionlint(tool: Tool) -> None:
+    run(tool("actionlint"))
+    run(tool("actionlint"), "-config-file", ".github/actionlint.yaml", *STARTERS)
+
+
+def test_zizmor(tool: Tool) -> None:
+    strict = ("--offline", "--no-progress", "--persona", "pedantic", "--strict-collection")
+    run(tool("zizmor"), *strict, ".")
+    run(tool("zizmor"), *strict, *STARTERS)
+
+
+def test_schemas(tool: Tool) -> None:
+    check = tool("check-jsonschema")
+    run(check, "--builtin-schema", "vendor.github-actions", "action.yml")
+    run(check, "--builtin-schema", "vendor.github-workflows", *WORKFLOWS, *STARTERS)
+    run(check, "--builtin-schema", "vendor.gitlab-ci", "workflows/gitlab-ci.yml")
+    run(check, "--builtin-schema", "vendor.dependabot", ".github/dependabot.yml")
+
+
+def test_shellcheck(tmp_path: Path, tool: Tool) -> None:
+    """actionlint checks the scripts of workflows only: those of the action are written out and checked here."""
+    for number, step in enumerate(load(ROOT / "action.yml")["runs"]["steps"]):
+        if "run" in step:
+            script = tmp_path / f"{number}.sh"
+            script.write_text(f"#!/usr/bin/env bash\nset -eo pipefail\nexport PYTHON=\n{step['run']}\n")
+            run(tool("shellcheck"), "--exclude=SC2250", script)
