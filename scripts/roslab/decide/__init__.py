@@ -6,6 +6,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.base import decide_base
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.command import decide_command
+from roslab.decide.compatible import folder_of_workspace, in_order, named_only, narrowed, requested, systems_python
 from roslab.decide.cuda import CudaChoice, decide_cuda
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.distro import decide_distro
@@ -34,6 +35,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     Raises ``NothingToBuildError`` where there is nothing to decide on.
     """
     _something(evidence, config)
+    evidence, config = narrowed(evidence, config)
     kind = decide_kind(evidence, config)
     ros = decide_distro(evidence, config, kind.kind)
     distro = ros.distro.name if ros.distro else None
@@ -44,6 +46,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     else:
         python, python_reasons, python_warnings = decide_python(evidence, config, kind.kind, config.base.ubuntu, distro)
         base = decide_base(evidence, config, kind.kind, chosen=ros, cuda=cuda, python=python.version)
+    python = systems_python(python, config)
     build_tool, tool_reasons = decide_build_tool(evidence, config, kind.kind, python)
     recipe = decide_recipe(evidence, config, kind.kind, distro)
     packages = packages_of(evidence)
@@ -69,8 +72,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         base_packages=base.ros_packages,
         sisters=sources.names,
     )
-    sources = with_recipes(sources, recipes_for(system.recipes, base.ubuntu))
-    layout = decide_layout(evidence, kind.kind, packages)
+    system = requested(named_only(system, base.ros_packages, config), config, base.ubuntu)
+    sources = in_order(with_recipes(sources, recipes_for(system.recipes, base.ubuntu)), config)
+    layout = folder_of_workspace(decide_layout(evidence, kind.kind, packages), config)
     on_cuda = "nvidia" in base.image or kind.kind == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else CudaChoice()
     platforms = decide_platforms(evidence, config, kind.kind, base.image, distro, cuda.cuda, python)

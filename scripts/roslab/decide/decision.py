@@ -60,8 +60,11 @@ class Python:
     """Constraints on what is installed: the code uses what newer versions no longer have."""
     options: tuple[str, ...] = ()
     """pip options: index URLs and find-links of the framework's own wheels."""
+    pip_options: tuple[str, ...] = ()
+    """Options that stood among the lines of ``pip`` (``--upgrade``), for these lines alone."""
     python2: tuple[str, ...] = ()
     """Requirement lines for a Python 2 beside it (``pip`` of the old formats)."""
+    python2_options: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -10,6 +10,7 @@ from roslab.decide.cuda import DEFAULT as CUDA
 from roslab.decide.cuda import decide_cuda
 from roslab.decide.decision import Python, Reason, Warning_
 from roslab.decide.pins import conda_pins, name_of
+from roslab.decide.python2 import pip_lists
 from roslab.decide.python_base import cuda_ubuntu
 from roslab.decide.python_packages import Chosen, choose, with_includes
 from roslab.decide.python_version import python_version
@@ -46,8 +47,9 @@ def decide_python(
             why = "nothing is said: the Python of the base"
             reasons = (Reason(question="python", answer=number, reason=why, weight=1), *reasons)
         manager = _manager(evidence, config, kind, ubuntu, number, chosen)
-    declared, extra, notes = _declared(evidence, chosen, config, manager)
-    warnings += notes
+    lists = pip_lists(config, ubuntu, number)
+    declared, extra, notes = _declared(evidence, chosen, lists.lines, manager)
+    warnings += [*notes, *lists.warnings]
     installed = [*declared, *(d.name for d in chosen.guessed)]
     everything = [*installed, *(d.name for d in _from_files(evidence, chosen))]
     # A distribution's own packages are as old as it is: only what pip chooses freely needs a bound
@@ -63,7 +65,9 @@ def decide_python(
         conda_file=chosen.conda if manager == "conda" else None,
         first=_first(everything, [e for p in chosen.projects for e in p.extensions]),
         options=tuple(dict.fromkeys((*_indexes(installed), *_file_options(evidence, chosen, extra), *chosen.options))),
-        python2=tuple(config.pip) if config.generation in {"later", "paper", "interim"} and config.pip3 else (),
+        pip_options=lists.options,
+        python2=lists.python2,
+        python2_options=lists.python2_options,
     )
     return python, (*reasons, *_package_reasons(chosen), *bound_reasons), tuple(warnings)
 
@@ -73,7 +77,7 @@ def specifiers(evidence: Evidence, python: Python) -> tuple[str, ...]:
 
     conda's own packages stand by their names on the index, a bare ``git+URL`` by its repository's: this is a report.
     """
-    lines = list(python.pip)
+    lines = [*python.pip, *python.python2]
     by_path = {file.file: file for file in evidence.requirements}
     chosen = [by_path[path] for path in python.requirements if path in by_path]
     lines += [d.name for file in with_includes(evidence, chosen) for d in file.dependencies]
@@ -124,14 +128,13 @@ def _manager(  # noqa: PLR0917
 
 
 def _declared(
-    evidence: Evidence, chosen: Chosen, config: Config, manager: str
+    evidence: Evidence, chosen: Chosen, said: tuple[str, ...], manager: str
 ) -> tuple[list[str], set[str], list[Warning_]]:
     """Return the lines to install one by one, the files that cannot be installed as they stand, and the warnings.
 
     A file with a line that pip would refuse is installed line by line, repaired.
     """
-    both = (*config.pip3, *(() if config.pip3 and config.generation != "today" else config.pip))
-    lines = list(both)
+    lines = list(said)
     broken: set[str] = set()
     warnings: list[Warning_] = []
     for file in chosen.files:
