@@ -20,8 +20,21 @@ from .home import CHECKOUT, folder
 from .laboratory import Laboratory
 
 # What pip, git, docker and certificates need on this machine; everything else of the environment stays outside.
-PASSED = ("LANG", "SSL_CERT_FILE", "SSL_CERT_DIR", "REQUESTS_CA_BUNDLE", "CURL_CA_BUNDLE", "NODE_EXTRA_CA_CERTS",
-          "GIT_SSL_CAINFO", "HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY", "http_proxy", "https_proxy", "no_proxy")  # fmt: skip
+PASSED = (
+    "LANG",
+    "SSL_CERT_FILE",
+    "SSL_CERT_DIR",
+    "REQUESTS_CA_BUNDLE",
+    "CURL_CA_BUNDLE",
+    "NODE_EXTRA_CA_CERTS",
+    "GIT_SSL_CAINFO",
+    "HTTP_PROXY",
+    "HTTPS_PROXY",
+    "NO_PROXY",
+    "http_proxy",
+    "https_proxy",
+    "no_proxy",
+)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -67,9 +80,11 @@ def run_workflow(
     The caller's folder and the user's home are not touched. Raises LabError when an action has no stand-in.
     """
     payload = _payload(event_payload or {})
-    with tempfile.TemporaryDirectory(prefix="repro-act-", ignore_cleanup_errors=True) as name, api_stub(
-        {"default_branch": payload["repository"]["default_branch"]}
-    ) as api:
+    branch = str(payload["repository"]["default_branch"])
+    with (
+        tempfile.TemporaryDirectory(prefix="repro-act-", ignore_cleanup_errors=True) as name,
+        api_stub({"default_branch": branch}) as api,
+    ):
         place = Path(name)
         copy = caller.prepare(caller_dir, place / "caller", payload)
         event_file = place / "event.json"
@@ -84,15 +99,16 @@ def run_workflow(
             "DOCKER_BUILD_RECORD_UPLOAD": "false",
             **(env or {}),
         }
-        command = [str(lab.act), event, "--json", "-C", str(copy), "-e", str(event_file), *_host_labels(), *_offline(place)]
-        command += ["--defaultbranch", payload["repository"]["default_branch"], "--actor", payload["sender"]["login"]]
+        command = [str(lab.act), event, "--json", "-C", str(copy), "-e", str(event_file)]
+        command += ["--defaultbranch", branch, "--actor", payload["sender"]["login"], *_host_labels(), *_offline(place)]
         for job in jobs or ():
             command += ["--job", job]
         if workflow:
             command += ["-W", str(copy / workflow)]
         for pair, target in caller.mappings(copy, actions_dir).items():
             command += ["--local-repository", f"{pair}={target}"]
-        for option, values in (("--env", steps), ("--secret", {"GITHUB_TOKEN": lab.password, **(secrets or {})}), ("--input", inputs or {})):
+        hidden = {"GITHUB_TOKEN": lab.password, **(secrets or {})}
+        for option, values in (("--env", steps), ("--secret", hidden), ("--input", inputs or {})):
             for key, value in values.items():
                 command += [option, f"{key}={value}"]
         code, lines = _run(command, environment, timeout)
@@ -101,7 +117,8 @@ def run_workflow(
 
 def _payload(given: dict[str, Any]) -> dict[str, Any]:
     """Complete an event: act leaves it nearly empty, and rules about the default branch need it."""
-    repository = {"full_name": "someone/something", "default_branch": "main", "private": False, **given.get("repository", {})}
+    known = {"full_name": "someone/something", "default_branch": "main", "private": False}
+    repository = {**known, **given.get("repository", {})}
     owner, _, name = repository["full_name"].partition("/")
     repository = {"name": name, "owner": {"login": owner}, **repository}
     return {"sender": {"login": owner}, **given, "repository": repository}
@@ -175,4 +192,3 @@ def _result(code: int, lines: Sequence[str]) -> Result:
         if entry.get("command") == "summary":
             summary.append(str(entry.get("content", message)))
     return Result(exit_code=code, log="\n".join(log), jobs=jobs, outputs=outputs, summary="\n".join(summary))
-

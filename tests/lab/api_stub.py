@@ -19,9 +19,14 @@ def answer(path: str, repository: dict[str, Any]) -> dict[str, Any] | None:
     if found := REPOSITORY.match(path):
         name = found[1]
         facts = {
-            "name": name.partition("/")[2], "full_name": name, "description": "a repository of the lab", "private": False,
-            "html_url": f"https://github.com/{name}", "default_branch": "main", "license": {"spdx_id": "MIT"},
-        }  # fmt: skip
+            "name": name.partition("/")[2],
+            "full_name": name,
+            "description": "a repository of the lab",
+            "private": False,
+            "html_url": f"https://github.com/{name}",
+            "default_branch": "main",
+            "license": {"spdx_id": "MIT"},
+        }
         return {**facts, **repository}
     if found := COMMIT.match(path):
         return {"sha": found[2], "commit": {"committer": {"date": "2026-01-01T00:00:00Z"}}}
@@ -35,14 +40,14 @@ def api_stub(repository: dict[str, Any] | None = None) -> Iterator[str]:
     class Handler(BaseHTTPRequestHandler):
         def do_GET(self) -> None:
             said = answer(self.path.partition("?")[0], repository or {})
-            body = json.dumps(said if said is not None else {"message": "the lab's stand-in does not know this"}).encode()
+            body = json.dumps(said or {"message": "the lab's stand-in does not know this"}).encode()
             self.send_response(404 if said is None else 200)
             self.send_header("Content-Type", "application/json")
             self.send_header("Content-Length", str(len(body)))
             self.end_headers()
             self.wfile.write(body)
 
-        def log_message(self, format: str, *args: object) -> None:
+        def log_message(self, *args: object) -> None:
             """Say nothing: act's log is what a test reads."""
 
     server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)

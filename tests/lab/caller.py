@@ -1,4 +1,4 @@
-"""A throw-away caller: a repository that uses ours, as a stranger's would, and every mapping act needs to find the rest."""
+"""A throw-away caller, a repository that uses ours as a stranger's would, and the mappings act needs for the rest."""
 
 from __future__ import annotations
 
@@ -14,8 +14,9 @@ from .home import CHECKOUT, HERE
 
 OURS = "org/repro-action"
 ACTIONS = HERE / "actions"
-USES = re.compile(r"^\s*(?:-\s+)?uses:\s*['\"]?(?P<name>[\w.-]+/[\w.-]+)(?P<path>/[^@\s'\"]+)?@(?P<ref>[^\s'\"#]+)", re.M)
-NESTED = re.compile(r"^\s*(?:-\s+)?uses:\s*['\"]?\./(?P<path>\.github/workflows/[\w.-]+\.ya?ml)", re.M)
+STEP = r"^\s*(?:-\s+)?uses:\s*['\"]?"
+USES = re.compile(STEP + r"(?P<name>[\w.-]+/[\w.-]+)(?:/[^@\s'\"]+)?@(?P<ref>[^\s'\"#]+)", re.MULTILINE)
+NESTED = re.compile(STEP + r"\./(?P<path>\.github/workflows/[\w.-]+\.ya?ml)", re.MULTILINE)
 
 
 def prepare(source: Path, place: Path, payload: dict[str, Any]) -> Path:
@@ -81,7 +82,8 @@ def mappings(caller: Path, actions: Path | None = None) -> dict[str, Path]:
             found[f"{name}@{ref}"] = folder
             files += [folder / "action.yml", folder / "action.yaml"]
     if missing:
-        raise LabError(f"no stand-in and no copy of: {', '.join(sorted(missing))}; put one under tests/lab/actions/OWNER__NAME")
+        names = ", ".join(sorted(missing))
+        raise LabError(f"no stand-in and no copy of: {names}; put one under tests/lab/actions/OWNER__NAME")
     return found
 
 
@@ -98,5 +100,8 @@ def _action(name: str, chosen: Path | None) -> Path | None:
 
 def _workflows(place: Path, *, own: bool = True) -> list[Path]:
     """Return the workflow files of a checkout; without `own`, not those of its own CI, which begin with a dot."""
-    listed = sorted((place / ".github" / "workflows").glob("*.y*ml")) if (place / ".github" / "workflows").is_dir() else []
-    return [path for path in listed if own or not path.name.startswith(".")]
+    return [
+        path
+        for path in sorted((place / ".github" / "workflows").glob("*.y*ml"))
+        if own or not path.name.startswith(".")
+    ]

@@ -27,7 +27,8 @@ Everything it keeps is in $REPRO_LAB_HOME, else in repro-action-lab in the user'
 
 def main(argv: list[str]) -> int:
     """Run one command; return 0 when done, 1 when a step failed, 2 for wrong arguments."""
-    parser = argparse.ArgumentParser(prog="python3 tests/lab", description=TEXT, formatter_class=argparse.RawTextHelpFormatter)
+    layout = argparse.RawTextHelpFormatter
+    parser = argparse.ArgumentParser(prog="python3 tests/lab", description=TEXT, formatter_class=layout)
     commands = parser.add_subparsers(dest="command", required=True, metavar="up|down|status|env|real")
     up = commands.add_parser("up", help="make and start what is missing")
     up.add_argument("--all", action="store_true", help="also the images that take minutes under emulation")

@@ -42,8 +42,9 @@ def run(
             said = path.read_text(errors="replace")
         else:
             done = subprocess.run(
-                words, cwd=cwd, env=environment, input=stdin, text=True, capture_output=True, timeout=timeout, check=False
-            )
+                words, cwd=cwd, env=environment, input=stdin, text=True,
+                capture_output=True, timeout=timeout, check=False,
+            )  # fmt: skip
             said = done.stdout + done.stderr
     except FileNotFoundError as error:
         raise LabError(f"{words[0]}: not installed on this machine ({error})") from error

@@ -37,7 +37,9 @@ def works(address: str) -> bool:
     except LabError:
         return False
     major = re.match(r"(\d+)\.", version.strip())
-    return bool(major) and int(major[1]) >= facts.number("engine", "minimum") and succeeds(["docker", "buildx", "version"], env=env)
+    if major is None or int(major[1]) < facts.number("engine", "minimum"):
+        return False
+    return succeeds(["docker", "buildx", "version"], env=env)
 
 
 def up() -> str:
@@ -110,6 +112,7 @@ def _control_groups() -> None:
 def _sweep() -> None:
     """Remove what an engine that died left under the lab's home: its socket, its pid file, its mounts."""
     if processes.running(NAME) is None:
+        processes.end_orphans(home() / "run" / "engine")
         for name in ("docker.sock", "engine.pid"):
             (home() / "run" / name).unlink(missing_ok=True)
         unmount_below(home() / "engine")
@@ -121,9 +124,9 @@ def _sweep() -> None:
 
 
 def unmount_below(place: Path) -> None:
-    """Unmount everything below a folder, the innermost first."""
+    """Unmount a folder and everything below it, the innermost first."""
     points = [line.split()[4].replace("\\040", " ") for line in Path("/proc/self/mountinfo").read_text().splitlines()]
-    for point in sorted((p for p in points if p.startswith(f"{place}/")), key=len, reverse=True):
+    for point in sorted((p for p in points if p == str(place) or p.startswith(f"{place}/")), key=len, reverse=True):
         subprocess.run(["umount", "-l", point], check=False)
 
 
@@ -137,7 +140,9 @@ def _unplug() -> None:
 
 def _drop_rules(command: str, table: str) -> None:
     """Drop every rule and chain of one packet filter table that names Docker's chains or its bridge."""
-    saved = subprocess.run([command, "-t", table, "-S"], capture_output=True, text=True, check=False).stdout.splitlines()
+    saved = subprocess.run(
+        [command, "-t", table, "-S"], capture_output=True, text=True, check=False
+    ).stdout.splitlines()
     ours = [line.split() for line in saved if re.search(r"DOCKER|docker0", line)]
     for words in ours:
         if words[0] == "-A":

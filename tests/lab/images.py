@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from . import facts, registry, rootfs
-from .command import LabError, run, succeeds
+from .command import run, succeeds
 from .home import HERE, folder, recipe
 
 RECIPES = HERE / "images"
@@ -61,10 +60,19 @@ def make(image: Image, others: Sequence[Image], env: dict[str, str]) -> str:
         command = ["nice", "docker", "buildx", "build", "--builder", "default", "--platform", platforms]
         options = ["--provenance=false", "--progress", "plain", "--tag", reference]
         run([*command, *options, *arguments, context], log=f"image-{image.id}", env=env)
+        _forget_older(image, reference, env)
     digest = _digests([reference], env)[reference]
     changed = _tag(image, reference, digest, env) + _publish(image, digest, env)
     state = "built" if not known else "tagged" if changed else "was there"
     return f"{state} for {', '.join(image.architectures)}; {digest[7:19]}"
+
+
+def _forget_older(image: Image, reference: str, env: dict[str, str]) -> None:
+    """Untag what earlier recipes of the same image made, so that a changed recipe does not fill the disk."""
+    listed = run(["docker", "image", "ls", "--format", "{{.Repository}}:{{.Tag}}", f"lab/{image.id}"], env=env).split()
+    for older in listed:
+        if older != reference:
+            succeeds(["docker", "rmi", older], env=env)
 
 
 def _tag(image: Image, reference: str, digest: str, env: dict[str, str]) -> int:
@@ -95,13 +103,8 @@ def _publish(image: Image, digest: str, env: dict[str, str]) -> int:
 
 def _digests(names: Sequence[str], env: dict[str, str]) -> dict[str, str]:
     """Return the digest of each of these names that the engine has."""
-    found = {}
-    for name in names:
-        try:
-            found[name] = run(["docker", "image", "inspect", "--format", "{{.Id}}", name], env=env).strip()
-        except LabError:
-            continue
-    return found
+    inspect = ["docker", "image", "inspect", "--format", "{{.Id}}"]
+    return {name: run([*inspect, name], env=env).strip() for name in names if succeeds([*inspect, name], env=env)}
 
 
 def _reference(image: Image, by_id: dict[str, Image]) -> str:
@@ -112,7 +115,8 @@ def _reference(image: Image, by_id: dict[str, Image]) -> str:
 def _key(image: Image, by_id: dict[str, Image]) -> str:
     if image.base is not None:
         return recipe(RECIPES / image.recipe, image.args, image.architectures, _key(by_id[image.base], by_id))
-    return recipe(RECIPES / image.recipe, [rootfs.make(a).name for a in image.architectures], folder("rootfs", "machine"))
+    tars = [rootfs.make(architecture).name for architecture in image.architectures]
+    return recipe(RECIPES / image.recipe, tars, folder("rootfs", "machine"))
 
 
 def _context(image: Image, by_id: dict[str, Image]) -> tuple[Path, list[str]]:
@@ -131,4 +135,4 @@ def _context(image: Image, by_id: dict[str, Image]) -> tuple[Path, list[str]]:
 
 def several_platforms(env: dict[str, str]) -> bool:
     """Tell whether the engine keeps images of several platforms: only the containerd image store does."""
-    return "io.containerd.snapshotter" in json.dumps(run(["docker", "info", "--format", "{{json .DriverStatus}}"], env=env))
+    return "io.containerd.snapshotter" in run(["docker", "info", "--format", "{{json .DriverStatus}}"], env=env)

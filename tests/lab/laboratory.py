@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from . import buildkit, emulation, engine, images, network, processes, registry, rootfs, tools
-from .command import LabError, succeeds
+from .command import LabError
 from .home import folder, lock
 from .steps import step
 
@@ -157,7 +157,8 @@ def shell_exports() -> str:
 
 
 def _environment() -> dict[str, str]:
-    return {**os.environ, **_docker_environment(), "PATH": tools.path("node", "lint"), "BUILDKIT_HOST": buildkit.address()}
+    lab = {"PATH": tools.path("node", "lint"), "BUILDKIT_HOST": buildkit.address()}
+    return {**os.environ, **_docker_environment(), **lab}
 
 
 def _docker_environment() -> dict[str, str]:
@@ -176,4 +177,4 @@ def usable() -> str:
         return "no Docker engine, and only root can start one"
     if engine.host() is None and not shutil.which("apt-get"):
         return "no Docker engine, and the lab installs one on Debian only"
-    return "" if shutil.which("go") or succeeds(["go", "version"]) else "go, with which the lab compiles act, is not on PATH"
+    return "" if shutil.which("go") else "go, with which the lab compiles act and buildkitd, is not on PATH"

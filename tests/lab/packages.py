@@ -92,15 +92,15 @@ def newer_source(suite: str) -> str:
 
     Raises LabError when the machine has no Debian source.
     """
-    own = re.search(r"^VERSION_CODENAME=\"?(\w+)", Path("/etc/os-release").read_text(), re.M)
+    own = re.search(r"^VERSION_CODENAME=\"?(\w+)", Path("/etc/os-release").read_text(), re.MULTILINE)
     codename = own.group(1) if own else "stable"
     for path in (*sorted((SOURCES / "sources.list.d").glob("*.sources")), SOURCES / "sources.list"):
         if not path.is_file():
             continue
         for stanza in re.split(r"\n\s*\n", path.read_text()):
-            suites = re.search(rf"^Suites:.*\b{codename}(?![\w-])", stanza, re.M)
+            suites = re.search(rf"^Suites:.*\b{codename}(?![\w-])", stanza, re.MULTILINE)
             if suites:
-                return re.sub(r"^Suites:.*$", f"Suites: {suite}", stanza, flags=re.M) + "\n"
+                return re.sub(r"^Suites:.*$", f"Suites: {suite}", stanza, flags=re.MULTILINE) + "\n"
             for line in stanza.splitlines():
                 if re.match(rf"deb\s.*\s{codename}\s", line):
                     return re.sub(rf"\s{codename}\s", f" {suite} ", line) + "\n"

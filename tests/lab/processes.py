@@ -19,7 +19,7 @@ def _record(name: str) -> Path:
 
 
 def _born(pid: int) -> str:
-    """Return a process's start time in clock ticks, "" when it is gone or a zombie: ids are used again, pairs are not."""
+    """Return a process's start time in clock ticks, "" when it is gone or a zombie: an id may be used again."""
     try:
         fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
     except OSError:
@@ -42,12 +42,13 @@ def start(name: str, argv: Sequence[str | Path], *, ready: Callable[[], bool], s
 
     Raises LabError with the end of its log when it dies or does not get ready in time.
     """
+    words = [str(word) for word in argv]
     log = folder("log") / f"{name}.log"
     with log.open("w") as handle:
         process = subprocess.Popen(
-            [str(word) for word in argv], stdin=subprocess.DEVNULL, stdout=handle, stderr=handle, start_new_session=True, cwd="/"
+            words, stdin=subprocess.DEVNULL, stdout=handle, stderr=handle, start_new_session=True, cwd="/"
         )
-    _record(name).write_text(json.dumps({"pid": process.pid, "born": _born(process.pid), "argv": [str(w) for w in argv]}))
+    _record(name).write_text(json.dumps({"pid": process.pid, "born": _born(process.pid), "argv": words}))
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline:
         if process.poll() is not None:
@@ -55,14 +56,15 @@ def start(name: str, argv: Sequence[str | Path], *, ready: Callable[[], bool], s
         if ready():
             return
         time.sleep(0.1)
-    state = f"ended with code {process.returncode}" if process.poll() is not None else f"not ready after {seconds:.0f} s"
+    code = process.poll()
+    state = f"not ready after {seconds:.0f} s" if code is None else f"ended with code {code}"
     stop(name)
     tail = "\n".join("    " + line for line in log.read_text(errors="replace").splitlines()[-15:])
     raise LabError(f"{name}: {state} (all of it: {log})\n{tail}")
 
 
 def stop(name: str, *, seconds: float = 30) -> bool:
-    """End the process the lab started under this name and tell whether there was one; what others started is left alone."""
+    """End the process the lab started under this name and tell whether there was one; others' are left alone."""
     pid = running(name)
     _record(name).unlink(missing_ok=True)
     if pid is None:
@@ -78,6 +80,20 @@ def stop(name: str, *, seconds: float = 30) -> bool:
                 return True
             time.sleep(0.05)
     raise LabError(f"{name}: process {pid} does not end")
+
+
+def end_orphans(place: Path) -> None:
+    """End what a killed process of the lab left running: only its helpers name a socket or file below `place`.
+
+    An engine that was killed leaves its containerd and the shims of its containers.
+    """
+    for entry in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (entry / "cmdline").read_text().split("\0")
+        except OSError:
+            continue
+        if any(word.startswith(f"{place}/") for word in words) and int(entry.name) != os.getpid():
+            os.kill(int(entry.name), signal.SIGKILL)
 
 
 def _reap(pid: int) -> None:

@@ -1,4 +1,4 @@
-"""Root file systems of the stand-in images, made from the machine's own Debian sources, and what it needs to get out."""
+"""Root file systems of the stand-in images, made from the machine's own Debian sources, and their way out."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def _sources(suite: str) -> str:
     wanted = []
     for path in sorted((packages.SOURCES / "sources.list.d").glob("*.sources")):
         for stanza in re.split(r"\n\s*\n", path.read_text()):
-            if re.search(rf"^Suites:.*\b{suite}(?![\w])", stanza, re.M):
+            if re.search(rf"^Suites:.*\b{suite}(?![\w])", stanza, re.MULTILINE):
                 lines = [line for line in stanza.splitlines() if not line.startswith(("#", "Architectures:"))]
                 wanted.append("\n".join(lines).strip())
     if not wanted:
@@ -85,6 +85,6 @@ def _sources(suite: str) -> str:
 
 def _apt_settings() -> list[str]:
     """Return the machine's settings of how apt fetches (proxies, certificates, checks), whichever file they are in."""
-    dumped = run(["apt-config", "dump", "--format", "%F \"%v\";%n", "Acquire"])
-    wanted = re.compile(r"Acquire::(http|https|Check|Max-|Retries)[\w:-]*.* \"[^\"]+\";$", re.I)
+    dumped = run(["apt-config", "dump", "--format", '%F "%v";%n', "Acquire"])
+    wanted = re.compile(r"Acquire::(http|https|Check|Max-|Retries)[\w:-]*.* \"[^\"]+\";$", re.IGNORECASE)
     return [line for line in dumped.splitlines() if wanted.match(line)]

@@ -31,7 +31,8 @@ def linters() -> Path:
 
 def path(*groups: str) -> str:
     """Return a PATH that begins with the lab's folders of these groups, made or not."""
-    return os.pathsep.join([*(str(folder("bin", group)) for group in groups), os.environ.get("PATH", "")])
+    ours = [str(folder("bin", group)) for group in groups]
+    return os.pathsep.join([*ours, *(p for p in os.environ.get("PATH", "").split(os.pathsep) if p not in ours)])
 
 
 def _links(group: str, programs: dict[str, Path]) -> Path:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import glob
 import os
 import shutil
 import sys
@@ -10,13 +9,20 @@ from collections.abc import Mapping
 from pathlib import Path
 
 
+def expand(pattern: str) -> list[Path]:
+    """Return what a path or a pattern names, absolute."""
+    path = Path(pattern).absolute()
+    if path.exists():
+        return [path]
+    return sorted(Path(path.anchor).glob(str(path.relative_to(path.anchor))))
+
+
 def files(patterns: list[str], *, hidden: bool) -> list[Path]:
     """Return the files of all patterns; one that begins with `!` takes files out again."""
     found: dict[Path, None] = {}
     for pattern in patterns:
         matched: list[Path] = []
-        for name in glob.glob(pattern.lstrip("!"), recursive=True, include_hidden=hidden):
-            path = Path(name).absolute()
+        for path in expand(pattern.lstrip("!")):
             matched += [path] if path.is_file() else [inner for inner in sorted(path.rglob("*")) if inner.is_file()]
         for path in matched:
             if pattern.startswith("!"):
@@ -34,7 +40,8 @@ def main(environment: Mapping[str, str]) -> int:
     if not kept:
         level = environment["ARTIFACT_MISSING"]
         if level != "ignore":
-            print(f"::{'error' if level == 'error' else 'warning'}::No files were found with the provided path: {patterns}")
+            kind = "error" if level == "error" else "warning"
+            print(f"::{kind}::No files were found with the provided path: {patterns}")
         return 1 if level == "error" else 0
     target = Path(environment["REPRO_LAB_ARTIFACTS"]) / name
     if target.exists():
@@ -49,7 +56,7 @@ def main(environment: Mapping[str, str]) -> int:
         place.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(path, place)
     number = len(list(target.parent.iterdir()))
-    with open(environment["GITHUB_OUTPUT"], "a", encoding="utf-8") as handle:
+    with Path(environment["GITHUB_OUTPUT"]).open("a", encoding="utf-8") as handle:
         handle.write(f"artifact-id={number}\nartifact-url=file://{target}\n")
     print(f"kept {len(kept)} files as {name}")
     return 0

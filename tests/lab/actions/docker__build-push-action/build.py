@@ -96,9 +96,8 @@ def main(environment: Mapping[str, str]) -> int:
             "digest": said.get("containerimage.digest", ""),
             "metadata": json.dumps(said),
         }
-        with open(environment["GITHUB_OUTPUT"], "a", encoding="utf-8") as handle:
-            for key, value in outputs.items():
-                handle.write(f"{key}<<end-of-{key}\n{value}\nend-of-{key}\n")
+        with Path(environment["GITHUB_OUTPUT"]).open("a", encoding="utf-8") as handle:
+            handle.writelines(f"{key}<<end-of-{key}\n{value}\nend-of-{key}\n" for key, value in outputs.items())
     return 0
 
 

@@ -14,11 +14,15 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime, timezone
+from pathlib import Path
 from typing import Any
 
 DEFAULT_RULES = "type=schedule\ntype=ref,event=branch\ntype=ref,event=tag\ntype=ref,event=pr"
 PRIORITY = {"schedule": 1000, "semver": 900, "edge": 700, "ref": 600, "raw": 200, "sha": 100}
-SEMVER = re.compile(r"v?(?P<major>0|[1-9]\d*)\.(?P<minor>0|[1-9]\d*)\.(?P<patch>0|[1-9]\d*)(?:-(?P<pre>[0-9A-Za-z.-]+))?(?:\+[0-9A-Za-z.-]+)?")
+NUMBER = r"(?:0|[1-9]\d*)"
+SEMVER = re.compile(
+    rf"v?(?P<major>{NUMBER})\.(?P<minor>{NUMBER})\.(?P<patch>{NUMBER})(?:-(?P<pre>[\w.-]+))?(?:\+[\w.-]+)?", re.ASCII
+)
 MOMENT = {"YYYY": "%Y", "MM": "%m", "DD": "%d", "HH": "%H", "mm": "%M", "ss": "%S"}
 
 
@@ -121,7 +125,7 @@ def _version(rule: Mapping[str, str], context: Context) -> tuple[str, bool] | No
         print(f"::warning::{given} is not a valid semver. More info: https://semver.org/")
         return None
     plain = given.removeprefix("v")
-    words = {"raw": given, "version": plain.partition("+")[0], **{key: found[key] for key in ("major", "minor", "patch")}}
+    words = {"raw": given, "version": plain.partition("+")[0], **found.groupdict()}
     pattern = rule.get("pattern", "{{version}}")
     if found["pre"]:
         return words["raw" if pattern.replace(" ", "") == "{{raw}}" else "version"], False
@@ -155,9 +159,9 @@ def tags(rules: str, flavor: Mapping[str, str], context: Context) -> list[str]:
 def context_of(environment: Mapping[str, str]) -> Context:
     """Read the event as GitHub and act tell it."""
     payload: dict[str, Any] = {}
-    if os.path.isfile(environment.get("GITHUB_EVENT_PATH", "")):
-        with open(environment["GITHUB_EVENT_PATH"], encoding="utf-8") as handle:
-            payload = json.load(handle)
+    event = Path(environment.get("GITHUB_EVENT_PATH", "nowhere"))
+    if event.is_file():
+        payload = json.loads(event.read_text(encoding="utf-8"))
     return Context(
         event=environment["GITHUB_EVENT_NAME"],
         ref=environment["GITHUB_REF"],
@@ -174,8 +178,9 @@ def main(environment: Mapping[str, str]) -> None:
     flavor = {"latest": "auto", "prefix": "", "suffix": ""}
     for line in lines(environment["META_FLAVOR"]):
         flavor |= {key: value for key, value in attributes(line).items() if key in flavor}
-    images = [attributes(line).get("name", attributes(line).get("value", "")) for line in lines(environment["META_IMAGES"])]
-    images = [image.lower() for image in images if attributes(image).get("enable", "true") == "true"]
+    listed = [attributes(line) for line in lines(environment["META_IMAGES"])]
+    enabled = [row for row in listed if row.get("enable", "true") == "true"]
+    images = [row.get("name", row.get("value", "")).lower() for row in enabled]
     names = tags(environment["META_TAGS"], flavor, context)
     full = [f"{image}:{name}" for image in images for name in names]
     repository = f"{environment.get('GITHUB_SERVER_URL', 'https://github.com')}/{environment['GITHUB_REPOSITORY']}"
@@ -196,9 +201,8 @@ def main(environment: Mapping[str, str]) -> None:
         "annotations": separator["ANNOTATIONS"].join(annotations),
         "json": json.dumps(everything),
     }
-    with open(environment["GITHUB_OUTPUT"], "a", encoding="utf-8") as handle:
-        for key, value in outputs.items():
-            handle.write(f"{key}<<end-of-{key}\n{value}\nend-of-{key}\n")
+    with Path(environment["GITHUB_OUTPUT"]).open("a", encoding="utf-8") as handle:
+        handle.writelines(f"{key}<<end-of-{key}\n{value}\nend-of-{key}\n" for key, value in outputs.items())
     print("\n".join(full) or "no tags")
 
 

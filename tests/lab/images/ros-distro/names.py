@@ -13,10 +13,14 @@ import hashlib
 import re
 import subprocess
 import sys
-import tomllib
 from pathlib import Path
 
 import yaml
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 HERE = Path(__file__).parent
 DEBIAN_TABLE = Path("/usr/share/python3-rosdep2/debian.yaml")
@@ -114,7 +118,8 @@ def _ros_packages(data: dict[str, dict[str, list[str]]], known: set[str]) -> dic
 
 def _of_ros_sources() -> list[str]:
     packages = []
-    for stanza in subprocess.run(["apt-cache", "dumpavail"], capture_output=True, text=True, check=True).stdout.split("\n\n"):
+    dumped = subprocess.run(["apt-cache", "dumpavail"], capture_output=True, text=True, check=True).stdout
+    for stanza in dumped.split("\n\n"):
         fields = dict(line.split(": ", 1) for line in stanza.splitlines() if ": " in line and not line.startswith(" "))
         if fields.get("Source", "").startswith("ros-"):
             packages.append(fields["Package"])
@@ -133,9 +138,11 @@ def _write_repository(names: dict[str, list[str]]) -> None:
         )
         (place / "DEBIAN" / "control").write_text(control)
         file = REPOSITORY / f"{name}.deb"
-        subprocess.run(["dpkg-deb", "-Znone", "--root-owner-group", "--build", place, file], check=True, stdout=subprocess.DEVNULL)
+        command = ["dpkg-deb", "-Znone", "--root-owner-group", "--build", str(place), str(file)]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
         content = file.read_bytes()
-        stanzas.append(f"{control}Filename: ./{file.name}\nSize: {len(content)}\nSHA256: {hashlib.sha256(content).hexdigest()}\n")
+        found = f"Size: {len(content)}\nSHA256: {hashlib.sha256(content).hexdigest()}\n"
+        stanzas.append(f"{control}Filename: ./{file.name}\n{found}")
     index = "\n".join(stanzas).encode()
     files = {"Packages": index, "Packages.gz": gzip.compress(index, mtime=0)}
     # Without a Release file apt tries every compression it knows and complains of each.

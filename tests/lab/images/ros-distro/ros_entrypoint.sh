@@ -2,5 +2,6 @@
 set -e
 
 # setup ros environment
+# shellcheck disable=SC1090
 source "/opt/ros/$ROS_DISTRO/setup.bash"
 exec "$@"
