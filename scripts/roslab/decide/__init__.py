@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslab.config.model import Config, Kind
-from roslab.decide.base import decide_base
+from roslab.decide.base import decide_base, of_recipe
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.command import decide_command
 from roslab.decide.compatible import folder_of_workspace, in_order, named_only, narrowed, requested, systems_python
@@ -49,6 +49,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     python = systems_python(python, config)
     build_tool, tool_reasons = decide_build_tool(evidence, config, kind.kind, python)
     recipe = decide_recipe(evidence, config, kind.kind, distro)
+    base = of_recipe(base, evidence, config, recipe.dockerfile)
     packages = packages_of(evidence)
     target = Target(ros_distro=distro, ubuntu=base.ubuntu)
     needed = (*declared_keys(packages, target, kind.kind), *code_needs(evidence, packages))

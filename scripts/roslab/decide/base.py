@@ -50,6 +50,16 @@ def decide_base(
     return BaseChoice(image=image, ubuntu=ubuntu, reasons=reasons)
 
 
+def of_recipe(choice: BaseChoice, evidence: Evidence, config: Config, dockerfile: str | None) -> BaseChoice:
+    """Return the FROM of the author's own recipe where that is built, with all that spoke for another base."""
+    recipe = next((r for r in evidence.recipes if r.file == dockerfile and r.base and "$" not in r.base), None)
+    if recipe is None or recipe.base is None or config.base.image:
+        return choice
+    why = because("base_image", recipe.base, "the author's recipe starts from it", recipe, weight=800)
+    others = (replace(r, decisive=r.question != "base_image" and r.decisive) for r in choice.reasons)
+    return replace(choice, image=recipe.base, ubuntu=_codename(recipe.base) or choice.ubuntu, reasons=(why, *others))
+
+
 def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: CudaChoice) -> BaseChoice:
     variant = config.base.ros.partition("-")[2] if config.base.ros else ""
     on_top = (f"ros-{distro.name}-{variant}",) if variant in _ON_TOP else ()

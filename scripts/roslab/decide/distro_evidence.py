@@ -27,6 +27,7 @@ _FOR = re.compile(
     re.IGNORECASE,
 )
 """The sentence tells what to have."""
+_SENTENCE = re.compile(r"(?<=[.;!?])\s+|\s*\|\s*")
 _RECIPES = {"project": 700, "ci": 520, "deploy": 450, "documentation": 300, "vendored": 50, "broken": 200}
 _PLACES = {"filename": 420, "ci": 500, "recipe": 430, "script": 330}
 _WHAT = {"filename": "a file is named", "ci": "CI:", "recipe": "the author's image:", "script": "a script:"}
@@ -97,12 +98,19 @@ def _weighed(mention: Mention) -> tuple[str, int]:
         return "a copied file names it", 20
     if mention.source in _PLACES:
         return f"{_WHAT[mention.source]} {mention.text[:120]}", _PLACES[mention.source] - depth
-    weight = 400 if _FOR.search(mention.text) else 300
-    if _AGAINST.search(mention.text):
-        weight -= 180
+    weight = max(_spoken(sentence) for sentence in _sentences(mention.text, mention.value))
     if places.documentation(mention.file):
         weight -= 60
     return mention.text[:160], weight - 3 * depth
+
+
+def _sentences(text: str, value: str) -> list[str]:
+    """Return the sentences and table cells that hold a name, the whole text where cutting loses it."""
+    return [part for part in _SENTENCE.split(text) if value in part.lower()] or [text]
+
+
+def _spoken(sentence: str) -> int:
+    return (400 if _FOR.search(sentence) else 300) - (180 if _AGAINST.search(sentence) else 0)
 
 
 def _branches(evidence: Evidence, ros: int) -> Iterator[Reason]:

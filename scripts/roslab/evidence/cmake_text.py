@@ -97,7 +97,8 @@ class _Scope:
             if name == "if":
                 self.conditions.append(self._condition(words))
             elif name == "foreach" and words:
-                self.variables[words[0]] = tuple(_looped(words[1:], self.variables))[:MAX_EXPANSION]
+                values = tuple(_looped(words[1:], self.variables))[:MAX_EXPANSION]
+                self.variables[words[0]] = (" ".join(values),)  # one word: all rounds of the loop at once
         elif name in {"elseif", "else"} and self.conditions:
             negated = f"NOT ({self.conditions[-1]})"[:MAX_VALUE]
             self.conditions[-1] = self._condition(words) if name == "elseif" else negated

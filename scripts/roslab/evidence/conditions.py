@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 _TOKEN = re.compile(r"\s*(\(|\)|==|!=|<=|>=|<|>|\band\b|\bor\b|\$\w+|\"[^\"]*\"|'[^']*'|[\w.+-]+)")
 MAX_TOKENS = 60
+MAX_LENGTH = 1_000
 _COMPARE = {"==": str.__eq__, "!=": str.__ne__, "<": str.__lt__, ">": str.__gt__, "<=": str.__le__, ">=": str.__ge__}
 
 
@@ -14,8 +15,8 @@ def holds(condition: str | None, variables: Mapping[str, str]) -> bool:
     """Tell whether a condition is true; one that cannot be read counts as true, as does none at all."""
     if not condition:
         return True
-    tokens = _TOKEN.findall(condition)
-    if not tokens or len(tokens) > MAX_TOKENS:
+    tokens = _TOKEN.findall(condition[:MAX_LENGTH])
+    if len(tokens) > MAX_TOKENS or "".join(tokens) != "".join(condition.split()):
         return True
     try:
         value, rest = _either(tokens, variables)

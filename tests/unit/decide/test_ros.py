@@ -1,0 +1,278 @@
+"""ROS repositories, decided from small trees: kind, distribution, base, tool, sources, packages."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Base, Config, Place, Source
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.errors import NothingToBuildError
+from roslab.evidence.gather import gather
+from roslab.repository import Repository
+
+CATKIN = "<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend><build_depend>roscpp</build_depend></package>"
+AMENT = (
+    '<package format="3"><name>{name}</name><buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend>'
+    "<export><build_type>ament_cmake</build_type></export></package>"
+)
+CMAKE = "project({name})\nfind_package(catkin REQUIRED)\n"
+
+
+def decided(tmp_path: Path, files: dict[str, str], config: Config | None = None, branch: str | None = None) -> Decision:
+    for path, text in files.items():
+        target = tmp_path / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    evidence = gather(Repository.open(tmp_path, branch=branch))
+    return decide(evidence, config or Config(), folder_name="demo")
+
+
+def package(name: str = "demo", xml: str = CATKIN, folder: str = "") -> dict[str, str]:
+    prefix = f"{folder}/" if folder else ""
+    return {f"{prefix}package.xml": xml.format(name=name), f"{prefix}CMakeLists.txt": CMAKE.format(name=name)}
+
+
+def test_catkin_is_ros1_and_the_default_is_said(tmp_path: Path) -> None:
+    found = decided(tmp_path, package())
+    assert (found.kind, found.ros_distro, found.ubuntu, found.base_image) == (
+        "ros1",
+        "noetic",
+        "focal",
+        "ros:noetic-ros-base",
+    )
+    assert (found.build_tool, found.workspace, found.packages) == ("catkin_make", "overlay", ("package.xml",))
+    assert any("nothing says which ROS" in warning.message for warning in found.warnings)
+
+
+def test_ament_is_ros2(tmp_path: Path) -> None:
+    found = decided(tmp_path, package(xml=AMENT), branch="jazzy")
+    assert (found.kind, found.ros_distro, found.build_tool, found.base_image) == (
+        "ros2",
+        "jazzy",
+        "colcon",
+        "ros:jazzy-ros-base",
+    )
+
+
+@pytest.mark.parametrize(
+    ("files", "branch", "distro"),
+    [
+        ({"README.md": "Tested on Ubuntu 16.04 with ROS Kinetic"}, "melodic-devel", "melodic"),
+        ({"README.md": "ROS kinetic kinetic kinetic kinetic", "Dockerfile": "FROM ros:melodic\nCOPY . /ws/src\n"}, None, "melodic"),
+        ({"README.md": "Prerequisites: ROS Kinetic or Melodic"}, None, "melodic"),
+        ({"README.md": "Tested with ROS Melodic. For Noetic see the noetic branch."}, None, "melodic"),
+        ({"README.md": "Prerequisites: Ubuntu 18.04"}, None, "melodic"),
+        ({"README.md": "    sudo apt install ros-kinetic-tf"}, None, "kinetic"),
+        ({".github/workflows/ci.yml": "jobs:\n  a:\n    container: ros:kinetic-ros-base\n", "README.md": "ROS melodic"}, None, "kinetic"),
+        ({"third_party/x/Dockerfile": "FROM ros:kinetic\n", "README.md": "needs ROS melodic"}, None, "melodic"),
+        ({"README.md": "a video of the MIT bionic arm"}, None, "noetic"),
+    ],
+)  # fmt: skip
+def test_where_a_distribution_is_written_ranks_it(
+    tmp_path: Path, files: dict[str, str], branch: str | None, distro: str
+) -> None:
+    found = decided(tmp_path, {**package(), **files}, branch=branch)
+    assert found.ros_distro == distro
+    (reason,) = [r for r in found.reasons if r.question == "ros_distro" and r.decisive]
+    assert reason.answer == distro
+
+
+def test_a_recipe_older_than_the_declared_keys_is_not_believed(tmp_path: Path) -> None:
+    xml = AMENT.replace("<depend>rclcpp</depend>", "<depend>rclcpp</depend><depend>ros_gz_bridge</depend>")
+    found = decided(
+        tmp_path, {**package(xml=xml), "Dockerfile": "FROM ros:eloquent\nCOPY . /ws/src\n", "README.md": "ROS 2 jazzy"}
+    )
+    assert found.ros_distro == "jazzy"
+    assert any("eloquent has no ros_gz_bridge" in reason.reason for reason in found.reasons)
+
+
+def test_a_family_of_images_is_a_list(tmp_path: Path) -> None:
+    files = {
+        f"docker/{name}/Dockerfile": f"FROM ros:{name}\nCOPY . /ws/src\n"
+        for name in ("foxy", "galactic", "humble", "jazzy")
+    }
+    assert decided(tmp_path, {**package(xml=AMENT), **files}).ros_distro == "jazzy"
+
+
+def test_the_development_branch_of_ros2_follows_rolling(tmp_path: Path) -> None:
+    assert decided(tmp_path, package(xml=AMENT), branch="ros2").ros_distro == "rolling"
+
+
+def test_configuration_wins_and_names_its_place(tmp_path: Path) -> None:
+    config = Config(
+        file="roslab.yaml",
+        base=Base(ros="melodic-desktop-full"),
+        build="catkin_tools",
+        places=(("base.ros", Place(file="roslab.yaml", line=3)),),
+    )
+    found = decided(tmp_path, package(), config, branch="noetic-devel")
+    assert (found.ros_distro, found.base_image, found.build_tool) == ("melodic", "ros:melodic-ros-base", "catkin_tools")
+    assert "ros-melodic-desktop-full" in found.apt
+    (reason,) = [r for r in found.reasons if r.question == "ros_distro" and r.decisive]
+    assert (reason.file, reason.line) == ("roslab.yaml", 3)
+    assert [r.answer for r in found.reasons if r.question == "ros_distro" and not r.decisive] == ["noetic"]
+
+
+def test_a_named_image_wins_over_everything(tmp_path: Path) -> None:
+    found = decided(tmp_path, package(), Config(base=Base(image="lab/ros:melodic", ros="melodic")))
+    assert (found.base_image, found.ubuntu, found.ros_distro) == ("lab/ros:melodic", "bionic", "melodic")
+
+
+def test_a_repository_for_both_leans_to_its_branch(tmp_path: Path) -> None:
+    both = (
+        '<package format="3"><name>a</name><export><build_type condition="$ROS_VERSION == 1">catkin</build_type>'
+        '<build_type condition="$ROS_VERSION == 2">ament_cmake</build_type></export></package>'
+    )
+    files = {"package.xml": both, "CMakeLists.txt": "project(a)\n"}
+    assert decided(tmp_path, files, branch="noetic").kind == "ros1"
+    assert decided(tmp_path, files, branch="humble").kind == "ros2"
+
+
+def test_a_robots_description_makes_no_ros_repository(tmp_path: Path) -> None:
+    files = {
+        "assets/robot/package.xml": CATKIN.format(name="robot"),
+        "setup.py": "from setuptools import setup\nsetup(name='x')\n",
+    }
+    assert decided(tmp_path, files).kind == "python"
+
+
+def test_a_wrapper_beside_a_python_program_makes_no_ros_repository(tmp_path: Path) -> None:
+    files = {
+        **package(folder="ros/wrapper"),
+        "requirements.txt": "torch==1.7.1\n",
+        "train.py": "import torch\n",
+        "demo.py": "import numpy\n",
+        "ros/wrapper/node.py": "import rospy\n",
+    }
+    assert decided(tmp_path, files).kind == "cuda"
+
+
+def test_plain_cmake_with_a_package_xml_is_cpp(tmp_path: Path) -> None:
+    xml = "<package format='3'><name>lib</name><export><build_type>cmake</build_type></export></package>"
+    files = {
+        "package.xml": xml,
+        "CMakeLists.txt": "project(lib CXX)\nfind_package(Eigen3 REQUIRED)\n",
+        "README.md": "Ubuntu 20.04",
+    }
+    found = decided(tmp_path, files)
+    assert (found.kind, found.build_tool, found.base_image, found.apt) == (
+        "cpp",
+        "cmake",
+        "ubuntu:20.04",
+        ("libeigen3-dev",),
+    )
+
+
+def test_packages_inside_packages_and_below_markers_are_not_built(tmp_path: Path) -> None:
+    files = {
+        **package("a", folder="a"),
+        **package("b", folder="a/test/b"),
+        **package("c", folder="c"),
+        "c/CATKIN_IGNORE": "",
+    }
+    found = decided(tmp_path, files)
+    assert (found.packages, found.package_names) == (("a/package.xml",), ("a",))
+
+
+def test_a_repository_that_is_the_workspace(tmp_path: Path) -> None:
+    assert decided(tmp_path, {**package("a", folder="src/a"), **package("b", folder="src/b")}).workspace == "root"
+
+
+def test_plain_cmake_packages_need_catkin_tools(tmp_path: Path) -> None:
+    xml = "<package format='2'><name>lib</name><export><build_type>cmake</build_type></export></package>"
+    files = {**package("a", folder="a"), "lib/package.xml": xml, "lib/CMakeLists.txt": "project(lib)\n"}
+    assert decided(tmp_path, files).build_tool == "catkin_tools"
+    assert decided(tmp_path, {"README.md": "```\ncatkin_make\n```\n"}).build_tool == "catkin_make"
+
+
+def test_two_levels_of_trust(tmp_path: Path) -> None:
+    files = {
+        "package.xml": CATKIN.format(name="demo").replace(
+            "<build_depend>", "<build_depend>tf</build_depend><build_depend>", 1
+        ),
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED COMPONENTS roscpp cv_bridge)\nfind_package(Armadillo REQUIRED)\nfind_package(HDF5 QUIET)\n",
+        "src/a.cpp": "#include <nlopt.hpp>\n#include <pcl_ros/point_cloud.h>\n",
+        "launch/a.launch": '<launch><node pkg="map_server" type="map_server"/><node pkg="demo"/></launch>',
+        "README.md": "```\nsudo apt-get install ros-YOUR_DISTRO-teb-local-planner libpcap-dev nvidia-driver-535\n```\n",
+    }
+    found = decided(tmp_path, files, branch="melodic")
+    assert found.rosdep == ("catkin", "roscpp", "tf")
+    assert found.apt == ("libarmadillo-dev",)
+    assert {
+        "ros-melodic-cv-bridge",
+        "libhdf5-dev",
+        "libnlopt-dev",
+        "ros-melodic-pcl-ros",
+        "ros-melodic-map-server",
+        "libpcap-dev",
+    } <= set(found.apt_guessed)
+    assert not {"ros-melodic-demo", "nvidia-driver-535", "ros-melodic-roscpp"} & {*found.apt, *found.apt_guessed}
+
+
+def test_a_key_that_is_a_librarys_name_is_translated_and_an_unknown_one_named(tmp_path: Path) -> None:
+    xml = "<package>\n<name>demo</name><buildtool_depend>catkin</buildtool_depend>\n<build_depend>OpenCV</build_depend>\n<build_depend>sensors_msgs</build_depend></package>"
+    found = decided(tmp_path, {"package.xml": xml, "CMakeLists.txt": CMAKE.format(name="demo")})
+    assert ("OpenCV" in found.skip_keys, "OpenCV" in found.rosdep, "libopencv-dev" in found.apt) == (True, False, True)
+    warning = next(w for w in found.warnings if "sensors_msgs" in w.message)
+    assert (warning.file, warning.line) == ("package.xml", 4)
+
+
+def test_a_cloned_key_is_built_and_flagged(tmp_path: Path) -> None:
+    xml = CATKIN.format(name="demo").replace("roscpp", "global_planner")
+    readme = "```\ncd ~/ws/src\ngit clone -b v1.2 git@github.com:lab/global_planner.git\ngit clone https://github.com/lab/unrelated.git\n```\n"
+    found = decided(tmp_path, {"package.xml": xml, "CMakeLists.txt": CMAKE.format(name="demo"), "README.md": readme})
+    assert [(s.name, s.repo, s.ref) for s in found.source] == [
+        ("global_planner", "https://github.com/lab/global_planner.git", "v1.2")
+    ]
+    assert "global_planner" in found.skip_keys
+    assert any("another one" in warning.message for warning in found.warnings)
+
+
+def test_vcs_files_for_the_distribution_without_the_repository_itself(tmp_path: Path) -> None:
+    def listed(name: str, ref: str) -> str:
+        return (
+            f"repositories:\n  {name}: {{type: git, url: 'git@github.com:lab/{name}.git', version: {ref}}}\n"
+            "  demo: {type: git, url: 'https://github.com/lab/demo.git', version: main}\n"
+        )
+
+    files = {**package("a", xml=AMENT), "demo.humble.repos": listed("x", "1.0"), "demo.foxy.repos": listed("y", "2.0")}
+    found = decided(tmp_path, files, branch="humble")
+    assert found.vcs == ("demo.humble.repos",)
+    assert [(s.name, s.repo, s.ref, s.build) for s in found.source] == [
+        ("x", "https://github.com/lab/x.git", "1.0", "colcon")
+    ]
+
+
+def test_a_library_without_a_package_is_built_from_the_table(tmp_path: Path) -> None:
+    files = {**package(), "CMakeLists.txt": CMAKE.format(name="demo") + "find_package(Pangolin REQUIRED)\n"}
+    (source,) = decided(tmp_path, files).source
+    assert (source.name, source.ref, source.build) == ("pangolin", "v0.6", "cmake")
+    config = Config(source=(Source(name="pangolin", repo="https://example.org/mine.git", ref="v9"),))
+    (mine,) = decided(tmp_path, files, config).source
+    assert mine.ref == "v9"
+
+
+def test_cuda_under_ros_starts_from_nvidia(tmp_path: Path) -> None:
+    files = {
+        **package(),
+        "Dockerfile": "FROM nvidia/cuda:11.8.0-devel-ubuntu20.04\nRUN apt-get install -y ros-noetic-ros-base\nCOPY . /ws/src\n",
+    }
+    found = decided(tmp_path, files)
+    assert (found.kind, found.ros_distro) == ("ros1", "noetic")
+    assert found.base_image.startswith("nvidia/cuda:11.8")
+    assert "ros-noetic-ros-base" in found.apt
+
+
+def test_the_same_tree_gives_the_same_decision(tmp_path: Path) -> None:
+    files = {**package(), "README.md": "ROS kinetic, melodic\n", "src/a.cpp": "#include <Eigen/Core>\n"}
+    assert decided(tmp_path, files) == decided(tmp_path, {})
+
+
+def test_nothing_to_build(tmp_path: Path) -> None:
+    with pytest.raises(NothingToBuildError, match=r"package\.xml"):
+        decided(tmp_path, {"notes.txt": "hello"})
+    assert decided(tmp_path, {}, replace(Config(), file="roslab.yaml", apt=("figlet",))).apt == ("figlet",)

@@ -1,0 +1,120 @@
+"""CMakeLists.txt as researchers write them."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+
+from roslab.evidence import cmake
+from roslab.evidence.facts import CMakeProject
+from roslab.repository import Repository
+
+
+def read(tmp_path: Path, text: str, **more: str) -> tuple[CMakeProject, ...]:
+    for path, content in {"CMakeLists.txt": text, **more}.items():
+        target = tmp_path / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(content, encoding="utf-8")
+    return cmake.read(Repository.open(tmp_path))
+
+
+def one(tmp_path: Path, text: str) -> CMakeProject:
+    (project,) = read(tmp_path, "project(demo)\n" + text)
+    return project
+
+
+def found(project: CMakeProject) -> list[tuple[str, str, str]]:
+    return [(d.namespace, d.name, d.strength) for d in project.dependencies]
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "find_package(catkin REQUIRED COMPONENTS roscpp\n  cv_bridge)",
+        "find_package(catkin REQUIRED roscpp cv_bridge)",
+        "FIND_PACKAGE( catkin COMPONENTS roscpp cv_bridge REQUIRED )",
+        "set(NEEDED roscpp cv_bridge)\nfind_package(catkin REQUIRED COMPONENTS ${NEEDED})",
+        "find_package(catkin REQUIRED COMPONENTS # the usual\n roscpp #tf\n cv_bridge)",
+    ],
+)
+def test_components_of_catkin_are_ros_packages(tmp_path: Path, call: str) -> None:
+    project = one(tmp_path, call)
+    assert found(project) == [("ros", "roscpp", "declared"), ("ros", "cv_bridge", "declared")]
+    assert project.macros == ("catkin",)
+
+
+def test_a_foreach_over_a_list_is_unrolled(tmp_path: Path) -> None:
+    text = "set(DEPS rclcpp tf2)\nforeach(Dependency IN ITEMS ${DEPS})\n  find_package(${Dependency} REQUIRED)\nendforeach()"
+    assert found(one(tmp_path, text)) == [("cmake", "rclcpp", "declared"), ("cmake", "tf2", "declared")]
+
+
+@pytest.mark.parametrize(
+    ("text", "strength"),
+    [
+        ("find_package(Ceres REQUIRED)", "declared"),
+        ("find_package(Ceres)", "used"),
+        ("find_package(Ceres QUIET)", "optional"),
+        ("if(WITH_CERES)\nfind_package(Ceres REQUIRED)\nendif()", "optional"),
+        ("if(NOT WIN32)\nfind_package(Ceres REQUIRED)\nendif()", "declared"),
+        ("if(UNIX)\nfind_package(Ceres REQUIRED)\nendif()", "declared"),
+        ("if(WIN32)\nelse()\nfind_package(Ceres REQUIRED)\nendif()", "declared"),
+        ("if(APPLE)\nfind_package(Ceres REQUIRED)\nendif()", "optional"),
+        ("if(A)\nendif()\nfind_package(Ceres REQUIRED)", "declared"),
+    ],
+)
+def test_what_is_behind_a_condition_is_optional(tmp_path: Path, text: str, strength: str) -> None:
+    assert found(one(tmp_path, text)) == [("cmake", "Ceres", strength)]
+
+
+def test_what_is_for_tests_is_marked(tmp_path: Path) -> None:
+    project = one(tmp_path, "if(BUILD_TESTING)\nfind_package(GTest REQUIRED)\nendif()")
+    assert [d.role for d in project.dependencies] == ["test"]
+
+
+def test_comments_and_strings_hide_calls(tmp_path: Path) -> None:
+    text = '# find_package(A)\n#[[\nfind_package(B)\n]]\nmessage("find_package(C)")\nfind_package(D)\n'
+    project = one(tmp_path, text)
+    assert [(d.name, d.line) for d in project.dependencies] == [("D", 7)]
+
+
+def test_link_names_and_pkg_config_modules(tmp_path: Path) -> None:
+    text = (
+        "pkg_check_modules(YAML REQUIRED yaml-cpp>=0.5)\nadd_library(mine a.cpp)\nadd_executable(node b.cpp)\n"
+        "target_link_libraries(node PRIVATE mine zmq -lnlopt ${catkin_LIBRARIES} Foo::Bar)"
+    )
+    assert found(one(tmp_path, text)) == [
+        ("pkg-config", "yaml-cpp", "declared"),
+        ("link", "zmq", "used"),
+        ("link", "nlopt", "used"),
+    ]
+
+
+def test_what_is_fetched_while_configuring(tmp_path: Path) -> None:
+    text = "FetchContent_Declare(fmt GIT_REPOSITORY https://github.com/fmtlib/fmt.git GIT_TAG 9.1.0)"
+    (source,) = one(tmp_path, text).sources
+    assert (source.name, source.ref, source.kind) == ("fmt", "9.1.0", "fetch")
+
+
+def test_added_folders_are_not_top_level(tmp_path: Path) -> None:
+    projects = read(tmp_path, "project(a CXX CUDA)\nadd_subdirectory(lib)", **{"lib/CMakeLists.txt": "project(b)"})
+    assert [(p.name, p.top_level) for p in projects] == [("a", True), ("b", False)]
+    assert projects[0].macros == ("cuda",)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "find_package(" * 100_000,
+        'find_package("a\n' * 100_000,
+        "if(A)\n" * 50_000 + "find_package(B)\n" * 10_000,
+        "set(A0 x x)\n" + "".join(f"set(A{i} ${{A{i - 1}}} ${{A{i - 1}}})\nset(B{i} \"${{A{i}}}${{B{i - 1}}}${{B{i - 1}}}\")\n" for i in range(1, 500)),
+        "find_package(Foo REQUIRED)\n" * 80_000,
+    ],
+    ids=["never-closed", "unbalanced-quotes", "deep-conditions", "doubling-variables", "very-long"],
+)  # fmt: skip
+def test_hostile_files_end_soon(tmp_path: Path, text: str) -> None:
+    started = time.process_time()
+    read(tmp_path, "project(demo)\n" + text)
+    assert time.process_time() - started < 8

@@ -1,0 +1,111 @@
+"""Includes, launch files, plugin names, vcs lists, and what names say."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.evidence import cpp, launch, names, vcs
+from roslab.repository import Repository
+
+
+def tree(tmp_path: Path, files: dict[str, str], branch: str | None = None) -> Repository:
+    for path, text in files.items():
+        target = tmp_path / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    return Repository.open(tmp_path, branch=branch)
+
+
+def test_headers_of_the_tree_and_the_language_are_left_out(tmp_path: Path) -> None:
+    repository = tree(
+        tmp_path,
+        {
+            "include/demo/own.h": "",
+            "src/a.cpp": '#include <vector>\n#include <stdio.h>\n#include "demo/own.h"\n#include <Eigen/Core>\n  #  include <ceres/ceres.h>\n',
+            "third_party/x/b.cpp": "#include <other/thing.h>\n",
+        },
+    )
+    assert [(d.name, d.line) for d in cpp.read(repository)] == [("Eigen/Core", 4), ("ceres/ceres.h", 5)]
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "expected", "ros"),
+    [
+        ("launch/a.launch", '<launch><!-- <node pkg="old"/> --><node pkg="map_server" type="x"/><include file="$(find demo_nav)/b.launch"/></launch>', {"map_server", "demo_nav"}, 1),
+        ("launch/a.launch", '<launch><node pkg="nodelet" args="load depth_image_proc/point_cloud_xyz m"/></launch>', {"nodelet", "depth_image_proc"}, 1),
+        ("launch/a.launch.xml", '<launch><node pkg="tf2_ros" exec="x"/><include file="$(find-pkg-share nav2_bringup)/l"/></launch>', {"tf2_ros", "nav2_bringup"}, 2),
+        ("launch/a.launch.py", 'LaunchDescription([Node(package="rviz2", executable="rviz2")])\nFindPackageShare("ur_description")\n# package="no"\n', {"rviz2", "ur_description"}, 2),
+        ("launch/b_launch.yaml", "launch:\n- node:\n    pkg: demo_nodes_cpp\n    exec: talker\n", {"demo_nodes_cpp"}, 2),
+    ],
+)  # fmt: skip
+def test_packages_of_launch_files(tmp_path: Path, path: str, text: str, expected: set[str], ros: int) -> None:
+    (found,) = launch.read(tree(tmp_path, {path: text, "package.xml": "<package><name>demo</name></package>"}))
+    assert ({d.name for d in found.dependencies}, found.ros, found.package) == (expected, ros, "demo")
+
+
+def test_a_launch_file_with_rviz_has_windows(tmp_path: Path) -> None:
+    (found,) = launch.read(tree(tmp_path, {"a.launch": '<launch><node pkg="rviz" type="rviz"/></launch>'}))
+    assert found.gui
+
+
+def test_plugins_of_parameter_files(tmp_path: Path) -> None:
+    text = "base_local_planner: teb_local_planner/TebLocalPlannerROS\nplugins:\n  - {name: s, type: 'costmap_2d::StaticLayer'}\nx: a/B\n"
+    found = launch.plugins(tree(tmp_path, {"params/move_base.yaml": text, "a.rviz": "Class: rviz/Grid"}))
+    assert {d.name for d in found} == {"teb_local_planner", "costmap_2d", "rviz"}
+
+
+@pytest.mark.parametrize(
+    ("path", "text"),
+    [
+        ("demo.repos", "repositories:\n  glim:\n    type: git\n    url: git@github.com:koide3/glim.git\n    version: v1.0\n"),
+        ("install/deps.yaml", "repositories:\n  glim: {type: git, url: 'https://github.com/koide3/glim.git', version: v1.0}\n"),
+        (".rosinstall", "- git: {local-name: glim, uri: 'ssh://git@github.com/koide3/glim.git', version: v1.0}\n"),
+        ("x_https.rosinstall", "- git:\n    local-name: glim\n    uri: git://github.com/koide3/glim.git\n    version: v1.0\n"),
+    ],
+)  # fmt: skip
+def test_vcs_files_of_any_name_give_https(tmp_path: Path, path: str, text: str) -> None:
+    (found,) = vcs.read(tree(tmp_path, {path: text}))
+    assert (found.name, found.url, found.ref, found.kind) == (
+        "glim",
+        "https://github.com/koide3/glim.git",
+        "v1.0",
+        "vcs",
+    )
+
+
+@pytest.mark.parametrize(
+    "text", ["repositories: null\n", "repositories:\n  a: 1\n", "", "- git: 3\n", "a: [", "repositories: {a: {url: x}}"]
+)
+def test_empty_and_broken_vcs_files_list_nothing(tmp_path: Path, text: str) -> None:
+    assert vcs.read(tree(tmp_path, {"underlay.repos": text, "b": ""})) == ()
+
+
+def test_submodules_of_the_root_only_and_relative_urls(tmp_path: Path) -> None:
+    text = '[submodule "x"]\n\tpath = deps/x\n\turl = ../x.git\n'
+    repository = tree(
+        tmp_path,
+        {
+            ".gitmodules": text,
+            "copied/.gitmodules": text,
+            ".git/config": '[remote "origin"]\n url = git@github.com:lab/demo.git\n',
+        },
+    )
+    (found,) = vcs.read(repository)
+    assert (found.name, found.url, found.kind) == ("deps/x", "https://github.com/lab/x.git", "submodule")
+
+
+def test_branches_and_file_names(tmp_path: Path) -> None:
+    repository = tree(
+        tmp_path, {"docker/Dockerfile.noetic": "", "demo.foxy.repos": "", "kinetic.md": ""}, branch="melodic-devel"
+    )
+    assert [(m.value, m.source) for m in names.read(repository)] == [
+        ("melodic", "branch"),
+        ("foxy", "filename"),
+        ("noetic", "filename"),
+    ]
+
+
+def test_a_branch_for_a_ros_version(tmp_path: Path) -> None:
+    assert [m.value for m in names.read(tree(tmp_path, {"a": ""}, branch="ros2"))] == ["ros2"]

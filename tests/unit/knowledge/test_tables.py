@@ -1,0 +1,119 @@
+"""Every row of every table has its source, its date, and names that are names."""
+
+from __future__ import annotations
+
+import csv
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+import roslab.knowledge
+from roslab.knowledge import libraries, released
+from roslab.knowledge.distros import distros, distros_of, rosdistro_tag, ubuntus
+from roslab.knowledge.never import never
+from roslab.knowledge.recipes import recipe
+from roslab.knowledge.table import rows
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+FOLDER = Path(roslab.knowledge.__file__).parent
+TABLES = sorted(path.stem for path in FOLDER.glob("*.csv"))
+LIBRARY_TABLES = ("cmake", "pkg_config", "links", "includes")
+APT = re.compile(r"[a-z0-9][a-z0-9.+-]+\Z")
+DATE = re.compile(r"20\d\d-[01]\d-[0-3]\d\Z")
+RECIPES = tomllib.loads((FOLDER / "recipes.toml").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("table", TABLES)
+def test_every_row_has_a_source_and_a_date(table: str) -> None:
+    with (FOLDER / f"{table}.csv").open(encoding="utf-8", newline="") as stream:
+        reader = csv.reader(stream)
+        header = next(reader)
+        assert {"source", "date"} <= set(header)
+        for number, row in enumerate(reader, 2):
+            assert len(row) == len(header), f"{table}.csv:{number} has {len(row)} fields"
+            fields = dict(zip(header, row, strict=True))
+            assert fields["source"].strip(), f"{table}.csv:{number} has no source"
+            assert DATE.match(fields["date"]), f"{table}.csv:{number}: {fields['date']!r} is no date"
+
+
+@pytest.mark.parametrize("table", LIBRARY_TABLES)
+def test_libraries_name_packages_releases_and_recipes_that_exist(table: str) -> None:
+    known = set(ubuntus().values())
+    for row in rows(table):
+        for name in (*row["apt"].split(), *row.get("beside", "").split()):
+            assert APT.match(name), f"{table}: {name!r} is no package name"
+        assert set(row["ubuntu"].split()) <= known, row
+        assert not row.get("recipe") or row["recipe"] in RECIPES, row
+
+
+@pytest.mark.parametrize("table", LIBRARY_TABLES)
+def test_no_name_has_two_rows_for_one_ubuntu(table: str) -> None:
+    seen: set[tuple[str, str]] = set()
+    for row in rows(table):
+        name = row.get("name") or row.get("module") or row["header"]
+        for release in row["ubuntu"].split() or ["*"]:
+            assert (name, release) not in seen, f"{table}: {name} twice for {release}"
+            seen.add((name, release))
+
+
+def test_distributions_stand_on_known_ubuntus_and_in_order() -> None:
+    for found in distros().values():
+        assert found.ubuntu in ubuntus().values()
+        assert DATE.match(found.released)
+        assert found.eol is None or found.eol > found.released
+        assert found.rosdistro_tag is None or re.fullmatch(r"[a-z]+/(?:20\d\d-\d\d-\d\d|final)", found.rosdistro_tag)
+    assert distros_of("focal", 1) == ("noetic",)
+    assert distros_of("jammy", 2)[0] == "humble"
+    assert rosdistro_tag("melodic") == "melodic/2023-06-27"
+    assert rosdistro_tag("jazzy") is rosdistro_tag(None) is None
+
+
+@pytest.mark.parametrize("name", sorted(distros()))
+def test_released_packages_are_names(name: str) -> None:
+    found = released.released(name)
+    assert len(found) > 300
+    assert all(re.fullmatch(r"[A-Za-z][\w-]*", package) for package in found)
+
+
+@pytest.mark.parametrize("name", sorted(RECIPES))
+def test_recipes_are_pinned_and_complete(name: str) -> None:
+    found = RECIPES[name]
+    assert found["repo"].startswith("https://")
+    assert found["source"].startswith("https://")
+    assert DATE.match(str(found["date"]))
+    for ref in (found["ref"], *found.get("ref_on", {}).values()):
+        assert re.fullmatch(r"[0-9a-f]{40}|v?\d[\w.-]*", ref), f"{name}: {ref!r} is no tag or commit"
+    assert set(found.get("ref_on", {})) <= set(ubuntus().values())
+    assert all(APT.match(package) for package in found["depends"])
+    assert [source.name for source in recipe(name, "focal")] == [*found.get("after", ()), name]
+
+
+def test_a_library_differs_by_ubuntu() -> None:
+    found = {release: libraries.library("cmake", "GeographicLib", release) for release in ("focal", "noble")}
+    assert [entry.apt for entry in found.values() if entry] == [("libgeographic-dev",), ("libgeographiclib-dev",)]
+    assert libraries.library("cmake", "NoSuchLibrary", "focal") is None
+    assert libraries.library("cmake", "OpenMP", "focal") == libraries.Library()
+
+
+@pytest.mark.parametrize(
+    ("path", "apt"),
+    [("Eigen/Core", ("libeigen3-dev",)), ("GL/glew.h", ("libglew-dev",)), ("opencv2/core.hpp", ("libopencv-dev",))],
+)
+def test_a_header_is_known_by_its_folder_or_its_path(path: str, apt: tuple[str, ...]) -> None:
+    found = libraries.header(path, "focal")
+    assert found is not None
+    assert found.apt == apt
+
+
+def test_drivers_are_never_installed() -> None:
+    assert all(
+        never().match(name)
+        for name in ("nvidia-driver-535", "docker.io", "linux-headers-generic", "librealsense2-dkms")
+    )
+    assert not any(never().match(name) for name in ("libopencv-dev", "nvidia-cuda-toolkit", "cmake"))
