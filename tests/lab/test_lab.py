@@ -72,8 +72,8 @@ def caller(tmp_path: Path) -> Path:
 
 
 def build(lab: Laboratory, folder: Path, dockerfile: str, *options: str) -> subprocess.CompletedProcess[str]:
-    """Build a Dockerfile of a few lines as an author would, and return what was said."""
-    command = ["docker", "build", "--progress", "plain", *options, "-"]
+    """Build a Dockerfile of a few lines as an author would, each time anew, and return what was said."""
+    command = ["docker", "build", "--no-cache", "--progress", "plain", *options, "-"]
     return subprocess.run(
         command, input=dockerfile, env=dict(lab.environment), cwd=folder, capture_output=True, text=True, check=False
     )
