@@ -18,9 +18,10 @@ from .laboratory import Laboratory
 OWNER = "lab"
 """Of every throw-away repository: the registry's user has that name, as on GitHub."""
 CHECKOUT = "actions/checkout@3d3c42e5aac5ba805825da76410c181273ba90b1"
+RECIPE = "format: 3\nkind: cpp\ndockerfile: Dockerfile\ntest: cat /machine\n"
 FILES = {
     "Dockerfile": 'FROM ubuntu:24.04\nCOPY . /source\nRUN uname -m > /machine\nCMD ["cat", "/machine"]\n',
-    "roslab.yaml": "format: 3\nkind: cpp\ndockerfile: Dockerfile\ntest: cat /machine\n",
+    "roslab.yaml": RECIPE,
     "CMakeLists.txt": "cmake_minimum_required(VERSION 3.10)\nproject(robot CXX)\n",
     # A caller's modules must not shadow the program's
     "yaml.py": "raise SystemExit('the caller shadows yaml')\n",
