@@ -1,0 +1,90 @@
+"""hadolint on every Dockerfile that is generated, those of the examples and one for each block they do not show."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from subprocess import CompletedProcess
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+GENERATED = sorted(ROOT.glob("tests/golden/*/Dockerfile"))
+
+PACKAGE = """\
+<package format="2"><name>part</name><version>1.0.0</version><description>.</description>
+<maintainer email="a@example.org">A</maintainer><license>Apache-2.0</license>
+<buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend></package>
+"""
+ROS = {"package.xml": PACKAGE, "CMakeLists.txt": "project(part)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"}
+PYTHON = {"main.py": "import numpy\n\nif __name__ == '__main__':\n    print(numpy.zeros(3))\n"}
+VARIANTS = {
+    "catkin_tools": ROS
+    | {"roslab.yaml": "format: 3\nbase:\n  ros: noetic\nbuild: catkin_tools\nbuild_args: [--verbose]\n"},
+    "old_distro": ROS | {"roslab.yaml": "format: 3\nbase:\n  ros: melodic\nskip_keys: [some_key]\n"},
+    "sister_source": ROS
+    | {
+        "roslab.yaml": "format: 3\nbase:\n  ros: noetic\nsource:\n  - name: sister\n    repo: https://example.org/sister.git\n"
+        "    ref: v1\n    build: catkin_make\n"
+    },
+    "library": PYTHON
+    | {
+        "roslab.yaml": "format: 3\nsource:\n  - name: first\n    repo: https://example.org/first.git\n    ref: v1\n"
+        "    depends: [libeigen3-dev]\n    cmake_options: -DBUILD_TESTS=OFF\n"
+        "  - name: second\n    zip: https://example.org/second.zip\n"
+    },
+    "notebook": PYTHON | {"roslab.yaml": "format: 3\nnotebook: true\nenv:\n  GREETING: it's $HOME\ngpu: true\n"},
+    "custom": PYTHON | {"roslab.yaml": "format: 3\ncustom:\n  - echo one\n  - echo two\nrepo: [ppa:some/thing]\n"},
+    "old_python": PYTHON | {"roslab.yaml": 'format: 3\nbase:\n  python: "3.6"\n'},
+    "conda": PYTHON | {"environment.yml": "name: part\nchannels: [conda-forge]\ndependencies: [python=3.9, numpy]\n"},
+    "pyproject": PYTHON
+    | {
+        "pyproject.toml": "[build-system]\nrequires = ['setuptools']\nbuild-backend = 'setuptools.build_meta'\n"
+        "[project]\nname = 'part'\nversion = '1'\ndependencies = ['numpy']\n"
+    },
+    "later_format": PYTHON
+    | {
+        "roslab.yaml": "name: part\nbase:\n  ubuntu: 18.04\napt: [libeigen3-dev]\npip: [numpy]\npip3: [scipy]\n"
+        "source:\n  - name: first\n    repo: https://example.org/first.git\ncustom:\n  - cd /tmp\n  - ls\n"
+    },
+    "paper_format": {
+        "roslab.yaml": "name: part\ndistro: kinetic\nbuild: catkin_make\npackages: [libeigen3-dev]\n",
+        **ROS,
+    },
+}
+
+
+def lint(file: Path, hadolint: str) -> None:
+    answer = subprocess.run(
+        [hadolint, "--no-color", "--config", str(ROOT / ".hadolint.yaml"), str(file)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert answer.returncode == 0, answer.stdout + answer.stderr
+    assert answer.stdout == ""
+
+
+@pytest.mark.parametrize("file", GENERATED, ids=lambda path: path.parent.name)
+def test_examples(file: Path, tool: Callable[[str], str]) -> None:
+    lint(file, tool("hadolint"))
+
+
+@pytest.mark.parametrize("name", VARIANTS)
+def test_variants(
+    name: str, roslab: Callable[..., CompletedProcess[str]], tool: Callable[[str], str], tmp_path: Path
+) -> None:
+    tree = tmp_path / name
+    for path, text in VARIANTS[name].items():
+        (tree / path).parent.mkdir(parents=True, exist_ok=True)
+        (tree / path).write_text(text)
+    answer = roslab("create", tree)
+    assert answer.returncode == 0, answer.stderr
+    lint(tree / "Dockerfile", tool("hadolint"))
+
+
+def test_it_can_fail(tool: Callable[[str], str], tmp_path: Path) -> None:
+    (tmp_path / "Dockerfile").write_text("FROM ubuntu\nRUN cd /tmp && sudo ls $HOME\n")
+    with pytest.raises(AssertionError):
+        lint(tmp_path / "Dockerfile", tool("hadolint"))
