@@ -14,7 +14,7 @@ from roslab.decide.keys import declared_keys
 from roslab.decide.kind import decide_kind
 from roslab.decide.layout import decide_layout
 from roslab.decide.names import Target
-from roslab.decide.needs import code_needs
+from roslab.decide.needs import code_needs, started
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.python import decide_python, specifiers
 from roslab.decide.recipe import decide_recipe
@@ -52,7 +52,11 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     base = of_recipe(base, evidence, config, recipe.dockerfile)
     packages = packages_of(evidence)
     target = Target(ros_distro=distro, ubuntu=base.ubuntu)
-    needed = (*declared_keys(packages, target, kind.kind), *code_needs(evidence, packages))
+    needed = (
+        *declared_keys(packages, target, kind.kind),
+        *code_needs(evidence, packages),
+        *started(evidence, kind.kind),
+    )
     sources = decide_sources(
         evidence,
         config,

@@ -17,13 +17,11 @@ _STARTED = re.compile(r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch))\s+(?:--?\S+
 def needs(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[tuple[Dependency, bool]]:
     """Yield what is needed, and whether its place is trusted: what the build really runs through."""
     yield from _cmake(evidence, packages, compiled=kind in {"ros1", "ros2", "cpp"})
-    ros = kind in {"ros1", "ros2"}
     for dependency in evidence.code:
-        if dependency.namespace == "include" or (ros and dependency.namespace == "ros"):
+        if dependency.namespace == "include":
             yield dependency, False
-    if ros:
-        for dependency in _ros(evidence):
-            yield dependency, False
+    for dependency in started(evidence, kind):
+        yield dependency, False
     for dependency in _installed(evidence):
         yield dependency, False
 
@@ -58,12 +56,16 @@ def _inside(path: str, folders: frozenset[str]) -> bool:
     return False
 
 
-def _ros(evidence: Evidence) -> Iterator[Dependency]:
-    """Yield the ROS packages that launch files start, Python imports and pages tell people to run."""
+def started(evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
+    """Yield the ROS packages that launch and parameter files name, Python imports, and pages tell people to run."""
+    if kind not in {"ros1", "ros2"}:
+        return
     for launch in evidence.launch:
         yield from launch.dependencies
     for dependency in evidence.code:
-        if dependency.namespace == "import":
+        if dependency.namespace == "ros":
+            yield dependency
+        elif dependency.namespace == "import":
             yield replace(dependency, namespace="ros", role="exec")
     for mention in evidence.mentions:
         if mention.topic == "command" and (match := _STARTED.search(mention.text)):

@@ -14,11 +14,13 @@ from roslab.evidence import places
 from roslab.evidence.facts import Dependency, Evidence, GitSource
 from roslab.evidence.vcs import https
 from roslab.knowledge.distros import distros
+from roslab.knowledge.released import released
 
 _EXTRA = re.compile(
     r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
 )
 _WORDS = re.compile(r"[a-z]+")
+_TOOLS = frozenset({"catkin", "ament_cmake", "ament_package", "cmake"})
 _IN_WORKSPACE: dict[BuildTool, Literal["catkin_make", "catkin_tools", "colcon"]] = {
     "catkin_make": "catkin_make",
     "catkin_tools": "catkin_tools",
@@ -51,9 +53,8 @@ def decide_sources(
 ) -> SourceChoice:
     """Return the sources; ``needed`` are the names that a manifest or CMake asks for, ``own`` the repository's own."""
     chosen = _Chosen(build_tool=build_tool)
-    for index, source in enumerate(config.source):
-        chosen.sources[source.name] = source
-        chosen.reasons.append(configured(config, "source", source.name, f"source.{index}"))
+    chosen.configure(config)
+    chosen.submodules(evidence)
     if kind not in {"ros1", "ros2"}:
         return chosen.choice(())
     itself = {folder_name.lower(), *(name.lower() for name in own if len(own) == 1)}
@@ -63,7 +64,9 @@ def decide_sources(
             chosen.add(git, f"{git.file} lists it")
     wanted = _wanted(needed)
     for git in _clones(evidence):
-        asked = None if _is(git, itself) or _plain(git.name) in own else wanted.get(_plain(git.name))
+        if _is(git, itself) or _plain(git.name) in own:
+            continue
+        asked = _asked(git, wanted, released(ros_distro or "") | own)
         if asked is None:
             continue
         chosen.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
@@ -71,10 +74,6 @@ def decide_sources(
             message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
             more = "a package of that name that rosdep knows may be another one: the clone is used"
             chosen.warnings.append(Warning_(message=f"{message}; {more}", file=asked.file, line=asked.line))
-    for git in evidence.sources:
-        if git.kind == "submodule":
-            why = f"a submodule, {git.url}: check it out with the repository"
-            chosen.reasons.append(replace(because("source", git.name, why, git, weight=10), decisive=False))
     return chosen.choice(files)
 
 
@@ -102,6 +101,27 @@ class _Chosen:
         )
         self.reasons.append(because("source", name, why, git, weight=500))
 
+    def configure(self, config: Config) -> None:
+        """Take what roslab.yaml names; nothing replaces it."""
+        for index, source in enumerate(config.source):
+            self.sources[source.name] = source
+            self.reasons.append(configured(config, "source", source.name, f"source.{index}"))
+
+    def submodules(self, evidence: Evidence) -> None:
+        """Note the submodules: they come with the checkout, not with the image."""
+        for git in evidence.sources:
+            if git.kind == "submodule":
+                why = f"a submodule, {git.url}: check it out with the repository"
+                self.reasons.append(replace(because("source", git.name, why, git, weight=10), decisive=False))
+
+    def loose(self) -> tuple[Warning_, ...]:
+        """Warn of sources without a ref: another day gives another image."""
+        names = sorted(source.name for source in self.sources.values() if source.repo and not source.ref)
+        if not names:
+            return ()
+        message = f"cloned without a fixed ref: {', '.join(names)}; another day gives another image"
+        return (Warning_(message=f"{message}: name a tag or a commit where they are listed, or under source"),)
+
     def choice(self, files: tuple[str, ...]) -> SourceChoice:
         """Return all of it."""
         return SourceChoice(
@@ -109,7 +129,7 @@ class _Chosen:
             vcs=files,
             names=frozenset(self.sources) | {_plain(name) for name in self.sources},
             reasons=tuple(self.reasons),
-            warnings=tuple(self.warnings),
+            warnings=(*self.warnings, *self.loose()),
         )
 
 
@@ -131,12 +151,24 @@ def _is(git: GitSource, names: set[str]) -> bool:
 
 
 def _wanted(needed: Iterable[Dependency]) -> dict[str, Dependency]:
+    """Return the needed names in one spelling; what a package is built with comes from the base image."""
     found: dict[str, Dependency] = {}
     for dependency in needed:
+        if dependency.role == "buildtool" and dependency.name in _TOOLS:
+            continue
         found.setdefault(_plain(dependency.name), dependency)
         if dependency.name.startswith("lib"):
             found.setdefault(_plain(dependency.name[3:]), dependency)
     return found
+
+
+def _asked(git: GitSource, wanted: dict[str, Dependency], known: frozenset[str]) -> Dependency | None:
+    """Return what asks for a clone: a package of its name, or one that nobody released and whose name begins so."""
+    name = _plain(git.name)
+    if name in wanted:
+        return wanted[name]
+    family = (d for each, d in wanted.items() if each.startswith(f"{name}_") and d.name not in known)
+    return next((d for d in family if d.namespace in {"rosdep", "ros"}), None)
 
 
 def _clones(evidence: Evidence) -> list[GitSource]:

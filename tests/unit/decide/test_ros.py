@@ -14,7 +14,10 @@ from roslab.errors import NothingToBuildError
 from roslab.evidence.gather import gather
 from roslab.repository import Repository
 
-CATKIN = "<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend><build_depend>roscpp</build_depend></package>"
+CATKIN = (
+    "<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend>"
+    "<build_depend>roscpp</build_depend></package>"
+)
 AMENT = (
     '<package format="3"><name>{name}</name><buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend>'
     "<export><build_type>ament_cmake</build_type></export></package>"
@@ -62,12 +65,12 @@ def test_ament_is_ros2(tmp_path: Path) -> None:
     ("files", "branch", "distro"),
     [
         ({"README.md": "Tested on Ubuntu 16.04 with ROS Kinetic"}, "melodic-devel", "melodic"),
-        ({"README.md": "ROS kinetic kinetic kinetic kinetic", "Dockerfile": "FROM ros:melodic\nCOPY . /ws/src\n"}, None, "melodic"),
+        ({"README.md": "ROS kinetic kinetic kinetic kinetic", "Dockerfile": "FROM ros:melodic\nCOPY . /ws/src\n"}, None, "melodic"),  # noqa: E501
         ({"README.md": "Prerequisites: ROS Kinetic or Melodic"}, None, "melodic"),
         ({"README.md": "Tested with ROS Melodic. For Noetic see the noetic branch."}, None, "melodic"),
         ({"README.md": "Prerequisites: Ubuntu 18.04"}, None, "melodic"),
         ({"README.md": "    sudo apt install ros-kinetic-tf"}, None, "kinetic"),
-        ({".github/workflows/ci.yml": "jobs:\n  a:\n    container: ros:kinetic-ros-base\n", "README.md": "ROS melodic"}, None, "kinetic"),
+        ({".github/workflows/ci.yml": "jobs:\n  a:\n    container: ros:kinetic-ros-base\n", "README.md": "ROS melodic"}, None, "kinetic"),  # noqa: E501
         ({"third_party/x/Dockerfile": "FROM ros:kinetic\n", "README.md": "needs ROS melodic"}, None, "melodic"),
         ({"README.md": "a video of the MIT bionic arm"}, None, "noetic"),
     ],
@@ -194,7 +197,7 @@ def test_two_levels_of_trust(tmp_path: Path) -> None:
         "package.xml": CATKIN.format(name="demo").replace(
             "<build_depend>", "<build_depend>tf</build_depend><build_depend>", 1
         ),
-        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED COMPONENTS roscpp cv_bridge)\nfind_package(Armadillo REQUIRED)\nfind_package(HDF5 QUIET)\n",
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED COMPONENTS roscpp cv_bridge)\nfind_package(Armadillo REQUIRED)\nfind_package(HDF5 QUIET)\n",  # noqa: E501
         "src/a.cpp": "#include <nlopt.hpp>\n#include <pcl_ros/point_cloud.h>\n",
         "launch/a.launch": '<launch><node pkg="map_server" type="map_server"/><node pkg="demo"/></launch>',
         "README.md": "```\nsudo apt-get install ros-YOUR_DISTRO-teb-local-planner libpcap-dev nvidia-driver-535\n```\n",
@@ -214,7 +217,7 @@ def test_two_levels_of_trust(tmp_path: Path) -> None:
 
 
 def test_a_key_that_is_a_librarys_name_is_translated_and_an_unknown_one_named(tmp_path: Path) -> None:
-    xml = "<package>\n<name>demo</name><buildtool_depend>catkin</buildtool_depend>\n<build_depend>OpenCV</build_depend>\n<build_depend>sensors_msgs</build_depend></package>"
+    xml = "<package>\n<name>demo</name><buildtool_depend>catkin</buildtool_depend>\n<build_depend>OpenCV</build_depend>\n<build_depend>sensors_msgs</build_depend></package>"  # noqa: E501
     found = decided(tmp_path, {"package.xml": xml, "CMakeLists.txt": CMAKE.format(name="demo")})
     assert ("OpenCV" in found.skip_keys, "OpenCV" in found.rosdep, "libopencv-dev" in found.apt) == (True, False, True)
     warning = next(w for w in found.warnings if "sensors_msgs" in w.message)
@@ -259,7 +262,7 @@ def test_a_library_without_a_package_is_built_from_the_table(tmp_path: Path) -> 
 def test_cuda_under_ros_starts_from_nvidia(tmp_path: Path) -> None:
     files = {
         **package(),
-        "Dockerfile": "FROM nvidia/cuda:11.8.0-devel-ubuntu20.04\nRUN apt-get install -y ros-noetic-ros-base\nCOPY . /ws/src\n",
+        "Dockerfile": "FROM nvidia/cuda:11.8.0-devel-ubuntu20.04\nRUN apt-get install -y ros-noetic-ros-base\nCOPY . /ws/src\n",  # noqa: E501
     }
     found = decided(tmp_path, files)
     assert (found.kind, found.ros_distro) == ("ros1", "noetic")
@@ -276,3 +279,11 @@ def test_nothing_to_build(tmp_path: Path) -> None:
     with pytest.raises(NothingToBuildError, match=r"package\.xml"):
         decided(tmp_path, {"notes.txt": "hello"})
     assert decided(tmp_path, {}, replace(Config(), file="roslab.yaml", apt=("figlet",))).apt == ("figlet",)
+
+
+def test_a_clone_answers_for_packages_whose_names_begin_like_it(tmp_path: Path) -> None:
+    readme = "```\ngit clone https://github.com/lab/p3dx.git\ngit clone https://github.com/lab/rviz.git\n```\n"
+    files = {**package(), "a.launch": '<launch><include file="$(find p3dx_gazebo)/b.launch"/></launch>', "README.md": readme}
+    found = decided(tmp_path, files)
+    assert [source.name for source in found.source] == ["p3dx"]
+    assert any("without a fixed ref: p3dx" in warning.message for warning in found.warnings)

@@ -46,7 +46,7 @@ def test_components_of_catkin_are_ros_packages(tmp_path: Path, call: str) -> Non
 
 
 def test_a_foreach_over_a_list_is_unrolled(tmp_path: Path) -> None:
-    text = "set(DEPS rclcpp tf2)\nforeach(Dependency IN ITEMS ${DEPS})\n  find_package(${Dependency} REQUIRED)\nendforeach()"
+    text = "set(DEPS rclcpp tf2)\nforeach(Dependency IN ITEMS ${DEPS})\n  find_package(${Dependency} REQUIRED)\nendforeach()"  # noqa: E501
     assert found(one(tmp_path, text)) == [("cmake", "rclcpp", "declared"), ("cmake", "tf2", "declared")]
 
 
@@ -109,7 +109,7 @@ def test_added_folders_are_not_top_level(tmp_path: Path) -> None:
         "find_package(" * 100_000,
         'find_package("a\n' * 100_000,
         "if(A)\n" * 50_000 + "find_package(B)\n" * 10_000,
-        "set(A0 x x)\n" + "".join(f"set(A{i} ${{A{i - 1}}} ${{A{i - 1}}})\nset(B{i} \"${{A{i}}}${{B{i - 1}}}${{B{i - 1}}}\")\n" for i in range(1, 500)),
+        "set(A0 x x)\n" + "".join(f"set(A{i} ${{A{i - 1}}} ${{A{i - 1}}})\nset(B{i} \"${{A{i}}}${{B{i - 1}}}${{B{i - 1}}}\")\n" for i in range(1, 500)),  # noqa: E501
         "find_package(Foo REQUIRED)\n" * 80_000,
     ],
     ids=["never-closed", "unbalanced-quotes", "deep-conditions", "doubling-variables", "very-long"],

@@ -23,7 +23,7 @@ def test_headers_of_the_tree_and_the_language_are_left_out(tmp_path: Path) -> No
         tmp_path,
         {
             "include/demo/own.h": "",
-            "src/a.cpp": '#include <vector>\n#include <stdio.h>\n#include "demo/own.h"\n#include <Eigen/Core>\n  #  include <ceres/ceres.h>\n',
+            "src/a.cpp": '#include <vector>\n#include <stdio.h>\n#include "demo/own.h"\n#include <Eigen/Core>\n  #  include <ceres/ceres.h>\n',  # noqa: E501
             "third_party/x/b.cpp": "#include <other/thing.h>\n",
         },
     )
@@ -33,11 +33,11 @@ def test_headers_of_the_tree_and_the_language_are_left_out(tmp_path: Path) -> No
 @pytest.mark.parametrize(
     ("path", "text", "expected", "ros"),
     [
-        ("launch/a.launch", '<launch><!-- <node pkg="old"/> --><node pkg="map_server" type="x"/><include file="$(find demo_nav)/b.launch"/></launch>', {"map_server", "demo_nav"}, 1),
-        ("launch/a.launch", '<launch><node pkg="nodelet" args="load depth_image_proc/point_cloud_xyz m"/></launch>', {"nodelet", "depth_image_proc"}, 1),
-        ("launch/a.launch.xml", '<launch><node pkg="tf2_ros" exec="x"/><include file="$(find-pkg-share nav2_bringup)/l"/></launch>', {"tf2_ros", "nav2_bringup"}, 2),
-        ("launch/a.launch.py", 'LaunchDescription([Node(package="rviz2", executable="rviz2")])\nFindPackageShare("ur_description")\n# package="no"\n', {"rviz2", "ur_description"}, 2),
-        ("launch/b_launch.yaml", "launch:\n- node:\n    pkg: demo_nodes_cpp\n    exec: talker\n", {"demo_nodes_cpp"}, 2),
+        ("launch/a.launch", '<launch><!-- <node pkg="old"/> --><node pkg="map_server" type="x"/><include file="$(find demo_nav)/b.launch"/></launch>', {"map_server", "demo_nav"}, 1),  # noqa: E501
+        ("launch/a.launch", '<launch><node pkg="nodelet" args="load depth_image_proc/point_cloud_xyz m"/></launch>', {"nodelet", "depth_image_proc"}, 1),  # noqa: E501
+        ("launch/a.launch.xml", '<launch><node pkg="tf2_ros" exec="x"/><include file="$(find-pkg-share nav2_bringup)/l"/></launch>', {"tf2_ros", "nav2_bringup"}, 2),  # noqa: E501
+        ("launch/a.launch.py", 'LaunchDescription([Node(package="rviz2", executable="rviz2")])\nFindPackageShare("ur_description")\n# package="no"\n', {"rviz2", "ur_description"}, 2),  # noqa: E501
+        ("launch/b_launch.yaml", "launch:\n- node:\n    pkg: demo_nodes_cpp\n    exec: talker\n", {"demo_nodes_cpp"}, 2),  # noqa: E501
     ],
 )  # fmt: skip
 def test_packages_of_launch_files(tmp_path: Path, path: str, text: str, expected: set[str], ros: int) -> None:
@@ -51,7 +51,7 @@ def test_a_launch_file_with_rviz_has_windows(tmp_path: Path) -> None:
 
 
 def test_plugins_of_parameter_files(tmp_path: Path) -> None:
-    text = "base_local_planner: teb_local_planner/TebLocalPlannerROS\nplugins:\n  - {name: s, type: 'costmap_2d::StaticLayer'}\nx: a/B\n"
+    text = "base_local_planner: teb_local_planner/TebLocalPlannerROS\nplugins:\n  - {name: s, type: 'costmap_2d::StaticLayer'}\nx: a/B\n"  # noqa: E501
     found = launch.plugins(tree(tmp_path, {"params/move_base.yaml": text, "a.rviz": "Class: rviz/Grid"}))
     assert {d.name for d in found} == {"teb_local_planner", "costmap_2d", "rviz"}
 
@@ -59,10 +59,10 @@ def test_plugins_of_parameter_files(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("path", "text"),
     [
-        ("demo.repos", "repositories:\n  glim:\n    type: git\n    url: git@github.com:koide3/glim.git\n    version: v1.0\n"),
-        ("install/deps.yaml", "repositories:\n  glim: {type: git, url: 'https://github.com/koide3/glim.git', version: v1.0}\n"),
+        ("demo.repos", "repositories:\n  glim:\n    type: git\n    url: git@github.com:koide3/glim.git\n    version: v1.0\n"),  # noqa: E501
+        ("install/deps.yaml", "repositories:\n  glim: {type: git, url: 'https://github.com/koide3/glim.git', version: v1.0}\n"),  # noqa: E501
         (".rosinstall", "- git: {local-name: glim, uri: 'ssh://git@github.com/koide3/glim.git', version: v1.0}\n"),
-        ("x_https.rosinstall", "- git:\n    local-name: glim\n    uri: git://github.com/koide3/glim.git\n    version: v1.0\n"),
+        ("x_https.rosinstall", "- git:\n    local-name: glim\n    uri: git://github.com/koide3/glim.git\n    version: v1.0\n"),  # noqa: E501
     ],
 )  # fmt: skip
 def test_vcs_files_of_any_name_give_https(tmp_path: Path, path: str, text: str) -> None:

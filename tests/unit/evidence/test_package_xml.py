@@ -28,8 +28,10 @@ def test_format_1_has_build_and_run_dependencies(tmp_path: Path) -> None:
         tmp_path,
         (
             "package.xml",
-            "<package>\n  <name>demo</name>\n  <buildtool_depend>catkin</buildtool_depend>\n"
-            "  <build_depend>roscpp</build_depend>\n  <run_depend>tf</run_depend>\n</package>\n",
+            (
+                "<package>\n  <name>demo</name>\n  <buildtool_depend>catkin</buildtool_depend>\n"
+                "  <build_depend>roscpp</build_depend>\n  <run_depend>tf</run_depend>\n</package>\n"
+            ),
         ),
     )
     assert (manifest.name, manifest.format, manifest.build_types) == ("demo", 1, (("catkin", None),))
@@ -51,9 +53,11 @@ def test_conditions_of_format_3_are_kept_as_written(tmp_path: Path) -> None:
         tmp_path,
         (
             "package.xml",
-            '<package format="3"><name>a</name><depend condition="$ROS_VERSION == 2">rclcpp</depend><export>'
-            '<build_type condition="$ROS_VERSION == 1">catkin</build_type>'
-            '<build_type condition="$ROS_VERSION == 2">ament_cmake</build_type></export></package>',
+            (
+                '<package format="3"><name>a</name><depend condition="$ROS_VERSION == 2">rclcpp</depend><export>'
+                '<build_type condition="$ROS_VERSION == 1">catkin</build_type>'
+                '<build_type condition="$ROS_VERSION == 2">ament_cmake</build_type></export></package>'
+            ),
         ),
     )
     assert manifest.build_types == (("catkin", "$ROS_VERSION == 1"), ("ament_cmake", "$ROS_VERSION == 2"))
@@ -65,8 +69,10 @@ def test_the_export_names_where_an_unreleased_package_is(tmp_path: Path) -> None
         tmp_path,
         (
             "package.xml",
-            "<package><name>a</name><export>\n"
-            '<git_url target="glow" url="https://github.com/jbehley/glow.git" branch="v0.1"/></export></package>',
+            (
+                "<package><name>a</name><export>\n"
+                '<git_url target="glow" url="https://github.com/jbehley/glow.git" branch="v0.1"/></export></package>'
+            ),
         ),
     )
     (source,) = manifest.sources
