@@ -18,17 +18,19 @@ def expand(pattern: str) -> list[Path]:
 
 
 def files(patterns: list[str], *, hidden: bool) -> list[Path]:
-    """Return the files of all patterns; one that begins with `!` takes files out again."""
+    """Return the files of all patterns; one that begins with `!` takes files out again.
+
+    Hidden are files and folders whose name begins with a dot, below what a pattern names; above it no name matters.
+    """
     found: dict[Path, None] = {}
     for pattern in patterns:
-        matched: list[Path] = []
         for path in expand(pattern.lstrip("!")):
-            matched += [path] if path.is_file() else [inner for inner in sorted(path.rglob("*")) if inner.is_file()]
-        for path in matched:
-            if pattern.startswith("!"):
-                found.pop(path, None)
-            elif hidden or not any(part.startswith(".") for part in path.relative_to(Path.cwd()).parts):
-                found[path] = None
+            for file in [path] if path.is_file() else sorted(inner for inner in path.rglob("*") if inner.is_file()):
+                names = (file.name,) if file == path else file.relative_to(path).parts
+                if pattern.startswith("!"):
+                    found.pop(file, None)
+                elif hidden or not any(name.startswith(".") for name in names):
+                    found[file] = None
     return list(found)
 
 
