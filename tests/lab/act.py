@@ -42,7 +42,8 @@ class Result:
     """What came of a run: act's exit code, its log, the result of each job, and what the steps put out.
 
     `jobs` maps `workflow/job` (of a called workflow `workflow/job/inner`, a matrix job with its number) to "success",
-    "failure" or "skipped" as act names them; `outputs` maps the same names to every output their steps set.
+    "failure" or "skipped" as act names them, and is empty, with exit code 0, when nothing answered the event; `outputs`
+    maps the same names to every output their steps set.
     """
 
     exit_code: int
@@ -104,7 +105,7 @@ def run_workflow(
         for job in jobs or ():
             command += ["--job", job]
         if workflow:
-            command += ["-W", str(copy / workflow)]
+            command += ["-W", str(copy / caller.moved(workflow))]
         for pair, target in caller.mappings(copy, actions_dir).items():
             command += ["--local-repository", f"{pair}={target}"]
         hidden = {"GITHUB_TOKEN": lab.password, **(secrets or {})}

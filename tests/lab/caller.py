@@ -22,14 +22,16 @@ NESTED = re.compile(STEP + r"\./(?P<path>\.github/workflows/[\w.-]+\.ya?ml)", re
 def prepare(source: Path, place: Path, payload: dict[str, Any]) -> Path:
     """Copy a caller to `place` and make it the git repository that act wants, on the branch or tag of the event.
 
-    Our workflows that call a sibling by `./` are right on GitHub, but act looks in the caller: it gets copies of those.
+    Our workflows that call a sibling by `./` are right on GitHub, but act looks in the caller: it gets copies of those,
+    and a workflow of the caller's own that has such a name is put aside under `moved` of it.
     """
     shutil.copytree(source, place, symlinks=True, ignore=shutil.ignore_patterns(".git"))
     for path in nested_workflows():
         target = place / path
         target.parent.mkdir(parents=True, exist_ok=True)
-        if not target.exists():
-            shutil.copy(CHECKOUT / path, target)
+        if target.exists():
+            target.rename(place / moved(path))
+        shutil.copy(CHECKOUT / path, target)
     ref = str(payload.get("ref") or "refs/heads/main")
     branch = ref.removeprefix("refs/heads/") if ref.startswith("refs/heads/") else "main"
     name = str(payload.get("repository", {}).get("full_name") or "someone/something")
@@ -47,6 +49,14 @@ def prepare(source: Path, place: Path, payload: dict[str, Any]) -> Path:
     for command in commands:
         run(["git", "-C", place, *identity, *command], env=when)
     return place
+
+
+def moved(path: str) -> str:
+    """Return the path below the throw-away caller under which a workflow of the caller's is found."""
+    if path not in nested_workflows():
+        return path
+    folder, _, name = path.rpartition("/")
+    return f"{folder}/caller-{name}"
 
 
 def nested_workflows() -> tuple[str, ...]:

@@ -73,6 +73,9 @@ def up(*, emulated: bool = True, everything: bool = False) -> None:
 
 def _images(*, emulated: bool, everything: bool) -> None:
     env = _docker_environment()
+    # Who once asked for everything keeps it; else the next plain `up` would take the slow images away again.
+    kept = folder() / "everything"
+    everything = everything or kept.exists()
     # An engine that was found may lack the image store that keeps several platforms.
     architectures = ARCHITECTURES if emulated and images.several_platforms(env) else ARCHITECTURES[:1]
     for architecture in architectures:
@@ -83,6 +86,8 @@ def _images(*, emulated: bool, everything: bool) -> None:
     for image in wanted:
         with step(f"stand-in {image.names[0] if image.names else image.id}") as told:
             told.note = images.make(image, wanted, env)
+    if everything:
+        kept.touch()
 
 
 def lint() -> None:
