@@ -8,10 +8,11 @@ import re
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from roslab.config.model import BuildTool, Config, Custom, Generation, Kind, Matlab, Source, Volume
+from roslab.config.model import BuildTool, Compatible, Config, Custom, Generation, Kind, Matlab, Source, Volume
 from roslab.decide.decision import Decision, Python, Reason, Warning_
 from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.tools import PythonTools, python_tools
+from roslab.packages import ROS_TOOLS, image_packages
 from roslab.proof import Proof, proofs
 
 VERSION = 1
@@ -75,19 +76,24 @@ class Plan:
     """Image name without registry and owner, lower case."""
     kind: Kind
     generation: Generation
+    """The format that roslab.yaml is in, for the report: what it changes stands in the other fields."""
+    compatible: Compatible | None
+    """The old format whose ways the image keeps: its order, its paths, its folders to build in."""
     ros_distro: str | None
     ubuntu: str | None
     base_image: str
+    ros_source: bool
+    """The base has no ROS: its packages come from ROS's own package source."""
     build_tool: BuildTool
     recipe: Recipe | None
     repositories: tuple[str, ...]
     """PPAs, added before the packages."""
+    apt_first: tuple[str, ...]
+    """Of an image in an old way: what was in every image, and ROS, before what the author names."""
     apt: tuple[str, ...]
     apt_guessed: tuple[str, ...]
     libraries: tuple[Source, ...]
     """Built from source before the workspace, in this order."""
-    libraries_in_place: bool
-    """The old formats built them in the image itself, after the Python packages."""
     rosdep: Rosdep | None
     rosdep_keys: tuple[str, ...]
     python: Python
@@ -131,13 +137,13 @@ def make_plan(
 
     ``folder_name`` names the image where roslab.yaml does not; ``ignore`` are the lines of the author's .dockerignore.
     """
-    old_format = config.generation != "today"
     recipe = Recipe(dockerfile=decision.dockerfile, context=decision.context or ".") if decision.dockerfile else None
     ros = decision.kind in ("ros1", "ros2")
     in_workspace = tuple(
         s for s in decision.source if ros and s.build in ("catkin_make", "catkin_tools", "colcon", "none")
     )
     libraries = tuple(s for s in decision.source if s not in in_workspace)
+    packages = image_packages(decision, config, in_workspace)
     name = config.name or image_name(folder_name)
     run = Run(
         command=decision.command,
@@ -153,16 +159,18 @@ def make_plan(
         name=name,
         kind=decision.kind,
         generation=config.generation,
+        compatible=config.compatible,
         ros_distro=decision.ros_distro,
         ubuntu=decision.ubuntu,
         base_image=decision.base_image,
+        ros_source=ros and not decision.dockerfile and not _has_ros(decision.base_image),
         build_tool=decision.build_tool,
         recipe=recipe,
         repositories=config.repositories,
-        apt=_packages(decision, config, libraries, in_workspace),
+        apt_first=packages.first,
+        apt=packages.named,
         apt_guessed=decision.apt_guessed,
         libraries=libraries,
-        libraries_in_place=old_format,
         rosdep=(
             Rosdep(manifests=decision.packages, skip_keys=decision.skip_keys, rosdistro_tag=rosdistro_tag)
             if ros and (decision.packages or in_workspace)
@@ -174,7 +182,7 @@ def make_plan(
         workspace=_workspace(decision, config, in_workspace),
         custom=config.custom,
         env=config.env,
-        notebook=old_format if config.notebook is None and config.file else bool(config.notebook),
+        notebook=bool(config.notebook),
         icub=config.base.icub,
         cmake_update=config.base.cmake_update,
         run=run,
@@ -187,9 +195,16 @@ def make_plan(
     )
 
 
+def _has_ros(image: str) -> bool:
+    """Tell whether a base has ROS by its name; one of the author's own that has it all the same gets nothing twice."""
+    return bool(re.match(r"(?:[^/]+/)*ros:", image))
+
+
 def _workspace(decision: Decision, config: Config, in_workspace: tuple[Source, ...]) -> Workspace:
     layout: Literal["none", "overlay", "root", "source"] = "source"
-    if decision.workspace != "none":
+    if decision.kind in ("ros1", "ros2") and decision.build_tool not in ROS_TOOLS:
+        pass  # cmake or nothing: the repository is no package of a workspace, its sisters may be
+    elif decision.workspace != "none":
         layout = decision.workspace
     elif in_workspace:
         layout = "none"  # only sister packages are compiled; the repository itself is copied beside them
@@ -202,36 +217,6 @@ def _workspace(decision: Decision, config: Config, in_workspace: tuple[Source, .
         sources=in_workspace,
         python_projects=decision.python.projects,
     )
-
-
-def _packages(
-    decision: Decision, config: Config, libraries: tuple[Source, ...], in_workspace: tuple[Source, ...]
-) -> tuple[str, ...]:
-    """Return what the steps of the plan themselves need, then what the repository needs."""
-    if decision.dockerfile:
-        return decision.apt  # the author's recipe has its own steps
-    python = decision.python
-    old_format = config.generation != "today"
-    notebook = old_format if config.notebook is None and config.file else bool(config.notebook)
-    own_python = decision.base_image.rpartition("/")[2].startswith("python:")  # with pip and venv in /usr/local
-    lines = (*python.pip, *python.pip_guessed, *python.first, *python.python2)
-    needs: list[str] = []
-    if in_workspace or (libraries and old_format) or any("git+" in line for line in lines):
-        needs += ["ca-certificates", "git"]
-    compiled = decision.build_tool == "cmake" and decision.kind not in ("ros1", "ros2")  # a ROS base has a compiler
-    if compiled or (libraries and old_format):
-        needs += ["build-essential", "cmake"]
-    if any(source.zip for source in decision.source) or config.base.cmake_update:
-        needs += ["build-essential", "ca-certificates", "curl", "unzip"]
-    if python.manager == "conda":
-        needs.append("ca-certificates")
-    if not own_python and (python.manager == "venv" or notebook):
-        needs += ["python3", "python3-venv"]
-    if not own_python and python.manager == "system" and (lines or python.requirements or python.projects):
-        needs.append("python-pip" if (python.version or "").startswith("2") else "python3-pip")
-    if python.python2:
-        needs += ["python-pip", "python-dev"]
-    return tuple(dict.fromkeys((*sorted(set(needs)), *decision.apt)))
 
 
 def to_json(plan: Plan) -> str:

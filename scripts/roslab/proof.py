@@ -8,6 +8,8 @@ from dataclasses import dataclass
 
 from roslab.config.model import Config
 from roslab.decide.decision import Decision
+from roslab.knowledge.tools import SYSTEM_PYTHON
+from roslab.packages import ROS_TOOLS
 
 IMPORT_SCRIPT = """\
 import importlib, importlib.metadata as metadata, sys
@@ -68,7 +70,11 @@ def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
         found += _workspace_proofs(decision)
         distributions = _declared_distributions(decision)
         if distributions:
-            found.append(_import_proof(decision.python.version, distributions))
+            version = decision.python.version or SYSTEM_PYTHON.get(decision.ubuntu or "")
+            found.append(_import_proof(version, distributions))
+        if beside := sorted({name for line in decision.python.python2 if (name := _distribution(line))}):
+            command = ("python2", "-m", "pip", "show", *beside)
+            found.append(Proof(name="declared packages of Python 2 are installed", command=command))
     # An author's own recipe says itself what it starts: its CMD, which an empty command runs.
     start: tuple[str, ...] | str = () if decision.dockerfile else decision.command
     argv = ("bash", "-c", start) if isinstance(start, str) else start
@@ -78,6 +84,8 @@ def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
 
 def _workspace_proofs(decision: Decision) -> list[Proof]:
     if decision.kind not in ("ros1", "ros2") or not decision.package_names or decision.workspace == "none":
+        return []
+    if decision.build_tool not in ROS_TOOLS:  # the repository is no package of a workspace
         return []
     if decision.kind == "ros1":
         script = 'failed=0; for package in "$@"; do rospack find "$package" || failed=1; done; exit $failed'
@@ -101,7 +109,8 @@ def _declared_distributions(decision: Decision) -> list[str]:
     """Return what must be there: not what was guessed, and not what conda calls by names of its own."""
     python = decision.python
     lines = python.pip if python.manager == "conda" else decision.pip
-    return sorted({name for line in lines if line not in python.pip_guessed and (name := _distribution(line))})
+    others = {*python.pip_guessed, *python.python2} - {*python.pip}
+    return sorted({name for line in lines if line not in others and (name := _distribution(line))})
 
 
 def _distribution(line: str) -> str | None:

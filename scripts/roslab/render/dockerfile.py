@@ -10,13 +10,15 @@ from roslab.render.layers import base, final, python, system, workspace
 Block = Callable[[Plan], str]
 
 STAGES_BEFORE: tuple[tuple[Block, ...], ...] = (
-    (base.base, base.user, base.repositories),  # 1. the base, its sources, the user
+    # 1. the base, its sources, the user
+    (base.base, base.user, base.answering_sources, base.ros_source, base.early_repositories),
     (system.library_stages,),  # 3. libraries, each in a stage on the base: a new system package rebuilds none
     (workspace.manifest_stage,),  # the manifests alone, out of the whole source
 )
 IMAGE: tuple[Block, ...] = (
     system.packages,  # 2. what is declared …
     system.guessed_packages,  # … and what was only read
+    system.icub,
     system.newer_cmake,
     python.environment,
     python.jupyter,
@@ -30,19 +32,23 @@ IMAGE: tuple[Block, ...] = (
     python.projects,
     workspace.own_home,
 )
-IMAGE_OLD_FORMATS: tuple[Block, ...] = (
-    system.packages,
-    system.guessed_packages,
+IMAGE_OLD_FORMATS: tuple[Block, ...] = (  # the order of the old generators, in which later steps used earlier ones
+    system.first_packages,
     python.environment,
     python.jupyter,
+    system.icub,
     system.newer_cmake,
+    base.repositories,
+    system.packages,
+    system.guessed_packages,
     python.constraints,
-    python.packages,  # the old generators installed Python's packages before the libraries
+    python.packages,  # pip3 before pip
     python.guessed_packages,
     system.libraries,
     workspace.sister_sources,
     workspace.rosdep,
     workspace.copy_source,
+    workspace.old_paths,
     python.projects,
     workspace.own_home,
 )
@@ -57,7 +63,7 @@ HEADER = """\
 
 def dockerfile(plan: Plan) -> str:
     """Return the text of the Dockerfile for a plan without a recipe of the author's."""
-    image = IMAGE_OLD_FORMATS if plan.libraries_in_place else IMAGE
+    image = IMAGE_OLD_FORMATS if plan.compatible else IMAGE
     stages = [_join(blocks, plan) for blocks in STAGES_BEFORE]
     compile_blocks = _join(COMPILE, plan)
     if compile_blocks:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from roslab.knowledge.distros import distro
+from roslab.knowledge.ros_packages import ros_packages
 from roslab.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
@@ -40,14 +42,56 @@ def user(_: Plan) -> str:
     return USER
 
 
+def answering_sources(plan: Plan) -> str:
+    """Leave out NVIDIA's package source where the base has its old key: CUDA itself is in the base."""
+    if not plan.base_image.startswith("nvidia/"):
+        return ""
+    return f"""\
+# NVIDIA changed the key of its package source in 2022: a base that has the old one does without, CUDA is in it
+RUN if apt-get update 2>&1 | tee /tmp/update | grep -qE 'NO_PUBKEY A4B469963BF863CC|^E:'; then \\
+      grep -lsr developer.download.nvidia.com /etc/apt/sources.list.d | xargs --no-run-if-empty rm; \\
+      echo "source developer.download.nvidia.com" | tee --append {shell.REPORT}; \\
+    fi; \\
+    rm -rf /tmp/update /var/lib/apt/lists/*"""
+
+
+def ros_source(plan: Plan) -> str:
+    """Add ROS's own package source to a base that is not an image of ROS, such as NVIDIA's."""
+    release = distro(plan.ros_distro)
+    if not plan.ros_source or release is None:
+        return ""
+    source = ros_packages(release)
+    keyring = "/usr/share/keyrings/ros-archive-keyring.gpg"
+    line = f"deb [signed-by={keyring}] {source.url} {release.ubuntu} main"
+    run = shell.run(
+        "apt-get update",
+        "apt-get install --yes --no-install-recommends ca-certificates curl gnupg",
+        f"curl --fail --silent --show-error --location {quote.shell(source.key)} | gpg --dearmor --output {keyring}",
+        f"echo {quote.shell(line)} >/etc/apt/sources.list.d/roslab-ros.list",
+        "rm -rf /var/lib/apt/lists/*",
+        comment="ROS's package source, which this base lacks",
+    )
+    return f"ENV ROS_DISTRO={quote.docker(release.name)}\n{run}"
+
+
+def early_repositories(plan: Plan) -> str:
+    """Add the extra sources before everything else; an image in an old way adds them where it always did."""
+    return "" if plan.compatible else repositories(plan)
+
+
 def repositories(plan: Plan) -> str:
-    """Add the extra apt sources that roslab.yaml names."""
+    """Add the extra apt sources that roslab.yaml names; one that does not answer any more is named and left out."""
     if not plan.repositories:
         return ""
-    return shell.run(
-        "apt-get update",
-        "apt-get install --yes --no-install-recommends ca-certificates gnupg software-properties-common",
-        *(f"add-apt-repository --yes {quote.shell(name)}" for name in plan.repositories),
-        "rm -rf /var/lib/apt/lists/*",
-        comment="Extra package sources from roslab.yaml",
-    )
+    names = shell.words(plan.repositories)
+    return f"""\
+# Extra package sources from roslab.yaml; one that does not answer is named and left out
+RUN apt-get update; \\
+    apt-get install --yes --no-install-recommends ca-certificates gnupg software-properties-common; \\
+    for name in{names}; do \\
+      if ! {{ add-apt-repository --yes "${{name}}" && apt-get update; }}; then \\
+        add-apt-repository --yes --remove "${{name}}" || true; \\
+        echo "source ${{name}}" | tee --append {shell.REPORT}; \\
+      fi; \\
+    done; \\
+    rm -rf /var/lib/apt/lists/*"""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslab.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
-from roslab.render.layers.workspace import WS, source_folder
+from roslab.render.layers.workspace import WS, compiles_workspace, overlay, own_home, source_folder
 
 ENVIRONMENT = "/usr/local/share/roslab/environment.bash"
 ENTRY_POINT = """\
@@ -21,15 +21,21 @@ def custom(plan: Plan) -> str:
     """Run the commands of ``custom`` as their format always did."""
     if not plan.custom or not plan.custom.commands:
         return ""
-    workdir = {"root": "/", "home": "/home/${NB_USER}", "source": source_folder(plan)}[plan.custom.workdir]
+    home = "/home/${NB_USER}"
+    if plan.compatible == "paper" and plan.workspace.layout != "overlay":
+        home = source_folder(plan)  # the paper's generator put what is no ROS workspace into the home folder itself
+    workdir = {"root": "/", "home": home, "source": source_folder(plan)}[plan.custom.workdir]
     user = "root" if plan.custom.as_root else "${NB_USER}"
     if plan.custom.chained:
         # One shell for all, so that `cd` and variables carry over
         runs = [shell.run(*plan.custom.commands)]
     else:
         runs = [f"RUN {command}" for command in plan.custom.commands]
-    home = "" if user != "root" else "ENV HOME=/home/${NB_USER}\n"
-    return "\n".join((f"# Commands of roslab.yaml\n{home}USER {user}", f"WORKDIR {quote.docker_path(workdir)}", *runs))
+    set_home = "ENV HOME=/home/${NB_USER}\n" if plan.custom.as_root else ""
+    lines = [f"# Commands of roslab.yaml\n{set_home}USER {user}", f"WORKDIR {quote.docker_path(workdir)}", *runs]
+    if plan.custom.as_root:
+        lines.append(own_home(plan))  # what they made in the source is the user's, who can make it again
+    return "\n".join(lines)
 
 
 def environment(plan: Plan) -> str:
@@ -38,9 +44,8 @@ def environment(plan: Plan) -> str:
         return ""
     # ROS 1 and ROS 2 scripts read unset variables and the caller's arguments: hence the empty `--`
     setups = ['source "/opt/ros/${ROS_DISTRO}/setup.bash" --']
-    if plan.workspace.layout in ("overlay", "root") or plan.workspace.sources:
-        overlay = "install" if plan.workspace.tool == "colcon" else "devel"
-        setups.append(f'source "{WS}/{overlay}/setup.bash" --')
+    if compiles_workspace(plan):
+        setups.append(f'source "{WS}/{overlay(plan)}/setup.bash" --')
     return "\n".join(
         (
             "USER root",
@@ -56,6 +61,9 @@ def variables(plan: Plan) -> str:
     pairs = [("HOME", "/home/${NB_USER}", False)]
     if plan.run.gpu:
         pairs += [("NVIDIA_VISIBLE_DEVICES", "all", True), ("NVIDIA_DRIVER_CAPABILITIES", "all", True)]
+    if plan.run.matlab:  # which is only there while docker_run.sh mounts it
+        path = quote.docker(f"{plan.run.matlab.host_path}/bin").strip('"')
+        pairs.append(("PATH", f'"${{PATH}}:{path}"', False))
     pairs += [(name, value, True) for name, value in plan.env]
     body = " \\\n    ".join(f"{name}={quote.docker(value) if literal else value}" for name, value, literal in pairs)
     return f"ENV {body}"

@@ -10,6 +10,9 @@ from roslab.render.layers import shell
 
 MICROMAMBA = "mambaorg/micromamba:2.3.2"
 """Statically linked, amd64 and arm64. https://hub.docker.com/r/mambaorg/micromamba, 2026-08-22."""
+PYTHON2_TOOLS = ("pip<21", "setuptools<45", "wheel<0.38")
+"""The last that run on Python 2.7. https://pip.pypa.io/en/stable/news/#v21-0, 2026-08-22."""
+GET_PIP = "https://bootstrap.pypa.io/pip/2.7/get-pip.py"
 MANIFESTS = "/tmp/manifests"  # noqa: S108 - a folder of the image while it is built
 
 
@@ -32,15 +35,29 @@ def environment(plan: Plan) -> str:
         )
     lines = []
     installs = bool(python.pip or python.pip_guessed or python.first or python.requirements or python.projects)
-    if installs or plan.rosdep:
+    if installs or plan.rosdep or plan.compatible:
         lines.append("# The image is the environment: packages go beside the distribution's own")
         lines.append("ENV PIP_BREAK_SYSTEM_PACKAGES=1")
+    if plan.compatible:
+        return "\n".join((*lines, _both_pips(plan)))
     if installs and plan.python_tools.pinned:
         # An old distribution's pip knows no wheels of today, and today's pip does not run on its Python
         lines.append(
             shell.run(f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}")
         )
     return "\n".join(lines)
+
+
+def _both_pips(plan: Plan) -> str:
+    """Bring both pips to the last versions that their Pythons run: theirs of then take what does not run on these.
+
+    ``pip`` is Python 3's, as it was; where the author has packages for Python 2 it becomes Python 2's with them.
+    """
+    return f"""\
+RUN if python2 -m pip --version >/dev/null 2>&1; then \\
+      python2 -m pip install --no-cache-dir --upgrade{_words(PYTHON2_TOOLS)}; \\
+    fi; \\
+    python3 -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}"""
 
 
 def constraints(plan: Plan) -> str:
@@ -83,7 +100,7 @@ def packages(plan: Plan) -> str:
     pip = f"{interpreter(plan)} -m pip install --no-cache-dir{_options(python.options)}"
     commands = [f"{pip}{shell.words(python.first)}"] if python.first else []
     if python.pip:
-        commands.append(f"{pip}{shell.words(_arguments(python.pip))}")
+        commands.append(f"{pip}{_options(python.pip_options)}{shell.words(_arguments(python.pip))}")
     if commands:
         blocks.append(shell.run(*commands, comment="Python packages that are declared"))
     if python.requirements:
@@ -93,12 +110,13 @@ def packages(plan: Plan) -> str:
             + shell.run(f"{pip}{files}", comment="Requirement files")
         )
     if python.python2:
-        tools = "".join(f" {quote.shell(name)}" for name in ("pip<21", "setuptools<45", "wheel<0.38"))
-        install = f"python2 -m pip install --no-cache-dir{shell.words(_arguments(python.python2))}"
+        options = _options(python.python2_options)
         blocks.append(
             shell.run(
-                f"python2 -m pip install --no-cache-dir --upgrade{tools}",
-                install,
+                f"if ! python2 -m pip --version >/dev/null 2>&1; then curl --fail --silent {GET_PIP} | python2; fi",
+                f"python2 -m pip install --no-cache-dir --upgrade{_words(PYTHON2_TOOLS)}",
+                "ln --symbolic --force pip2 /usr/local/bin/pip",
+                f"python2 -m pip install --no-cache-dir{options}{shell.words(_arguments(python.python2))}",
                 comment="Packages of Python 2",
             )
         )
@@ -151,6 +169,10 @@ def jupyter(plan: Plan) -> str:
 
 def _options(options: Sequence[str]) -> str:
     return "".join(f" {quote.shell(word)}" for option in options for word in option.split())
+
+
+def _words(items: Sequence[str]) -> str:
+    return "".join(f" {quote.shell(item)}" for item in items)
 
 
 def _arguments(lines: Sequence[str]) -> list[str]:

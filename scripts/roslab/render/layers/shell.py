@@ -45,4 +45,5 @@ def apt_install(packages: Sequence[str]) -> str:
 def heredoc(path: str, text: str, *, executable: bool = False) -> str:
     """Return a COPY of a small text file that stands in the Dockerfile itself."""
     mode = "--chmod=755 " if executable else ""
-    return f"COPY {mode}<<'ROSLAB' {path}\n{text.rstrip()}\nROSLAB"
+    # The blank line after its end is for hadolint, which reads no instruction right below one
+    return f"COPY {mode}<<'ROSLAB' {path}\n{text.rstrip()}\nROSLAB\n"

@@ -10,8 +10,16 @@ from roslab.render import quote
 from roslab.render.layers import shell
 
 SOURCES = "/tmp/sources"  # noqa: S108 - a folder of the image while it is built
+ICUB_URL = "http://www.icub.org/ubuntu"
+ICUB_KEY = "https://keyserver.ubuntu.com/pks/lookup?op=get&search=0x57A5ACB6110576A6"
+"""Of components/icub.py of the original ROSLab."""
 CMAKE_URL = "https://cmake.org/files"
 """Kitware's own archive of every release, ``vX.Y/cmake-X.Y.Z.tar.gz``."""
+
+
+def first_packages(plan: Plan) -> str:
+    """Install what was in every image of the old generators, and ROS."""
+    return f"# What every old image had\n{shell.apt_install(plan.apt_first)}" if plan.apt_first else ""
 
 
 def packages(plan: Plan) -> str:
@@ -44,6 +52,29 @@ RUN apt-get update; \\
     rm -rf /var/lib/apt/lists/*"""
 
 
+def icub(plan: Plan) -> str:
+    """Install the iCub's packages where their source still answers: they were given up in 2023.
+
+    https://github.com/orgs/robotology/discussions/612
+    """
+    if not plan.icub or not plan.ubuntu:
+        return ""
+    keyring = "/usr/share/keyrings/icub.gpg"
+    line = f"deb [signed-by={keyring}] {ICUB_URL} {plan.ubuntu} contrib/science"
+    return f"""\
+# The iCub's packages, where they are still served
+RUN apt-get update; \\
+    apt-get install --yes --no-install-recommends curl gnupg; \\
+    if ! {{ curl --fail --silent --show-error --location {quote.shell(ICUB_KEY)} \\
+          | gpg --dearmor --output {keyring} \\
+        && echo {quote.shell(line)} >/etc/apt/sources.list.d/icub.list \\
+        && apt-get update && apt-get install --yes --no-install-recommends icub; }}; then \\
+      rm --force /etc/apt/sources.list.d/icub.list; \\
+      echo "apt icub" | tee --append {shell.REPORT}; \\
+    fi; \\
+    rm -rf /var/lib/apt/lists/*"""
+
+
 def newer_cmake(plan: Plan) -> str:
     """Build the CMake that ``base.cmake_update`` asks for over the distribution's."""
     if not plan.cmake_update:
@@ -67,7 +98,7 @@ def library_stages(plan: Plan) -> str:
 
     A new system package of the repository therefore rebuilds none of them.
     """
-    if plan.libraries_in_place:
+    if plan.compatible:
         return ""
     stages: list[str] = []
     for index, library in enumerate(plan.libraries):
@@ -92,7 +123,7 @@ def libraries(plan: Plan) -> str:
     """Bring the libraries into the image: out of their stages, or built in place as the old formats did."""
     if not plan.libraries:
         return ""
-    if plan.libraries_in_place:
+    if plan.compatible:
         return "\n\n".join(_in_place(library) for library in plan.libraries)
     copies = "\n".join(
         f"COPY --from={stage_name(i, library)} /installed/ /" for i, library in enumerate(plan.libraries)
@@ -120,17 +151,21 @@ def _folder(library: Source) -> str:
 
 
 def _fetch(library: Source) -> list[str]:
-    folder = _folder(library)
-    if library.zip:
-        # The archive's own top folder is not always named as its file: strip it, whatever it is called
-        return [
-            f"mkdir --parents /tmp/archive {SOURCES}",
-            f"curl --fail --silent --show-error --location --output /tmp/archive.zip {quote.shell(library.zip)}",
-            "unzip -q /tmp/archive.zip -d /tmp/archive",
-            f"mv /tmp/archive/* {folder}",
-            "rm -rf /tmp/archive /tmp/archive.zip",
-        ]
-    return clone(library, folder)
+    return [f"mkdir --parents {SOURCES}", *fetch(library, _folder(library))]
+
+
+def fetch(source: Source, folder: str) -> list[str]:
+    """Return the commands that bring a source into an already quoted folder, whose parent is there."""
+    if not source.zip:
+        return clone(source, folder)
+    # The archive's own top folder is not always named as its file: strip it, whatever it is called
+    return [
+        "mkdir --parents /tmp/archive",
+        f"curl --fail --silent --show-error --location --output /tmp/archive.zip {quote.shell(source.zip)}",
+        "unzip -q /tmp/archive.zip -d /tmp/archive",
+        f"mv /tmp/archive/* {folder}",
+        "rm -rf /tmp/archive /tmp/archive.zip",
+    ]
 
 
 def clone(source: Source, folder: str) -> list[str]:

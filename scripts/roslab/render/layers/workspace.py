@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import shlex
 
+from roslab.packages import ROS_TOOLS
 from roslab.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
 from roslab.render.layers.python import MANIFESTS
-from roslab.render.layers.system import clone
+from roslab.render.layers.system import fetch
 
 WS = "/home/${NB_USER}/ws"
+ROS_SETUP = 'source "/opt/ros/${ROS_DISTRO}/setup.bash"'
 ROSDISTRO = "https://raw.githubusercontent.com/ros/rosdistro"
 
 
@@ -45,7 +47,7 @@ def sister_sources(plan: Plan) -> str:
     blocks = (
         [shell.apt_install(depends)] if (depends := tuple(dict.fromkeys(d for s in sources for d in s.depends))) else []
     )
-    runs = [shell.run(*clone(s, quote.shell_with_user(f"{WS}/src/{s.name}"))) for s in sources]
+    runs = [shell.run(*fetch(s, quote.shell_with_user(f"{WS}/src/{s.name}"))) for s in sources]
     head = "# Sister packages, from their source"
     return "\n".join([head, *blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
 
@@ -121,46 +123,76 @@ def copy_source(plan: Plan) -> str:
     return f"# The source\nCOPY --chown=${{NB_UID}}:${{NB_UID}} . {target}\nWORKDIR {target}"
 
 
+def old_paths(plan: Plan) -> str:
+    """Keep the paths of an old image, which its commands and its README name."""
+    if not plan.compatible:
+        return ""
+    links = {}
+    if plan.workspace.layout == "overlay" or plan.workspace.sources:
+        links["catkin_ws"] = "ws"
+    if plan.workspace.layout == "overlay" and plan.name not in ("ws", "catkin_ws"):
+        links[plan.name] = f"ws/src/{plan.name}"
+    if not links:
+        return ""
+    commands = (
+        f"ln --symbolic {quote.shell(target)} {quote.shell_with_user(f'/home/{quote.USER}/{name}')}"
+        for name, target in links.items()
+    )
+    return shell.run(*commands, comment="The paths of old")
+
+
 def own_home(_: Plan) -> str:
     """Give the user what root made in its home; files that are its own already are not written to the layer again."""
     return 'RUN find "/home/${NB_USER}" ! -user "${NB_UID}" -exec chown --no-dereference "${NB_UID}:${NB_UID}" {} +'
 
 
 def compile_workspace(plan: Plan) -> str:
-    """Compile the workspace or the CMake project as the user, who can then compile it again."""
+    """Compile the workspace and the CMake project as the user, who can then compile them again."""
+    blocks = []
+    if compiles_workspace(plan):
+        run = shell.run(ROS_SETUP, shell.JOBS, _command(plan), comment="The workspace")
+        blocks.append(f"WORKDIR {WS}\n{run}")
+    if plan.workspace.tool == "cmake":
+        blocks.append(_plain_cmake(plan))
+    return "\n\n".join(blocks)
+
+
+def compiles_workspace(plan: Plan) -> bool:
+    """Tell whether there is a ROS workspace to compile: of the repository's packages, or of sisters alone."""
     workspace = plan.workspace
-    ros = plan.kind in ("ros1", "ros2")
-    if ros and (workspace.layout in ("overlay", "root") or workspace.sources):
-        arguments = "".join(f" {quote.shell(word)}" for word in workspace.arguments)
-        setup = 'source "/opt/ros/${ROS_DISTRO}/setup.bash"'
-        return "\n".join(
-            (
-                f"WORKDIR {WS}",
-                shell.run(setup, shell.JOBS, _command(plan) + arguments, comment="The workspace"),
-            )
-        )
-    if workspace.tool == "cmake":
-        return _plain_cmake(plan)
-    return ""
+    return plan.kind in ("ros1", "ros2") and (workspace.layout in ("overlay", "root") or bool(workspace.sources))
+
+
+def workspace_tool(plan: Plan) -> str:
+    """Return the tool of the ROS workspace: where the repository is no package of it, that of its sisters."""
+    tools = (plan.workspace.tool, *(source.build for source in plan.workspace.sources))
+    return next((tool for tool in tools if tool in ROS_TOOLS), "catkin_make" if plan.kind == "ros1" else "colcon")
+
+
+def overlay(plan: Plan) -> str:
+    """Name of the workspace's folder whose ``setup.bash`` makes it known."""
+    return "install" if workspace_tool(plan) == "colcon" else "devel"
 
 
 def _command(plan: Plan) -> str:
-    options = _cmake_options(plan)
-    match plan.workspace.tool:
+    # Options and arguments are the repository's: where it is no package of the workspace, they are its cmake's
+    own = plan.workspace.tool in ROS_TOOLS
+    options = _cmake_options(plan) if own else ""
+    cmake = f" --cmake-args{options}" if options else ""
+    arguments = "".join(f" {quote.shell(word)}" for word in plan.workspace.arguments) if own else ""
+    match workspace_tool(plan):
         case "catkin_make":
-            return f'catkin_make -j"${{jobs}}"{options}'
+            return f'catkin_make -j"${{jobs}}"{options}{arguments}'
         case "catkin_tools":
-            arguments = f" --cmake-args{options}" if options else ""
-            return f'catkin build --no-status --jobs "${{jobs}}" --parallel-packages "${{jobs}}"{arguments}'
+            return f'catkin build --no-status --jobs "${{jobs}}" --parallel-packages "${{jobs}}"{cmake}{arguments}'
         case _:
-            arguments = f" --cmake-args{options}" if options else ""
             colcon = 'colcon build --event-handlers console_direct+ --parallel-workers "${jobs}"'
-            return f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" {colcon}{arguments}'
+            return f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" {colcon}{cmake}{arguments}'
 
 
 def _cmake_options(plan: Plan) -> str:
     words = shlex.split(plan.workspace.cmake_options)
-    if plan.generation == "today" and not any("CMAKE_BUILD_TYPE" in word for word in words):
+    if not plan.compatible and not any("CMAKE_BUILD_TYPE" in word for word in words):
         words.insert(0, "-DCMAKE_BUILD_TYPE=Release")  # the old formats gave none: there it stays as it was
     return "".join(f" {quote.shell(word)}" for word in words)
 
@@ -169,9 +201,11 @@ def _plain_cmake(plan: Plan) -> str:
     """Compile beside the source: a ``build`` folder that the repository ships is its own, not ours to fill."""
     folder = source_folder(plan)
     source = f"{folder}/{plan.workspace.cmake_folder}".rstrip("/")
-    build = f"{folder}-build" if plan.generation == "today" else f"{source}/build"
+    build = f"{folder}-build" if not plan.compatible else f"{source}/build"
     arguments = "".join(f" {quote.shell(word)}" for word in plan.workspace.arguments)
     return shell.run(
+        *([ROS_SETUP] if plan.kind in ("ros1", "ros2") else []),
+        *([f'source "{WS}/{overlay(plan)}/setup.bash"'] if compiles_workspace(plan) else []),
         f"mkdir --parents {quote.shell_with_user(build)}",
         f"cd {quote.shell_with_user(build)}",
         shell.JOBS,

@@ -1,0 +1,74 @@
+"""The system packages of an image: what its own steps need, and what the repository names."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from roslab.config.model import Config, Source
+from roslab.decide.decision import Decision
+from roslab.knowledge.distros import distro
+from roslab.knowledge.on_request import packages
+
+ROS_TOOLS = ("catkin_make", "catkin_tools", "colcon")
+"""Build tools of a ROS workspace."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ImagePackages:
+    """Packages in the order in which they are installed."""
+
+    first: tuple[str, ...]
+    """Of an image in an old way: what was in every one, and ROS; else none."""
+    named: tuple[str, ...]
+
+
+def image_packages(decision: Decision, config: Config, in_workspace: tuple[Source, ...]) -> ImagePackages:
+    """Return what the steps of the plan themselves need, then what the repository needs."""
+    if decision.dockerfile:
+        return ImagePackages(first=(), named=decision.apt)  # the author's recipe has its own steps
+    needs = sorted({*_needs(decision, config, in_workspace)})
+    if not config.compatible:
+        return ImagePackages(first=(), named=tuple(dict.fromkeys((*needs, *decision.apt))))
+    # An old image's own packages come before JupyterLab and ROS, what its author names after them
+    ros = tuple(name for name in decision.apt if name not in config.apt)
+    always = packages("old-image", decision.ubuntu)
+    return ImagePackages(first=tuple(dict.fromkeys((*sorted({*always, *needs}), *ros))), named=config.apt)
+
+
+def _needs(decision: Decision, config: Config, in_workspace: tuple[Source, ...]) -> list[str]:
+    python = decision.python
+    own_python = decision.base_image.rpartition("/")[2].startswith("python:")  # with pip and venv in /usr/local
+    lines = (*python.pip, *python.pip_guessed, *python.first, *python.python2)
+    needs: list[str] = []
+    if in_workspace or any("git+" in line for line in lines):
+        needs += ["ca-certificates", "git"]
+    compiled = decision.build_tool == "cmake" and decision.kind not in ("ros1", "ros2")  # a ROS base has a compiler
+    if compiled:
+        needs += ["build-essential", "cmake"]
+    if any(source.zip for source in decision.source) or config.base.cmake_update or config.base.icub:
+        needs += ["build-essential", "ca-certificates", "curl", "unzip"]
+    if python.manager == "conda":
+        needs.append("ca-certificates")
+    if not own_python and (python.manager == "venv" or config.notebook):
+        needs += ["ca-certificates", "python3", "python3-venv"]
+    if not own_python and python.manager == "system" and (lines or python.requirements or python.projects):
+        needs.append("python-pip" if (python.version or "").startswith("2") else "python3-pip")
+    if python.python2:
+        needs += packages("python2", decision.ubuntu)
+    return [*needs, *_ros_tools(decision, in_workspace)]
+
+
+def _ros_tools(decision: Decision, in_workspace: tuple[Source, ...]) -> list[str]:
+    """Return the tools of a workspace that not every image of ROS has."""
+    release = distro(decision.ros_distro)
+    if release is None:
+        return []
+    python = "python" if release.python.startswith("2") else "python3"
+    used = {decision.build_tool, *(source.build for source in in_workspace)}
+    tools = [f"{python}-catkin-tools"] if "catkin_tools" in used else []
+    bare = not re.search(r"(?:^|/)ros:", decision.base_image) or decision.base_image.endswith("-ros-core")
+    if bare and (decision.packages or in_workspace):
+        tools += ["build-essential", f"{python}-rosdep"]
+        tools += ["python3-colcon-common-extensions"] if "colcon" in used else []
+    return tools
