@@ -1,0 +1,71 @@
+"""What the steps and jobs of a run kept becomes one report."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from roslab.github import report
+from roslab.github.event import Event
+from roslab.github.run import Folder, Run, to_json
+from roslab.pipeline import plan_repository
+from roslab.render.summary import PlatformReport, ProofReport, Report, summary
+
+EVENT = Event(
+    name="push", repository="lab/robot", ref="refs/heads/main", sha="", default_branch="main", workflow_file="image.yml"
+)
+DIGEST = "sha256:" + "a" * 64
+
+
+@pytest.fixture
+def folder(tmp_path: Path, examples: Path) -> Folder:
+    plan = plan_repository(examples / "ros2_filter", folder_name="robot").plan
+    run = Run(plan=plan, image="ghcr.io/lab/robot", username="lab", push=True, reason="it is a push", cache="auto")
+    found = Folder(path=tmp_path)
+    found.write("run.json", to_json(run))
+    proof = ProofReport(name="test", command="true", passed=True, summary="passed", output="")
+    for platform in ("linux/arm64", "linux/amd64"):
+        found.write_report(
+            PlatformReport(
+                platform=platform, digest=DIGEST, source=DIGEST, layers=(), proofs=(proof,), build_seconds=1.0
+            )
+        )
+    return found
+
+
+def published(folder: Folder, public: object) -> Report:
+    content = {"digest": DIGEST, "tags": ["ghcr.io/lab/robot:main"], "public": public}
+    folder.write("published.json", json.dumps(content))
+    return report.collect(folder, folder.artifact, EVENT)
+
+
+def test_published(folder: Folder) -> None:
+    found = published(folder, True)
+    assert found.published
+    assert [entry.platform for entry in found.platforms] == ["linux/amd64", "linux/arm64"]
+    assert found.badge == (
+        "[![image](https://github.com/lab/robot/actions/workflows/image.yml/badge.svg?branch=main)]"
+        "(https://github.com/lab/robot/pkgs/container/robot)"
+    )
+    assert "Anybody may pull this image." in summary(found)
+
+
+def test_a_private_package_says_how_to_open_it(folder: Folder) -> None:
+    text = summary(published(folder, False))
+    assert "**The package is private**" in text
+    assert "https://github.com/lab/robot/pkgs/container/robot" in text
+    assert published(folder, None).notes == ()
+
+
+def test_a_failure_is_told_once(folder: Folder) -> None:
+    for name in ("a", "b"):
+        (folder.artifact / name).mkdir()
+        (folder.artifact / name / "failures.txt").write_text("on linux/arm64, test: failed\n")
+    found = report.collect(folder, folder.artifact, EVENT)
+    assert found.failures == ("on linux/arm64, test: failed",)
+
+
+def test_a_run_that_should_have_published_and_did_not_has_failed(folder: Folder) -> None:
+    assert report.collect(folder, folder.artifact, EVENT).failures
