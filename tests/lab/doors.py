@@ -43,8 +43,10 @@ def settings(values: Mapping[str, str]) -> str:
     return "".join(f"          {name}: {json.dumps(value)}\n" for name, value in values.items())
 
 
-def through_action(folder: Path, inputs: Mapping[str, str], files: Mapping[str, str] | None = None) -> Path:
-    """Write a repository whose one job uses the action."""
+def through_action(
+    folder: Path, inputs: Mapping[str, str], files: Mapping[str, str] | None = None, *, base: Mapping[str, str] = FILES
+) -> Path:
+    """Write a repository, ``base`` and ``files`` over it, whose one job uses the action."""
     workflow = f"""
 on: [push, pull_request, pull_request_target, schedule, workflow_dispatch]
 jobs:
@@ -57,7 +59,7 @@ jobs:
         with:
 {settings(inputs)}
 """
-    return write(folder, {**FILES, **(files or {}), ".github/workflows/image.yml": workflow})
+    return write(folder, {**base, **(files or {}), ".github/workflows/image.yml": workflow})
 
 
 def through_workflow(
