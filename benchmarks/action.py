@@ -45,9 +45,8 @@ def main(arguments: list[str]) -> int:
                 print("\n".join(doors.errors(ran)) or re.sub(r"(?s).*(.{2000})$", r"\1", ran.log))
                 return 1
             times = {step: doors.seconds(ran, step) for step in (*OWN, PROOF, *DOCKERS)}
-            print(
-                f"{attempt} run of {example.name}: {sum(times[step] for step in OWN):.1f} s in the action's own steps"
-            )
+            total = sum(times[step] for step in OWN)
+            print(f"{attempt} run of {example.name}: {total:.1f} s in the action's own steps")
             for step, seconds in times.items():
                 print(
                     f"  {seconds:6.1f} s  {step}{'' if step in OWN else ' (the image)' if step == PROOF else ' (Docker)'}"
