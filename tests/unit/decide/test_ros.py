@@ -283,7 +283,11 @@ def test_nothing_to_build(tmp_path: Path) -> None:
 
 def test_a_clone_answers_for_packages_whose_names_begin_like_it(tmp_path: Path) -> None:
     readme = "```\ngit clone https://github.com/lab/p3dx.git\ngit clone https://github.com/lab/rviz.git\n```\n"
-    files = {**package(), "a.launch": '<launch><include file="$(find p3dx_gazebo)/b.launch"/></launch>', "README.md": readme}
+    files = {
+        **package(),
+        "a.launch": '<launch><include file="$(find p3dx_gazebo)/b.launch"/></launch>',
+        "README.md": readme,
+    }
     found = decided(tmp_path, files)
     assert [source.name for source in found.source] == ["p3dx"]
     assert any("without a fixed ref: p3dx" in warning.message for warning in found.warnings)
