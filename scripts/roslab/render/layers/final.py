@@ -58,7 +58,8 @@ def environment(plan: Plan) -> str:
 
 def variables(plan: Plan) -> str:
     """Set the environment variables of roslab.yaml and those that a GPU needs."""
-    pairs = [("HOME", "/home/${NB_USER}", False)]
+    home = "ENV HOME=/home/${NB_USER}"
+    pairs: list[tuple[str, str, bool]] = []
     if plan.run.gpu:
         pairs += [("NVIDIA_VISIBLE_DEVICES", "all", True), ("NVIDIA_DRIVER_CAPABILITIES", "all", True)]
     if plan.run.matlab:  # which is only there while docker_run.sh mounts it
@@ -66,7 +67,7 @@ def variables(plan: Plan) -> str:
         pairs.append(("PATH", f'"${{PATH}}:{path}"', False))
     pairs += [(name, value, True) for name, value in plan.env]
     body = " \\\n    ".join(f"{name}={quote.docker(value) if literal else value}" for name, value, literal in pairs)
-    return f"ENV {body}"
+    return f"{home}\nENV {body}" if pairs else home
 
 
 def command(plan: Plan) -> str:
