@@ -45,15 +45,19 @@ def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Depen
     return tuple(found[name] for name in sorted(found))
 
 
-def translate(key: Dependency, target: Target) -> Translated:
-    """Return what a key comes to that rosdep cannot resolve: a library's packages or recipe, else a warning."""
+def translate(key: Dependency, target: Target, *, cloned: bool) -> Translated:
+    """Return what a key comes to that rosdep cannot resolve: a library's packages or recipe, else a warning.
+
+    ``cloned``: there are sister repositories, whose packages are only known once they are cloned.
+    """
     name = key.name
     if name in rosdep_keys() or name in released(target.ros_distro or ""):
         return Translated()
     found = library("cmake", name, target.ubuntu)
     if found is None or not (found.apt or found.recipe):
-        message = f"rosdep knows no {name} for ROS {target.ros_distro}, and nothing here says where it comes from"
-        hint = "correct the name, or give its repository under source in roslab.yaml"
+        message = f"rosdep knows no {name} for ROS {target.ros_distro}"
+        where = "one of the cloned repositories may hold it" if cloned else "nothing here says where it comes from"
+        hint = f"{where}; else correct the name, or give its repository under source in roslab.yaml"
         return Translated(warning=Warning_(message=f"{message}: {hint}", file=key.file, line=key.line))
     instead = " ".join(found.apt) or f"{found.recipe}, from its source,"
     message = f"{name} is no key of rosdep but a library's name: {instead} is installed for it"

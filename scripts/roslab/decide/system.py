@@ -71,7 +71,7 @@ def decide_system(
     found.skip = dict.fromkeys((*config.skip_keys, *(key.name for key in keys if key.name in sisters)))
     for key in keys:
         if key.name not in found.skip:
-            _translate(key, target, found)
+            _translate(key, target, found, cloned=bool(sisters))
     known = frozenset({key.name for key in keys} | packages.names | sisters | set(config.skip_keys))
     for dependency, trusted in needs(evidence, packages, kind):
         if dependency.name not in known:
@@ -92,8 +92,8 @@ def decide_system(
     )
 
 
-def _translate(key: Dependency, target: Target, found: _Found) -> None:
-    meant = translate(key, target)
+def _translate(key: Dependency, target: Target, found: _Found, *, cloned: bool) -> None:
+    meant = translate(key, target, cloned=cloned)
     for apt in meant.apt:
         found.declared.setdefault(apt, key)
     if meant.recipe:
