@@ -12,7 +12,7 @@ from roslab.config import vocabulary
 from roslab.config.model import Base, BuildTool, Config, Kind
 from roslab.decide import decide
 from roslab.decide.decision import Decision
-from roslab.errors import ConfigurationError, Problem, RefusedError
+from roslab.errors import ConfigurationError, NothingToBuildError, Problem, RefusedError
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
 from roslab.knowledge.distros import rosdistro_tag
@@ -74,7 +74,11 @@ def plan_repository(
     _check_paths(config, repository)
     evidence = gather(repository)
     name = folder_name or _folder_name(repository)
-    decision = decide(evidence, config, folder_name=name)
+    try:
+        decision = decide(evidence, config, folder_name=name)
+    except NothingToBuildError as error:
+        found = _what_is_there(repository)
+        raise NothingToBuildError(*(replace(p, message=f"{p.message}; {found}") for p in error.problems)) from None
     ignore = tuple(repository.read(".dockerignore").splitlines())
     plan = make_plan(
         decision, config, folder_name=name, ignore=ignore, rosdistro_tag=rosdistro_tag(decision.ros_distro)
@@ -119,6 +123,17 @@ def _check_paths(config: Config, repository: Repository) -> None:
         )
     if problems:
         raise ConfigurationError(*problems)
+
+
+def _what_is_there(repository: Repository) -> str:
+    """Say in a few words what a folder holds in which nothing was recognised."""
+    counts = sorted(
+        ((len(files), suffix or "without a suffix") for suffix, files in repository.by_suffix.items()), reverse=True
+    )
+    if not counts:
+        return "there is no file at all"
+    kinds = ", ".join(f"{count} {printable(suffix)}" for count, suffix in counts[:5])
+    return f"there is only {kinds}" + (f" and {len(counts) - 5} kinds more" if len(counts) > 5 else "")
 
 
 def _folder_name(repository: Repository) -> str:

@@ -90,9 +90,9 @@ def test_nothing_recognisable(roslab: Roslab, tmp_path: Path) -> None:
     answer = roslab("inspect", "thesis", cwd=tmp_path)
     assert answer.returncode == 3
     assert answer.stdout == ""
-    for looked_for in ("package.xml", "CMakeLists.txt", "requirements.txt", ".cu", "Dockerfile"):
+    for looked_for in ("package.xml", "CMakeLists.txt", "pyproject.toml", "requirements", "Dockerfile", "C++ source"):
         assert looked_for in answer.stderr
-    assert ".tex" in answer.stderr
+    assert "; there is only 2 .tex, 1 .pdf\n" in answer.stderr
     assert "roslab.yaml" in answer.stderr  # how to say it all the same
 
 

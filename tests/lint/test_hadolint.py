@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -56,8 +57,13 @@ VARIANTS = {
 
 
 def lint(file: Path, hadolint: str) -> None:
+    text = file.read_text()
+    if shell := re.search(r"^SHELL .*$", text, re.MULTILINE):
+        # hadolint forgets the shell at the next ENV, ARG or stage and then reads bash as sh; docker does not
+        text = re.sub(r"^RUN ", lambda found: f"{shell[0]}\n{found[0]}", text, flags=re.MULTILINE)
     answer = subprocess.run(
-        [hadolint, "--no-color", "--config", str(ROOT / ".hadolint.yaml"), str(file)],
+        [hadolint, "--no-color", "--config", str(ROOT / ".hadolint.yaml"), "-"],
+        input=text,
         capture_output=True,
         text=True,
         check=False,
