@@ -95,6 +95,10 @@ def _prove_once(reference: str, platform: str, proof: Proof) -> Outcome:
         summary = f"failed: no end within {limit:.0f} s"
     else:
         summary = f"passed in {seconds:.1f} s" if passed else f"failed with exit code {code} after {seconds:.1f} s"
+    if not passed and not proof.required:
+        # Only guessed: programs that want data or a robot are no reason to withhold an image that is whole
+        summary = f"not proved: the guessed command {summary}; name the right one as `command` in roslab.yaml"
+        passed = True
     return Outcome(proof=proof, platform=platform, passed=passed, seconds=seconds, summary=summary, output=output)
 
 

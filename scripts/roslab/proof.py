@@ -56,6 +56,8 @@ class Proof:
     name: str
     command: tuple[str, ...]
     """An argv, started through the image's entry point."""
+    required: bool = True
+    """A failure keeps the image from its tag; what was only guessed is tried and told: it breaks nothing."""
     may_run_on: bool = False
     """A program that has no end: still alive after the proof's seconds counts as passed, as ending with 0 does."""
 
@@ -78,7 +80,8 @@ def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
     # An author's own recipe says itself what it starts: its CMD, which an empty command runs.
     start: tuple[str, ...] | str = () if decision.dockerfile else decision.command
     argv = ("bash", "-c", start) if isinstance(start, str) else start
-    found.append(Proof(name="the default command starts", command=argv, may_run_on=True))
+    said = bool(decision.dockerfile or config.command) or argv[:1] == ("bash",)
+    found.append(Proof(name="the default command starts", command=argv, required=said, may_run_on=True))
     return tuple(found)
 
 

@@ -46,7 +46,7 @@ def decide_base(
         return _ros(evidence, config, chosen.distro, chosen.reasons[0], cuda)
     if kind == "cpp" and not cuda.cuda:
         return _cpp(evidence, config)
-    image, ubuntu, reasons = base_for(kind, cuda.cuda, cuda.cudnn, base.ubuntu, python)
+    image, ubuntu, reasons = base_for(kind, cuda.cuda, cuda.cudnn if cuda.cudnn_named else None, base.ubuntu, python)
     return BaseChoice(image=image, ubuntu=ubuntu, reasons=reasons)
 
 
@@ -65,7 +65,7 @@ def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: 
     on_top = (f"ros-{distro.name}-{variant}",) if variant in _ON_TOP else ()
     recipe = _nvidia_recipe(evidence)
     if cuda.cuda and (config.base.cuda or recipe):
-        image, _, reasons = base_for("cuda", cuda.cuda, cuda.cudnn, distro.ubuntu, None)
+        image, _, reasons = base_for("cuda", cuda.cuda, cuda.cudnn if cuda.cudnn_named else None, distro.ubuntu, None)
         if config.base.cuda or recipe is None:
             said = configured(config, "base_image", image, "base.cuda")
         else:

@@ -20,6 +20,7 @@ _WINDOWS = frozenset(
 _PLACEHOLDER = re.compile(r"YOUR|your[_-]|path/to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx", re.IGNORECASE)
 _ARGUMENT = re.compile(r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|--help\b|(?:^|\s)-h\b")
 """Files of the author's machine, or a question: no program to start by default."""
+_TEST = re.compile(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
 _TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 
 
@@ -88,6 +89,7 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
             return CommandChoice(command=recipe.command, candidates=candidates, gui=gui, reasons=(own, *reasons))
     obvious = [c for c in found.values() if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
     obvious = obvious if any(c.strong for c in found.values()) else list(found.values())
+    obvious = _barest(obvious)
     if len(obvious) == 1:
         only = obvious[0]
         chosen = Reason(
@@ -104,12 +106,27 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
     return CommandChoice(candidates=candidates, gui=gui, reasons=(shell, *reasons))
 
 
+def _barest(candidates: list[_Candidate]) -> list[_Candidate]:
+    """Keep of each program the call with the fewest arguments: variants of one call leave no doubt about it."""
+    programs: dict[tuple[str, ...], _Candidate] = {}
+    for candidate in candidates:
+        argv = candidate.argv
+        words = {"ros2": 4, "roslaunch": 3, "rosrun": 3}.get(argv[0], 2 if argv[1:2] != ("-m",) else 3)
+        program = ("python3", *argv[1:words]) if argv[0].startswith("python") else argv[:words]
+        known = programs.get(program)
+        if known is None or len(argv) < len(known.argv):
+            programs[program] = candidate
+    return list(programs.values())
+
+
 def _candidates(evidence: Evidence, kind: Kind) -> Iterator[_Candidate]:
     """Yield what could be run, what the README runs first."""
     ros = kind in {"ros1", "ros2"}
     yield from _written(evidence, ros=ros)
     if ros:
         yield from _launched(evidence)
+    elif kind == "cpp" or not evidence.scripts:
+        yield from _compiled(evidence)
     else:
         yield from _installed(evidence)
 
@@ -126,7 +143,7 @@ def _written(evidence: Evidence, *, ros: bool) -> Iterator[_Candidate]:
             here = _here(argv, programs)
             if here is None:
                 continue
-            argv = ("python3" if ros else "python", *here)
+            argv = ("python3" if ros else argv[0], *here)
         elif not ros:
             continue
         strong = not any(places.example(part) for part in argv)
@@ -154,6 +171,16 @@ def _launched(evidence: Evidence) -> Iterator[_Candidate]:
             yield _Candidate(argv=argv, why="a launch file", file=launch.file, line=launch.line, strong=False)
 
 
+def _compiled(evidence: Evidence) -> Iterator[_Candidate]:
+    """Yield the programs of the top-level CMake project; its build folder is on the image's PATH."""
+    for project in evidence.cmake:
+        if project.top_level and not places.vendored(project.file) and project.file.count("/") <= 1:
+            for target, line in project.executables:
+                if re.fullmatch(r"[A-Za-z0-9_.+-]+", target) and not _TEST.search(target):
+                    why = "a program that CMake compiles"
+                    yield _Candidate(argv=(target,), why=why, file=project.file, line=line, strong=False)
+
+
 def _installed(evidence: Evidence) -> Iterator[_Candidate]:
     for project in evidence.python:
         if not project.folder:
@@ -164,7 +191,7 @@ def _installed(evidence: Evidence) -> Iterator[_Candidate]:
         path = program.file
         if program.kind == "main" and path.count("/") <= 1 and not places.vendored(path) and not places.example(path):
             why = "it has a __main__ guard"
-            yield _Candidate(argv=("python", path), why=why, file=path, line=program.line, strong=False)
+            yield _Candidate(argv=("python3", path), why=why, file=path, line=program.line, strong=False)
 
 
 def _gui(evidence: Evidence) -> bool:

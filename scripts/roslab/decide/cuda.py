@@ -40,6 +40,8 @@ class CudaChoice:
 
     cuda: str | None = None
     cudnn: str | None = None
+    cudnn_named: bool = False
+    """Something asks for cuDNN; else only frameworks need the image that has it."""
     reasons: tuple[Reason, ...] = ()
     warnings: tuple[Warning_, ...] = ()
 
@@ -156,7 +158,7 @@ def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: t
     """Keep a version whose images exist; else another wheel's, else the nearest newer one, with a warning."""
     image = cuda_image(cuda)
     if image is not None and image.tag:
-        return CudaChoice(cuda=image.cuda, cudnn=_digits(image, cudnn), reasons=reasons)
+        return CudaChoice(cuda=image.cuda, cudnn=_digits(image, cudnn), cudnn_named=bool(cudnn), reasons=reasons)
     instead = next((row for other in others if (row := cuda_image(other)) and row.tag), None) or nearest_cuda_image(
         cuda
     )
@@ -173,7 +175,13 @@ def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: t
         file=reasons[0].file,
         line=reasons[0].line,
     )
-    return CudaChoice(cuda=instead.cuda, cudnn=_digits(instead, cudnn), reasons=(*reasons, note), warnings=(warning,))
+    return CudaChoice(
+        cuda=instead.cuda,
+        cudnn=_digits(instead, cudnn),
+        cudnn_named=bool(cudnn),
+        reasons=(*reasons, note),
+        warnings=(warning,),
+    )
 
 
 def _digits(image: CudaImage, cudnn: str | None) -> str | None:

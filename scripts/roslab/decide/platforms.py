@@ -22,6 +22,9 @@ _BUILD = re.compile(r"^[\w-]+=[\w.]+=\w+$")
 _CUDA_ARM64 = (12, 8)
 """First CUDA with arm64 wheels of torch on the index. https://pytorch.org/blog/pytorch-2-7/, read 2026-08-22."""
 
+_IMAGE_ARM64 = (12, 0)
+"""From here on every image is published for both. https://hub.docker.com/r/nvidia/cuda/tags, read 2026-08-22."""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class PlatformChoice:
@@ -77,7 +80,10 @@ def _against(  # noqa: PLR0917
     release = distro(ros_distro)
     if release is not None and not release.arm64:
         return f"ROS {release.name} was never built for arm64", None, None
-    if (kind == "cuda" or "nvidia/cuda" in base_image) and version(cuda or "11.8") < _CUDA_ARM64:
+    if base_image.startswith("nvidia/cuda") and version(cuda or "11.8") < _IMAGE_ARM64:
+        return f"nvidia/cuda has no arm64 image of CUDA {cuda or '11.8'} for this Ubuntu", None, None
+    frameworks = kind == "cuda" and python.manager != "system"
+    if frameworks and version(cuda or "11.8") < _CUDA_ARM64:
         return f"frameworks have no arm64 wheels for CUDA {cuda or '11.8'}", None, None
     return _wheel(evidence, python) or _conda(evidence, python)
 

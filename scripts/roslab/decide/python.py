@@ -30,7 +30,11 @@ def decide_python(
     chosen = choose(evidence, config, kind)
     wanted, reasons = python_version(evidence, config)
     warnings: list[Warning_] = []
-    if kind in {"ros1", "ros2"} or (kind == "cpp" and not config.base.python):
+    plain = kind == "cpp" or (
+        kind == "cuda" and not (chosen.files or chosen.projects or chosen.guessed or chosen.conda)
+    )
+    plain = plain and not (config.base.python or config.pip or config.pip3 or evidence.scripts)
+    if kind in {"ros1", "ros2"} or plain:
         manager, number = "system", None
         ours = SYSTEM_PYTHON.get(ubuntu or "")
         if wanted and ours and wanted != ours and reasons[0].decisive and reasons[0].weight >= 50 and ros_distro:

@@ -32,8 +32,8 @@ def base_for(
     ``ubuntu`` is what the configuration asks for; the evidence's own Ubuntu only fits where its Python does.
     """
     if kind == "cuda":
-        return _cuda(cuda or "11.8", ubuntu, python_version)
-    del cudnn
+        # Frameworks expect cuDNN; plain CUDA programs get it where something names it
+        return _cuda(cuda or "11.8", ubuntu, python_version, cudnn=bool(cudnn or python_version))
     if ubuntu is None and (fitting := system_ubuntu(python_version)):
         image = f"ubuntu:{version_of(fitting)}"
         return image, fitting, (_reason(image, f"its own Python is {python_version}"),)
@@ -55,13 +55,18 @@ def cuda_ubuntu(cuda: str, ubuntu: str | None, python_version: str | None) -> st
     return fitting or next((name for name in PREFERRED if name in image.ubuntu), image.ubuntu[-1])
 
 
-def _cuda(cuda: str, ubuntu: str | None, python_version: str | None) -> tuple[str, str, tuple[Reason, ...]]:
+def _cuda(
+    cuda: str, ubuntu: str | None, python_version: str | None, *, cudnn: bool
+) -> tuple[str, str, tuple[Reason, ...]]:
     row = cuda_image(cuda)
     row = row if row and row.tag else nearest_cuda_image(cuda)
     chosen = cuda_ubuntu(cuda, ubuntu, python_version)
-    name = f"nvidia/cuda:{row.tag}-{row.cudnn}-devel-ubuntu{version_of(chosen)}"
+    flavour = f"{row.cudnn}-devel" if cudnn else "devel"
+    name = f"nvidia/cuda:{row.tag}-{flavour}-ubuntu{version_of(chosen)}"
     if chosen == ubuntu:
         why = f"CUDA {row.cuda} on the Ubuntu asked for; -devel: extensions are compiled"
+    elif python_version is None:
+        why = f"the last patch of CUDA {row.cuda}; -devel: it is compiled"
     elif SYSTEM_PYTHON.get(chosen) == python_version:
         why = f"the last patch of CUDA {row.cuda}, on the Ubuntu whose Python is {python_version}"
     else:

@@ -179,11 +179,12 @@ def _projects(evidence: Evidence, kind: Kind) -> tuple[PythonProject, ...]:
         folder = _resolve(dependency, {folder for folder in usable if folder})
         if folder and folder not in manifests:
             chosen.setdefault(folder, usable[folder])
-    if not chosen and kind not in {"ros1", "ros2", "cpp"}:
+    if not chosen and kind != "cpp":
         own = [
             folder
             for folder in usable
-            if not places.vendored(folder + "/")
+            if not _inside(folder, manifests if kind in {"ros1", "ros2"} else set())
+            and not places.vendored(folder + "/")
             and not places.test(folder + "/")
             and not places.example(folder + "/")
             and not places.documentation(folder + "/")
@@ -191,6 +192,12 @@ def _projects(evidence: Evidence, kind: Kind) -> tuple[PythonProject, ...]:
         depth = min((folder.count("/") for folder in own), default=0)
         chosen = {folder: usable[folder] for folder in own if folder.count("/") == depth and depth <= 1}
     return tuple(chosen[folder] for folder in list(chosen)[:MAX_PROJECTS])
+
+
+def _inside(folder: str, packages: set[str]) -> bool:
+    """Tell whether a folder is, or lies in, a ROS package: its build installs what is there."""
+    parts = folder.split("/")
+    return any("/".join(parts[:end]) in packages for end in range(len(parts), -1, -1))
 
 
 def _known(

@@ -55,7 +55,7 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
         ("ROS", decision.ros_distro, "ros_distro"),
         ("Ubuntu", decision.ubuntu, "ubuntu"),
         ("built with", decision.build_tool, "build_tool"),
-        ("Python", _python(decision), "python"),
+        ("Python", None if decision.dockerfile else _python(decision), "python"),
         ("CUDA", decision.cuda, "cuda"),
         ("recipe", decision.dockerfile, "dockerfile"),
         (
@@ -83,7 +83,8 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
         (f"{s.name} {s.repo or s.zip or ''} {s.ref or '(no fixed ref)'}".strip() for s in decision.source),
         rows=True,
     )
-    lines += _section("other commands", (shlex.join(c) for c in decision.command_candidates), rows=True)
+    others = (shlex.join(c) for c in decision.command_candidates if c != decision.command)
+    lines += _section("other commands", others, rows=True)
     lines += _section("not built for", (f"{name}: {why}" for name, why in decision.platforms_refused), rows=True)
     lines += _section("warnings", (_placed(w.message, w.file, w.line) for w in decision.warnings), rows=True)
     lines += ["", "`roslab inspect --explain QUESTION` shows all evidence for and against one answer."]

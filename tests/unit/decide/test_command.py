@@ -8,7 +8,16 @@ from roslab.config.model import Config, Kind
 from roslab.decide.command import decide_command
 from roslab.decide.decision import Python
 from roslab.decide.platforms import decide_platforms
-from roslab.evidence.facts import CondaEnvironment, Dependency, Evidence, LaunchFile, Mention, RequirementFile, Script
+from roslab.evidence.facts import (
+    CMakeProject,
+    CondaEnvironment,
+    Dependency,
+    Evidence,
+    LaunchFile,
+    Mention,
+    RequirementFile,
+    Script,
+)
 
 MAIN = Script(file="train.py", line=3, kind="main")
 LAUNCH = LaunchFile(file="launch/a.launch", line=1, package="me", ros=1, dependencies=(), gui=True)
@@ -22,11 +31,11 @@ def test_a_shell_where_several_could_be_meant() -> None:
     evidence = Evidence(scripts=(MAIN, Script(file="eval.py", line=1, kind="main")))
     choice = decide_command(evidence, Config(), "python", None)
     assert choice.command == ("bash",)
-    assert choice.candidates == (("python", "train.py"), ("python", "eval.py"))
+    assert choice.candidates == (("python3", "train.py"), ("python3", "eval.py"))
 
 
 def test_the_one_obvious_program() -> None:
-    assert decide_command(Evidence(scripts=(MAIN,)), Config(), "python", None).command == ("python", "train.py")
+    assert decide_command(Evidence(scripts=(MAIN,)), Config(), "python", None).command == ("python3", "train.py")
     choice = decide_command(Evidence(launch=(LAUNCH,)), Config(), "ros1", None)
     assert (choice.command, choice.gui) == (("roslaunch", "me", "a.launch"), True)
 
@@ -92,3 +101,23 @@ def test_configured_platforms() -> None:
     config = Config(platforms=("linux/arm64",))
     python = Python(version=None, manager="system")
     assert decide_platforms(Evidence(), config, "ros1", "osrf/ros:x", None, None, python).platforms == ("linux/arm64",)
+
+
+def readme(value: str, line: int) -> Mention:
+    return Mention(topic="command", value=value, source="readme", file="README.md", line=line, text=value)
+
+
+def test_variants_of_one_call_leave_no_doubt_about_the_program() -> None:
+    mentions = (readme("python3 train.py --epochs 3", 5), readme("python3 train.py", 9))
+    choice = decide_command(Evidence(scripts=(MAIN,), mentions=mentions), Config(), "python", None)
+    assert choice.command == ("python3", "train.py")
+
+
+def test_the_only_program_that_cmake_compiles() -> None:
+    project = CMakeProject(
+        file="CMakeLists.txt", line=1, name="x", top_level=True, languages=("CXX",), macros=(),
+        executables=(("align", 7), ("test_align", 9)), dependencies=(),
+    )  # fmt: skip
+    choice = decide_command(Evidence(cmake=(project,)), Config(), "cpp", None)
+    assert choice.command == ("align",)
+    assert (choice.reasons[0].file, choice.reasons[0].line) == ("CMakeLists.txt", 7)

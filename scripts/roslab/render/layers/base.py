@@ -48,8 +48,9 @@ def answering_sources(plan: Plan) -> str:
         return ""
     return f"""\
 # NVIDIA changed the key of its package source in 2022: a base that has the old one does without, CUDA is in it
-RUN if apt-get update 2>&1 | tee /tmp/update | grep -qE 'NO_PUBKEY A4B469963BF863CC|^E:'; then \\
-      grep -lsr developer.download.nvidia.com /etc/apt/sources.list.d | xargs --no-run-if-empty rm; \\
+RUN apt-get update >/tmp/update 2>&1 || true; \\
+    if grep --quiet 'NO_PUBKEY A4B469963BF863CC' /tmp/update; then \\
+      {{ grep -lr developer.download.nvidia.com /etc/apt/sources.list.d || true; }} | xargs --no-run-if-empty rm; \\
       echo "source developer.download.nvidia.com" | tee --append {shell.REPORT}; \\
     fi; \\
     rm -rf /tmp/update /var/lib/apt/lists/*"""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslab.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
-from roslab.render.layers.workspace import WS, compiles_workspace, overlay, own_home, source_folder
+from roslab.render.layers.workspace import WS, build_folder, compiles_workspace, overlay, own_home, source_folder
 
 ENVIRONMENT = "/usr/local/share/roslab/environment.bash"
 ENTRY_POINT = """\
@@ -62,9 +62,13 @@ def variables(plan: Plan) -> str:
     pairs: list[tuple[str, str, bool]] = []
     if plan.run.gpu:
         pairs += [("NVIDIA_VISIBLE_DEVICES", "all", True), ("NVIDIA_DRIVER_CAPABILITIES", "all", True)]
+    path = "${PATH}"
+    if plan.workspace.layout == "source" and plan.workspace.tool == "cmake" and not plan.compatible:
+        path = f"{build_folder(plan)}:{path}"  # so that a program is called by its name
     if plan.run.matlab:  # which is only there while docker_run.sh mounts it
-        path = quote.docker(f"{plan.run.matlab.host_path}/bin").strip('"')
-        pairs.append(("PATH", f'"${{PATH}}:{path}"', False))
+        path += ":" + quote.docker(f"{plan.run.matlab.host_path}/bin").strip('"')
+    if path != "${PATH}":
+        pairs.append(("PATH", f'"{path}"', False))
     pairs += [(name, value, True) for name, value in plan.env]
     body = " \\\n    ".join(f"{name}={quote.docker(value) if literal else value}" for name, value, literal in pairs)
     return f"{home}\nENV {body}" if pairs else home

@@ -197,11 +197,18 @@ def _cmake_options(plan: Plan) -> str:
     return "".join(f" {quote.shell(word)}" for word in words)
 
 
+def build_folder(plan: Plan) -> str:
+    """Folder in which a plain CMake project is compiled; the old formats did it inside the source."""
+    folder = source_folder(plan)
+    inside = f"{folder}/{plan.workspace.cmake_folder}".rstrip("/")
+    return f"{inside}/build" if plan.compatible else f"{folder}-build"
+
+
 def _plain_cmake(plan: Plan) -> str:
     """Compile beside the source: a ``build`` folder that the repository ships is its own, not ours to fill."""
     folder = source_folder(plan)
     source = f"{folder}/{plan.workspace.cmake_folder}".rstrip("/")
-    build = f"{folder}-build" if not plan.compatible else f"{source}/build"
+    build = build_folder(plan)
     arguments = "".join(f" {quote.shell(word)}" for word in plan.workspace.arguments)
     return shell.run(
         *([ROS_SETUP] if plan.kind in ("ros1", "ros2") else []),
