@@ -61,22 +61,23 @@ def _preference(name: str) -> int:
 
 
 def _unknown_keys(evidence: Evidence, ros: int) -> dict[str, frozenset[str]]:
-    """Return, for each distribution of a ROS version, the declared keys that it lacks and a better one has.
+    """Return, for each distribution of a ROS version, the declared keys that only came after it.
 
-    A package needs what its authors' distribution has: keys that came later rule out older ones, and the reverse.
-    Rolling's list has gaps while packages come in, and rules out nothing.
+    A package needs what its authors' distribution has, so such keys rule out the older ones. A key that an older one
+    had says nothing: its package may be built from source since. Rolling's list has gaps and rules out nothing.
     """
     packages = packages_of(evidence)
     variables = {"ROS_VERSION": str(ros)}
     declared = (d for m in packages.built for d in m.dependencies if d.role != "doc" and holds(d.condition, variables))
     keys = {d.name for d in declared} - packages.names - {source.name for source in evidence.sources} - rosdep_keys()
     keys = {key for key in keys if library("cmake", key, None) is None}
-    if not keys:
-        return {}
-    names = [name for name, found in distros().items() if found.ros == ros and name != "rolling"]
-    lacking = {name: frozenset(keys - released(name)) for name in names}
-    least = min(lacking.values(), key=len)
-    return {name: missing - least if len(missing) > len(least) else frozenset() for name, missing in lacking.items()}
+    line = [name for name, found in distros().items() if found.ros == ros and name != "rolling"]
+    later: set[str] = set()
+    unknown = {"rolling": frozenset[str]()} if ros == 2 else {}
+    for name in sorted(line, key=lambda name: distros()[name].released, reverse=True):
+        unknown[name] = frozenset(later - released(name))
+        later |= keys & released(name)
+    return unknown
 
 
 def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
@@ -90,10 +91,9 @@ def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
 
 def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[Reason]:
     """Offer the best distribution that has every declared key, where one that is named lacks some."""
-    fitting = [name for name, missing in unknown.items() if not missing]
-    if not fitting or not any(unknown.get(reason.answer) for reason in reasons):
+    if not any(unknown.get(reason.answer) for reason in reasons):
         return []
-    best = max(fitting, key=_preference)
+    best = max((name for name, missing in unknown.items() if not missing), key=_preference)
     return [because("ros_distro", best, "it has every key that the packages declare", weight=100)]
 
 
@@ -101,8 +101,7 @@ def _default(kind: Kind, unknown: dict[str, frozenset[str]]) -> DistroChoice:
     """Return the default, or the preferred one that has all keys where the default lacks some."""
     answer = DEFAULT[kind]
     if unknown.get(answer):
-        fitting = [name for name, missing in unknown.items() if not missing]
-        answer = max(fitting, key=_preference, default=answer)
+        answer = max((name for name, missing in unknown.items() if not missing), key=_preference)
     message = f"nothing says which ROS distribution this is for: {answer} is taken; name it as base.ros in roslab.yaml"
     reason = because("ros_distro", answer, "nothing is said: the default", weight=1)
     return DistroChoice(distro=distros()[answer], reasons=(reason,), warnings=(Warning_(message=message),))

@@ -36,12 +36,16 @@ def _branch(repository: Repository) -> Iterator[Mention]:
 
 
 def _files(repository: Repository) -> Iterator[Mention]:
+    """Read file names; where the same name without a distro lies beside, that one is for this branch."""
     for file in repository.files:
         lower = file.name.lower()
         if not _FILES.search(lower) or places.vendored(file.path) or file.path.count("/") > 4:
             continue
         for word in dict.fromkeys(_WORD.findall(lower)):
-            if word in distros():
+            if word not in distros():
+                continue
+            plain = re.sub(rf"[._-]?{word}", "", file.name, flags=re.IGNORECASE)
+            if not repository.has(f"{file.folder}/{plain}".lstrip("/")):
                 yield _mention(word, "filename", file.path, file.name)
 
 

@@ -291,3 +291,8 @@ def test_a_clone_answers_for_packages_whose_names_begin_like_it(tmp_path: Path) 
     found = decided(tmp_path, files)
     assert [source.name for source in found.source] == ["p3dx"]
     assert any("without a fixed ref: p3dx" in warning.message for warning in found.warnings)
+
+
+def test_a_key_that_only_an_older_distribution_released_rules_nothing_out(tmp_path: Path) -> None:
+    xml = AMENT.replace("<depend>rclcpp</depend>", "<depend>rclcpp</depend><depend>px4_msgs</depend>")
+    assert decided(tmp_path, package(xml=xml)).ros_distro == "humble"

@@ -98,7 +98,9 @@ def test_submodules_of_the_root_only_and_relative_urls(tmp_path: Path) -> None:
 
 def test_branches_and_file_names(tmp_path: Path) -> None:
     repository = tree(
-        tmp_path, {"docker/Dockerfile.noetic": "", "demo.foxy.repos": "", "kinetic.md": ""}, branch="melodic-devel"
+        tmp_path,
+        {"docker/Dockerfile.noetic": "", "demo.foxy.repos": "", "kinetic.md": "", "u.repos": "", "u.jazzy.repos": ""},
+        branch="melodic-devel",
     )
     assert [(m.value, m.source) for m in names.read(repository)] == [
         ("melodic", "branch"),
