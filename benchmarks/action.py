@@ -48,9 +48,8 @@ def main(arguments: list[str]) -> int:
             total = sum(times[step] for step in OWN)
             print(f"{attempt} run of {example.name}: {total:.1f} s in the action's own steps")
             for step, seconds in times.items():
-                print(
-                    f"  {seconds:6.1f} s  {step}{'' if step in OWN else ' (the image)' if step == PROOF else ' (Docker)'}"
-                )
+                whose = "" if step in OWN else " (the image)" if step == PROOF else " (Docker)"
+                print(f"  {seconds:6.1f} s  {step}{whose}")
     return 0
 
 
