@@ -5,7 +5,7 @@ from __future__ import annotations
 import http.client
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
@@ -39,19 +39,20 @@ def faulty_registry(address: str, faults: Faults) -> Iterator[str]:  # noqa: C90
 
     class Handler(BaseHTTPRequestHandler):
         protocol_version = "HTTP/1.1"
+        # The engine tries TLS first, and falls back where the answer begins as HTTP does
+        default_request_version = "HTTP/1.0"
 
         def _pass_on(self) -> None:
             body = self._body()
             if faults.strikes(self.command, self.path):
                 self._answer(503, {}, b"")
                 return
-            upstream = http.client.HTTPConnection(address, timeout=600)
-            headers = {name: value for name, value in self.headers.items() if name.lower() not in HOP}
-            headers["Content-Length"] = str(len(body))
-            upstream.request(self.command, self.path, body=body, headers=headers)
-            reply = upstream.getresponse()
-            self._answer(reply.status, dict(reply.getheaders()), reply.read())
-            upstream.close()
+            with closing(http.client.HTTPConnection(address, timeout=600)) as upstream:
+                headers = {name: value for name, value in self.headers.items() if name.lower() not in HOP}
+                headers["Content-Length"] = str(len(body))
+                upstream.request(self.command, self.path, body=body, headers=headers)
+                reply = upstream.getresponse()
+                self._answer(reply.status, dict(reply.getheaders()), reply.read())
 
         def _body(self) -> bytes:
             if self.headers.get("Transfer-Encoding", "").lower() != "chunked":
@@ -70,9 +71,10 @@ def faulty_registry(address: str, faults: Faults) -> Iterator[str]:  # noqa: C90
                 if name.lower() not in {*HOP, "content-length"}:
                     self.send_header(name, value)
             self.send_header("Content-Length", length or "0")
-            self.end_headers()
-            if self.command != "HEAD":
-                self.wfile.write(body)
+            with suppress(BrokenPipeError, ConnectionResetError):  # the client heard enough
+                self.end_headers()
+                if self.command != "HEAD":
+                    self.wfile.write(body)
 
         do_GET = do_HEAD = do_POST = do_PUT = do_PATCH = do_DELETE = _pass_on  # noqa: N815 - http.server's names
 
