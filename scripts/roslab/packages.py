@@ -18,30 +18,35 @@ ROS_TOOLS = ("catkin_make", "catkin_tools", "colcon")
 class ImagePackages:
     """Packages in the order in which they are installed."""
 
-    first: tuple[str, ...]
+    first: tuple[str, ...] = ()
     """Of an image in an old way: what was in every one, and ROS; else none."""
+    tools: tuple[str, ...] = ()
+    """Where the base's apt knows them: what is missed speaks up where it is used."""
     named: tuple[str, ...]
 
 
 def image_packages(decision: Decision, config: Config, in_workspace: tuple[Source, ...]) -> ImagePackages:
     """Return what the steps of the plan themselves need, then what the repository needs."""
     if decision.dockerfile:
-        return ImagePackages(first=(), named=decision.apt)  # the author's recipe has its own steps
-    needs = sorted({*_needs(decision, config, in_workspace)})
+        return ImagePackages(named=decision.apt)  # the author's recipe has its own steps
+    needs = sorted({*_needs(decision, config)} | ({"ca-certificates", "git"} if in_workspace else set()))
+    tools = _ros_tools(decision, in_workspace)
     if not config.compatible:
-        return ImagePackages(first=(), named=tuple(dict.fromkeys((*needs, *decision.apt))))
+        return ImagePackages(tools=tuple(tools), named=tuple(dict.fromkeys((*needs, *decision.apt))))
     # An old image's own packages come before JupyterLab and ROS, what its author names after them
     ros = tuple(name for name in decision.apt if name not in config.apt)
     always = packages("old-image", decision.ubuntu)
-    return ImagePackages(first=tuple(dict.fromkeys((*sorted({*always, *needs}), *ros))), named=config.apt)
+    tools += [name for name in packages("old-tools", decision.ubuntu) if name not in needs]
+    first = tuple(dict.fromkeys((*sorted({*always, *needs}), *ros)))
+    return ImagePackages(first=first, tools=tuple(tools), named=config.apt)
 
 
-def _needs(decision: Decision, config: Config, in_workspace: tuple[Source, ...]) -> list[str]:
+def _needs(decision: Decision, config: Config) -> list[str]:
     python = decision.python
     own_python = decision.base_image.rpartition("/")[2].startswith("python:")  # with pip and venv in /usr/local
     lines = (*python.pip, *python.pip_guessed, *python.first, *python.python2)
     needs: list[str] = []
-    if in_workspace or any("git+" in line for line in lines):
+    if any("git+" in line for line in lines):
         needs += ["ca-certificates", "git"]
     compiled = decision.build_tool == "cmake" and decision.kind not in ("ros1", "ros2")  # a ROS base has a compiler
     if compiled:
@@ -56,7 +61,7 @@ def _needs(decision: Decision, config: Config, in_workspace: tuple[Source, ...])
         needs.append("python-pip" if (python.version or "").startswith("2") else "python3-pip")
     if python.python2:
         needs += packages("python2", decision.ubuntu)
-    return [*needs, *_ros_tools(decision, in_workspace)]
+    return needs
 
 
 def _ros_tools(decision: Decision, in_workspace: tuple[Source, ...]) -> list[str]:

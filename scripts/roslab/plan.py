@@ -90,6 +90,8 @@ class Plan:
     """PPAs, added before the packages."""
     apt_first: tuple[str, ...]
     """Of an image in an old way: what was in every image, and ROS, before what the author names."""
+    apt_tools: tuple[str, ...]
+    """Tools that the base may have already or not know: installed where its apt knows them, reported where not."""
     apt: tuple[str, ...]
     apt_guessed: tuple[str, ...]
     libraries: tuple[Source, ...]
@@ -168,6 +170,7 @@ def make_plan(
         recipe=recipe,
         repositories=config.repositories,
         apt_first=packages.first,
+        apt_tools=packages.tools,
         apt=packages.named,
         apt_guessed=decision.apt_guessed,
         libraries=libraries,

@@ -36,7 +36,9 @@ SYSTEM_PYTHON = {
 @cache
 def _table() -> dict[str, PythonTools]:
     return {
-        row["python"]: PythonTools(installers=_lines(row, INSTALLERS), jupyter=_lines(row, JUPYTER), pinned=True)
+        row["python"]: PythonTools(
+            installers=_lines(row, INSTALLERS), jupyter=(*_lines(row, JUPYTER), *_beside(row)), pinned=True
+        )
         for row in rows("python_tools")
     }
 
@@ -51,6 +53,12 @@ def _lines(row: dict[str, str], names: tuple[str, ...]) -> tuple[str, ...]:
         else:
             lines.append(name)
     return tuple(lines)
+
+
+def _beside(row: dict[str, str]) -> tuple[str, ...]:
+    """Return pins of what JupyterLab brings along and does not bound: newer ones have no wheel for that Python."""
+    major, minor = map(int, row["python"].split("."))
+    return tuple(f'{pin}; python_version < "{major}.{minor + 1}"' for pin in row["beside"].split())
 
 
 def python_tools(version: str | None, ubuntu: str | None) -> PythonTools:

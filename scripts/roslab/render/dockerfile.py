@@ -17,6 +17,7 @@ STAGES_BEFORE: tuple[tuple[Block, ...], ...] = (
 )
 IMAGE: tuple[Block, ...] = (
     system.packages,  # 2. what is declared …
+    system.tools,
     system.guessed_packages,  # … and what was only read
     system.icub,
     system.newer_cmake,
@@ -34,6 +35,7 @@ IMAGE: tuple[Block, ...] = (
 )
 IMAGE_OLD_FORMATS: tuple[Block, ...] = (  # the order of the old generators, in which later steps used earlier ones
     system.first_packages,
+    system.tools,
     python.environment,
     python.jupyter,
     system.icub,

@@ -23,7 +23,7 @@ def inspection(decision: Decision, plan: Plan) -> dict[str, Any]:
         "build_tool": decision.build_tool,
         "dependencies": {
             "rosdep": list(decision.rosdep),
-            "apt": list(dict.fromkeys((*plan.apt_first, *plan.apt, *plan.apt_guessed))),
+            "apt": list(dict.fromkeys((*plan.apt_first, *plan.apt, *plan.apt_tools, *plan.apt_guessed))),
             "pip": list(dict.fromkeys((*decision.pip, *python.python2))),
             "conda": python.conda_file,
             "source": [{"name": s.name, "url": s.repo or s.zip, "ref": s.ref} for s in decision.source],
@@ -70,7 +70,7 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
             lines.append(f"  {label:<11} {printable(value)}{_because(decision, question)}")
     lines += _section("rosdep keys", decision.rosdep)
     lines += _section("apt packages", (*plan.apt_first, *plan.apt))
-    lines += _section("apt packages, where this base knows them", plan.apt_guessed)
+    lines += _section("apt packages, where this base knows them", (*plan.apt_tools, *plan.apt_guessed))
     python = decision.python
     lines += _section(
         "pip packages",

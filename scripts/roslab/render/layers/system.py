@@ -27,25 +27,35 @@ def packages(plan: Plan) -> str:
     return f"# System packages\n{shell.apt_install(plan.apt)}" if plan.apt else ""
 
 
+def tools(plan: Plan) -> str:
+    """Install the tools of the workspace, and the pip of Python 2 that old images had."""
+    return _where_known(plan.apt_tools, "Tools, where this base's apt knows them") if plan.apt_tools else ""
+
+
 def guessed_packages(plan: Plan) -> str:
     """Install what was only read in code or prose, where the base's apt knows it; name what it does not."""
-    if not plan.apt_guessed:
-        return ""
-    names = shell.words(plan.apt_guessed)
+    comment = (
+        "Read in code or prose, declared nowhere: installed where this base's apt knows them, named where it does not"
+    )
+    return _where_known(plan.apt_guessed, comment) if plan.apt_guessed else ""
+
+
+def _where_known(packages: tuple[str, ...], comment: str) -> str:
+    names = shell.words(packages)
     return f"""\
-# Read in code or prose, declared nowhere: installed where this base's apt knows them, named where it does not
+# {comment}
 RUN apt-get update; \\
     known=(); \\
     for package in{names}; do \\
-      if apt-get install --simulate --no-install-recommends "${{package}}" >/dev/null 2>&1; then \\
+      if apt-get install --simulate --no-remove --no-install-recommends "${{package}}" >/dev/null 2>&1; then \\
         known+=("${{package}}"); \\
       else \\
         echo "apt ${{package}}" >>{shell.REPORT}; \\
       fi; \\
     done; \\
-    if [ "${{#known[@]}}" -gt 0 ] && ! apt-get install --yes --no-install-recommends "${{known[@]}}"; then \\
+    if [ "${{#known[@]}}" -gt 0 ] && ! apt-get install --yes --no-remove --no-install-recommends "${{known[@]}}"; then \\
       for package in "${{known[@]}}"; do \\
-        apt-get install --yes --no-install-recommends "${{package}}" || echo "apt ${{package}}" >>{shell.REPORT}; \\
+        apt-get install --yes --no-remove --no-install-recommends "${{package}}" || echo "apt ${{package}}" >>{shell.REPORT}; \\
       done; \\
     fi; \\
     if [ -s {shell.REPORT} ]; then sed 's/^/roslab: left out: /' {shell.REPORT}; fi; \\
