@@ -78,7 +78,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         sisters=sources.names,
     )
     system = requested(named_only(system, base.ros_packages, config), config, base.ubuntu)
-    sources = in_order(with_recipes(sources, recipes_for(system.recipes, base.ubuntu)), config)
+    sources = in_order(with_recipes(sources, recipes_for((*sources.libraries, *system.recipes), base.ubuntu)), config)
     layout = folder_of_workspace(decide_layout(evidence, kind.kind, packages), config)
     on_cuda = "nvidia" in base.image or kind.kind == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else CudaChoice()

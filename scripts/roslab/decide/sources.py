@@ -14,7 +14,8 @@ from roslab.evidence import places
 from roslab.evidence.facts import Dependency, Evidence, GitSource
 from roslab.evidence.vcs import https
 from roslab.knowledge.distros import distros
-from roslab.knowledge.released import released
+from roslab.knowledge.released import released, rosdep_keys
+from roslab.knowledge.ros_sources import ros_sources
 
 _EXTRA = re.compile(
     r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
@@ -34,6 +35,8 @@ class SourceChoice:
 
     sources: tuple[Source, ...] = ()
     vcs: tuple[str, ...] = ()
+    libraries: tuple[tuple[str, Dependency], ...] = ()
+    """Rows of the table of recipes that they link, with what asks for each."""
     names: frozenset[str] = frozenset()
     """Names that these sources answer for: no key and no package is needed for them."""
     reasons: tuple[Reason, ...] = ()
@@ -47,7 +50,7 @@ def decide_sources(
     *,
     ros_distro: str | None,
     build_tool: BuildTool,
-    needed: Iterable[Dependency],
+    needed: tuple[Dependency, ...],
     own: frozenset[str],
     folder_name: str,
 ) -> SourceChoice:
@@ -74,6 +77,7 @@ def decide_sources(
             message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
             more = "a package of that name that rosdep knows may be another one: the clone is used"
             chosen.warnings.append(Warning_(message=f"{message}; {more}", file=asked.file, line=asked.line))
+    chosen.known(needed, released(ros_distro or "") | rosdep_keys() | own, 1 if kind == "ros1" else 2)
     return chosen.choice(files)
 
 
@@ -85,6 +89,7 @@ class _Chosen:
     sources: dict[str, Source] = field(default_factory=dict)
     reasons: list[Reason] = field(default_factory=list)
     warnings: list[Warning_] = field(default_factory=list)
+    libraries: dict[str, Dependency] = field(default_factory=dict)
 
     def add(self, git: GitSource, why: str) -> None:
         """Take a repository, unless one of that name or URL is there already."""
@@ -114,6 +119,25 @@ class _Chosen:
                 why = f"a submodule, {git.url}: check it out with the repository"
                 self.reasons.append(replace(because("source", git.name, why, git, weight=10), decisive=False))
 
+    def known(self, needed: Iterable[Dependency], elsewhere: frozenset[str], ros: int) -> None:
+        """Take what the table of unreleased packages holds for the names that nothing else answers for."""
+        for asked in needed:
+            if asked.namespace not in {"rosdep", "ros", "cmake"} or asked.name in elsewhere:
+                continue
+            for found in ros_sources(asked.name, ros):
+                git = GitSource(
+                    name=found.package,
+                    url=found.repo,
+                    ref=found.ref,
+                    strength=asked.strength,
+                    file=asked.file,
+                    line=asked.line,
+                    kind="clone",
+                )
+                self.add(git, f"{asked.name} is needed, and no distribution released {found.package}")
+                if found.library and found.package in self.sources:
+                    self.libraries.setdefault(found.library, asked)
+
     def loose(self) -> tuple[Warning_, ...]:
         """Warn of sources without a ref: another day gives another image."""
         names = sorted(source.name for source in self.sources.values() if source.repo and not source.ref)
@@ -127,6 +151,7 @@ class _Chosen:
         return SourceChoice(
             sources=tuple(self.sources.values()),
             vcs=files,
+            libraries=tuple(self.libraries.items()),
             names=frozenset(self.sources) | {_plain(name) for name in self.sources},
             reasons=tuple(self.reasons),
             warnings=(*self.warnings, *self.loose()),

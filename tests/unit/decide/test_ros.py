@@ -296,3 +296,21 @@ def test_a_clone_answers_for_packages_whose_names_begin_like_it(tmp_path: Path) 
 def test_a_key_that_only_an_older_distribution_released_rules_nothing_out(tmp_path: Path) -> None:
     xml = AMENT.replace("<depend>rclcpp</depend>", "<depend>rclcpp</depend><depend>px4_msgs</depend>")
     assert decided(tmp_path, package(xml=xml)).ros_distro == "humble"
+
+
+def test_well_known_unreleased_packages_come_from_their_table(tmp_path: Path) -> None:
+    xml = (
+        CATKIN.format(name="demo")
+        .replace("roscpp", "livox_ros_driver")
+        .replace("</package>", "<depend>glog_catkin</depend></package>")
+    )  # noqa: E501
+    found = decided(tmp_path, {"package.xml": xml, "CMakeLists.txt": CMAKE.format(name="demo")})
+    assert [s.name for s in found.source] == [
+        "livox-sdk",
+        "catkin_simple",
+        "gflags_catkin",
+        "glog_catkin",
+        "livox_ros_driver",
+    ]  # noqa: E501
+    assert all(source.ref for source in found.source)
+    assert not [warning for warning in found.warnings if "rosdep knows no" in warning.message]

@@ -1,0 +1,34 @@
+"""ROS packages that many repositories need and no distribution released: where their source is, at which ref."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+
+from roslab.knowledge.table import rows
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RosSource:
+    """A repository that holds one such package."""
+
+    package: str
+    repo: str
+    ref: str
+    library: str
+    """A row of ``recipes.toml`` that it links, ``""`` for none."""
+
+
+@cache
+def _table() -> dict[str, dict[str, str]]:
+    return {row["package"]: row for row in rows("ros_sources")}
+
+
+def ros_sources(package: str, ros: int) -> tuple[RosSource, ...]:
+    """Return what to clone for a package, what it needs first; empty for one that the table does not have."""
+    row = _table().get(package)
+    if row is None or row["ros"] != str(ros):
+        return ()
+    first = {found.package: found for needed in row["after"].split() for found in ros_sources(needed, ros)}
+    own = RosSource(package=package, repo=row["repo"], ref=row["ref"], library=row["library"])
+    return (*first.values(), own)
