@@ -18,7 +18,7 @@ DISTURBING = ("PIP_TARGET", "PIP_PREFIX", "PIP_USER", "PIP_REQUIRE_VIRTUALENV", 
 """Settings that would install elsewhere; a mirror that the runner's owner set stays, the hashes guard what it gives."""
 
 
-def main():
+def main() -> int:
     """Return the exit code: 0, or 5 where the environment cannot be made."""
     if sys.version_info < (3, 10):
         return fail("Python %d.%d is too old: the runner needs python3 of version 3.10 or newer" % sys.version_info[:2])
@@ -47,7 +47,7 @@ def main():
     return 0
 
 
-def fail(reason):
+def fail(reason: str) -> int:
     """Show why, as an annotation of the run."""
     sys.stdout.write("::error::%s\n" % reason)
     return 5

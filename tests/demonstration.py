@@ -72,7 +72,8 @@ def publish(lab: laboratory.Laboratory, example: str) -> tuple[str, tuple[str, .
         shutil.copytree(ROOT / "examples" / example, caller)
         workflow = caller / ".github" / "workflows" / "image.yml"
         workflow.parent.mkdir(parents=True)
-        workflow.write_text(WORKFLOW.replace("REGISTRY", lab.registry).replace("USERNAME", lab.username), encoding="utf-8")
+        text = WORKFLOW.replace("REGISTRY", lab.registry).replace("USERNAME", lab.username)
+        workflow.write_text(text, encoding="utf-8")
         payload = {"ref": "refs/heads/main", "repository": {"full_name": name, "default_branch": "main"}}
         result = run_workflow(lab, caller, "push", payload, tell=print, timeout=3600)
     if result.exit_code:

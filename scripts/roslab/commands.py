@@ -87,7 +87,7 @@ def check(options: argparse.Namespace) -> int:
 
 def migrate(options: argparse.Namespace) -> int:
     """Print today's form of an old roslab.yaml."""
-    from roslab import config as configuration  # noqa: PLC0415
+    from roslab.config.migrate import migrate as migrated  # noqa: PLC0415
     from roslab.pipeline import config_path, config_text  # noqa: PLC0415
     from roslab.repository import Repository  # noqa: PLC0415
 
@@ -95,7 +95,7 @@ def migrate(options: argparse.Namespace) -> int:
     file = config_path(repository, options.config)
     if file is None:
         raise ConfigurationError(Problem(message="there is no roslab.yaml to migrate", hint="name it with --config"))
-    migration = configuration.migrate(config_text(repository, file), file=file)
+    migration = migrated(config_text(repository, file), file=file)
     for change in migration.changes:
         sys.stderr.write(f"{change}\n")
     if options.write:

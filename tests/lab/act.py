@@ -9,7 +9,8 @@ import socket
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
+import threading
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -73,10 +74,12 @@ def run_workflow(
     inputs: Mapping[str, str] | None = None,
     actions_dir: Path | None = None,
     timeout: float = 900,
+    tell: Callable[[str], None] | None = None,
 ) -> Result:
     """Run the caller's workflows for an event in a throw-away copy and return what came of it.
 
     `jobs` and `workflow` (a path below the caller) narrow what runs; `env` is added to every step's environment;
+    `tell` is given each line as it comes;
     `inputs` are those of workflow_dispatch; `actions_dir` holds copies of real actions in folders OWNER__NAME.
     The caller's folder and the user's home are not touched. Raises LabError when an action has no stand-in.
     """
@@ -112,7 +115,7 @@ def run_workflow(
         for option, values in (("--env", steps), ("--secret", hidden), ("--input", inputs or {})):
             for key, value in values.items():
                 command += [option, f"{key}={value}"]
-        code, lines = _run(command, environment, timeout)
+        code, lines = _run(command, environment, timeout, tell)
     return _result(code, lines)
 
 
@@ -157,19 +160,38 @@ def _offline(place: Path) -> list[str]:
     return [*artifacts, *servers, "--container-daemon-socket", "-", "--action-offline-mode"]
 
 
-def _run(command: Sequence[str], environment: Mapping[str, str], timeout: float) -> tuple[int, list[str]]:
+def _run(
+    command: Sequence[str], environment: Mapping[str, str], timeout: float, tell: Callable[[str], None] | None
+) -> tuple[int, list[str]]:
     """Run act in a process group of its own and end the whole of it when it takes too long."""
     process = subprocess.Popen(
         command, env=dict(environment), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
         text=True, errors="replace", start_new_session=True,
     )  # fmt: skip
+    late = threading.Timer(timeout, os.killpg, (process.pid, signal.SIGKILL))
+    late.start()
+    lines: list[str] = []
     try:
-        said, _ = process.communicate(timeout=timeout)
-    except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGKILL)
-        said, _ = process.communicate()
-        said += f"\nact did not end within {timeout:.0f} s and was ended\n"
-    return process.returncode, said.splitlines()
+        for line in process.stdout or ():
+            lines.append(line.rstrip("\n"))
+            if tell is not None:
+                tell(_spoken(lines[-1]))
+        code = process.wait()
+    finally:
+        if late.finished.is_set():
+            lines.append(f"act did not end within {timeout:.0f} s and was ended")
+        late.cancel()
+        if process.stdout:
+            process.stdout.close()
+    return code, lines
+
+
+def _spoken(line: str) -> str:
+    """Return what a line of act's JSON says, the line itself where it is none."""
+    try:
+        return str(json.loads(line)["msg"]).rstrip("\n")
+    except (ValueError, KeyError, TypeError):
+        return line
 
 
 def _result(code: int, lines: Sequence[str]) -> Result:

@@ -101,7 +101,7 @@ def _head(edits: Edits, root: Mapping, config: Config) -> None:
     if config.compatible:
         lines.append(f"compatible: {config.compatible}")
         edits.changes.append(
-            f"new: `compatible: {config.compatible}`, as before: only what the file names is installed, old paths work; "
+            f"new: `compatible: {config.compatible}`, as before: what the file names is installed, old paths work; "
             "take it out for today's way"
         )
     if "notebook" not in root.names:

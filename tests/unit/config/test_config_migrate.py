@@ -5,8 +5,8 @@ import pathlib
 import pytest
 import yaml
 
-from roslab.config import migrate, read
-from roslab.config.migrate import comparable
+from roslab.config import read
+from roslab.config.migrate import comparable, migrate
 from roslab.config.written import written
 from roslab.errors import ConfigurationError
 
@@ -59,8 +59,10 @@ def test_a_paper_file_in_full() -> None:
     )
     assert migration.changes == (
         "new: `format: 3`, the mark of a file of today",
-        "new: `compatible: paper`, as before: only what the file names is installed, old paths work; "
-        "take it out for today's way",
+        (
+            "new: `compatible: paper`, as before: what the file names is installed, old paths work; "
+            "take it out for today's way"
+        ),
         "new: `notebook: true`, as every image of the old formats held JupyterLab",
         "line 4: `distro` becomes `base: {ros: kinetic-desktop-full, opengl: devel}`",
         "line 5: `runtime: nvidia` becomes `gpu: true` and `gui: true`",

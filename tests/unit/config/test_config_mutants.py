@@ -13,8 +13,8 @@ import yaml
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from roslab.config import Config, migrate, read
-from roslab.config.migrate import comparable
+from roslab.config import Config, read
+from roslab.config.migrate import comparable, migrate
 from roslab.errors import ConfigurationError, Problem
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
