@@ -303,7 +303,7 @@ def test_well_known_unreleased_packages_come_from_their_table(tmp_path: Path) ->
         CATKIN.format(name="demo")
         .replace("roscpp", "livox_ros_driver")
         .replace("</package>", "<depend>glog_catkin</depend></package>")
-    )  # noqa: E501
+    )
     found = decided(tmp_path, {"package.xml": xml, "CMakeLists.txt": CMAKE.format(name="demo")})
     assert [s.name for s in found.source] == [
         "livox-sdk",
@@ -311,6 +311,6 @@ def test_well_known_unreleased_packages_come_from_their_table(tmp_path: Path) ->
         "gflags_catkin",
         "glog_catkin",
         "livox_ros_driver",
-    ]  # noqa: E501
+    ]
     assert all(source.ref for source in found.source)
     assert not [warning for warning in found.warnings if "rosdep knows no" in warning.message]
