@@ -186,5 +186,5 @@ def test_a_registry_that_never_recovers(lab: Laboratory, tmp_path: Path, reposit
         ran = run(lab, caller, repository)
     assert ran.exit_code != 0
     assert doors.tags(repository) == before
-    assert [error for error in doors.errors(ran) if "503" in error]
+    assert [error for error in doors.errors(ran) if "503" in error], doors.errors(ran)
     assert "No tag was made or moved." in ran.summary

@@ -160,7 +160,7 @@ def test_a_registrys_bad_day(lab: Laboratory, tmp_path: Path, repository: str, t
     assert (ran.exit_code == 0) == recovered, ran.log
     assert bool(doors.tags(repository)) == recovered
     if not recovered:
-        assert [error for error in doors.errors(ran) if "503" in error]
+        assert [error for error in doors.errors(ran) if "503" in error], doors.errors(ran)
 
 
 def test_a_second_push_runs_no_step_again(lab: Laboratory, tmp_path: Path, repository: str) -> None:
