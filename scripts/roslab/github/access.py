@@ -22,7 +22,8 @@ REFUSALS = (
         re.compile(r"401 Unauthorized|unauthorized: (authentication required|incorrect username)|denied: denied"),
         "wrong password",
     ),
-    (re.compile(r"dial tcp .*(connection refused|no such host|i/o timeout)"), "unreachable"),
+    (re.compile(r"unexpected status from \w+ request to \S+: (?P<said>(?:429|50\d)[^\n]*)"), "unreachable"),
+    (re.compile(r"dial tcp .*(?P<said>connection refused|no such host|i/o timeout)"), "unreachable"),
 )
 """What a failed push says in its log, and the verdict it amounts to."""
 
@@ -41,7 +42,7 @@ def problem(access: Access, *, image: str, event: Event) -> Problem | None:
     if access.verdict == "forbidden":
         return Problem(message=f"the token may not write {image}{said}", hint=_right(host, image, event))
     if access.verdict == "unreachable":
-        hint = "try again later: nothing was built and no tag was moved"
+        hint = "no tag was made or moved: run the job again later"
         return Problem(message=f"the registry {host} does not answer{said}", hint=hint)
     return None
 
@@ -68,5 +69,5 @@ def refusal(log: str) -> Access | None:
     end = "\n".join(log.splitlines()[-40:])
     for pattern, verdict in REFUSALS:
         if match := pattern.search(end):
-            return Access(verdict=verdict, detail=match[0])  # type: ignore[arg-type]
+            return Access(verdict=verdict, detail=match.groupdict().get("said") or match[0])  # type: ignore[arg-type]
     return None

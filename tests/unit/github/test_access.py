@@ -152,6 +152,7 @@ def test_what_to_do_about_it() -> None:
         ("denied: installation not allowed to Create organization package", "forbidden"),
         ("unexpected status from HEAD request: 401 Unauthorized", "wrong password"),
         ("dial tcp 127.0.0.1:9: connect: connection refused", "unreachable"),
+        ("unexpected status from PUT request to http://a/b?c=d: 503 Service Unavailable", "unreachable"),
     ],
 )
 def test_a_refused_push_in_a_log(line: str, verdict: str) -> None:
