@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import stat
@@ -15,6 +16,8 @@ from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 
 MAX_TEXT = 2 * 1024 * 1024
 """Bytes read of one file: beyond it a file is data, whatever its name says."""
+MAX_KEPT = 256 * 1024
+"""Bytes of a text that is kept for the next reader; longer ones are read anew."""
 MAX_FILES = 500_000
 """Files listed; a larger tree is read as far as that, with a warning."""
 SKIPPED_FOLDERS = frozenset(
@@ -154,12 +157,13 @@ class Repository:
         At most ``limit`` bytes are read, invalid UTF-8 becomes U+FFFD. Texts of ordinary size are kept.
         """
         path = file.path if isinstance(file, File) else file
-        if path not in self._texts:
-            text = self._read(path, limit)
-            if len(text) > 262_144:
-                return text
+        if path in self._texts:
+            return self._texts[path]
+        data = self.read_bytes(path, limit=limit)
+        text = _decode(data)
+        if len(data) < min(limit, MAX_KEPT):  # the whole file: a reader with another limit gets the same
             self._texts[path] = text
-        return self._texts[path]
+        return text
 
     def read_bytes(self, file: File | str, *, limit: int = MAX_TEXT) -> bytes:
         """Return at most ``limit`` bytes of a file, ``b""`` where it is missing or outside the tree."""
@@ -173,18 +177,11 @@ class Repository:
                 self.root / path,
                 os.O_RDONLY | os.O_NONBLOCK | (0 if path in self.listing.links else os.O_NOFOLLOW),
             )
-            with os.fdopen(descriptor, "rb") as stream:
-                return stream.read(limit)
+            with os.fdopen(descriptor, "rb", buffering=0) as stream:
+                # No more than the file has: a buffer of the whole limit for each of ten thousand files costs a second
+                return _read_up_to(stream, min(limit, os.fstat(descriptor).st_size))
         except (OSError, ValueError):
             return b""
-
-    def _read(self, path: str, limit: int) -> str:
-        data = self.read_bytes(path, limit=limit)
-        if b"\0" in data[:8192]:
-            if data[:2] in (b"\xff\xfe", b"\xfe\xff"):  # Windows editors write requirements.txt in UTF-16
-                return data.decode("utf-16", errors="replace")
-            return ""
-        return data.decode("utf-8-sig", errors="replace").replace("\r\n", "\n").replace("\r", "\n")
 
     @cached_property
     def git_folder(self) -> Path | None:
@@ -231,6 +228,22 @@ class Listing:
     """Links that lead out of the tree or nowhere; never read."""
     unreadable: tuple[str, ...]
     truncated: bool
+
+
+def _read_up_to(stream: io.RawIOBase | io.FileIO, size: int) -> bytes:
+    parts: list[bytes] = []
+    while size > 0 and (part := stream.read(size)):
+        parts.append(part)
+        size -= len(part)
+    return b"".join(parts)
+
+
+def _decode(data: bytes) -> str:
+    if b"\0" in data[:8192]:
+        if data[:2] in (b"\xff\xfe", b"\xfe\xff"):  # Windows editors write requirements.txt in UTF-16
+            return data.decode("utf-16", errors="replace")
+        return ""
+    return data.decode("utf-8-sig", errors="replace").replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _list(root: Path) -> Listing:

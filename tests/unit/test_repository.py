@@ -61,6 +61,14 @@ def test_reads_at_most_the_cap_of_a_huge_file(tmp_path: Path) -> None:
     assert len(repository.read_bytes("requirements.txt")) == MAX_TEXT
 
 
+def test_a_short_look_hides_nothing_from_the_next_reader(tmp_path: Path) -> None:
+    write(tmp_path / "file", "abcdef")
+    repository = Repository.open(tmp_path)
+    assert repository.read("file", limit=3) == "abc"
+    assert repository.read("file") == "abcdef"
+    assert repository.read("file", limit=3) == "abcdef", "what is kept already costs nothing"
+
+
 @pytest.mark.parametrize(
     ("data", "text"),
     [
