@@ -4,28 +4,25 @@ from __future__ import annotations
 
 import re
 
-from roslab.credentials import Access
+from roslab.credentials import Access, Verdict
 from roslab.errors import BuildError, Problem
 from roslab.github.event import Event
 
 OWN = "ghcr.io"
 """The registry that takes the run's own token."""
-REFUSALS = (
+REFUSALS: tuple[tuple[re.Pattern[str], Verdict], ...] = (
     (
         re.compile(
-            r"permission_denied: (write_package|The token provided does not match expected scopes)|"
+            r"permission_denied: (?:write_package|The token provided does not match expected scopes)|403 Forbidden|"
             r"installation not allowed to Create organization package|denied: requested access to the resource"
         ),
         "forbidden",
     ),
-    (
-        re.compile(r"401 Unauthorized|unauthorized: (authentication required|incorrect username)|denied: denied"),
-        "wrong password",
-    ),
-    (re.compile(r"unexpected status from \w+ request to \S+: (?P<said>(?:429|50\d)[^\n]*)"), "unreachable"),
+    (re.compile(r"401 Unauthorized|unauthorized: [^\n]+|denied: denied"), "wrong password"),
+    (re.compile(r": (?P<said>(?:429|50\d) [A-Z][^\n]*)"), "unreachable"),
     (re.compile(r"dial tcp .*(?P<said>connection refused|no such host|i/o timeout)"), "unreachable"),
 )
-"""What a failed push says in its log, and the verdict it amounts to."""
+"""What BuildKit says after ``failed to push``, and the verdict it amounts to; the first that fits counts."""
 
 
 def problem(access: Access, *, image: str, event: Event) -> Problem | None:
@@ -65,9 +62,9 @@ def require(access: Access, *, image: str, event: Event) -> None:
 
 
 def refusal(log: str) -> Access | None:
-    """Return the registry's refusal that the log of a build ends with, ``None`` where it failed for another reason."""
-    end = "\n".join(log.splitlines()[-40:])
+    """Return the registry's refusal of a push, as the log of a build has it; ``None`` where it failed otherwise."""
+    said = "\n".join(line for line in log.splitlines() if "failed to push" in line)
     for pattern, verdict in REFUSALS:
-        if match := pattern.search(end):
-            return Access(verdict=verdict, detail=match.groupdict().get("said") or match[0])  # type: ignore[arg-type]
+        if match := pattern.search(said):
+            return Access(verdict=verdict, detail=match.groupdict().get("said") or match[0])
     return None

@@ -148,17 +148,23 @@ def test_what_to_do_about_it() -> None:
 @pytest.mark.parametrize(
     ("line", "verdict"),
     [
-        ("failed to push ghcr.io/a/b: denied: permission_denied: write_package", "forbidden"),
+        ("denied: permission_denied: write_package", "forbidden"),
         ("denied: installation not allowed to Create organization package", "forbidden"),
-        ("unexpected status from HEAD request: 401 Unauthorized", "wrong password"),
+        ("unexpected status from HEAD request to http://a/b: 401 Unauthorized", "wrong password"),
+        ("unexpected status from POST request to http://a/b: 403 Forbidden", "forbidden"),
         ("dial tcp 127.0.0.1:9: connect: connection refused", "unreachable"),
         ("unexpected status from PUT request to http://a/b?c=d: 503 Service Unavailable", "unreachable"),
     ],
 )
 def test_a_refused_push_in_a_log(line: str, verdict: str) -> None:
-    found = access.refusal(f"#1 building\n#2 ERROR: {line}\n")
+    found = access.refusal(f"#1 building\n#2 ERROR: failed to push ghcr.io/a/b: {line}\n")
     assert found
     assert found.verdict == verdict
+
+
+def test_a_base_image_that_cannot_be_pulled_is_no_refusal() -> None:
+    line = "failed to resolve source metadata for docker.io/a/b: 401 Unauthorized"
+    assert access.refusal(f"#2 ERROR: {line}\n") is None
 
 
 def test_a_build_that_failed_of_itself_is_no_refusal() -> None:
