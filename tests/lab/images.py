@@ -21,6 +21,7 @@ class Image:
     id: str
     recipe: str
     base: str | None
+    suite: str | None
     args: tuple[tuple[str, str], ...]
     names: tuple[str, ...]
     architectures: tuple[str, ...]
@@ -36,6 +37,7 @@ def wanted(architectures: Sequence[str], *, everything: bool = False) -> tuple[I
             id=row["id"],
             recipe=row["recipe"],
             base=row.get("base"),
+            suite=row.get("suite"),
             args=tuple(sorted(row.get("args", {}).items())),
             names=tuple(row["names"]),
             architectures=tuple(
@@ -115,7 +117,7 @@ def _reference(image: Image, by_id: dict[str, Image]) -> str:
 def _key(image: Image, by_id: dict[str, Image]) -> str:
     if image.base is not None:
         return recipe(RECIPES / image.recipe, image.args, image.architectures, _key(by_id[image.base], by_id))
-    tars = [rootfs.make(architecture).name for architecture in image.architectures]
+    tars = [rootfs.make(architecture, image.suite).name for architecture in image.architectures]
     return recipe(RECIPES / image.recipe, tars, folder("rootfs", "machine"))
 
 
@@ -129,7 +131,7 @@ def _context(image: Image, by_id: dict[str, Image]) -> tuple[Path, list[str]]:
     shutil.copytree(RECIPES / image.recipe, context)
     shutil.copytree(folder("rootfs", "machine"), context / "machine")
     for architecture in image.architectures:
-        (context / f"{architecture}.tar").hardlink_to(rootfs.make(architecture))
+        (context / f"{architecture}.tar").hardlink_to(rootfs.make(architecture, image.suite))
     return context, arguments
 
 

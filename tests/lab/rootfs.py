@@ -14,15 +14,18 @@ from .home import folder, recipe
 CERTIFICATES = "etc/lab/certificates.pem"
 
 
-def make(architecture: str) -> Path:
-    """Return the tar of a minimal Debian for this architecture, made once; a foreign one needs emulation."""
-    suite, variant = facts.text("rootfs", "suite"), facts.text("rootfs", "variant")
+def make(architecture: str, suite: str | None = None) -> Path:
+    """Return the tar of a minimal Debian for this architecture, made once; a foreign one needs emulation.
+
+    `suite` is Debian's name of a release, the usual one unless said.
+    """
+    suite, variant = suite or facts.text("rootfs", "suite"), facts.text("rootfs", "variant")
     sources, settings = _sources(suite), _apt_settings()
     path = folder("rootfs") / f"{architecture}-{recipe(suite, variant, sources, settings)}.tar"
     if path.exists():
         return path
     packages.install(facts.texts("rootfs", "packages"))
-    written = folder("rootfs") / f"{architecture}.sources"
+    written = folder("rootfs") / f"{architecture}-{suite}.sources"
     written.write_text(sources)
     unfinished = path.with_suffix(".part.tar")
     options = [f"--aptopt={line}" for line in settings]
