@@ -36,17 +36,23 @@ EXPECTED: dict[str, dict[str, Any]] = {
         "kind": "python", "ros_distro": None, "build_tool": "pip", "dockerfile": None, "platforms": BOTH,
         "command": ["python3", "demo.py"],
     },
-    "cuda_saxpy": {"kind": "cuda", "ros_distro": None, "build_tool": "cmake", "dockerfile": None},
+    "cuda_saxpy": {
+        "kind": "cuda", "ros_distro": None, "ubuntu": "jammy", "base_image": "nvidia/cuda:12.4.1-devel-ubuntu22.04",
+        "build_tool": "cmake", "dockerfile": None, "platforms": BOTH, "command": ["bash", "-c", "saxpy"],
+    },
     "own_dockerfile": {
         "kind": "python", "ros_distro": None, "dockerfile": "docker/Dockerfile", "base_image": "ubuntu:24.04",
-        "ubuntu": "noble", "platforms": BOTH,
+        "ubuntu": "noble", "platforms": BOTH, "command": ["python3", "pose_chain.py"],
     },
     "monorepo": {
         "kind": "ros1", "ros_distro": "noetic", "ubuntu": "focal", "base_image": "ros:noetic-ros-base",
         "build_tool": "catkin_make", "dockerfile": None, "platforms": BOTH,
         "command": ["roslaunch", "odometry_node", "drive.launch"],
     },
-    "no_config": {"kind": "cpp", "ros_distro": None, "build_tool": "cmake", "dockerfile": None, "platforms": BOTH},
+    "no_config": {
+        "kind": "cpp", "ros_distro": None, "build_tool": "cmake", "dockerfile": None, "platforms": BOTH,
+        "command": ["align"],
+    },
 }  # fmt: skip
 
 

@@ -20,7 +20,7 @@ SEEN = {
     "python_filter": ("python3 demo.py && test -s track.png && echo drawn", "drawn"),
     "own_dockerfile": ("python3 pose_chain.py", "closed: 0.000 m"),
     "monorepo": ("printf '%s\\n' '2 1' '1 2' '0 1' | odometry-circle", "centre 1.000 1.000, radius 1.000"),
-    "no_config": ("../no_config-build/align", "rotation off by"),
+    "no_config": ("align", "rotation off by"),
 }
 """What a reader types into a container, and what it prints. The two others need what no stand-in has: rclcpp, CUDA."""
 SNAPSHOT = "failed to prepare extraction snapshot"

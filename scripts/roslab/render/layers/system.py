@@ -47,7 +47,7 @@ def _where_known(packages: tuple[str, ...], comment: str) -> str:
 RUN apt-get update; \\
     known=(); \\
     for package in{names}; do \\
-      if apt-get install --simulate --no-remove --no-install-recommends "${{package}}" >/dev/null 2>&1; then \\
+      if apt-get install --yes --simulate --no-remove --no-install-recommends "${{package}}" >/dev/null 2>&1; then \\
         known+=("${{package}}"); \\
       else \\
         echo "apt ${{package}}" >>{shell.REPORT}; \\
