@@ -1,6 +1,6 @@
 """How long the action's own steps take under act, apart from buildx's: `python3 benchmarks/action.py [EXAMPLE]`.
 
-Issue 2 allows 15 s. The steps of Docker's actions are listed for comparison; the proof is the image's own time, one
+The steps of Docker's actions are listed for comparison; the proof is the image's own time, one
 container for each proof and platform. The lab is brought up where it is not.
 """
 
@@ -17,6 +17,8 @@ sys.path.insert(0, str(ROOT / "tests"))
 from lab import doors, laboratory  # noqa: E402
 from lab.act import run_workflow  # noqa: E402
 
+LIMIT = 15.0
+"""Seconds, on a machine that does nothing else; the exit code is 1 where the second run misses it."""
 OWN = (
     "Prepare the program",
     "Plan",
@@ -47,10 +49,11 @@ def main(arguments: list[str]) -> int:
             times = {step: doors.seconds(ran, step) for step in (*OWN, PROOF, *DOCKERS)}
             total = sum(times[step] for step in OWN)
             print(f"{attempt} run of {example.name}: {total:.1f} s in the action's own steps")
+            late = total > LIMIT
             for step, seconds in times.items():
                 whose = "" if step in OWN else " (the image)" if step == PROOF else " (Docker)"
                 print(f"  {seconds:6.1f} s  {step}{whose}")
-    return 0
+    return int(late)
 
 
 if __name__ == "__main__":
