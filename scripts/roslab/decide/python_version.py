@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from roslab.config.model import Config
 from roslab.decide.decision import Reason
-from roslab.decide.pins import pins
+from roslab.decide.pins import Pin, pins
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import Version, framework, version
@@ -16,10 +16,17 @@ PREFERRED = ("3.10", "3.8", "3.12", "3.9", "3.11", "3.7", "3.6", "3.13", "3.14",
 """Where several fit: what an Ubuntu ships comes first, then what most wheels exist for."""
 _TABLED = {"tensorflow-gpu": "tensorflow", "tensorflow-cpu": "tensorflow", "jaxlib": "jax"}
 _SPECIFIER = re.compile(r"(>=|<=|==|~=|!=|>|<|\^)?\s*(\d+(?:\.\d+|\.\*)*)")
+_AT_LEAST = re.compile(r">=\s*(\d[\w.]*)")
+_TRUSTED = 3
+"""Of ``Pin.trust``: a manifest of the project itself."""
 _CLASSIFIER = re.compile(r"Python :: (\d\.\d+)")
 
 
-_BOTH = re.compile(r"python\s*3|\b3\.\d|as well as|\bstill\b|or (?:later|newer|above)|\balso\b|\+|≥|>=", re.IGNORECASE)
+_BOTH = re.compile(
+    r"python\s*3|\b3\.\d|as well as|\bstill\b|or (?:later|newer|above)|\balso\b|\+|≥|>="
+    r"|\bdrop(?:s|ped|ping)?\b|no longer|deprecat|end[- ]of[- ]life",
+    re.IGNORECASE,
+)
 
 
 def python_version(evidence: Evidence, config: Config) -> tuple[str | None, tuple[Reason, ...]]:
@@ -82,10 +89,11 @@ def _named(evidence: Evidence) -> Iterator[Reason]:
         if environment.python and not places.vendored(environment.file):
             weight = 80 if environment.file.count("/") == 0 else 55 if environment.file.count("/") == 1 else 20
             yield _reason(environment.python, "the conda environment has it", environment.file, 1, weight)
+    three = any("Python :: 3" in line for p in evidence.python if not p.folder for line in p.classifiers)
     for mention in evidence.mentions:
         if mention.topic != "python" or version(mention.value) < (2, 7):
             continue
-        if mention.value.startswith("2") and _BOTH.search(mention.text):
+        if mention.value.startswith("2") and (three or _BOTH.search(mention.text)):
             continue  # Python 3 does as well
         depth = min(mention.file.count("/"), 3)
         created = "create" in mention.text and "python" in mention.text
@@ -93,6 +101,7 @@ def _named(evidence: Evidence) -> Iterator[Reason]:
             {"readme": 40, "recipe": 24, "ci": 12, "script": 16}.get(mention.source, 8)
             - 4 * depth
             + (12 if created else 0)
+            - (8 if _at_least(mention.value, mention.text) else 0)
         )
         yield _reason(mention.value, f"“{mention.text[:80]}”", mention.file, mention.line, weight)
 
@@ -122,6 +131,8 @@ def _ranges(evidence: Evidence) -> Iterator[tuple[Version, Version, Reason]]:
             )
     for pin in pins(evidence):
         release = pin.release or pin.below
+        if pin.release is None and pin.trust >= _TRUSTED:
+            yield from _lowest(pin)
         if release is None or not pin.trust:
             continue
         row = framework(_TABLED.get(pin.name, pin.name), release)
@@ -134,6 +145,21 @@ def _ranges(evidence: Evidence) -> Iterator[tuple[Version, Version, Reason]]:
                 version(row.python_max),
                 _reason(f"{row.python_min}…{row.python_max}", why, *place, 30 + pin.trust),
             )
+
+
+def _at_least(number: str, text: str) -> bool:
+    """Tell whether ``3.5`` is only the oldest that does: ``3.5+``, ``3.5 or newer``."""
+    return bool(re.search(rf"{re.escape(number)}\s?(?:\+|or (?:newer|later|above|higher))", text))
+
+
+def _lowest(pin: Pin) -> Iterator[tuple[Version, Version, Reason]]:
+    """Yield the range of ``numpy>=1.22``: no Python that is older than the first with that release."""
+    at_least = _AT_LEAST.search(pin.line.partition(";")[0])
+    row = framework(_TABLED.get(pin.name, pin.name), at_least[1]) if at_least else None
+    if row is not None:
+        why = f"{pin.line} needs Python {row.python_min} or newer"
+        place = (pin.dependency.file, pin.dependency.line)
+        yield version(row.python_min), (99,), _reason(f"≥ {row.python_min}", why, *place, 29 + pin.trust)
 
 
 def _text(numbers: Version) -> str:

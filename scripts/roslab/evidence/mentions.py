@@ -58,6 +58,8 @@ _PATTERNS: tuple[tuple[Literal["distro", "ubuntu", "cuda", "cudnn", "python"], r
     ("cudnn", _word(_CUDNN)),
     ("python", _word(_PYTHON)),
 )
+_TRACEBACK = re.compile(r"File \"[^\"\n]{0,200}\Z")
+"""Before a version of Python: a line of a traceback, out of somebody's own machine."""
 _CONTEXT = re.compile(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
 
 
@@ -73,6 +75,8 @@ def read(
             context = text[max(0, start) : end if end >= 0 else match.end() + 90].strip()
             value = next(group for group in match.groups() if group).lower()
             if topic == "distro" and value in _AMBIGUOUS and not _CONTEXT.search(context):
+                continue
+            if topic == "python" and _TRACEBACK.search(text, max(0, start), match.start()):
                 continue
             if pattern is _LOCAL:
                 value = f"{value[:-1]}.{value[-1]}"

@@ -56,6 +56,17 @@ def decide(
         ({"requirements.txt": "numpy==1.26.4\n", "README.md": "Python 3.11"}, "3.11"),
         ({"requirements.txt": "numpy==1.26.4\n", "README.md": "Python 2.7"}, "3.10"),
         ({"README.md": "conda create -n x python=3.7 -y"}, "3.7"),
+        ({"requirements.txt": "numpy>=1.22\n", "README.md": "Python 3.7"}, "3.10"),
+        ({"README.md": '  File "/opt/x/lib/python3.7/site-packages/y.py", line 3\n'}, "3.10"),
+        ({"README.md": "I will drop Python 2.7 support"}, "3.10"),
+        (
+            {
+                "README.md": "Runs with Python 2.7.",
+                "setup.py": "from setuptools import setup\nsetup(classifiers=['Python :: 2.7', 'Python :: 3.5'])\n",
+            },
+            "3.7",
+        ),
+        ({"README.md": "Needs Python 3.5+.\n\nI use Python 3.6.\n"}, "3.6"),
         ({"README.md": "Python 3.6, 3.7 or 3.8 (3.8 recommended)"}, "3.8"),
         ({"environment.yml": "dependencies:\n  - python=3.9.1\n"}, "3.9"),
         ({"pyproject.toml": "[project]\nname='a'\nrequires-python='>=3.12'\n"}, "3.12"),
