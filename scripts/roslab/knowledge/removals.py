@@ -16,6 +16,9 @@ class Removal:
     package: str
     bound: str
     """The requirement that still has it, ``matplotlib<3.5``."""
+    beside: str
+    """A bound that those versions need in turn: they were compiled against NumPy 1, and NumPy 2 loads none of them
+    (https://numpy.org/doc/stable/numpy_2_0_migration_guide.html); ``""`` for none."""
     hint: str
     """A literal that stands wherever the pattern matches: a file without it need not be searched."""
     pattern: re.Pattern[str]
@@ -30,6 +33,7 @@ def removals() -> tuple[Removal, ...]:
         Removal(
             package=row["package"],
             bound=row["bound"],
+            beside=row["beside"],
             hint=row["hint"],
             pattern=re.compile(row["pattern"]),
             what=row["what"],

@@ -70,6 +70,16 @@ def test_the_authors_own_limit_wins_and_what_is_not_installed_needs_none(
     assert [(reason.file, reason.line) for reason in reasons] == ([("a.py", 1)] if bounded else [])
 
 
+def test_what_was_compiled_against_numpy_1_keeps_numpy_2_out(tmp_path: Path) -> None:
+    (tmp_path / "a.py").write_text("fig.gca(projection='3d')", encoding="utf-8")
+    uses = removed.read(Repository.open(tmp_path))
+    assert decide_bounds(uses, ["matplotlib"])[0] == ("matplotlib<3.6", "numpy<2")
+    assert decide_bounds(uses, ["matplotlib", "numpy==2.1"])[0] == ("matplotlib<3.6",), "the author's own pin wins"
+    (tmp_path / "b.py").write_text("np.float(1)", encoding="utf-8")
+    both = removed.read(Repository.open(tmp_path))
+    assert decide_bounds(both, ["matplotlib", "numpy"])[0] == ("matplotlib<3.6", "numpy<1.24")
+
+
 def test_every_row_is_whole() -> None:
     for row, removal in zip(rows("removals"), removals(), strict=True):
         assert Requirement(row["bound"]).name == row["package"]
