@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-
 from lab import doors, laboratory, registry
 from lab.act import Result, run_workflow
-from lab.faulty_registry import Faults, faulty_registry
+from lab.faulty_registry import Fault, Faults, faulty_registry
 from lab.laboratory import Laboratory
 
 
@@ -154,7 +151,7 @@ def is_push(method: str, path: str) -> bool:
 
 
 @pytest.mark.parametrize("what", [is_tag, is_push])
-def test_a_registry_that_recovers(lab: Laboratory, tmp_path: Path, repository: str, what: doors.Any) -> None:
+def test_a_registry_that_recovers(lab: Laboratory, tmp_path: Path, repository: str, what: Fault) -> None:
     faults = Faults(matches=what, times=2)
     with faulty_registry(lab.registry, faults) as address:
         caller = doors.through_action(tmp_path, {"registry": address})
@@ -165,7 +162,7 @@ def test_a_registry_that_recovers(lab: Laboratory, tmp_path: Path, repository: s
 
 
 @pytest.mark.parametrize("what", [is_tag, is_push])
-def test_a_registry_that_never_recovers(lab: Laboratory, tmp_path: Path, repository: str, what: doors.Any) -> None:
+def test_a_registry_that_never_recovers(lab: Laboratory, tmp_path: Path, repository: str, what: Fault) -> None:
     good = doors.through_action(tmp_path / "good", {"registry": lab.registry})
     assert run(lab, good, repository).exit_code == 0
     before = doors.tags(repository)
