@@ -20,7 +20,7 @@ from roslab.decide.python import decide_python, specifiers
 from roslab.decide.recipe import decide_recipe
 from roslab.decide.sources import decide_sources, with_recipes
 from roslab.decide.system import decide_system
-from roslab.decide.workspace import packages_of
+from roslab.decide.workspace import Packages, packages_of
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.recipes import recipes_for
@@ -99,9 +99,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         source=sources.sources,
         vcs=sources.vcs,
         packages=tuple(manifest.file for manifest in packages.built) if kind.kind in _ROS else (),
-        package_names=tuple(sorted(manifest.name for manifest in packages.built if manifest.name))
-        if kind.kind in _ROS
-        else (),
+        package_names=_names(packages, kind.kind),
         workspace=layout.workspace,
         cmake_folder=layout.cmake_folder,
         dockerfile=recipe.dockerfile,
@@ -142,6 +140,15 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             *system.reasons,
         ),
     )
+
+
+def _names(packages: Packages, kind: Kind) -> tuple[str, ...]:
+    """Name what is found by ``rospack`` or ``ros2 pkg``; rospack knows no metapackages.
+
+    https://github.com/ros/rospack/issues/26
+    """
+    built = (m for m in packages.built if kind in _ROS and not (kind == "ros1" and m.metapackage))
+    return tuple(sorted(manifest.name for manifest in built if manifest.name))
 
 
 def _something(evidence: Evidence, config: Config) -> None:

@@ -27,7 +27,7 @@ class Reason:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Warning_:
+class Warning_:  # noqa: N801 - the plain name is a built-in
     """Something the author should know; it does not stop the build."""
 
     message: str
@@ -42,7 +42,7 @@ class Python:
     version: str | None
     """``3.8``; ``None`` where the image needs none of its own."""
     manager: Literal["system", "venv", "conda"]
-    """``system``: the base's own interpreter (ROS); ``venv``: /opt/venv over it; ``conda``: a micromamba environment."""
+    """``system``: the base's own interpreter (ROS); ``venv``: /opt/venv over it; ``conda``: by micromamba."""
     pip: tuple[str, ...] = ()
     """Requirement lines that are declared and must install."""
     pip_guessed: tuple[str, ...] = ()
@@ -79,7 +79,7 @@ class Decision:
     rosdep: tuple[str, ...] = ()
     """Keys of the repository's package.xml files, sorted, its own packages left out."""
     skip_keys: tuple[str, ...] = ()
-    """Keys known to be no package (or built from source): rosdep is told to leave them."""
+    """Keys known to be no package (or built from source): rosdep is told to skip them."""
     apt: tuple[str, ...] = ()
     """Declared: must install."""
     apt_guessed: tuple[str, ...] = ()
@@ -93,7 +93,7 @@ class Decision:
     packages: tuple[str, ...] = ()
     """Paths of the package.xml files that are built (not ignored, no asset)."""
     package_names: tuple[str, ...] = ()
-    """Names of those packages, sorted."""
+    """Names of those packages, sorted; without metapackages of ROS 1."""
     workspace: Literal["none", "overlay", "root"] = "none"
     """``overlay``: the repository is a folder of ``ws/src``; ``root``: the repository itself is the workspace."""
     cmake_folder: str = ""

@@ -181,6 +181,13 @@ def test_packages_inside_packages_and_below_markers_are_not_built(tmp_path: Path
     assert (found.packages, found.package_names) == (("a/package.xml",), ("a",))
 
 
+def test_a_metapackage_is_built_but_rospack_cannot_find_it(tmp_path: Path) -> None:
+    meta = "<package><name>all</name><export><metapackage/></export></package>"
+    files = {**package("a", folder="a"), "all/package.xml": meta, "all/CMakeLists.txt": "catkin_metapackage()\n"}
+    found = decided(tmp_path, files)
+    assert (found.packages, found.package_names) == (("a/package.xml", "all/package.xml"), ("a",))
+
+
 def test_a_repository_that_is_the_workspace(tmp_path: Path) -> None:
     assert decided(tmp_path, {**package("a", folder="src/a"), **package("b", folder="src/b")}).workspace == "root"
 
