@@ -1,7 +1,8 @@
 """How long ``roslab plan`` takes and how much memory, beside what an interpreter and a listing alone take.
 
 ``python -m benchmarks.plan`` prints a table per question and ends with code 1 where a goal is missed. All commands of a
-table run in turns, so that a busy moment of the machine hits each alike; the median counts.
+table run in turns, so that a busy moment of the machine hits each alike; the median counts. Goals are held against the
+wall time; where the machine has more to do than cores, which the first line says, against the time on the processor.
 """
 
 from __future__ import annotations
@@ -34,12 +35,15 @@ class Goal:
 
 @dataclass(frozen=True)
 class Sample:
-    """Wall time in seconds and peak memory in megabytes of one run."""
+    """Wall time and time on the processor in seconds, and peak memory in megabytes, of one run."""
 
     seconds: float
+    processor: float
     megabytes: float
 
 
+CORES = os.cpu_count() or 1
+BUSY = os.getloadavg()[0] > CORES
 PARTS = ("examples", "large", "growth")
 EXAMPLE = Goal(seconds=0.3)
 LARGE = Goal(seconds=1.0, megabytes=150)
@@ -57,7 +61,7 @@ def measure(command: Sequence[str | Path]) -> Sample:
     os.close(nothing)
     if status:
         raise SystemExit(f"{' '.join(words)}: exit code {os.waitstatus_to_exitcode(status)}")
-    return Sample(seconds, usage.ru_maxrss / 1024)
+    return Sample(seconds, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
 
 
 def side_by_side(commands: dict[str, Sequence[str | Path]], rounds: int) -> dict[str, Sample]:
@@ -69,7 +73,11 @@ def side_by_side(commands: dict[str, Sequence[str | Path]], rounds: int) -> dict
         for name, command in commands.items():
             samples[name].append(measure(command))
     return {
-        name: Sample(statistics.median(run.seconds for run in runs), max(run.megabytes for run in runs))
+        name: Sample(
+            statistics.median(run.seconds for run in runs),
+            statistics.median(run.processor for run in runs),
+            max(run.megabytes for run in runs),
+        )
         for name, runs in samples.items()
     }
 
@@ -77,17 +85,21 @@ def side_by_side(commands: dict[str, Sequence[str | Path]], rounds: int) -> dict
 def table(title: str, results: dict[str, Sample], baseline: str, goals: dict[str, Goal]) -> bool:
     """Print the results with their ratio to the baseline; return whether every goal was met."""
     print(f"\n{title}\n")
-    print(f"| command | seconds | times `{baseline}` | peak MB | goal |\n| --- | ---: | ---: | ---: | --- |")
+    print(f"| command | seconds | times `{baseline}` | on the processor | peak MB | goal |")
+    print("| --- | ---: | ---: | ---: | ---: | --- |")
     met = True
     for name, sample in results.items():
         verdict = ""
         if goal := goals.get(name):
-            good = sample.seconds <= goal.seconds and sample.megabytes <= (goal.megabytes or sample.megabytes)
+            good = (sample.processor if BUSY else sample.seconds) <= goal.seconds and sample.megabytes <= (
+                goal.megabytes or sample.megabytes
+            )
             memory = f", {goal.megabytes:.0f} MB" if goal.megabytes else ""
             verdict = f"{goal.seconds} s{memory}: {'met' if good else 'MISSED'}"
             met &= good
         ratio = sample.seconds / results[baseline].seconds
-        print(f"| {name} | {sample.seconds:.3f} | {ratio:.1f} | {sample.megabytes:.0f} | {verdict} |")
+        figures = f"{sample.seconds:.3f} | {ratio:.1f} | {sample.processor:.3f} | {sample.megabytes:.0f}"
+        print(f"| {name} | {figures} | {verdict} |")
     return met
 
 
@@ -133,10 +145,10 @@ def growth(python: str, rounds: int, scratch: Path) -> bool:
         commands[f"plan {size:,} files"] = plan(scratch / str(size), python)
     results = side_by_side(commands, rounds)
     table("Growth", results, f"find {sizes[0]:,} files", {})
-    start = measure([python, "-I", "-c", "pass"]).seconds
+    start = measure([python, "-I", "-c", "pass"]).processor
     ratios = []
     for smaller, larger in pairwise(sizes):
-        times = [results[f"plan {size:,} files"].seconds - start for size in (smaller, larger)]
+        times = [results[f"plan {size:,} files"].processor - start for size in (smaller, larger)]
         ratios.append(times[1] / times[0])
         print(f"\n{smaller:,} -> {larger:,} files: {ratios[-1]:.1f} times as long, the interpreter's start left out")
     return max(ratios) <= 11.0
@@ -150,7 +162,8 @@ def main() -> int:
     parser.add_argument("--only", choices=PARTS, action="append", help="a part of it; may be repeated")
     options = parser.parse_args()
     parts = options.only or PARTS
-    print(f"Python {sys.version.split()[0]}, {os.cpu_count()} cores, median of {options.rounds} runs side by side")
+    load = f"a load of {os.getloadavg()[0]:.1f}" + (": goals are held against the processor time" if BUSY else "")
+    print(f"Python {sys.version.split()[0]}, {CORES} cores, {load}, median of {options.rounds} runs side by side")
     met = True
     with tempfile.TemporaryDirectory(prefix="roslab-benchmark-") as folder:
         if "examples" in parts:
