@@ -30,7 +30,7 @@ def narrowed(evidence: Evidence, config: Config) -> tuple[Evidence, Config]:
     files = {*(config.requirements or ()), *(config.vcs or ()), config.conda, config.dockerfile}
     left = [file.file for file in evidence.requirements if file.purpose == "run" and "/" not in file.file]
     left += [project.file for project in evidence.python if project.installable and not project.folder]
-    warnings = [
+    warnings: list[tuple[str, Place | None]] = [
         (f"{name} is not installed: the old format installs only what roslab.yaml names", Place(file=name, line=1))
         for name in sorted(set(left) - files)
     ]
@@ -41,6 +41,9 @@ def narrowed(evidence: Evidence, config: Config) -> tuple[Evidence, Config]:
         if git:
             text = f"{source.name} has no `ref`; {git.ref} is built, which {git.file}:{git.line} asks for"
             warnings.append((text, source.place or Place(file=git.file, line=git.line)))
+        elif source.repo and not source.ref:
+            text = f"{source.name} has no `ref`: its newest state of today is built, which may no longer fit this base"
+            warnings.append((text, source.place))
     evidence = replace(
         evidence,
         python=(),
