@@ -75,7 +75,7 @@ def publish(lab: laboratory.Laboratory, example: str) -> tuple[str, tuple[str, .
         text = WORKFLOW.replace("REGISTRY", lab.registry).replace("USERNAME", lab.username)
         workflow.write_text(text, encoding="utf-8")
         payload = {"ref": "refs/heads/main", "repository": {"full_name": name, "default_branch": "main"}}
-        result = run_workflow(lab, caller, "push", payload, tell=print, timeout=3600)
+        result = run_workflow(lab, caller, "push", payload, tell=tell, timeout=3600)
     if result.exit_code:
         raise LabError("the workflow failed; its log stands above")
     image, digest = result.output("image"), result.output("digest")
@@ -92,11 +92,17 @@ def run(lab: laboratory.Laboratory, reference: str, platform: str) -> None:
     say(f"docker run --rm --platform {platform} {reference}")
     login = ["docker", "login", "--username", lab.username, "--password-stdin", lab.registry]
     subprocess.run(login, input=lab.password, text=True, env=dict(lab.environment), check=True, capture_output=True)
-    command = ["docker", "run", "--rm", "--init", "--platform", platform, reference]
+    command = ["docker", "run", "--rm", "--init", "--quiet", "--platform", platform, reference]
     # The machine's own emulation starts a program some seconds later; a talker has no end of its own
     code = subprocess.run(["timeout", "60", *command], env=dict(lab.environment), check=False).returncode
     if code not in {0, 124}:
         raise LabError(f"the image ended with exit code {code} on {platform}")
+
+
+def tell(line: str) -> None:
+    """Print a line of act's, without its own bookkeeping."""
+    if not line.startswith(("LocalRepositoryCache", "  ✅  Success - Pre", "⭐ Run Pre")):
+        print(line, flush=True)
 
 
 def say(text: str) -> None:

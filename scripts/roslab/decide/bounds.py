@@ -22,7 +22,7 @@ def decide_bounds(uses: Iterable[Dependency], lines: Iterable[str]) -> tuple[tup
         why = f"the code uses {use.role}, which newer versions no longer have"
         bounds[use.name] = _reason(use, use.name, why)
         needed = beside.get(use.name)
-        if needed and not limited.get(Requirement(needed).name):
+        if needed and not limited.get(canonicalize_name(needed.partition("<")[0])):
             bounds.setdefault(needed, _reason(use, needed, f"{use.name} was compiled against it; {why}"))
     # One bound a package: of two, the lower is the one that the code itself asks for
     asked = {Requirement(use.name).name for use in chosen}
