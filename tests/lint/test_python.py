@@ -12,7 +12,7 @@ import pytest
 @pytest.mark.parametrize(
     "command",
     [("ruff", "check", "."), ("ruff", "format", "--check", "."), ("mypy",)],
-    ids=lambda command: " ".join(command),
+    ids=" ".join,
 )
 def test_no_complaint(command: tuple[str, ...], checkout: Path) -> None:
     answer = subprocess.run(

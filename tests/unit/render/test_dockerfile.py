@@ -122,13 +122,22 @@ def test_the_papers_custom_runs_one_by_one_as_the_user_at_home() -> None:
 
 def test_the_later_custom_is_one_chain_as_root() -> None:
     custom = Custom(commands=("cd $HOME/x", "make"), as_root=True, chained=True, workdir="root")
-    text = dockerfile(plan(Config(file="roslab.yaml", generation="later", compatible="later", notebook=True, name="x", custom=custom)))
+    text = dockerfile(
+        plan(Config(file="roslab.yaml", generation="later", compatible="later", notebook=True, name="x", custom=custom))
+    )
     assert re.search(r"USER root\nWORKDIR /\nRUN cd \$HOME/x \\\n && make\n", text)
 
 
 def test_old_formats_build_libraries_in_place_after_pythons_packages() -> None:
     python = Python(version="3.5", manager="system", pip=("scipy",))
-    config = Config(file="roslab.yaml", generation="later", compatible="later", notebook=True, name="x", base=Base(cmake_update="3.18.4"))
+    config = Config(
+        file="roslab.yaml",
+        generation="later",
+        compatible="later",
+        notebook=True,
+        name="x",
+        base=Base(cmake_update="3.18.4"),
+    )
     text = dockerfile(plan(config, source=(CERES,), python=python))
     order = positions(text, "/opt/jupyter", "cmake-3.18.4.tar.gz", "scipy", "example.org/ceres.git", "rosdep install")
     assert order == sorted(order)

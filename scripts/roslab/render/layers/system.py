@@ -42,20 +42,21 @@ def guessed_packages(plan: Plan) -> str:
 
 def _where_known(packages: tuple[str, ...], comment: str) -> str:
     names = shell.words(packages)
+    install = "apt-get install --yes --no-remove --no-install-recommends"
     return f"""\
 # {comment}
 RUN apt-get update; \\
     known=(); \\
     for package in{names}; do \\
-      if apt-get install --yes --simulate --no-remove --no-install-recommends "${{package}}" >/dev/null 2>&1; then \\
+      if {install} --simulate "${{package}}" >/dev/null 2>&1; then \\
         known+=("${{package}}"); \\
       else \\
         echo "apt ${{package}}" >>{shell.REPORT}; \\
       fi; \\
     done; \\
-    if [ "${{#known[@]}}" -gt 0 ] && ! apt-get install --yes --no-remove --no-install-recommends "${{known[@]}}"; then \\
+    if [ "${{#known[@]}}" -gt 0 ] && ! {install} "${{known[@]}}"; then \\
       for package in "${{known[@]}}"; do \\
-        apt-get install --yes --no-remove --no-install-recommends "${{package}}" || echo "apt ${{package}}" >>{shell.REPORT}; \\
+        {install} "${{package}}" || echo "apt ${{package}}" >>{shell.REPORT}; \\
       done; \\
     fi; \\
     if [ -s {shell.REPORT} ]; then sed 's/^/roslab: left out: /' {shell.REPORT}; fi; \\
