@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 
-from . import laboratory, network
+from . import laboratory, network, tools
 from .command import LabError
 from .home import home
 
@@ -18,6 +18,7 @@ on the loopback, a buildkitd, emulation of arm64, stand-in base images under the
   up --lint               the linters alone; needs no engine
   down                    end what `up` started; what it made stays in the cache
   status                  say what runs
+  path                    print the folder of the linters
   env                     print the lines for `eval "$(python3 tests/lab env)"`
   real                    say whether the real docker.io is in reach (then no stand-ins are used)
 
@@ -34,7 +35,7 @@ def main(argv: list[str]) -> int:
     up.add_argument("--all", action="store_true", help="also the images that take minutes under emulation")
     up.add_argument("--native", action="store_true", help="nothing of arm64")
     up.add_argument("--lint", action="store_true", help="the linters alone")
-    for name in ("down", "status", "env", "real"):
+    for name in ("down", "status", "env", "path", "real"):
         commands.add_parser(name)
     options = parser.parse_args(argv)
     try:
@@ -49,6 +50,8 @@ def main(argv: list[str]) -> int:
             print("\n".join(f"{name}: {state}" for name, state in laboratory.status().items()))
         elif options.command == "env":
             print(laboratory.shell_exports())
+        elif options.command == "path":
+            print(tools.linters())
         else:
             print("real: docker.io is in reach" if network.real_registry() else "stand-ins: docker.io is out of reach")
     except LabError as error:

@@ -182,4 +182,5 @@ def usable() -> str:
         return "no Docker engine, and only root can start one"
     if engine.host() is None and not shutil.which("apt-get"):
         return "no Docker engine, and the lab installs one on Debian only"
-    return "" if shutil.which("go") else "go, with which the lab compiles act and buildkitd, is not on PATH"
+    able = shutil.which("go") or shutil.which("apt-get")
+    return "" if able else "no Go, with which the lab compiles act and buildkitd"

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
+from . import facts
 from .command import LabError, run, succeeds
 from .home import folder, recipe
 
@@ -128,7 +129,21 @@ def go_install(package: str, version: str) -> Path:
 
 
 def go_environment(**more: str) -> dict[str, str]:
-    """Return what go needs here besides the machine's own settings: no C compiler, no cross-compilation left set."""
-    if not shutil.which("go"):
-        raise LabError("go is not on PATH; the lab compiles act, actionlint and buildkitd with it")
-    return {"CGO_ENABLED": "0", "GOWORK": "off", **{k: v for k, v in os.environ.items() if k == "GOPROXY"}, **more}
+    """Return what go needs here besides the machine's own settings: no C compiler, no cross-compilation left set.
+
+    Installs Go beside the machine's own packages where there is none, or one too old to fetch a newer toolchain.
+    """
+    own = shutil.which("go")
+    path = os.environ.get("PATH", os.defpath)
+    if not own or not _recent(own):
+        program = Path(facts.text("go", "program"))
+        if not program.exists():
+            install_from(facts.texts("go", "suites"), facts.texts("go", "packages"))
+        path = os.pathsep.join([str(program.parent), path])
+    settings = {k: v for k, v in os.environ.items() if k == "GOPROXY"}
+    return {"CGO_ENABLED": "0", "GOWORK": "off", "GOTOOLCHAIN": "auto", "PATH": path, **settings, **more}
+
+
+def _recent(program: str) -> bool:
+    version = re.search(r"go1\.(\d+)", run([program, "version"]))
+    return version is not None and int(version[1]) >= facts.number("go", "minimum")

@@ -33,6 +33,7 @@ def test_every_row_has_a_pattern_that_fills_its_cause_a_source_and_a_date(row: d
         ('Could not find a package configuration file provided by "GTSAM" with any', "CMake cannot find GTSAM"),
         ("my_pkg: Cannot locate rosdep definition for [catkin_simple]", "no package by the key catkin_simple"),
         ("docker.io/nvidia/cuda:10.0-devel-ubuntu18.04: not found", "has deleted the image nvidia/cuda:10.0-devel"),
+        ("a.cpp:3:10: fatal error: glog/logging.h: No such file or directory", "header glog/logging.h is missing"),
         ("c++: fatal error: Killed signal terminated program cc1plus", "ran out of memory"),
     ],
 )

@@ -51,6 +51,8 @@ def cuda_ubuntu(cuda: str, ubuntu: str | None, python_version: str | None) -> st
     image = image if image and image.tag else nearest_cuda_image(cuda)
     if ubuntu in image.ubuntu:
         return str(ubuntu)
+    if python_version is None and "jammy" in image.ubuntu:
+        return "jammy"  # nothing holds it to an older one, and CMake there is young enough for what asks for CUDA
     fitting = system_ubuntu(python_version, image.ubuntu)
     return fitting or next((name for name in PREFERRED if name in image.ubuntu), image.ubuntu[-1])
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from roslab.evidence import (
     ci,
     cmake,
@@ -19,7 +21,7 @@ from roslab.evidence import (
     scripts,
     vcs,
 )
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.installs import merge
 from roslab.repository import Repository
 
@@ -56,5 +58,13 @@ def gather(repository: Repository) -> Evidence:
         mentions=(*names.read(repository), *prose.mentions),
         bounds=removed.read(repository),
         cuda_files=cpp.cuda_files(repository),
-        problems=tuple((f"not well-formed: {m.malformed}", m.file, m.line) for m in manifests if m.malformed),
+        problems=tuple(_malformed(m) for m in manifests if m.malformed),
     )
+
+
+def _malformed(manifest: PackageManifest) -> tuple[str, str, int]:
+    """Say what the parser said, at the line where it stopped rather than where the file begins."""
+    match = re.match(r"line (\d+): (.+)", manifest.malformed or "")
+    if match is None:
+        return f"not well-formed: {manifest.malformed}", manifest.file, manifest.line
+    return f"not well-formed: {match[2]}", manifest.file, int(match[1])
