@@ -108,6 +108,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if kind := _kind(item.nodeid):
             item.add_marker(kind)
+    # What takes milliseconds first: a wrong word is told before the engine has warmed up
+    items.sort(key=lambda item: _kind(item.nodeid) == "lab")
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
