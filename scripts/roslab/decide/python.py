@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator, Sequence
 
 from roslab.config.model import Config, Kind
 from roslab.decide.bounds import decide_bounds
@@ -14,8 +15,8 @@ from roslab.decide.python2 import pip_lists
 from roslab.decide.python_base import cuda_ubuntu
 from roslab.decide.python_packages import Chosen, choose, with_includes
 from roslab.decide.python_version import python_version
-from roslab.evidence.facts import Dependency, Evidence
-from roslab.knowledge.frameworks import build_needs, version
+from roslab.evidence.facts import Dependency, Evidence, PythonProject
+from roslab.knowledge.frameworks import build_needs, imports, version
 from roslab.knowledge.tools import SYSTEM_PYTHON
 
 DEFAULT = "3.10"
@@ -67,7 +68,7 @@ def decide_python(
         requirements=tuple(file.file for file in chosen.files if file.file not in extra),
         projects=tuple(project.folder or "." for project in chosen.projects),
         conda_file=chosen.conda if manager == "conda" else None,
-        first=_first(everything, [e for p in chosen.projects for e in p.extensions]),
+        first=_first(everything, chosen.projects),
         options=tuple(dict.fromkeys((*_indexes(installed), *_file_options(evidence, chosen, extra), *chosen.options))),
         pip_options=lists.options,
         python2=lists.python2,
@@ -165,9 +166,13 @@ def _from_files(evidence: Evidence, chosen: Chosen) -> list[Dependency]:
     return found + [d for e in evidence.conda if e.file == chosen.conda for d in e.dependencies]
 
 
-def _first(lines: list[str], extensions: list[str]) -> tuple[str, ...]:
-    """Return what must be there before the rest is built, with the pins that the rest asks for."""
+def _first(lines: list[str], projects: Sequence[PythonProject]) -> tuple[str, ...]:
+    """Return what must be there before the rest is built, with the pins that the rest asks for.
+
+    Where there is any, the projects are built in the image's own environment: theirs must be in it as well.
+    """
     by_name = {name_of(line): line for line in reversed(lines) if name_of(line)}
+    extensions = {extension for project in projects for extension in project.extensions}
     needs: list[str] = []
     for line in lines:
         needs += build_needs().get(name_of(line), ())
@@ -175,7 +180,22 @@ def _first(lines: list[str], extensions: list[str]) -> tuple[str, ...]:
         needs += ["numpy", "torch"]
     elif "cython" in extensions or "c" in extensions:
         needs += ["numpy", "Cython"]
-    return tuple(dict.fromkeys(by_name.get(name_of(need), need) for need in needs))
+    for project in projects:
+        needs += _for_setup(project)
+    if needs:
+        needs += [line for project in projects for line in project.build_requires]
+    return tuple({name_of(need): by_name.get(name_of(need), need) for need in needs}.values())
+
+
+def _for_setup(project: PythonProject) -> Iterator[str]:
+    """Yield what a setup.py imports and an isolated build would not have."""
+    isolated = {name_of(line) for line in project.build_requires}
+    for module in project.setup_imports:
+        if module == ".":  # and with it all that its own package imports
+            yield "setuptools"
+            yield from (d.name for d in project.dependencies if not d.role)
+        elif (package := imports().get(module, (None, None))[0]) and name_of(package) not in isolated:
+            yield package
 
 
 def _indexes(lines: list[str]) -> list[str]:

@@ -104,6 +104,8 @@ class PythonProject:
     extensions: tuple[str, ...] = ()
     """What it compiles: ``c``, ``cuda``, ``cython``, ``cmake``."""
     classifiers: tuple[str, ...] = ()
+    setup_imports: tuple[str, ...] = ()
+    """Modules that its setup.py cannot start without; ``.`` for the package that it installs."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import configparser
 import re
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from roslab.evidence import requirements, setup_py
@@ -50,6 +50,7 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
         scripts=tuple(script for part in parts for script in part.scripts),
         extensions=tuple(dict.fromkeys(extension for part in parts for extension in part.extensions)),
         classifiers=tuple(dict.fromkeys(line for part in parts for line in part.classifiers)),
+        setup_imports=next((part.setup_imports for part in parts if part.setup_imports), ()),
     )
 
 
@@ -116,7 +117,17 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
         scripts=tuple((name, line_of(name)) for name in script.scripts),
         extensions=setup_py.extensions(text),
         classifiers=script.classifiers,
+        setup_imports=tuple(dict.fromkeys(_imported(repository, folder, script.imports))),
     )
+
+
+def _imported(repository: Repository, folder: str, modules: tuple[str, ...]) -> Iterator[str]:
+    """Yield ``.`` for a package of the same folder, nothing for a script beside setup.py, else the module's name."""
+    for module in modules:
+        if repository.has(f"{folder}/{module}/__init__.py".strip("/")):
+            yield "."
+        elif not repository.has(f"{folder}/{module}.py".strip("/")):
+            yield module
 
 
 def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> PythonProject | None:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import ast
 import re
+import sys
 from dataclasses import dataclass, field
 
 _FILE = re.compile(r"^[\w./-]*(?:require|dep)[\w./-]*\.(?:txt|in)$", re.IGNORECASE)
 _KEYS = {"install_requires": "", "requires": "", "tests_require": "test"}
 _STRINGS = re.compile(r"[\"']([A-Za-z][^\"'\n]*)[\"']")
 MAX_DEPTH = 12
+_THERE = sys.stdlib_module_names | {"setuptools", "distutils", "pkg_resources", "pip", "wheel", "__future__"}
+"""What every build of a package has."""
 
 
 @dataclass
@@ -26,6 +29,8 @@ class SetupScript:
     build_requires: tuple[str, ...] = ()
     scripts: tuple[str, ...] = ()
     classifiers: tuple[str, ...] = ()
+    imports: tuple[str, ...] = ()
+    """Modules that it imports before anything else, without the standard ones."""
 
 
 def extensions(text: str) -> tuple[str, ...]:
@@ -52,6 +57,7 @@ def read(text: str) -> SetupScript:
     names, functions, call = _bound(tree)
     if call is None:
         return script
+    script.imports = _imports(tree)
     keywords = {keyword.arg: keyword.value for keyword in call.keywords if keyword.arg}
     for keyword in call.keywords:
         if keyword.arg is None:
@@ -76,6 +82,17 @@ def read(text: str) -> SetupScript:
     entries = _dictionary(keywords.get("entry_points"), names).get("console_scripts")
     script.scripts = tuple(line.partition("=")[0].strip() for line in reader.strings(entries)) if entries else ()
     return script
+
+
+def _imports(tree: ast.Module) -> tuple[str, ...]:
+    """Return what the script cannot start without: no import in a function, a condition or a ``try``."""
+    found: list[str] = []
+    for node in tree.body:
+        if isinstance(node, ast.Import):
+            found += [alias.name.partition(".")[0] for alias in node.names]
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            found.append(node.module.partition(".")[0])
+    return tuple(name for name in dict.fromkeys(found) if name not in _THERE)
 
 
 Bound = tuple[dict[str, ast.expr], dict[str, ast.AST], "ast.Call | None"]

@@ -144,6 +144,23 @@ def test_a_file_that_pip_would_refuse_is_installed_line_by_line(tmp_path: Path) 
     assert (python.requirements, python.pip) == ((), ("numpy==2.3.5", "six"))
 
 
+def test_a_setup_py_that_imports_its_own_package_is_built_where_that_can_be_imported(tmp_path: Path) -> None:
+    files = {
+        "requirements.txt": "numpy==1.19.5\n",
+        "setup.py": "import a\nimport sys\nfrom setuptools import setup\nsetup(name='a', install_requires=['numpy'])\n",
+        "a/__init__.py": "import numpy\n",
+        "pyproject.toml": "[build-system]\nrequires = ['setuptools>=40', 'wheel']\n",
+    }
+    assert decide(tmp_path, files).first == ("setuptools>=40", "numpy==1.19.5", "wheel")
+
+
+def test_a_setup_py_that_imports_what_an_isolated_build_lacks(tmp_path: Path) -> None:
+    files = {"setup.py": "import numpy\nimport mine\nfrom setuptools import setup\nsetup(name='a')\n", "mine.py": ""}
+    assert decide(tmp_path, files).first == ("numpy",)
+    (tmp_path / "pyproject.toml").write_text("[build-system]\nrequires = ['setuptools', 'numpy']\n")
+    assert decide(tmp_path, {}).first == ()
+
+
 def test_what_must_be_there_first(tmp_path: Path) -> None:
     files = {
         "requirements.txt": "torch==2.0.1\nflash-attn\n",
