@@ -28,7 +28,8 @@ _TOOLS = frozenset(
 )  # fmt: skip
 _CI_TOOLS = frozenset(
     [
-        "black", "flake8", "isort", "pylint", "mypy", "pytest", "pytest-cov", "coverage", "codecov",
+        "black", "flake8", "isort", "pylint", "mypy", "pytest", "pytest-cov", "coverage", "codecov", "coveralls",
+        "cpp-coveralls", "ros-buildfarm", "catkin-lint",
         "pre-commit", "sphinx", "ruff", "autopep8", "clang-format", "clang-tidy", "cpplint", "cmakelang",
         "cmake-format", "codespell", "gcovr", "yapf", "bandit", "pydocstyle", "pycodestyle", "mkdocs",
     ]

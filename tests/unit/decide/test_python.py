@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,7 +11,7 @@ from roslab.config.model import Base, Config, Kind
 from roslab.decide.decision import Python
 from roslab.decide.python import decide_python, specifiers
 from roslab.decide.wheels import apt_for_wheels
-from roslab.evidence import conda, dockerfile, imports, python_project, readme, requirements
+from roslab.evidence import ci, conda, dockerfile, imports, python_project, readme, requirements
 from roslab.evidence.facts import Evidence
 from roslab.repository import Repository
 
@@ -159,6 +160,12 @@ def test_a_setup_py_that_imports_what_an_isolated_build_lacks(tmp_path: Path) ->
     assert decide(tmp_path, files).first == ("numpy",)
     (tmp_path / "pyproject.toml").write_text("[build-system]\nrequires = ['setuptools', 'numpy']\n")
     assert decide(tmp_path, {}).first == ()
+
+
+def test_what_only_ci_runs_is_not_installed(tmp_path: Path) -> None:
+    evidence = evidence_of(tmp_path, {".travis.yml": "install:\n  - pip install ros_buildfarm codecov six\n"})
+    evidence = replace(evidence, prose=ci.read(Repository.open(tmp_path)).dependencies)
+    assert decide_python(evidence, Config(), "python", None, None)[0].pip_guessed == ("six",)
 
 
 def test_what_must_be_there_first(tmp_path: Path) -> None:
