@@ -18,7 +18,8 @@ def needs(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[tuple[
     """Yield what is needed, and whether its place is trusted: what the build really runs through."""
     yield from _cmake(evidence, packages, compiled=kind in {"ros1", "ros2", "cpp"})
     for dependency in evidence.code:
-        if dependency.namespace == "include":
+        started_by = dependency.role == "shebang" and kind in {"ros1", "ros2"}  # an environment has its own `python`
+        if dependency.namespace == "include" or started_by:
             yield dependency, False
     for dependency in started(evidence, kind):
         yield dependency, False

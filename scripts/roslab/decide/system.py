@@ -16,6 +16,8 @@ from roslab.decide.workspace import Packages
 from roslab.evidence.facts import Dependency, Evidence
 from roslab.knowledge.never import never
 
+_PYTHON_2 = frozenset({None, "trusty", "xenial", "bionic"})
+"""Where `python` is Python 2. https://wiki.ubuntu.com/FocalFossa/ReleaseNotes#Python3_by_default"""
 _IN_ANY_ROS = ("catkin", "ros_base", "ros_core", "ament_cmake")
 _HOW = {
     "cmake": "find_package",
@@ -26,6 +28,7 @@ _HOW = {
     "apt": "an install line",
     "pip": "its wheel lacks it",
     "rosdep": "a key",
+    "shebang": "the first line of a program",
 }
 
 
@@ -74,6 +77,8 @@ def decide_system(
             _translate(key, target, found, cloned=bool(sisters))
     known = frozenset({key.name for key in keys} | packages.names | sisters | set(config.skip_keys))
     for dependency, trusted in needs(evidence, packages, kind):
+        if dependency.role == "shebang" and target.ubuntu in _PYTHON_2:
+            continue
         if dependency.name not in known:
             _add(dependency, target, found, known, trusted=trusted)
     for apt, dependency in apt_for_wheels(python, target.ubuntu, evidence):
@@ -135,6 +140,6 @@ def _explained(
         yield because("dependencies", key.name, f"a key of a package.xml ({key.role})", key, weight=500)
     for name, dependency in (*declared.items(), *guessed.items()):
         if dependency is not None:
-            how = _HOW.get(dependency.namespace, dependency.namespace)
+            how = _HOW.get(dependency.role) or _HOW.get(dependency.namespace, dependency.namespace)
             why = f"{how}: {dependency.name} ({dependency.strength})"
             yield because("dependencies", name, why, dependency, weight=400 if name in declared else 100)

@@ -22,6 +22,8 @@ _IMPORT = re.compile(
 _CELL = re.compile(r"^[ \t]*\"(?:import|from)[ \t]+([A-Za-z_]\w*)", re.MULTILINE)
 """A line of a notebook's cell, as its JSON is written."""
 MAX_NOTEBOOK = 1024 * 1024
+_PLAIN_PYTHON = re.compile(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python[ \t]*\r?$", re.MULTILINE)
+"""A first line that starts `python`, which Ubuntu 20.04 and newer do not have of themselves."""
 _MAIN = re.compile(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
 _NODE = re.compile(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
 _STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
@@ -40,11 +42,14 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     """Return what the tree's Python files import from outside the tree and the standard library.
 
     Each name once, at its first place; ``optional`` where it is only imported inside a function or a ``try``.
+    The package of a plain ``python`` is among them where a program's first line starts that.
     """
     local = _local(repository)
     found: dict[str, Dependency] = {}
     for file in modules(repository):
         text = repository.read(file, limit=MAX_READ)
+        if "" not in found and (started := _started(file, text)):
+            found[""] = started
         if "import" not in text:
             continue
         for match in _IMPORT.finditer(text):
@@ -63,6 +68,20 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                     file=file.path,
                     line=text.count("\n", 0, match.start()) + 1,
                 )
+    _add_notebooks(repository, local, found)
+    return tuple(sorted(found.values(), key=lambda dependency: (dependency.file, dependency.line)))
+
+
+def _started(file: File, text: str) -> Dependency | None:
+    """Return the package of ``python`` where a program's first line starts that."""
+    if not _PLAIN_PYTHON.search(text) or places.test(file.path):
+        return None
+    return Dependency(
+        namespace="apt", name="python-is-python3", strength="used", file=file.path, line=1, role="shebang"
+    )
+
+
+def _add_notebooks(repository: Repository, local: frozenset[str], found: dict[str, Dependency]) -> None:
     for file in _notebooks(repository):
         text = repository.read(file, limit=MAX_NOTEBOOK)
         for match in _CELL.finditer(text):
@@ -70,7 +89,6 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
             if top not in _STANDARD and top not in local and top not in found and not top.startswith("_"):
                 line = text.count("\n", 0, match.start()) + 1
                 found[top] = Dependency(namespace="import", name=top, strength="optional", file=file.path, line=line)
-    return tuple(sorted(found.values(), key=lambda dependency: (dependency.file, dependency.line)))
 
 
 def _notebooks(repository: Repository) -> list[File]:

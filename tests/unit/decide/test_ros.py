@@ -188,6 +188,20 @@ def test_a_metapackage_is_built_but_rospack_cannot_find_it(tmp_path: Path) -> No
     assert (found.packages, found.package_names) == (("a/package.xml", "all/package.xml"), ("a",))
 
 
+@pytest.mark.parametrize(
+    ("line", "branch", "there"),
+    [
+        ("#!/usr/bin/env python", "noetic-devel", True),
+        ("#!/usr/bin/python", "noetic-devel", True),
+        ("#!/usr/bin/env python3", "noetic-devel", False),
+        ("#!/usr/bin/env python", "melodic-devel", False),
+    ],
+)
+def test_programs_that_start_python_find_one(tmp_path: Path, line: str, branch: str, there: bool) -> None:
+    files = {**package("a"), "nodes/talk.py": line + "\nimport rospy\n"}
+    assert ("python-is-python3" in decided(tmp_path, files, branch=branch).apt_guessed) is there
+
+
 def test_a_repository_that_is_the_workspace(tmp_path: Path) -> None:
     assert decided(tmp_path, {**package("a", folder="src/a"), **package("b", folder="src/b")}).workspace == "root"
 
