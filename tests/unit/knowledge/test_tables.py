@@ -85,7 +85,7 @@ def test_released_packages_are_names(name: str) -> None:
 def test_recipes_are_pinned_and_complete(name: str) -> None:
     found = RECIPES[name]
     assert found["repo"].startswith("https://")
-    assert found["source"].startswith("https://")
+    assert found["source"].startswith(("https://", "PyPI: "))
     assert DATE.match(str(found["date"]))
     for ref in (found["ref"], *found.get("ref_on", {}).values()):
         assert re.fullmatch(r"[0-9a-f]{40}|v?\d[\w.-]*", ref), f"{name}: {ref!r} is no tag or commit"
