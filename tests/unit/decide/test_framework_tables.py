@@ -17,7 +17,7 @@ NAME = re.compile(r"^[a-z0-9][a-z0-9+.-]+$")
 @pytest.mark.parametrize("table", TABLES)
 def test_every_row_has_its_source_and_date(table: str) -> None:
     for row in rows(table):
-        assert row["source"].startswith(("https://", "http://")), row
+        assert row["source"].startswith(("https://", "http://", "PyPI: ")), row
         assert re.fullmatch(r"\d{4}-\d\d-\d\d", row["date"]), row
 
 
