@@ -1,4 +1,4 @@
-"""Install commands read as facts: what apt, pip and conda are asked for, what is cloned, what is built and run."""
+"""Commands read as facts: what is installed, cloned, built and run."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from roslab.evidence.facts import Dependency, GitSource, Mention, Prose
+from roslab.evidence.python_installs import CONDA, PIP, STOP, Asked, conda_asks, pip_asks
 from roslab.evidence.shell import UNKNOWN, Command, commands, logical_lines
 
 MentionSource = Literal["recipe", "ci", "readme", "script"]
@@ -21,45 +22,8 @@ TRIGGER = re.compile(
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
 _APT_NAME = re.compile(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
-_STOP = frozenset(
-    [
-        "and", "or", "the", "to", "for", "if", "on", "with", "then", "is", "as", "in", "it", "a", "an", "from",
-        "via", "by", "into", "version", "you", "your", "this", "that", "sudo", "apt", "apt-get", "pip", "pip3",
-        "will", "should", "can", "which", "using", "command", "following",
-    ]
-)  # fmt: skip
-_PIP = re.compile(r"^pip(?:[23](?:\.\d+)?)?$")
 _PYTHON = re.compile(r"^(?:i?python)(\d(?:\.\d+)?)?$")
-_PIP_VALUED = frozenset(
-    {
-        "-c", "--constraint", "-t", "--target", "--prefix", "--root", "--python", "--timeout", "--default-timeout",
-        "--retries", "--proxy", "--trusted-host", "--cache-dir", "--src", "--progress-bar", "--global-option",
-        "--install-option", "--config-settings", "-C", "--log", "--upgrade-strategy", "--only-binary", "--no-binary",
-        "--platform", "--python-version", "--abi", "--implementation",
-    }
-)  # fmt: skip
-_PIP_OPTIONS = {
-    "-f": "--find-links", "--find-links": "--find-links", "-i": "--index-url", "--index-url": "--index-url",
-    "--extra-index-url": "--extra-index-url",
-}  # fmt: skip
-_PIP_SPEC = re.compile(r"^[A-Za-z0-9][A-Za-z0-9._-]*(?:\[[\w\s,.-]*\])?\s*(?:(?:[=<>!~]=|[<>]|@|;)\s*[^\s].*)?$")
-_URL = re.compile(r"^(?:git\+)?(?:https?|ssh|git|file)://\S+$|^git@\S+:\S+$")
 _BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_make", "colcon": "colcon"}
-_CONDA = frozenset({"conda", "mamba", "micromamba"})
-_CONDA_NAMES = {
-    "pytorch": "torch",
-    "pytorch-gpu": "torch",
-    "pytorch-cpu": "torch",
-    "opencv": "opencv-python",
-    "pytables": "tables",
-}
-_NOT_PIP = frozenset(
-    {
-        "python", "pip", "cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit", "cudnn", "mamba", "conda",
-        "git", "cmake", "ninja", "ffmpeg", "gcc", "gxx", "mkl", "nodejs",
-    }
-)  # fmt: skip
-_VERSION = re.compile(r"\d+(?:\.\d+)*")
 
 
 @dataclass
@@ -95,15 +59,15 @@ class Collector:
         program = words[0].rpartition("/")[2]
         if program == "uv" and words[1:2] == ("pip",):
             command, program = Command(words[1:], command.lines[1:]), "pip"
-        elif (python := _PYTHON.match(program)) and words[1:2] == ("-m",) and len(words) > 2 and _PIP.match(words[2]):
+        elif (python := _PYTHON.match(program)) and words[1:2] == ("-m",) and len(words) > 2 and PIP.match(words[2]):
             name = "pip2" if (python[1] or "").startswith("2") else "pip"
             command, program = Command(words[2:], command.lines[2:]), name
         if program in _APT:
             self._apt(command)
-        elif _PIP.match(program):
-            self._pip(command)
-        elif program in _CONDA:
-            self._conda(command)
+        elif PIP.match(program):
+            self._python(pip_asks(command, self._here), command)
+        elif program in CONDA:
+            self._python(conda_asks(command), command)
         elif program == "git":
             self._git(command)
         elif program == "cd":
@@ -164,95 +128,25 @@ class Collector:
             if word.startswith("-") or UNKNOWN in word:
                 continue
             name = word.rstrip(",.:;)") if not word.endswith("++") else word
-            if name in _STOP:
+            if name in STOP:
                 break
             name, _, version = name.partition("=")
             name = name.partition("/")[0].partition(":")[0]
             if _APT_NAME.match(name):
                 self._depend("apt", name, line, version=version or None)
 
-    def _pip(self, command: Command) -> None:
-        words = command.words
-        if "install" not in words:
-            return
-        two = words[0].rpartition("/")[2].startswith("pip2")
-        index = words.index("install") + 1
-        while index < len(words):
-            word, line = words[index].strip(), command.lines[index]
-            following = words[index + 1] if index + 1 < len(words) else ""
-            index += 1
-            if word in _PIP_VALUED:
-                index += 1
-                continue
-            flag, _, glued = word.partition("=") if word.startswith("--") else (word, "", "")
-            if flag in _PIP_OPTIONS:
-                index += not glued
-                if UNKNOWN not in (glued or following) and (glued or following):
-                    self._depend("pip", f"{_PIP_OPTIONS[flag]} {glued or following}", line, role="option")
-            elif flag in {"-r", "--requirement", "--requirements"} or (
-                word.startswith("-r") and len(word) > 2 and not word.startswith("--")
-            ):
-                target = glued or (word[2:] if word.startswith("-r") and len(word) > 2 else following)
-                index += target == following
-                self._depend("pip", self._here(target), line, role="file")
-            elif flag in {"-e", "--editable"}:
-                continue  # what it names comes next, and is read as a path or a URL
-            elif not word.startswith("-") and not self._pip_word(word, line, two=two):
-                break
+    def _python(self, asks: Iterable[Asked], command: Command) -> None:
+        for asked in asks:
+            if asked.role == "python":
+                self._mention("python", asked.name, command)
+            elif asked.role == "cuda":
+                self._mention("cuda", asked.name, command)
+            else:
+                self._depend("pip", asked.name, asked.line, role=asked.role)
 
     def _here(self, path: str) -> str:
         """Return a path as seen from where the text began."""
         return posixpath.join(self.folder, path.removeprefix("./")) if self.folder and path[:1] not in "/~" else path
-
-    def _pip_word(self, word: str, line: int, *, two: bool) -> bool:
-        """Keep one argument of ``pip install``; False where the sentence goes on in prose."""
-        if UNKNOWN in word:
-            return True
-        if _URL.match(word):
-            self._depend("pip", word, line, role="python2" if two else "")
-        elif word.startswith((".", "/", "~")) or word.endswith((".whl", ".tar.gz", "/")):
-            self._depend("pip", self._here(word), line, role="project")
-        else:
-            name = word.rstrip(",:)") if not word.endswith(".") else word.rstrip(".")
-            if name.lower() in _STOP:
-                return False
-            if _PIP_SPEC.match(name):
-                self._depend("pip", name, line, role="python2" if two else "")
-        return True
-
-    def _conda(self, command: Command) -> None:
-        words = command.words
-        if not {"install", "create"} & set(words[1:3]):
-            return
-        skip = False
-        for word, line in zip(words[2:], command.lines[2:], strict=True):
-            if skip or word.startswith("-") or UNKNOWN in word:
-                skip = not skip and word in {
-                    "-n",
-                    "-c",
-                    "--name",
-                    "--channel",
-                    "-p",
-                    "--prefix",
-                    "-f",
-                    "--file",
-                }
-                continue
-            name, _, version = word.rpartition("::")[2].strip("\"'").replace("==", "=").partition("=")
-            number = _VERSION.match(version)
-            name = name.lower().partition(">")[0].partition("<")[0]
-            if name == "python" and number:
-                self._mention("python", number[0], command)
-            elif name in {"cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit"} and number:
-                self._mention("cuda", number[0], command)
-            elif (
-                name not in _NOT_PIP
-                and re.fullmatch(r"[a-z][a-z0-9._-]*", name)
-                and name not in _STOP
-                and name not in {"install", "create"}
-            ):
-                exact = f"=={number[0]}" if number and number[0] == version else ""
-                self._depend("pip", _CONDA_NAMES.get(name, name) + exact, line, role="conda")
 
     def _cd(self, target: str) -> None:
         if target.startswith(("/", "~", "$", "-")) or UNKNOWN in target or "<" in target:

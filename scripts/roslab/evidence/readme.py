@@ -19,15 +19,17 @@ MAX_PAGES = 60
 MAX_LINE = 2_000
 """Characters of a line that a person types."""
 _PAGE = re.compile(
-    r"^(?:readme|install|installation|building|build|getting[-_ ]?started|setup|dependencies|requirements|"
-    r"quick[-_ ]?start|usage)(?:[-_. ].*)?$"
+    r"^(?:readme|install|installation|building|build|compiling|compilation|"
+    r"getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
 )
 _TEXTS = (".md", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
-_DOCS_PAGE = re.compile(r"install|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite")
+_DOCS_PAGE = re.compile(
+    r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite"
+)
 _FENCE = re.compile(r"^\s*(?:[-*>]\s*)*(```+|~~~+)")
 _START = re.compile(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
-    r"(?:apt|apt-get|aptitude|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
+    r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
     r"rosrun|catkin|catkin_make|colcon|cmake|uv|mkdir|cd)\s.*)$"
 )
 _SPAN = re.compile(r"(`+)(.+?)\1")

@@ -134,3 +134,12 @@ def test_install_scripts_and_lists(tmp_path: Path) -> None:
     }
     assert {name for name, _ in named(read(scripts, tmp_path, files))} >= {"libc", "libd", "libe"}
     assert not {name for name, _ in named(read(scripts, tmp_path, files))} & {"libx", "liby"}
+
+
+def test_pipx_and_the_pages_on_compiling(tmp_path: Path) -> None:
+    pages = {
+        "tools/README.md": '```bash\npipx install --include-deps --force "thing==10.*"\n```\n',
+        "doc/Compilation.md": "```bash\npip install cmake\n```\n",
+        "doc/Contributors.md": "```bash\npip install never\n```\n",
+    }
+    assert sorted(named(read(readme, tmp_path, pages), "pip")) == [("cmake", 2), ("thing==10.*", 2)]
