@@ -28,7 +28,8 @@ _NO_PACKAGE = frozenset(
 MAX_FILES = 60
 """Requirement files that are weighed, the nearest to the root first."""
 _NOT_OURS = frozenset({"vendored", "documentation", "ci"})
-DEVELOPMENT = re.compile(r"(?:^|/)(?:\.github|\.circleci|\.ci|ci|docs?)(?:/|$)")
+DEVELOPMENT = re.compile(r"(?:^|/)(?:\.github|\.circleci|\.ci|ci)(?:/|$)|(?:^|/)docs?/(?!.*\.(?:md|rst)$)")
+"""What makes the documentation and runs in CI; a page of the documentation that tells how to install is none of it."""
 
 
 class Pin(NamedTuple):

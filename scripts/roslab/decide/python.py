@@ -15,8 +15,10 @@ from roslab.decide.python2 import pip_lists
 from roslab.decide.python_base import cuda_ubuntu
 from roslab.decide.python_packages import Chosen, choose, with_includes
 from roslab.decide.python_version import python_version
+from roslab.decide.reasons import because
+from roslab.decide.workspace import packages_of, ros_versions, types
 from roslab.evidence.facts import Dependency, Evidence, PythonProject
-from roslab.knowledge.frameworks import build_needs, imports, version
+from roslab.knowledge.frameworks import build_needs, imports, kept_for_build_types, version
 from roslab.knowledge.tools import SYSTEM_PYTHON
 
 DEFAULT = "3.10"
@@ -55,6 +57,8 @@ def decide_python(
     lists = pip_lists(config, ubuntu, number)
     declared, extra, notes = _declared(evidence, chosen, lists.lines, manager)
     warnings += [*notes, *lists.warnings]
+    kept = tuple(_kept(evidence, [*declared, *(d.name for d in (*chosen.guessed, *_from_files(evidence, chosen)))]))
+    declared += [reason.answer for reason in kept]
     installed = [*declared, *(d.name for d in chosen.guessed)]
     everything = [*installed, *(d.name for d in _from_files(evidence, chosen))]
     # A distribution's own packages are as old as it is: only what pip chooses freely needs a bound
@@ -74,7 +78,7 @@ def decide_python(
         python2=lists.python2,
         python2_options=lists.python2_options,
     )
-    return python, (*reasons, *_package_reasons(chosen), *bound_reasons), tuple(warnings)
+    return python, (*reasons, *_package_reasons(chosen), *kept, *bound_reasons), tuple(warnings)
 
 
 def specifiers(evidence: Evidence, python: Python) -> tuple[str, ...]:
@@ -158,6 +162,17 @@ def _declared(
     if chosen.conda and manager != "conda":
         lines += [d.name for e in evidence.conda if e.file == chosen.conda for d in e.dependencies if not d.role]
     return lines, broken, warnings
+
+
+def _kept(evidence: Evidence, lines: Sequence[str]) -> Iterator[Reason]:
+    """Yield what the build of the packages needs in a version that pip might replace, where pip installs anything."""
+    named = {name_of(line) for line in lines}
+    for manifest in packages_of(evidence).built if lines else ():
+        for build_type in types(manifest, 2) if 2 in ros_versions(manifest) else ():
+            for line, why in kept_for_build_types().get(build_type, ()):
+                if name_of(line) not in named:
+                    named.add(name_of(line))
+                    yield because("dependencies", line, f"{build_type}: {why}", manifest, weight=40)
 
 
 def _from_files(evidence: Evidence, chosen: Chosen) -> list[Dependency]:

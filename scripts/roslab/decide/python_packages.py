@@ -34,6 +34,7 @@ _CI_TOOLS = frozenset(
         "cmake-format", "codespell", "gcovr", "yapf", "bandit", "pydocstyle", "pycodestyle", "mkdocs",
     ]
 )  # fmt: skip
+_FOR_DEVELOPERS = re.compile(r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|docs?/)")
 _FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
 MAX_GUESSES = 40
 MAX_PROJECTS = 6
@@ -234,14 +235,14 @@ def _guesses(evidence: Evidence, *, ros: bool, manifests: bool, known: set[str])
     urls = {_repository(pin.line) for pin in pins(evidence) if pin.trust >= 2} - {""}
     for pin in sorted((pin for pin in pins(evidence) if pin.trust == 1), key=_specific):
         declared = pin.dependency.strength == "declared"
-        ci = bool(re.search(r"(?:^|/)\.(?:github|circleci|travis|gitlab)", pin.dependency.file))
+        aside = bool(_FOR_DEVELOPERS.search(pin.dependency.file))
         if (
             declared
             or _repository(pin.line) in urls
             or pin.name in known
             or pin.name == "pip"
             or (pin.name in _TOOLS and not pin.release)
-            or (ci and pin.name in _CI_TOOLS)
+            or (aside and pin.name in _CI_TOOLS)
         ):
             continue
         found.setdefault(pin.name, pin.dependency)

@@ -113,6 +113,16 @@ def build_needs() -> dict[str, tuple[str, ...]]:
 
 
 @cache
+def kept_for_build_types() -> dict[str, tuple[tuple[str, str], ...]]:
+    """Return, for each build type of a ROS package, what pip must not replace by a newer one, each with the reason."""
+    types = dict.fromkeys(row["build_type"] for row in rows("build_types"))
+    return {
+        name: tuple((row["pip"], row["why"]) for row in rows("build_types") if row["build_type"] == name)
+        for name in types
+    }
+
+
+@cache
 def imports() -> dict[str, tuple[str | None, str | None]]:
     """Return ``module → (pip, apt)``; ``None`` where there is no such package."""
     return {row["module"]: (row["pip"] or None, row["apt"] or None) for row in rows("imports")}

@@ -191,3 +191,13 @@ def test_imports_of_ros_code_come_from_apt(tmp_path: Path) -> None:
     assert [name for name, _ in apt_for_wheels(focal, "focal", evidence)] == ["python3-numpy"]
     assert focal.pip_guessed == ("ultralytics",)
     assert [name for name, _ in apt_for_wheels(focal, "bionic", evidence)] == ["python-numpy"]
+
+
+def test_a_page_of_the_documentation_tells_what_to_install_but_not_what_developers_use(tmp_path: Path) -> None:
+    page = {"CMakeLists.txt": "project(x)\n", "docs/install.md": "```\npip install cmake pytest\n```\n"}
+    assert decide(tmp_path, page, kind="cpp").pip_guessed == ("cmake",)
+
+
+def test_documentation_itself_is_installed_nowhere(tmp_path: Path) -> None:
+    tools = {"CMakeLists.txt": "project(x)\n", "docs/install.sh": "pip install sphinx-thing\n"}
+    assert decide(tmp_path, tools, kind="cpp").pip_guessed == ()

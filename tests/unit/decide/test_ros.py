@@ -335,3 +335,20 @@ def test_well_known_unreleased_packages_come_from_their_table(tmp_path: Path) ->
     ]
     assert all(source.ref for source in found.source)
     assert not [warning for warning in found.warnings if "rosdep knows no" in warning.message]
+
+
+AMENT_PYTHON = (
+    '<package format="3"><name>{name}</name><exec_depend>rclpy</exec_depend>'
+    "<export><build_type>ament_python</build_type></export></package>"
+)
+
+
+def test_pip_leaves_colcon_a_setuptools_that_it_can_use(tmp_path: Path) -> None:
+    tree = {"package.xml": AMENT_PYTHON.format(name="demo"), "setup.py": "from setuptools import setup\nsetup()\n"}
+    assert decided(tmp_path, tree).python.pip == ()  # nothing is installed: nothing can replace it
+    found = decided(tmp_path, tree | {"requirements.txt": "open3d\n"})
+    assert found.python.pip == ("setuptools<80",)
+    reason = next(reason for reason in found.reasons if reason.answer == "setuptools<80")
+    assert (reason.file, "ament_python" in reason.reason) == ("package.xml", True)
+    pinned = decided(tmp_path, tree | {"requirements.txt": "setuptools==58.2.0\nopen3d\n"})
+    assert pinned.python.pip == ()  # the author's own pin stands
