@@ -17,6 +17,7 @@ from typing import Any
 
 from . import caller, facts
 from .api_stub import api_stub
+from .artifact_door import artifact_door
 from .home import CHECKOUT, folder
 from .laboratory import Laboratory
 
@@ -88,12 +89,13 @@ def run_workflow(
     with (
         tempfile.TemporaryDirectory(prefix="repro-act-", ignore_cleanup_errors=True) as name,
         api_stub({"default_branch": branch}) as api,
+        artifact_door(server := f"127.0.0.1:{_free_port()}") as artifacts,
     ):
         place = Path(name)
         copy = caller.prepare(caller_dir, place / "caller", payload)
         event_file = place / "event.json"
         event_file.write_text(json.dumps(payload))
-        environment = _environment(lab, place)
+        environment = {**_environment(lab, place), "ACTIONS_RUNTIME_URL": artifacts}
         steps = {
             "GITHUB_API_URL": api,
             "REPRO_LAB_SOURCE": str(CHECKOUT),
@@ -104,7 +106,8 @@ def run_workflow(
             **(env or {}),
         }
         command = [str(lab.act), event, "--json", "-C", str(copy), "-e", str(event_file)]
-        command += ["--defaultbranch", branch, "--actor", payload["sender"]["login"], *_host_labels(), *_offline(place)]
+        command += ["--defaultbranch", branch, "--actor", payload["sender"]["login"]]
+        command += [*_host_labels(), *_offline(place, server)]
         for job in jobs or ():
             command += ["--job", job]
         if workflow:
@@ -151,11 +154,17 @@ def _host_labels() -> list[str]:
     return [word for label in facts.texts("act", "labels") for word in ("-P", f"{label}=-self-hosted")]
 
 
-def _offline(place: Path) -> list[str]:
+def _free_port() -> int:
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    artifacts = ["--artifact-server-path", str(place / "act-artifacts"), "--artifact-server-port", str(port)]
+        return int(free.getsockname()[1])
+
+
+def _offline(place: Path, server: str) -> list[str]:
+    kept = place / "act-artifacts"
+    (kept / "1").mkdir(parents=True)  # of the run: act's server cannot list what was never begun
+    port = server.partition(":")[2]
+    artifacts = ["--artifact-server-path", str(kept), "--artifact-server-port", port]
     servers = ["--artifact-server-addr", "127.0.0.1", "--cache-server-addr", "127.0.0.1", "--no-cache-server"]
     return [*artifacts, *servers, "--container-daemon-socket", "-", "--action-offline-mode"]
 
