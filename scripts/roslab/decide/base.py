@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from roslab.config.model import Config, Kind
+from roslab.decide.cmake_version import has_it, needed_cmake
 from roslab.decide.cuda import CudaChoice
 from roslab.decide.decision import Reason
 from roslab.decide.distro import DistroChoice
 from roslab.decide.python_base import base_for
 from roslab.decide.reasons import because, configured, ranked
-from roslab.evidence.facts import Evidence, Recipe
+from roslab.evidence.facts import Dependency, Evidence, Recipe
 from roslab.knowledge.distros import Distro, distros, ubuntus
 
 DEFAULT_UBUNTU = "jammy"
@@ -108,11 +109,27 @@ def _cpp(evidence: Evidence, config: Config) -> BaseChoice:
         if mention.topic == "ubuntu" and codename in ubuntus().values():
             weight = _SAID.get(mention.source, 100)
             reasons.append(because("ubuntu", codename, mention.text[:120], mention, weight=weight))
+    reasons = _new_enough(reasons, needed_cmake(evidence))
     best = max(reasons, key=lambda reason: reason.weight)
     version = next(number for number, codename in ubuntus().items() if codename == best.answer)
     image = f"ubuntu:{version}"
     base = replace(best, question="base_image", answer=image, reason=f"plain C++ on Ubuntu {version}")
     return BaseChoice(image=image, ubuntu=best.answer, reasons=(base, *ranked(reasons, best.answer)))
+
+
+def _new_enough(reasons: list[Reason], demand: Dependency | None) -> list[Reason]:
+    """Offer the oldest Ubuntu from the default on whose own CMake will do, where the default's is too old.
+
+    What the author names goes before it: CMake can come from pip there.
+    """
+    if has_it(DEFAULT_UBUNTU, demand):
+        return reasons
+    releases = list(ubuntus().values())
+    later = releases[releases.index(DEFAULT_UBUNTU) :]
+    fitting = next((codename for codename in later if has_it(codename, demand)), None)
+    if demand is None or fitting is None:
+        return reasons
+    return [*reasons, because("ubuntu", fitting, f"the build asks for CMake {demand.version}", demand, weight=50)]
 
 
 def _codename(image: str) -> str | None:

@@ -7,13 +7,14 @@ from collections.abc import Iterator, Sequence
 
 from roslab.config.model import Config, Kind
 from roslab.decide.bounds import decide_bounds
+from roslab.decide.cmake_version import from_pip
 from roslab.decide.cuda import DEFAULT as CUDA
 from roslab.decide.cuda import decide_cuda
 from roslab.decide.decision import Python, Reason, Warning_
 from roslab.decide.pins import conda_pins, name_of
 from roslab.decide.python2 import pip_lists
 from roslab.decide.python_base import cuda_ubuntu
-from roslab.decide.python_packages import Chosen, choose, with_includes
+from roslab.decide.python_packages import Chosen, choose, with_guess, with_includes
 from roslab.decide.python_version import python_version
 from roslab.decide.reasons import because
 from roslab.decide.workspace import packages_of, ros_versions, types
@@ -23,6 +24,7 @@ from roslab.knowledge.tools import SYSTEM_PYTHON
 
 DEFAULT = "3.10"
 """Where nothing is said: Ubuntu 22.04's own, for which most of today's and yesterday's wheels exist."""
+_WHY = {"import": "imported, declared nowhere", "cmake": "the build asks for a newer one than the base has"}
 _LOCAL = re.compile(r"^(?:torch|torchvision|torchaudio)\s*={2,3}\s*([\d.]+)\+(cu\d+|cpu|rocm[\d.]+)")
 
 
@@ -31,6 +33,8 @@ def decide_python(
 ) -> tuple[Python, tuple[Reason, ...], tuple[Warning_, ...]]:
     """Return the Python part of the image; ``ubuntu`` is ``None`` where the base is still to be chosen."""
     chosen = choose(evidence, config, kind)
+    if newer := from_pip(evidence, kind, ubuntu):
+        chosen = with_guess(chosen, newer)
     wanted, reasons = python_version(evidence, config)
     warnings: list[Warning_] = []
     plain = kind == "cpp" or (
@@ -255,7 +259,7 @@ def _package_reasons(chosen: Chosen) -> tuple[Reason, ...]:
         Reason(
             question="dependencies",
             answer=dependency.name,
-            reason="imported, declared nowhere" if dependency.role == "import" else "named in an install line",
+            reason=_WHY.get(dependency.role, "named in an install line"),
             file=dependency.file,
             line=dependency.line,
             weight=10,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from roslab.config.model import Config, Kind
 from roslab.decide.pins import DEVELOPMENT, Pin, name_of, pins
@@ -74,6 +74,12 @@ def choose(evidence: Evidence, config: Config, kind: Kind) -> Chosen:
     ]
     options = [o.replace("--index-url", "--extra-index-url") if o.startswith("--index-url") else o for o in options]
     return Chosen(files=files, projects=projects, guessed=guessed, options=tuple(dict.fromkeys(options)), conda=conda)
+
+
+def with_guess(chosen: Chosen, dependency: Dependency) -> Chosen:
+    """Add a guess in the place of what else was guessed of the same package."""
+    others = (guess for guess in chosen.guessed if name_of(guess.name) != name_of(dependency.name))
+    return replace(chosen, guessed=(*others, dependency))
 
 
 def _conda(evidence: Evidence, config: Config, kind: Kind) -> str | None:

@@ -27,7 +27,15 @@ _NAMES = (
     | _EXECUTABLE
     | _LIBRARY
     | frozenset(
-        ["project", "enable_language", "add_subdirectory", "catkin_package", "catkin_simple", "autoware_package"]
+        [
+            "project",
+            "cmake_minimum_required",
+            "enable_language",
+            "add_subdirectory",
+            "catkin_package",
+            "catkin_simple",
+            "autoware_package",
+        ]
     )
     | {"cs_*", "ament_*", "rosbuild_*", "rosidl_generate_interfaces"}
 )
@@ -51,6 +59,7 @@ class _Reading:
     """What was read of one file so far."""
 
     name: str | None = None
+    minimum: Dependency | None = None
     languages: list[str] = field(default_factory=list)
     macros: dict[str, None] = field(default_factory=dict)
     executables: dict[str, int] = field(default_factory=dict)
@@ -89,6 +98,7 @@ def _project(repository: Repository, file: File, added: set[str]) -> CMakeProjec
             dict.fromkeys(d for d in reading.dependencies if d.namespace != "link" or d.name not in own)
         ),
         sources=tuple(reading.sources),
+        minimum=reading.minimum,
     )
 
 
@@ -97,6 +107,8 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
     if name == "project" and words:
         reading.name = reading.name or words[0]
         reading.languages += [word for word in words[1:] if word in _LANGUAGES]
+    elif name == "cmake_minimum_required":
+        reading.minimum = reading.minimum or _minimum(call, path)
     elif name == "enable_language":
         reading.languages += words[:1]
     elif name in _EXECUTABLE and words and _TARGET.match(words[0]):
@@ -112,6 +124,16 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.macros |= dict.fromkeys(family for family, pattern in _FOUND if pattern.match(words[0]))
         if _CUDA.match(words[0]) and "REQUIRED" in words:
             reading.macros["cuda"] = None
+
+
+def _minimum(call: Call, path: str) -> Dependency | None:
+    """Read ``VERSION 3.15...3.28 FATAL_ERROR``: the first number must be there, the second is about policies."""
+    version = next((m[1] for word in call.words if (m := re.match(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)", word))), None)
+    if version is None or call.conditions:
+        return None
+    return Dependency(
+        namespace="cmake", name="CMake", strength="declared", file=path, line=call.line, role="build", version=version
+    )
 
 
 def _joined(folder: str, path: str) -> str:

@@ -84,6 +84,8 @@ class CMakeProject:
     """Targets of ``add_executable`` and its kin, with their lines."""
     dependencies: tuple[Dependency, ...]
     sources: tuple[GitSource, ...] = ()
+    minimum: Dependency | None = None
+    """What ``cmake_minimum_required`` demands, as its version."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -54,6 +54,12 @@ def ubuntus() -> dict[str, str]:
     return {row["version"]: row["codename"] for row in rows("ubuntu")}
 
 
+@cache
+def cmake_of_ubuntu() -> dict[str, str]:
+    """Return ``{codename: version}`` of the CMake that each Ubuntu release has."""
+    return {row["codename"]: row["cmake"] for row in rows("ubuntu")}
+
+
 def distro(name: str | None) -> Distro | None:
     """Return a distribution by its name."""
     return distros().get(name or "")

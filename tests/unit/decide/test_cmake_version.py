@@ -1,0 +1,58 @@
+"""A build that demands a newer CMake than the base has."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.repository import Repository
+
+TOP = "cmake_minimum_required(VERSION {})\nproject(thing)\nadd_executable(thing main.cpp)\n"
+
+
+def decided(tmp_path: Path, files: dict[str, str]) -> Decision:
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    return decide(gather(Repository.open(tmp_path)), Config(), folder_name="thing")
+
+
+@pytest.mark.parametrize(
+    ("demand", "base"),
+    [
+        ("3.10", "ubuntu:22.04"),
+        ("3.22.1", "ubuntu:22.04"),
+        ("3.5...3.28", "ubuntu:22.04"),
+        ("3.24 FATAL_ERROR", "ubuntu:24.04"),
+        ("4.0", "ubuntu:26.04"),
+        ("${LEAST}", "ubuntu:22.04"),
+        ("9.0", "ubuntu:22.04"),
+    ],
+)
+def test_the_oldest_ubuntu_that_has_it(tmp_path: Path, demand: str, base: str) -> None:
+    assert decided(tmp_path, {"CMakeLists.txt": TOP.format(demand)}).base_image == base
+
+
+def test_the_authors_ubuntu_stands_and_cmake_comes_from_pip(tmp_path: Path) -> None:
+    files = {"CMakeLists.txt": TOP.format("3.15"), "README.md": "Tested on Ubuntu 18.04.\n"}
+    found = decided(tmp_path, files)
+    assert (found.base_image, found.python.pip_guessed) == ("ubuntu:18.04", ("cmake>=3.15,<4",))
+    reason = next(reason for reason in found.reasons if reason.answer == "cmake>=3.15,<4")
+    assert (reason.file, reason.line, "newer one" in reason.reason) == ("CMakeLists.txt", 1, True)
+
+
+def test_examples_tests_and_copies_demand_nothing(tmp_path: Path) -> None:
+    aside = {f"{folder}/CMakeLists.txt": TOP.format("3.30") for folder in ("examples", "test", "thirdparty/x")}
+    assert decided(tmp_path, {"CMakeLists.txt": TOP.format("3.10"), **aside}).base_image == "ubuntu:22.04"
+
+
+def test_a_ros_distribution_stands_too(tmp_path: Path) -> None:
+    manifest = "<package><name>thing</name><buildtool_depend>catkin</buildtool_depend></package>"
+    files = {"package.xml": manifest, "CMakeLists.txt": TOP.format("3.20") + "find_package(catkin REQUIRED)\n"}
+    found = decided(tmp_path, files)
+    assert (found.ubuntu, found.python.pip_guessed) == ("focal", ("cmake>=3.20,<4",))
