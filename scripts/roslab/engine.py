@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from roslab import commits
 from roslab.errors import BuildError, Problem
 
 MINIMUM = 23
@@ -150,11 +151,8 @@ def commit_labels(root: Path) -> tuple[tuple[str, str], ...]:
 
     https://github.com/opencontainers/image-spec/blob/main/annotations.md
     """
-    if not shutil.which("git") or not (root / ".git").exists():
-        return ()
-    # `cat-file` runs nothing that a repository's own configuration could name (no hook, no pager, no signature check)
-    answer = output(["git", "-C", str(root), "-c", f"safe.directory={root}", "rev-parse", "--verify", "HEAD"])
-    return (("org.opencontainers.image.revision", answer.stdout.strip()),) if answer.returncode == 0 else ()
+    revision = commits.head(root)[0] if (root / ".git").exists() else ""
+    return (("org.opencontainers.image.revision", revision),) if revision else ()
 
 
 def name_image(candidate: str, name: str) -> None:

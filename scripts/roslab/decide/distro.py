@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Reason, Warning_
+from roslab.decide.distro_dates import DEFAULT, dated, of_its_time
 from roslab.decide.distro_evidence import reasons_for
 from roslab.decide.reasons import because, configured, ranked
 from roslab.decide.workspace import packages_of
@@ -15,8 +16,6 @@ from roslab.knowledge.distros import Distro, distro, distros, distros_of
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
 
-DEFAULT = {"ros1": "noetic", "ros2": "humble"}
-"""Where nothing is said: the last of ROS 1, and the ROS 2 that most repositories of 120 work on."""
 UNFIT = 400
 """What a distribution loses that lacks a declared key: more than a recipe outweighs a branch's convention."""
 
@@ -47,7 +46,7 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> DistroChoic
         return DistroChoice(distro=distros()[answer], reasons=ranked([said, *reasons], answer))
     reasons += _fitting(reasons, unknown)
     if not reasons:
-        return _default(kind, unknown)
+        return _default(evidence, kind, unknown)
     best = max(reasons, key=_order)
     return DistroChoice(distro=distros()[best.answer], reasons=ranked(reasons, best.answer))
 
@@ -97,11 +96,17 @@ def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[
     return [because("ros_distro", best, "it has every key that the packages declare", weight=100)]
 
 
-def _default(kind: Kind, unknown: dict[str, frozenset[str]]) -> DistroChoice:
-    """Return the default, or the preferred one that has all keys where the default lacks some."""
-    answer = DEFAULT[kind]
+def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]]) -> DistroChoice:
+    """Return the distribution of the last commit's time, else the default; where it lacks a key, one that has all."""
+    date = dated(evidence)
+    answer = of_its_time(kind, date.value if date else None)
+    why = "nothing is said: the default"
+    if date:
+        usual = "the default is" if answer == DEFAULT[kind] else f"it is older than {DEFAULT[kind]}, the default:"
+        why = f"nothing is said; the last commit is of {date.value}: {usual} of that time"
     if unknown.get(answer):
         answer = max((name for name, missing in unknown.items() if not missing), key=_preference)
+        why = "nothing is said: the default of those with every key that the packages declare"
     message = f"nothing says which ROS distribution this is for: {answer} is taken; name it as base.ros in roslab.yaml"
-    reason = because("ros_distro", answer, "nothing is said: the default", weight=1)
+    reason = because("ros_distro", answer, why, date, weight=1)
     return DistroChoice(distro=distros()[answer], reasons=(reason,), warnings=(Warning_(message=message),))

@@ -167,9 +167,11 @@ class Recipe:
 class Mention:
     """A name of the world (a distro, an Ubuntu, a CUDA or Python version) written somewhere."""
 
-    topic: Literal["distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command"]
+    topic: Literal["distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command", "date"]
     value: str
-    source: Literal["branch", "recipe", "ci", "readme", "vcs", "filename", "manifest", "launch", "script", "code"]
+    source: Literal[
+        "branch", "recipe", "ci", "readme", "vcs", "filename", "manifest", "launch", "script", "code", "commit"
+    ]
     file: str
     line: int
     text: str

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import datetime as dt
 import re
-from pathlib import Path
 
-from roslab.engine import output
 from roslab.github.event import Event
 from roslab.plan import Plan
 
@@ -35,18 +33,3 @@ def labels(plan: Plan, event: Event, *, revision: str, seconds: int | None) -> t
 def timestamp(seconds: int) -> str:
     """Return a time in UTC as RFC 3339 writes it."""
     return dt.datetime.fromtimestamp(seconds, tz=dt.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
-
-
-def commit(root: Path) -> tuple[str, int | None]:
-    """Return the commit of a checkout and its time in seconds since 1970, ``("", None)`` where there is none.
-
-    Nothing that a repository's own configuration could name is run: no hook, no pager, no signature check.
-    """
-    settings = ["-c", f"safe.directory={root}", "-c", "log.showSignature=false", "-c", "core.fsmonitor=false"]
-    command = ["git", "--no-pager", "-C", str(root), *settings, "log", "-1", "--format=%H %ct"]
-    try:
-        answer = output(command)
-    except OSError:  # no git on this machine
-        return "", None
-    match = re.fullmatch(r"([0-9a-f]{40,64}) (\d+)", answer.stdout.strip())
-    return (match[1], int(match[2])) if match else ("", None)

@@ -7,11 +7,11 @@ import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from roslab import credentials, engine, registry
+from roslab import commits, credentials, engine, registry
 from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.github import access, builder, cache, event, inputs, report, workflow
 from roslab.github import run as runs
-from roslab.github.labels import commit, labels
+from roslab.github.labels import labels
 from roslab.github.run import Folder, Run, slug
 from roslab.pipeline import plan_repository, write_plan
 from roslab.plan import to_json
@@ -102,7 +102,7 @@ def recipe(environment: Environment) -> None:
     root = _workspace(environment)
     folder.recipe.mkdir(exist_ok=True)
     dockerfile, context = write_plan(run.plan, root, folder.recipe)
-    revision, seconds = commit(root)
+    revision, seconds = commits.head(root)
     named = labels(run.plan, what, revision=revision, seconds=seconds)
     platforms = _platforms(environment, run)
     publication = event.Publication(push=run.push, reason=run.reason)

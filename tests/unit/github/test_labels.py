@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
 from pathlib import Path
 
 from roslab.github.event import Event
-from roslab.github.labels import commit, labels, timestamp
+from roslab.github.labels import labels, timestamp
 from roslab.pipeline import plan_repository
 
 EVENT = Event(name="push", repository="Lab/Robot", ref="refs/heads/main", sha="1" * 40, default_branch="main")
@@ -27,17 +26,3 @@ def test_labels(examples: Path) -> None:
 
 def test_timestamp() -> None:
     assert timestamp(1_600_000_000) == "2020-09-13T12:26:40Z"
-
-
-def test_commit(tmp_path: Path) -> None:
-    assert commit(tmp_path) == ("", None)
-
-    def git(*arguments: str) -> str:
-        who = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
-        command = ["git", "-C", str(tmp_path), *who, *arguments]
-        env = {"PATH": "/usr/bin:/bin", "GIT_COMMITTER_DATE": "1600000000 +0000", "HOME": str(tmp_path)}
-        return subprocess.run(command, env=env, check=True, capture_output=True, text=True).stdout
-
-    git("init", "--quiet")
-    git("commit", "--quiet", "--allow-empty", "--message", "x")
-    assert commit(tmp_path) == (git("rev-parse", "HEAD").strip(), 1_600_000_000)

@@ -1,0 +1,42 @@
+"""Dates against release windows: the weakest evidence for a distribution, and better than none."""
+
+from __future__ import annotations
+
+import datetime as dt
+
+from roslab.config.model import Kind
+from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.distros import Distro, distros
+
+DEFAULT = {"ros1": "noetic", "ros2": "humble"}
+"""Where nothing is said: the last of ROS 1, and the ROS 2 that most repositories of 120 work on."""
+ADOPTED = dt.timedelta(days=365)
+"""From a release until code is written for it: four of four repositories that name one distribution, and whose last
+commit fell into the first year of a newer one, had not moved to it."""
+
+
+def dated(evidence: Evidence) -> Mention | None:
+    """Return the newest date that the repository has of itself."""
+    return max((m for m in evidence.mentions if m.topic == "date"), key=lambda m: m.value, default=None)
+
+
+def of_its_time(kind: Kind, date: str | None) -> str:
+    """Return the distribution that code of a date (``YYYY-MM-DD``) was most likely written for.
+
+    The default where its window holds the date; else the preferred one of those that were a year old and had not
+    ended; for a date after all ends or before all releases, the nearest.
+    """
+    line = [d for d in distros().values() if d.ros == (1 if kind == "ros1" else 2) and d.eol]
+    default = distros()[DEFAULT[kind]]
+    if date is None or _open(default, date):
+        return default.name
+    fitting = [distro for distro in line if _open(distro, date)]
+    if fitting:
+        return max(fitting, key=lambda distro: distro.preference).name
+    line.sort(key=lambda distro: distro.released)
+    return (line[0] if date < line[-1].released else line[-1]).name
+
+
+def _open(distro: Distro, date: str) -> bool:
+    begin = dt.date.fromisoformat(distro.released) + ADOPTED
+    return begin.isoformat() <= date <= (distro.eol or date)

@@ -1,0 +1,59 @@
+"""Dates against release windows."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config, Kind
+from roslab.decide import decide
+from roslab.decide.distro_dates import of_its_time
+from roslab.evidence.facts import Mention
+from roslab.evidence.gather import gather
+from roslab.repository import Repository
+
+
+@pytest.mark.parametrize(
+    ("kind", "date", "name"),
+    [
+        ("ros1", None, "noetic"),
+        ("ros1", "2013-01-01", "indigo"),
+        ("ros1", "2016-06-01", "indigo"),
+        ("ros1", "2018-02-12", "kinetic"),
+        ("ros1", "2019-09-01", "melodic"),
+        ("ros1", "2021-02-23", "melodic"),
+        ("ros1", "2021-06-01", "noetic"),
+        ("ros1", "2026-11-21", "noetic"),
+        ("ros2", None, "humble"),
+        ("ros2", "2019-01-01", "dashing"),
+        ("ros2", "2022-03-01", "foxy"),
+        ("ros2", "2024-03-01", "humble"),
+        ("ros2", "2026-11-21", "humble"),
+        ("ros2", "2028-01-01", "jazzy"),
+        ("ros2", "2040-01-01", "lyrical"),
+    ],
+)
+def test_the_distribution_of_a_time(kind: Kind, date: str | None, name: str) -> None:
+    assert of_its_time(kind, date) == name
+
+
+def test_a_date_speaks_only_where_nothing_else_does(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text(
+        "<package><name>a</name><buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend></package>"
+    )
+    (tmp_path / "CMakeLists.txt").write_text("project(a)\nfind_package(catkin REQUIRED)\n")
+    date = Mention(topic="date", value="2018-02-12", source="commit", file=".git/HEAD", line=1, text="")
+
+    def named(*, readme: str = "") -> tuple[str | None, str]:
+        (tmp_path / "README.md").write_text(readme)
+        evidence = gather(Repository.open(tmp_path))
+        evidence = replace(evidence, mentions=(*evidence.mentions, date))
+        found = decide(evidence, Config(), folder_name="a")
+        reason = next(reason for reason in found.reasons if reason.question == "ros_distro" and reason.decisive)
+        return found.ros_distro, reason.reason
+
+    distro, reason = named()
+    assert (distro, "2018-02-12" in reason) == ("kinetic", True)
+    assert named(readme="Tested with ROS Melodic.\n")[0] == "melodic"
