@@ -31,6 +31,9 @@ _PREFIX = re.compile(
     r"before_script)\s*:\s*)?(?:-\s+)?[|>]?-?\s*"
 )
 _EXPRESSION = re.compile(r"\$\{\{[^}\n]*\}\}")
+_WITH_MATRIX = re.compile(r"([\w.+-]{0,40})\$\{\{ {0,9}matrix\.([A-Za-z]\w*) {0,9}\}\}([\w.+-]{0,40})")
+MAX_VALUES = 4
+"""Values of a matrix that are written out."""
 _IMAGE = re.compile(
     r"^\s*(?:-\s*)?(?:image|container|docker_image|DOCKER_IMAGE|docker)\s*:\s*[\"']?([\w./-]+:[\w.${}-]+)",
     re.MULTILINE,
@@ -68,7 +71,7 @@ def _read(text: str, path: str) -> Prose:
         text,
     )
     collector = Collector(path, "ci")
-    shell = "\n".join(_PREFIX.sub("", line) for line in text.split("\n"))
+    shell = "\n".join(_matrix(_unquoted(_PREFIX.sub("", line)), text) for line in text.split("\n"))
     collector.text(_EXPRESSION.sub(lambda match: match[0] if "distro" in match[0].lower() else "$UNKNOWN", shell))
     for match in _DEBS.finditer(text):
         if "cache-apt-pkgs" in text or not match[0].lstrip().startswith("packages"):
@@ -91,6 +94,32 @@ def _read(text: str, path: str) -> Prose:
     )
     uncommented = re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
     return found._replace(mentions=(*found.mentions, *images, *mentions.read(uncommented, path, "ci")))
+
+
+def _unquoted(line: str) -> str:
+    """Return a command without the quotes that YAML wants around one with a colon in it."""
+    text = line.rstrip()
+    quote = text[:1]
+    inner = text[1:-1].replace(f"\\{quote}", "")
+    if len(text) < 2 or quote not in {'"', "'"} or text[-1] != quote or quote in inner:
+        return line
+    return text[1:-1].replace(f"\\{quote}", quote)
+
+
+def _matrix(line: str, text: str) -> str:
+    """Write an apt line's ``lib${{ matrix.python }}-dev`` out for every value that the matrix has."""
+    if "${{" not in line or "apt" not in line:
+        return line
+
+    def written(match: re.Match[str]) -> str:
+        before, key, after = match.groups()
+        found = re.findall(rf"^[ \t]*(?:-[ \t]+)?{key}:[ \t]*[\"']?([a-z][\w.+-]*)[\"']?[ \t]*$", text, re.MULTILINE)
+        values = list(dict.fromkeys(found))
+        if not 0 < len(values) <= MAX_VALUES or before.endswith("ros-") or "distro" in key.lower():
+            return match[0]
+        return " ".join(f"{before}{value}{after}" for value in values)
+
+    return _WITH_MATRIX.sub(written, line)
 
 
 def _line(text: str, match: re.Match[str]) -> int:

@@ -128,12 +128,16 @@ class Collector:
             if word.startswith("-") or UNKNOWN in word:
                 continue
             name = word.rstrip(",.:;)") if not word.endswith("++") else word
-            if name in STOP:
+            if name in STOP and not (name == "sudo" and self._listed(words[index:])):
                 break
             name, _, version = name.partition("=")
             name = name.partition("/")[0].partition(":")[0]
             if _APT_NAME.match(name):
                 self._depend("apt", name, line, version=version or None)
+
+    def _listed(self, rest: tuple[str, ...]) -> bool:
+        """Tell whether `sudo` among apt's words is the package: in a program's list, before no other program."""
+        return self.source != "readme" and not (rest and (rest[0] in _APT or PIP.match(rest[0])))
 
     def _python(self, asks: Iterable[Asked], command: Command) -> None:
         for asked in asks:

@@ -26,7 +26,8 @@ _TEXTS = (".md", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
 _DOCS_PAGE = re.compile(
     r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite"
 )
-_FENCE = re.compile(r"^\s*(?:[-*>]\s*)*(```+|~~~+)")
+_FENCE = re.compile(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
+"""Backquotes that are closed on their own line are inline code. https://spec.commonmark.org/0.31.2/#fenced-code-blocks"""
 _START = re.compile(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
@@ -80,7 +81,7 @@ def _code(text: str) -> Iterator[tuple[int, str]]:
     while index < len(lines):
         line = lines[index]
         index += 1
-        if _FENCE.match(line[:80]):
+        if _FENCE.match(line[:MAX_LINE]):
             fenced = not fenced
             continue
         if not fenced:

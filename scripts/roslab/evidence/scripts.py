@@ -7,6 +7,7 @@ import re
 from roslab.evidence import places
 from roslab.evidence.facts import Prose
 from roslab.evidence.installs import Collector, merge
+from roslab.evidence.shell import fill_placeholders
 from roslab.repository import Repository
 
 MAX_SIZE = 128 * 1024
@@ -60,7 +61,7 @@ def _assignments(text: str, collector: Collector) -> None:
         match[1]: " ".join(match[2].strip("\"'()").replace("\\\n", " ").split())
         for match in re.finditer(
             r"^[ \t]*(?:export[ \t]+|readonly[ \t]+|local[ \t]+)?([A-Za-z_]\w*)=(\"[^\"$`]*\"|'[^'$`]*'|[\w./:-]+)",
-            text,
+            fill_placeholders(text),
             re.MULTILINE,
         )
     }

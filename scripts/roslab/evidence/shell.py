@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 UNKNOWN = "\x00"
@@ -135,42 +136,63 @@ def _filled(text: str) -> str:
     return text.replace("ros-{distro}-", "ros-\x02distro\x03-")
 
 
+@dataclass
+class _Words:
+    """The words of the command that is being read, and the word that is being put together."""
+
+    words: list[tuple[str, int]] = field(default_factory=list)
+    word: str = ""
+    started: int = 0
+    redirected: bool = False
+    """The next word is the file of a redirection: no word of the command."""
+
+    def take(self, pieces: list[str], line: int) -> None:
+        for index, piece in enumerate(pieces):
+            if index:
+                self.finish()
+            self.word, self.started = self.word + piece, self.started or line
+
+    def finish(self) -> None:
+        if self.started:
+            if not self.redirected:
+                self.words.append((self.word.replace("\x02", "{").replace("\x03", "}"), self.started))
+            self.redirected = False
+        self.word, self.started = "", 0
+
+    def end(self) -> list[tuple[str, int]]:
+        self.finish()
+        words, self.words = self.words, []
+        return words
+
+
 def _split(text: str, line: int, known: Mapping[str, str]) -> Iterator[list[tuple[str, int]]]:
-    words: list[tuple[str, int]] = []
-    word, started, redirected, comment = "", 0, False, False
-
-    def finish() -> None:
-        nonlocal word, started, redirected
-        if started:
-            if not redirected:
-                words.append((word.replace("\x02", "{").replace("\x03", "}"), started))
-            redirected = False
-        word, started = "", 0
-
+    now, comment = _Words(), False
     for match in _TOKEN.finditer(text):
         kind, token = match.lastgroup, match[0]
         if kind == "space":
-            finish()
+            now.finish()
             line += token.count("\n")
             comment = comment and "\n" not in token
             continue
-        comment = comment or (not started and token.startswith("#"))
+        comment = comment or (not now.started and token.startswith("#"))
         if comment:
             continue
         if kind == "separator":
-            finish()
-            yield words
-            words = []
-            continue
-        if kind == "redirect" or (kind == "version" and not started):
-            finish()
-            redirected = not token.endswith(("&1", "&2", "&"))
-            continue
-        started = started or line
-        word += _value(kind or "other", token, known)
-        line += token.count("\n")
-    finish()
-    yield words
+            yield now.end()
+        elif kind == "redirect" or (kind == "version" and not now.started):
+            now.finish()
+            now.redirected = not token.endswith(("&1", "&2", "&"))
+        else:
+            now.take(_pieces(kind or "other", token, known), line)
+            line += token.count("\n")
+    yield now.end()
+
+
+def _pieces(kind: str, token: str, known: Mapping[str, str]) -> list[str]:
+    """Return a token's value; a bare variable falls into words as in a shell, an empty one into none."""
+    if kind != "variable":
+        return [_value(kind, token, known)]
+    return [] if known.get(token.strip("${}")) == "" else _value(kind, token, known).split()
 
 
 def _value(kind: str, token: str, known: Mapping[str, str]) -> str:

@@ -67,6 +67,14 @@ def test_a_readme(tmp_path: Path) -> None:
     assert {("command", "roslaunch thing it.launch"), ("command", "python run.py --go")} <= mentions
 
 
+def test_inline_code_in_three_backquotes_opens_no_block(tmp_path: Path) -> None:
+    text = (
+        "1. Install:\n\n   ```sudo apt install liba```\n* Then: ```sudo apt-get install libb```\n"
+        "Now install libc with apt install libd of old.\n```\napt install libe\n```\n"
+    )
+    assert named(read(readme, tmp_path, {"README.md": text})) == [("liba", 3), ("libb", 4), ("libe", 7)]
+
+
 def test_other_pages_and_formats(tmp_path: Path) -> None:
     files = {
         "README.rst": "Install\n=======\n\n.. code-block:: bash\n\n   sudo apt-get install liba\n",
@@ -118,6 +126,17 @@ def test_github_actions(tmp_path: Path) -> None:
     assert {m.value for m in prose.mentions if m.topic == "distro"} == {"humble", "jazzy"}
 
 
+def test_quoted_commands_and_the_values_of_a_matrix(tmp_path: Path) -> None:
+    circle = '  - run:\n      command: "source /opt/ros/noetic/setup.bash && catkin build --say \\"so\\""\n'
+    matrix = (
+        "matrix:\n  include:\n  - os: a\n    py: python\n  - os: b\n    py: python3\n"
+        "run: sudo apt install -y lib${{ matrix.py }}-dev ros-${{ matrix.ros_distro }}-b x${{ matrix.none }}y\n"
+    )
+    prose = read(ci, tmp_path, {".circleci/config.yml": circle, ".github/workflows/ci.yml": matrix})
+    assert [m.value for m in prose.mentions if m.topic == "build_tool"] == ["catkin_tools"]
+    assert [name for name, _ in named(prose)] == ["libpython-dev", "libpython3-dev", "ros-{distro}-b"]
+
+
 def test_travis_lists(tmp_path: Path) -> None:
     text = "dist: xenial\naddons:\n  apt:\n    packages:\n    - liba\n    - libb\nscript:\n  - catkin_make\n"
     prose = read(ci, tmp_path, {".travis.yml": text})
@@ -127,12 +146,13 @@ def test_travis_lists(tmp_path: Path) -> None:
 
 def test_install_scripts_and_lists(tmp_path: Path) -> None:
     files = {
-        "scripts/install_deps.sh": 'DEPS="liba libb"\nsudo apt-get install -y $DEPS libc\n',
+        "scripts/install_deps.sh": 'SUDO=""\nDEPS="liba ros-$ROS_DISTRO-b"\n$SUDO apt-get install -y $DEPS sudo libc\n',
         "scripts/plot.sh": "apt-get install libx\n",
         "install_jetson.sh": "apt-get install liby\n",
         "apt.txt": "libd\nlibe\n",
     }
-    assert {name for name, _ in named(read(scripts, tmp_path, files))} >= {"libc", "libd", "libe"}
+    found = {name for name, _ in named(read(scripts, tmp_path, files))}
+    assert found == {"liba", "ros-{distro}-b", "sudo", "libc", "libd", "libe"}
     assert not {name for name, _ in named(read(scripts, tmp_path, files))} & {"libx", "liby"}
 
 

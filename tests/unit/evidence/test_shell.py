@@ -40,6 +40,7 @@ def pip(text: str) -> list[str]:
         ("sudo apt-get install liba, sudo apt-get install libb", ["liba"]),
         ("apt-get install -t focal-backports liba libc++-dev g++", ["liba", "libc++-dev", "g++"]),
         ("apt-get install liba and then run it", ["liba"]),
+        ("apt-get install liba sudo apt-get install libb", ["liba"]),
         ("apt-get install ros-humble-gazebo-* ./local.deb libA", []),
         ("X=libfoo apt-get install $X", []),
     ],
