@@ -26,7 +26,9 @@ _PLAIN_PYTHON = re.compile(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)pyt
 """A first line that starts `python`, which Ubuntu 20.04 and newer do not have of themselves."""
 _MAIN = re.compile(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
 _NODE = re.compile(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
-_STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
+_APART = frozenset({"tkinter"})
+"""Of the standard library by its documentation, a package of its own by Debian's and Ubuntu's: python3-tk."""
+_STANDARD = (frozenset(sys.stdlib_module_names) - _APART) | frozenset(
     {
         "__builtin__", "ConfigParser", "Queue", "StringIO", "cPickle", "commands", "copy_reg", "cStringIO",
         "distutils", "httplib", "imp", "md5",

@@ -36,6 +36,12 @@ def test_what_comes_from_outside(tmp_path: Path) -> None:
     ]
 
 
+def test_tkinter_is_a_package_of_its_own(tmp_path: Path) -> None:
+    """The standard library has it, Debian's and Ubuntu's do not."""
+    repository = tree(tmp_path, {"window.py": "import os\nimport tkinter as tk\nfrom tkinter import ttk\n"})
+    assert [(d.name, d.line) for d in imports.read(repository)] == [("tkinter", 2)]
+
+
 def test_notebooks_are_optional_evidence(tmp_path: Path) -> None:
     cells = {
         "cells": [{"cell_type": "code", "source": ["import pandas as pd\n", "x = 1\n", "from scipy import stats"]}]
