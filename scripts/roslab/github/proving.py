@@ -12,7 +12,8 @@ from roslab.errors import BuildError, Problem
 from roslab.github import workflow
 from roslab.github.run import Folder, Run, slug
 from roslab.proof import describe
-from roslab.render.summary import LayerSize, PlatformReport, ProofReport
+from roslab.render.sizes import LayerSize
+from roslab.render.summary import PlatformReport, ProofReport
 
 OUTPUT_LINES = 200
 """Of a proof's output, kept for the summary."""
@@ -89,7 +90,7 @@ def _proofs(outcomes: Sequence[containers.Outcome]) -> tuple[ProofReport, ...]:
     return tuple(
         ProofReport(
             name=outcome.proof.name,
-            command=describe(outcome.proof),
+            command=describe(outcome.proof) if outcome.proof.command else "",
             passed=outcome.passed,
             summary=outcome.summary,
             output="\n".join(outcome.output.splitlines()[-OUTPUT_LINES:])[-20_000:],
@@ -102,5 +103,5 @@ def _failure(outcomes: Sequence[containers.Outcome]) -> Problem | None:
     failed = next((outcome for outcome in outcomes if not outcome.passed), None)
     if failed is None:
         return None
-    hint = "its output stands above; no tag was made or moved. Correct the code, or name another `test` in roslab.yaml"
+    hint = "what it printed is in the log and in the summary; correct the code, or name another `test` in roslab.yaml"
     return Problem(message=f"on {failed.platform}, {failed.proof.name}: {failed.summary}", hint=hint)

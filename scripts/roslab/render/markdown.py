@@ -11,9 +11,19 @@ from roslab.repository import printable
 
 def text(value: str) -> str:
     """Return one line of plain text: no markup, no HTML, no mention, no cell border, no link."""
-    escaped = re.sub(r"([\\`*_{}\[\]()#+!|~$-])", r"\\\1", printable(" ".join(value.split())))
+    return _escaped(" ".join(value.split()))
+
+
+def _escaped(line: str) -> str:
+    escaped = re.sub(r"([\\`*_{}\[\]()#+!|~$-])", r"\\\1", printable(line))
     # A zero-width space after @ and before the rest of a bare URL: neither is turned into a link
     return html.escape(escaped, quote=False).replace("@", "@\u200b").replace("://", ":\u200b//")
+
+
+def prose(value: str) -> str:
+    """Return one line of plain text in which a message's own ``backticks`` mark code; all else is as in ``text``."""
+    parts = re.split(r"`([^`]+)`", " ".join(value.split()))
+    return "".join(code(part) if index % 2 else _escaped(part) for index, part in enumerate(parts))
 
 
 def code(value: str) -> str:
@@ -21,7 +31,7 @@ def code(value: str) -> str:
     line = printable(" ".join(value.split())) or " "
     fence = "`" * (max((len(run) for run in re.findall(r"`+", line)), default=0) + 1)
     pad = " " if line.startswith("`") or line.endswith("`") else ""
-    return f"{fence}{pad}{line}{pad}{fence}".replace("|", "\\|")
+    return f"{fence}{pad}{line}{pad}{fence}"
 
 
 def block(value: str, language: str = "") -> str:
@@ -33,11 +43,12 @@ def block(value: str, language: str = "") -> str:
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Return a table of cells that are Markdown already."""
+    """Return a table of cells that are Markdown already; a border in one, even in its code, is escaped here."""
+    rows = [[re.sub(r"(?<!\\)((?:\\\\)*)\|", r"\1\\|", cell) for cell in row] for row in rows]
     lines = [f"| {' | '.join(head)} |", f"|{' --- |' * len(head)}"]
     return "\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows)]) + "\n"
 
 
-def folded(title: str, body: str) -> str:
-    """Return a section that opens on a click; ``title`` is Markdown without block structure."""
-    return f"<details><summary>{title}</summary>\n\n{body.strip()}\n\n</details>\n"
+def folded(title: str, body: str, *, opened: bool = False) -> str:
+    """Return a section that opens on a click, or is open and closes on one; ``title`` is HTML."""
+    return f"<details{' open' if opened else ''}><summary>{title}</summary>\n\n{body.strip()}\n\n</details>\n"

@@ -2,29 +2,23 @@
 
 from __future__ import annotations
 
-import re
 import shlex
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from roslab.decide.decision import Reason
 from roslab.plan import Plan
-from roslab.render.markdown import block, code, folded, table, text
+from roslab.render.markdown import block, code, folded, prose, table, text
+from roslab.render.sizes import LayerSize, chart, human
 
 MAX_ROWS = 60
 """Of reasons and warnings; a repository of three hundred packages has thousands."""
-MAX_SLICES = 7
-"""Of the chart: more cannot be told apart on a phone."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class LayerSize:
-    """One layer as the chart shows it."""
-
-    size: int
-    """Compressed bytes."""
-    text: str
-    """The instruction that made it, ``""`` where it is not known."""
-    base: bool
+FEW = 5
+"""Warnings that are shown without a click."""
+NOT_PROVED = "not proved"
+"""How the outcome of a proof begins that failed and was only guessed."""
+PHONE = 40
+"""Characters of a line of code that a phone shows."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -33,9 +27,14 @@ class ProofReport:
 
     name: str
     command: str
+    """As a person would type it, ``""`` where the image itself says what it starts."""
     passed: bool
     summary: str
     output: str
+    screenshot: str = ""
+    """File in the run's artifacts, of a proof with a display."""
+    screenshot_remark: str = ""
+    """That nothing was drawn, or why there is no screenshot."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -86,31 +85,36 @@ class Report:
 
 
 def summary(report: Report) -> str:
-    """Return the summary as GitHub's Markdown; every text from the repository or a log is escaped."""
+    """Return the summary as GitHub's Markdown, what is needed first in front.
+
+    Every text from the repository or a log is escaped. Nothing is wider than a phone but code, which scrolls.
+    """
     parts = [
         _headline(report),
         _platforms(report),
-        _how_to_run(report),
+        _failed_proofs(report),
+        _screens(report),
+        _doubts(report),
         _sizes(report),
-        *(f"{note}\n" for note in report.notes),
+        _passed_proofs(report),
+        _other_ways(report),
         _badge(report),
-        _proofs(report),
         _decisions(report.plan),
-        _refused(report),
     ]
     return "\n".join(part for part in parts if part)
 
 
 def _headline(report: Report) -> str:
-    name = code(f"{report.image}:{_tag(report)}" if report.published else report.plan.name)
+    """Say whether it worked, and give the one command that runs it."""
     if report.failures:
-        items = "".join(f"- {text(failure)}\n" for failure in report.failures)
-        return f"### {name}: failed\n\n{items}\nNo tag was made or moved.\n"
+        items = "".join(f"- {prose(failure)}\n" for failure in report.failures)
+        return f"### ❌ Failed: {code(report.plan.name)}\n\n{items}\nNo tag was made or moved.\n"
     if report.published:
-        tags = ", ".join(code(tag.rpartition(":")[2]) for tag in report.tags)
-        return f"### {name} is published\n\nTags: {tags}  \nDigest: {code(report.digest)}\n"
-    why = text(report.reason[:1].upper() + report.reason[1:])
-    return f"### {name} was built and proved, and not published\n\n{why}.\n"
+        reference = f"{report.image}:{_tag(report)}"
+        notes = "".join(f"\n{note}\n" for note in report.notes)
+        return f"### ✅ Published as {code(reference)}\n\n{_run(report.plan, reference)}{notes}"
+    why = prose(report.reason[:1].upper() + report.reason[1:])
+    return f"### ✅ Built and proved, not published: {code(report.plan.name)}\n\n{why}.\n"
 
 
 def _tag(report: Report) -> str:
@@ -119,41 +123,90 @@ def _tag(report: Report) -> str:
     return next((name for name in names if not name.startswith("sha-")), names[0] if names else "latest")
 
 
+def _run(plan: Plan, reference: str) -> str:
+    """Return the command, broken where a phone would have to scroll."""
+    run = plan.run
+    groups = [["docker", "run", "--rm", "-it", *(["--gpus", "all"] if run.gpu else [])]]
+    groups += [["-p", port] for port in run.ports]
+    if run.gui:
+        groups += [["-e", "DISPLAY"], ["-v", "/tmp/.X11-unix:/tmp/.X11-unix"]]  # noqa: S108 - where X keeps its sockets
+    words = [shlex.join(group) for group in (*groups, [reference])]
+    line = " ".join(words)
+    return block(line if len(line) <= PHONE else " \\\n  ".join(words), "bash")
+
+
 def _platforms(report: Report) -> str:
-    if not report.platforms:
-        return ""
     rows = []
     for entry in report.platforms:
         failed = next((proof for proof in entry.proofs if not proof.passed), None)
         proof = failed or (entry.proofs[-1] if entry.proofs else None)
-        told = f"{'✅' if not failed else '❌'} {text(proof.name)}: {text(proof.summary)}" if proof else "none"
+        told = f"{_mark(proof)} {text(_short(proof))}" if proof else "none"
         size = human(entry.size) if entry.layers else "not pushed"
         build = duration(entry.build_seconds) if entry.build_seconds is not None else ""
-        rows.append((code(entry.platform), size, build, told, code(entry.digest[:19]) if entry.digest else ""))
-    return table(("platform", "compressed", "build", "proof", "digest"), rows)
+        rows.append((code(entry.platform), told, size, build))
+    seen = {entry.platform for entry in report.platforms}
+    rows += [(code(name), "❌ no image", "", "") for name in report.plan.platforms if rows and name not in seen]
+    refused = [f"- Not built for {code(name)}: {prose(why)}\n" for name, why in report.plan.platforms_refused]
+    head = ("platform", "proof", "size", "build")
+    return "\n".join(part for part in (table(head, rows) if rows else "", "".join(refused)) if part)
 
 
-def _how_to_run(report: Report) -> str:
-    if not report.published:
-        return ""
-    run = report.plan.run
-    reference = f"{report.image}:{_tag(report)}"
-    flags = ["--rm", "-it", *(["--gpus", "all"] if run.gpu else [])]
-    flags += [word for port in run.ports for word in ("-p", port)]
-    if run.gui:
-        flags += ["-e", "DISPLAY", "-v", "/tmp/.X11-unix:/tmp/.X11-unix"]  # noqa: S108 - where X keeps its sockets
-    rocker = [*(["--x11"] if run.gui else []), *(["--nvidia"] if run.gpu else [])]
-    lines = [
-        shlex.join(["docker", "run", *flags, reference]),
-        shlex.join(["rocker", *rocker, reference]) + "  # https://github.com/osrf/rocker",
-        shlex.join(["docker", "run", *flags, f"{report.image}@{report.digest}"]) + "  # these very bytes",
-    ]
-    return f"#### Run it\n\n{block(chr(10).join(lines), 'console')}"
+def _failed_proofs(report: Report) -> str:
+    return "\n".join(_proof(entry, proof) for entry in report.platforms for proof in entry.proofs if not proof.passed)
+
+
+def _passed_proofs(report: Report) -> str:
+    return "\n".join(_proof(entry, proof) for entry in report.platforms for proof in entry.proofs if proof.passed)
+
+
+def _proof(entry: PlatformReport, proof: ProofReport) -> str:
+    title = f"{_mark(proof)} Proof on {_html(entry.platform)}: {_html(proof.name)}"
+    told = prose(proof.summary[:1].upper() + proof.summary[1:])
+    command = block(proof.command, "bash") if proof.command else "The command that the image itself starts.\n"
+    body = (
+        f"{command}\n{told}. It printed:\n\n{block(proof.output, 'text')}"
+        if proof.output.strip()
+        else (f"{command}\n{told}. It printed nothing.\n")
+    )
+    return folded(title, body, opened=not proof.passed)
+
+
+def _short(proof: ProofReport) -> str:
+    """Return an outcome in three words; the proof's own section has the rest."""
+    return proof.summary.partition(":")[0]
+
+
+def _screens(report: Report) -> str:
+    """Return where the pictures are of the programs that open windows."""
+    lines = []
+    for entry in report.platforms:
+        for proof in entry.proofs:
+            place = f"{code(proof.screenshot)}, among the artifacts of this run" if proof.screenshot else ""
+            told = "; ".join(part for part in (place, prose(proof.screenshot_remark)) if part)
+            if told:
+                lines.append(f"- Screenshot on {code(entry.platform)}: {told}.\n")
+    return "".join(lines)
+
+
+def _mark(proof: ProofReport) -> str:
+    if proof.passed:
+        return "⚠️" if proof.summary.startswith(NOT_PROVED) else "✅"
+    return "❌"
+
+
+def _doubts(report: Report) -> str:
+    """Return what the author should look at; many are folded."""
+    warnings = report.plan.warnings
+    lines = [f"- {prose(w.message)} {_place(w.file, w.line)}".rstrip() for w in warnings[:MAX_ROWS]]
+    if len(warnings) > MAX_ROWS:
+        lines.append(f"- {len(warnings) - MAX_ROWS} more: {code('roslab inspect')}")
+    title = "⚠️ One thing is doubtful" if len(warnings) == 1 else f"⚠️ {len(warnings)} things are doubtful"
+    return folded(title, "\n".join(lines), opened=len(warnings) <= FEW) if lines else ""
 
 
 def _sizes(report: Report) -> str:
     entry = next((entry for entry in report.platforms if entry.layers), None)
-    if entry is None:
+    if entry is None or report.failures:
         return ""
     base = sum(layer.size for layer in entry.layers if layer.base)
     image = report.plan.base_image
@@ -163,64 +216,51 @@ def _sizes(report: Report) -> str:
         if base and entry.size
         else f"{code(image)} did not tell its layers, so what other images on it share is not known.\n"
     )
-    return f"#### Size\n\n{shared}\n{_chart(entry, base)}"
+    return f"#### Size\n\n{shared}\n{chart(entry.platform, entry.layers)}"
 
 
-def _chart(entry: PlatformReport, base: int) -> str:
-    """Draw the layers as a pie: https://mermaid.js.org/syntax/pie.html, which GitHub renders."""
-    slices = [(f"base image, {human(base)}", base)] if base else []
-    own = [layer for layer in entry.layers if not layer.base]
-    largest = sorted(own, key=lambda layer: -layer.size)[: MAX_SLICES - len(slices) - 1]
-    slices += [(f"{instruction(layer.text)}, {human(layer.size)}", layer.size) for layer in largest]
-    rest = sum(layer.size for layer in own) - sum(layer.size for layer in largest)
-    slices += [(f"{len(own) - len(largest)} smaller layers, {human(rest)}", rest)] if rest > 0 else []
-    lines = [f'    "{label}" : {max(size / 1e6, 0.001):.3f}' for label, size in slices if size]
-    return block("\n".join([f"pie title Compressed layers, {entry.platform}", *lines]), "mermaid")
-
-
-def instruction(history: str) -> str:
-    """Return an image's history entry as a label of a chart: short, and only characters that mean nothing there."""
-    said = re.sub(
-        r"^(?:RUN )?(?:\|\d+ (?:\w+=\S* )*)?/bin/(?:ba)?sh (?:-\w+ (?:pipefail )?)*(?:#\(nop\) +)?", "", history
+def _other_ways(report: Report) -> str:
+    if not report.published:
+        return ""
+    run = report.plan.run
+    rocker = [*(["--x11"] if run.gui else []), *(["--nvidia"] if run.gpu else [])]
+    tags = ", ".join(code(tag.rpartition(":")[2]) for tag in report.tags)
+    digests = "".join(f"- {code(entry.platform)}: {code(entry.digest)}\n" for entry in report.platforms if entry.digest)
+    reference = f"{report.image}:{_tag(report)}"
+    body = (
+        f"This very image, wherever its tags go later:\n\n{_run(report.plan, f'{report.image}@{report.digest}')}\n"
+        f"By [rocker](https://github.com/osrf/rocker):\n\n"
+        f"{block(shlex.join(['rocker', *rocker, reference]), 'bash')}\n"
+        f"Tags: {tags}\n\nDigests of the platforms:\n\n{digests}"
     )
-    said = re.sub(r"\s*# buildkit$", "", said).strip()
-    said = " ".join(re.sub(r"[^A-Za-z0-9 ._/=+-]+", " ", said).split())
-    return (said if len(said) <= 40 else said[:39].rstrip() + "...") or "layer"
+    return folded("Tags, digests, and other ways to run it", body)
 
 
 def _badge(report: Report) -> str:
-    return f"#### For the README\n\n{block(report.badge, 'markdown')}" if report.published and report.badge else ""
-
-
-def _proofs(report: Report) -> str:
-    parts = []
-    for entry in report.platforms:
-        for proof in entry.proofs:
-            title = f"{'✅' if proof.passed else '❌'} {_html(entry.platform)}: {_html(proof.name)}"
-            body = f"{code(proof.command)}: {text(proof.summary)}\n\n{block(proof.output or '(no output)', 'text')}"
-            parts.append(folded(title, body))
-    return "\n".join(["#### Proofs\n", *parts]) if parts else ""
+    return (
+        folded("A badge for the README", block(report.badge, "markdown")) if report.published and report.badge else ""
+    )
 
 
 def _decisions(plan: Plan) -> str:
+    """Return one line for each answer: a table of four columns cannot be read on a phone."""
     reasons = [reason for reason in plan.reasons if reason.decisive]
-    rows = [
-        (text(r.question), code(r.answer) if r.answer else "", text(r.reason), _place(r.file, r.line))
-        for r in reasons[:MAX_ROWS]
+    answers = [reason for reason in reasons if reason.question != "dependencies"]
+    needed = [reason for reason in reasons if reason.question == "dependencies"]
+    parts = [
+        "".join(_reason(reason, f"**{text(reason.question.replace('_', ' '))}** ") for reason in answers[:MAX_ROWS])
     ]
-    more = f"\n{len(reasons) - MAX_ROWS} more: `roslab inspect --format json`\n" if len(reasons) > MAX_ROWS else ""
-    if not rows:
-        return ""
-    return folded("What was decided, and why", table(("question", "answer", "reason", "where"), rows) + more)
+    if needed:
+        parts.append("What it needs:\n\n" + "".join(_reason(reason) for reason in needed[:MAX_ROWS]))
+    if more := len(answers[MAX_ROWS:]) + len(needed[MAX_ROWS:]):
+        parts.append(f"{more} more: {code('roslab inspect --format json')}\n")
+    return folded("What was decided, and why", "\n".join(parts)) if reasons else ""
 
 
-def _refused(report: Report) -> str:
-    plan = report.plan
-    lines = [f"- {code(platform)} is not built: {text(why)}" for platform, why in plan.platforms_refused]
-    if not report.published and not report.failures:
-        lines.append(f"- Nothing is published: {text(report.reason)}")
-    lines += [f"- {text(w.message)} {_place(w.file, w.line)}".rstrip() for w in plan.warnings[:MAX_ROWS]]
-    return folded("What was refused or is doubtful, and why", "\n".join(lines)) if lines else ""
+def _reason(reason: Reason, question: str = "") -> str:
+    answer = code(reason.answer) if reason.answer else "none"
+    place = f" ({_place(reason.file, reason.line)})" if reason.file else ""
+    return f"- {question}{answer}: {prose(reason.reason)}{place}\n"
 
 
 def _place(file: str | None, line: int | None) -> str:
@@ -230,14 +270,6 @@ def _place(file: str | None, line: int | None) -> str:
 def _html(value: str) -> str:
     """Markdown is not read inside a summary element: HTML alone is escaped."""
     return text(value).replace("\\", "")
-
-
-def human(size: int) -> str:
-    """Return a size as registries show it: ``1.23 GB``, ``45.6 MB``."""
-    for unit, factor in (("GB", 1e9), ("MB", 1e6), ("kB", 1e3)):
-        if size >= factor:
-            return f"{size / factor:.{2 if unit == 'GB' else 1}f} {unit}"
-    return f"{size} B"
 
 
 def duration(seconds: float) -> str:

@@ -13,7 +13,8 @@ from roslab.decide.decision import Reason
 from roslab.errors import ConfigurationError
 from roslab.github.run import PORTABLE, Folder, Run, from_line, reports, to_json
 from roslab.pipeline import plan_repository
-from roslab.render.summary import LayerSize, PlatformReport, ProofReport
+from roslab.render.sizes import LayerSize
+from roslab.render.summary import PlatformReport, ProofReport
 
 NAMES = (
     "ros1_talker",

@@ -12,7 +12,8 @@ from markdown_it import MarkdownIt
 from roslab.decide.decision import Reason, Warning_
 from roslab.pipeline import plan_repository
 from roslab.render import markdown
-from roslab.render.summary import LayerSize, PlatformReport, ProofReport, Report, human, instruction, summary
+from roslab.render.sizes import LayerSize, human, part
+from roslab.render.summary import PlatformReport, ProofReport, Report, summary
 
 HOSTILE = "`x` | <script>alert(1)</script> ![a](https://evil.example/a.png) @everyone **b** $(id) ]( \x1b[31m</details>"
 
@@ -32,7 +33,7 @@ def platform(name: str, *, passed: bool = True, layers: bool = True) -> Platform
         digest="sha256:" + "a" * 64,
         source="sha256:" + "b" * 64,
         layers=sizes if layers else (),
-        proofs=(proof(passed=passed),),
+        proofs=(proof(passed=passed, text="passed in 1.0 s" if passed else "failed: no end within 1800 s"),),
         build_seconds=200.0,
     )
 
@@ -53,14 +54,17 @@ def report(examples: Path) -> Report:
 
 def test_published(report: Report) -> None:
     text = summary(report)
-    assert "### `ghcr.io/lab/robot:main` is published" in text
-    assert report.digest in text
-    assert "docker run --rm -it ghcr.io/lab/robot:main" in text
+    assert text.startswith("### ✅ Published as `ghcr.io/lab/robot:main`\n\n```bash\ndocker run ")
+    assert "docker run --rm -it \\\n  ghcr.io/lab/robot:main\n" in text
+    assert f"docker run --rm -it \\\n  ghcr.io/lab/robot@{report.digest}\n" in text
     assert "rocker ghcr.io/lab/robot:main" in text
     assert text.count("1.00 GB") == 3
+    assert "Tags: `sha-1234567`, `main`" in text
     assert "700.0 MB of 1.00 GB (70%) are layers of" in text
     assert "3 min 20 s" in text
-    assert '"apt-get update apt-get install x, 299.0 MB" : 299.000' in text
+    assert '"base image 700.0 MB" : 700.000' in text
+    assert '"apt 299.0 MB" : 299.000' in text
+    assert "<details open>" not in text
     assert "[![image](https://x/badge.svg)](https://y)" in text
 
 
@@ -73,10 +77,13 @@ def test_failed(report: Report) -> None:
         platforms=(platform("linux/arm64", passed=False),),
     )
     text = summary(failed)
-    assert "failed" in text.splitlines()[0]
-    assert "No tag was made or moved." in text
+    assert text.startswith("### ❌ Failed: `robot`\n\n- on linux/arm64: failed\n\nNo tag was made or moved.\n")
     assert "docker run" not in text
-    assert "❌" in text
+    assert "| `linux/arm64` | ❌ failed |" in text
+    assert "| `linux/amd64` | ❌ no image |" in text
+    # What the failed proof printed is seen without a click, and nothing that matters only when all is well
+    assert "<details open><summary>❌ Proof on linux/arm64: the test</summary>" in text
+    assert "mermaid" not in text
 
 
 def test_a_pull_request(report: Report) -> None:
@@ -89,7 +96,7 @@ def test_a_pull_request(report: Report) -> None:
         reason="a pull request …",
     )
     text = summary(proved)
-    assert "built and proved, and not published" in text
+    assert text.startswith("### ✅ Built and proved, not published: `robot`\n\nA pull request …")
     assert "not pushed" in text
     assert "mermaid" not in text
 
@@ -117,9 +124,40 @@ def test_nothing_of_the_repository_is_markup(report: Report) -> None:
     assert "evil.example" not in " ".join(re.findall(r'(?:href|src)="([^"]*)"', rendered))
     assert "@everyone" not in outside
     assert "\x1b" not in rendered
-    assert outside.count("</details>") == outside.count("<details>")
+    assert outside.count("</details>") == len(re.findall(r"<details(?: open)?>", outside))
     rows = [row for row in re.findall(r"<tr>.*?</tr>", rendered, flags=re.DOTALL) if "<td" in row]
-    assert {row.count("<td") for row in rows} == {5, 4}
+    assert {row.count("<td") for row in rows} == {4}
+
+
+def test_a_guess_that_failed_is_no_success(report: Report) -> None:
+    guessed = dataclasses.replace(proof(), summary="not proved: the guessed command failed; name `command`")
+    entry = dataclasses.replace(platform("linux/amd64"), proofs=(guessed,))
+    text = summary(dataclasses.replace(report, platforms=(entry,)))
+    assert "| `linux/amd64` | ⚠️ not proved |" in text
+    assert "⚠️ Proof on linux/amd64: the test" in text
+    assert "Not proved: the guessed command failed; name `command`." in text
+    assert "✅ Proof" not in text
+
+
+def test_few_doubts_are_seen_and_many_are_folded(report: Report) -> None:
+    def said(number: int) -> str:
+        warnings = tuple(Warning_(message=f"doubt {index}", file="a.txt", line=3) for index in range(number))
+        return summary(dataclasses.replace(report, plan=dataclasses.replace(report.plan, warnings=warnings)))
+
+    assert "<details open><summary>⚠️ One thing is doubtful</summary>\n\n- doubt 0 `a.txt:3`" in said(1)
+    assert "<details><summary>⚠️ 100 things are doubtful</summary>" in said(100)
+    assert "- 40 more: `roslab inspect`" in said(100)
+
+
+@pytest.mark.parametrize("cell", ["a|b", r"a\|b", r"a\\|b", "|"])
+def test_a_border_in_a_cell_is_no_border(cell: str) -> None:
+    rendered = MarkdownIt("commonmark").enable("table").render(markdown.table(("x", "y"), [(markdown.code(cell), "z")]))
+    assert rendered.count("<td>") == 2
+    assert "<td>z</td>" in rendered
+
+
+def test_only_what_a_message_marks_is_code() -> None:
+    assert markdown.prose("name `a b` in *x*: 1 ` 2") == r"name `a b` in \*x\*: 1 \` 2"
 
 
 def test_a_fence_is_longer_than_what_it_holds() -> None:
@@ -130,15 +168,22 @@ def test_a_fence_is_longer_than_what_it_holds() -> None:
 @pytest.mark.parametrize(
     ("history", "expected"),
     [
-        ("RUN /bin/sh -c make # buildkit", "make"),
-        ("RUN |2 NB_USER=jovyan NB_UID=1000 /bin/bash -o pipefail -c pip install x # buildkit", "pip install x"),
-        ("/bin/sh -c #(nop) ADD file:1 in /", "ADD file 1 in /"),
-        ("", "layer"),
-        ('x" : 1', "x 1"),
+        ("RUN /bin/sh -c make -j2 # buildkit", "compiled"),
+        ("RUN |2 NB_USER=jovyan NB_UID=1000 /bin/bash -o pipefail -c python3 -m pip install x # buildkit", "pip"),
+        ("RUN /bin/sh -c apt-get update  && apt-get install --yes cmake # buildkit", "apt"),
+        ("RUN /bin/sh -c apt-get --quiet install cmake && pip3 install numpy", "pip"),
+        ("RUN /bin/bash -c apt-get update; rosdep update; rosdep install --from-paths /tmp/manifests", "rosdep"),
+        ("RUN /bin/bash -c conda env create --file environment.yml", "conda"),
+        ("/bin/sh -c #(nop) ADD file:1 in / ", "Ubuntu"),
+        ("ADD amd64.tar / # buildkit", "Ubuntu"),
+        ("COPY . /home/jovyan/make # buildkit", "files"),
+        ("RUN /bin/sh -c useradd robot", "set-up"),
+        ("", "set-up"),
+        ('x" : 1', "set-up"),
     ],
 )
-def test_instruction(history: str, expected: str) -> None:
-    assert instruction(history) == expected
+def test_part(history: str, expected: str) -> None:
+    assert part(history) == expected
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,81 @@
+"""What a download consists of: the layers of an image, gathered by what made them, as a chart for the summary."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from roslab.render.markdown import block
+
+BASE = "base image"
+SMALLEST = 0.02
+"""Share of a slice of its own: below it neither the slice nor its number can be read."""
+COLOURS = ("#57606a", "#0969da", "#1a7f37", "#bc4c00", "#8250df", "#bf3989", "#9a6700", "#1b7c83", "#cf222e")
+"""One for each slice, dark enough for white numbers and light enough for a dark page: Mermaid's own are not."""
+PARTS: tuple[tuple[str, re.Pattern[str]], ...] = (
+    ("Ubuntu", re.compile(r"^(?:ADD|COPY) \S+ (?:in )?/$")),
+    ("files", re.compile(r"^(?:ADD|COPY)\b")),
+    ("rosdep", re.compile(r"\brosdep install\b")),
+    ("conda", re.compile(r"\b(?:conda|mamba|micromamba)\s+(?:install|create|env)\b")),
+    ("pip", re.compile(r"\b(?:pip[\d.]*|poetry|pdm|pipenv|uv)\s+(?:install|sync)\b|-m venv\b")),
+    ("apt", re.compile(r"\bapt(?:-get)?\s+(?:-\S+\s+)*install\b")),
+    ("compiled", re.compile(r"\b(?:colcon|catkin_make\w*|catkin|cmake|make|ninja|nvcc|cargo)\b")),
+)
+"""What made a layer, by its instruction; the first that fits counts. https://docs.docker.com/reference/dockerfile/"""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class LayerSize:
+    """One layer of an image."""
+
+    size: int
+    """Compressed bytes."""
+    text: str
+    """The instruction that made it, ``""`` where it is not known."""
+    base: bool
+
+
+def chart(platform: str, layers: Iterable[LayerSize]) -> str:
+    """Draw what the layers hold as a pie, which GitHub renders: https://mermaid.js.org/syntax/pie.html.
+
+    Labels are short and letters large: a phone shows the whole at half its size. Of a base that did not tell its
+    layers, the file system it began with is named as Ubuntu's.
+    """
+    sizes: dict[str, int] = {}
+    for layer in layers:
+        name = BASE if layer.base else part(layer.text)
+        sizes[name] = sizes.get(name, 0) + layer.size
+    total = sum(sizes.values())
+    small = [name for name, size in sizes.items() if size < SMALLEST * total]
+    kept = sorted((name for name in sizes if name not in small), key=lambda name: (name != BASE, -sizes[name]))
+    lines = [f'    "{name} {human(sizes[name])}" : {sizes[name] / 1e6:.3f}' for name in kept]
+    look = {
+        "pieOpacity": "1",
+        "pieSectionTextColor": "#ffffff",
+        "pieSectionTextSize": "21px",
+        "pieLegendTextSize": "21px",
+        "pieTitleTextSize": "21px",
+        "pieStrokeColor": "#8c959f",
+        "pieOuterStrokeColor": "#8c959f",
+        **{f"pie{number}": colour for number, colour in enumerate(COLOURS, 1)},
+    }
+    # Where Mermaid is too old to know the place of the legend, it stands at the right, and smaller
+    settings = json.dumps({"pie": {"legendPosition": "bottom"}, "themeVariables": look})
+    head = f"%%{{init: {settings}}}%%"
+    return block("\n".join([head, f"pie title Download for {platform}", *lines]), "mermaid")
+
+
+def part(history: str) -> str:
+    """Return what an image's history entry put into its layer, in two words."""
+    said = re.sub(r"\s*# buildkit$", "", re.sub(r"^.*?#\(nop\)\s+", "", history)).strip()
+    return next((name for name, pattern in PARTS if pattern.search(said)), "set-up")
+
+
+def human(size: int) -> str:
+    """Return a size as registries show it: ``1.23 GB``, ``45.6 MB``."""
+    for unit, factor in (("GB", 1e9), ("MB", 1e6), ("kB", 1e3)):
+        if size >= factor:
+            return f"{size / factor:.{2 if unit == 'GB' else 1}f} {unit}"
+    return f"{size} B"
