@@ -54,9 +54,9 @@ def answer(text: str | bytes) -> tuple[Config | None, tuple[Problem, ...]]:
 
 
 def survives(text: str) -> Config | None:
-    begin = time.perf_counter()
+    begin = time.process_time()
     config, problems = answer(text)
-    assert time.perf_counter() - begin < 1
+    assert time.process_time() - begin < 10, "something doubles itself"
     if config is None:
         assert problems
         assert all(p.hint and p.file == "roslab.yaml" and len(str(p).splitlines()) == 1 for p in problems)

@@ -90,7 +90,7 @@ def test_every_row_is_whole() -> None:
 
 def test_patterns_take_linear_time() -> None:
     text = "np.x.append(from scipy.misc import yaml.load(((((" * 5_000
-    start = time.perf_counter()
+    start = time.process_time()
     for removal in removals():
         removal.pattern.search(text)
-    assert time.perf_counter() - start < 5, "a pattern backtracks"
+    assert time.process_time() - start < 5, "a pattern backtracks"
