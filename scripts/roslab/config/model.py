@@ -67,6 +67,8 @@ class Source:
     make_command: str | None = None
     """Shell text, ``make -j… install`` unless said."""
     keep_source: bool = False
+    prepare: str = ""
+    """Shell text of the program's own tables, run in the fresh checkout."""
     place: Place | None = None
 
 

@@ -15,7 +15,7 @@ from roslab.evidence.facts import Dependency, Evidence, GitSource
 from roslab.evidence.vcs import https
 from roslab.knowledge.distros import distros
 from roslab.knowledge.released import released, rosdep_keys
-from roslab.knowledge.ros_sources import ros_sources
+from roslab.knowledge.ros_sources import RosSource, ros_sources
 
 _EXTRA = re.compile(
     r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
@@ -77,7 +77,7 @@ def decide_sources(
             message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
             more = "a package of that name that rosdep knows may be another one: the clone is used"
             chosen.warnings.append(Warning_(message=f"{message}; {more}", file=asked.file, line=asked.line))
-    chosen.known(needed, released(ros_distro or "") | rosdep_keys() | own, 1 if kind == "ros1" else 2)
+    chosen.known(needed, released(ros_distro or "") | rosdep_keys() | own, 1 if kind == "ros1" else 2, ros_distro or "")
     return chosen.choice(files)
 
 
@@ -119,8 +119,11 @@ class _Chosen:
                 why = f"a submodule, {git.url}: check it out with the repository"
                 self.reasons.append(replace(because("source", git.name, why, git, weight=10), decisive=False))
 
-    def known(self, needed: Iterable[Dependency], elsewhere: frozenset[str], ros: int) -> None:
-        """Take what the table of unreleased packages holds for the names that nothing else answers for."""
+    def known(self, needed: Iterable[Dependency], elsewhere: frozenset[str], ros: int, distro: str) -> None:
+        """Take what the table of unreleased packages holds for the names that nothing else answers for.
+
+        A clone of the same repository that the author names keeps its own ref, and gets all else that the table knows.
+        """
         for asked in needed:
             if asked.namespace not in {"rosdep", "ros", "cmake"} or asked.name in elsewhere:
                 continue
@@ -135,8 +138,17 @@ class _Chosen:
                     kind="clone",
                 )
                 self.add(git, f"{asked.name} is needed, and no distribution released {found.package}")
-                if found.library and found.package in self.sources:
-                    self.libraries.setdefault(found.library, asked)
+                if found.package in self.sources:
+                    self._complete(found, asked, distro)
+
+    def _complete(self, found: RosSource, asked: Dependency, distro: str) -> None:
+        source = self.sources[found.package]
+        if source.repo is None or _url(source.repo) != _url(found.repo):
+            return  # another repository of that name
+        if found.library:
+            self.libraries.setdefault(found.library, asked)
+        options = source.cmake_options or found.options.format(distro=distro)
+        self.sources[found.package] = replace(source, prepare=found.prepare, cmake_options=options)
 
     def loose(self) -> tuple[Warning_, ...]:
         """Warn of sources without a ref: another day gives another image."""

@@ -17,18 +17,29 @@ class RosSource:
     ref: str
     library: str
     """A row of ``recipes.toml`` that it links, ``""`` for none."""
+    prepare: str
+    """Shell text that makes the checkout a package, run in its folder (it holds a manifest for each ROS version)."""
+    options: str
+    """CMake options that its build needs; ``{distro}`` stands for the ROS distribution."""
 
 
 @cache
-def _table() -> dict[str, dict[str, str]]:
-    return {row["package"]: row for row in rows("ros_sources")}
+def _table() -> dict[tuple[str, str], dict[str, str]]:
+    return {(row["package"], row["ros"]): row for row in rows("ros_sources")}
 
 
 def ros_sources(package: str, ros: int) -> tuple[RosSource, ...]:
     """Return what to clone for a package, what it needs first; empty for one that the table does not have."""
-    row = _table().get(package)
-    if row is None or row["ros"] != str(ros):
+    row = _table().get((package, str(ros)))
+    if row is None:
         return ()
     first = {found.package: found for needed in row["after"].split() for found in ros_sources(needed, ros)}
-    own = RosSource(package=package, repo=row["repo"], ref=row["ref"], library=row["library"])
+    own = RosSource(
+        package=package,
+        repo=row["repo"],
+        ref=row["ref"],
+        library=row["library"],
+        prepare=row["prepare"],
+        options=row["options"],
+    )
     return (*first.values(), own)

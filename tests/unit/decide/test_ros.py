@@ -352,3 +352,22 @@ def test_pip_leaves_colcon_a_setuptools_that_it_can_use(tmp_path: Path) -> None:
     assert (reason.file, "ament_python" in reason.reason) == ("package.xml", True)
     pinned = decided(tmp_path, tree | {"requirements.txt": "setuptools==58.2.0\nopen3d\n"})
     assert pinned.python.pip == ()  # the author's own pin stands
+
+
+@pytest.mark.parametrize(("xml", "branch", "option"), [(CATKIN, "noetic", "ROS1"), (AMENT, "humble", "ROS2")])
+def test_a_driver_with_a_manifest_for_each_ros_is_made_a_package_of_this_one(
+    tmp_path: Path, xml: str, branch: str, option: str
+) -> None:
+    files = package(xml=xml.replace("</package>", "<depend>livox_ros_driver2</depend></package>"))
+    found = decided(tmp_path, files, branch=branch)
+    driver = next(source for source in found.source if source.name == "livox_ros_driver2")
+    assert (driver.ref, f"package_{option}.xml package.xml" in driver.prepare) == ("1.2.6", True)
+    assert driver.cmake_options.split()[0] == f"-DROS_EDITION={option}"
+    assert [source.name for source in found.source] == ["livox-sdk2", "livox_ros_driver2"]
+    cloned = decided(
+        tmp_path,
+        {"README.md": "git clone https://github.com/Livox-SDK/livox_ros_driver2.git -b 1.2.4\n"},
+        branch=branch,
+    )
+    driver = next(source for source in cloned.source if source.name == "livox_ros_driver2")
+    assert (driver.ref, driver.prepare != "") == ("1.2.4", True)

@@ -216,3 +216,11 @@ def test_what_is_no_plan_is_refused(text: str) -> None:
 )
 def test_every_text_gives_an_image_name(text: str, name: str) -> None:
     assert image_name(text) == name
+
+
+def test_a_sister_is_prepared_after_its_clone_and_gives_the_workspace_its_options() -> None:
+    sister = dataclasses.replace(SISTER, prepare="cp a.xml package.xml", cmake_options="-DEDITION='R 1'")
+    text = dockerfile(plan(source=(sister,)))
+    clone, prepare, build = positions(text, "git clone", "cp a.xml package.xml", "catkin_make -j")
+    assert clone < prepare < build
+    assert "'-DEDITION=R 1'" in text[build:].splitlines()[0]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shlex
 
+from roslab.config.model import Source
 from roslab.packages import ROS_TOOLS
 from roslab.plan import Plan
 from roslab.render import quote
@@ -47,9 +48,14 @@ def sister_sources(plan: Plan) -> str:
     blocks = (
         [shell.apt_install(depends)] if (depends := tuple(dict.fromkeys(d for s in sources for d in s.depends))) else []
     )
-    runs = [shell.run(*fetch(s, quote.shell_with_user(f"{WS}/src/{s.name}"))) for s in sources]
+    runs = [shell.run(*_fetched(s)) for s in sources]
     head = "# Sister packages, from their source"
     return "\n".join([head, *blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
+
+
+def _fetched(source: Source) -> list[str]:
+    folder = quote.shell_with_user(f"{WS}/src/{source.name}")
+    return fetch(source, folder) + ([f"(cd {folder} && {source.prepare})"] if source.prepare else [])
 
 
 def rosdep(plan: Plan) -> str:
@@ -177,7 +183,7 @@ def overlay(plan: Plan) -> str:
 def _command(plan: Plan) -> str:
     # Options and arguments are the repository's: where it is no package of the workspace, they are its cmake's
     own = plan.workspace.tool in ROS_TOOLS
-    options = _cmake_options(plan) if own else ""
+    options = (_cmake_options(plan) if own else "") + _sisters_options(plan)
     cmake = f" --cmake-args{options}" if options else ""
     arguments = "".join(f" {quote.shell(word)}" for word in plan.workspace.arguments) if own else ""
     match workspace_tool(plan):
@@ -195,6 +201,12 @@ def _cmake_options(plan: Plan) -> str:
     if not plan.compatible and not any("CMAKE_BUILD_TYPE" in word for word in words):
         words.insert(0, "-DCMAKE_BUILD_TYPE=Release")  # the old formats gave none: there it stays as it was
     return "".join(f" {quote.shell(word)}" for word in words)
+
+
+def _sisters_options(plan: Plan) -> str:
+    """Return the options that sister packages need: a workspace has one set for all its packages."""
+    words = [word for source in plan.workspace.sources for word in shlex.split(source.cmake_options)]
+    return "".join(f" {quote.shell(word)}" for word in dict.fromkeys(words))
 
 
 def build_folder(plan: Plan) -> str:
