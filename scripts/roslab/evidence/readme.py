@@ -31,7 +31,7 @@ _FENCE = re.compile(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
 _START = re.compile(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
-    r"rosrun|catkin|catkin_make|colcon|cmake|uv|mkdir|cd)\s.*)$"
+    r"rosrun|catkin|catkin_make|colcon|cmake|uv|mkdir|cd)\s.*|catkin_make)$"
 )
 _SPAN = re.compile(r"(`+)(.+?)\1")
 _HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*$")

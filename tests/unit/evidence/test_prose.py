@@ -163,3 +163,9 @@ def test_pipx_and_the_pages_on_compiling(tmp_path: Path) -> None:
         "doc/Contributors.md": "```bash\npip install never\n```\n",
     }
     assert sorted(named(read(readme, tmp_path, pages), "pip")) == [("cmake", 2), ("thing==10.*", 2)]
+
+
+def test_a_build_command_alone_on_its_line(tmp_path: Path) -> None:
+    page = "Build it:\n\n    cd ~/catkin_ws\n    catkin_make\n\nThen catkin_make is done.\n"
+    found = read(readme, tmp_path, {"README.md": page})
+    assert [(m.value, m.line) for m in found.mentions if m.topic == "build_tool"] == [("catkin_make", 4)]
