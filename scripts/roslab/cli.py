@@ -108,6 +108,11 @@ def _building_commands(commands: argparse._SubParsersAction[argparse.ArgumentPar
     _overrides(build)
     build.add_argument("--tag", metavar="TAG", default="latest", help="tag of the image (default: latest)")
     build.add_argument("--no-proof", action="store_true", help="do not run the image before it gets its name")
+    build.add_argument(
+        "--screenshots",
+        metavar="DIR",
+        help="folder for the screenshot of a program with windows (default: roslab/NAME in your cache folder)",
+    )
     build.add_argument("--no-cache", action="store_true", help="build every layer anew")
     build.add_argument(
         "--build-arg",

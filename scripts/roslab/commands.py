@@ -130,6 +130,7 @@ def build(options: argparse.Namespace) -> int:
     planned = _plan(options)
     _warn(planned)
     version = engine.check()
+    screenshots = _screenshots(options, planned)
     platforms = planned.plan.platforms if options.platform else (engine.native_platform(),)
     name = f"{planned.plan.name}:{options.tag}"
     engine.say(f"roslab: building {name} for {', '.join(platforms)} with Docker {version}")
@@ -150,7 +151,7 @@ def build(options: argparse.Namespace) -> int:
                 )
                 engine.build(job)
                 if not options.no_proof:
-                    _prove(planned, candidates[-1], platform, name)
+                    _prove(planned, candidates[-1], platform, name, screenshots)
         for candidate, platform in zip(candidates, platforms, strict=True):
             # The engine's image store may hold one platform a name: several get one name each
             suffix = f"-{platform.rpartition('/')[2]}" if len(platforms) > 1 else ""
@@ -162,10 +163,26 @@ def build(options: argparse.Namespace) -> int:
     return 0
 
 
-def _prove(planned: Planned, candidate: str, platform: str, name: str) -> None:
+def _screenshots(options: argparse.Namespace, planned: Planned) -> Path:
+    """Return the folder for pictures of the screen, made where one will be kept.
+
+    By default one of the user's cache: in the repository it would change the image that is built next.
+    """
+    cache = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    folder = Path(options.screenshots or Path(os.path.expanduser(cache), "roslab", planned.plan.name))  # noqa: PTH111
+    if options.screenshots or (not options.no_proof and any(proof.display for proof in planned.plan.proofs)):
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            message = f"no folder {folder} can be made for screenshots: {error.strerror}"
+            raise ConfigurationError(Problem(message=message, hint="name another with --screenshots DIR")) from None
+    return folder.absolute()
+
+
+def _prove(planned: Planned, candidate: str, platform: str, name: str, screenshots: Path) -> None:
     from roslab import containers  # noqa: PLC0415
 
-    for outcome in containers.prove(candidate, platform, planned.plan.proofs):
+    for outcome in containers.prove(candidate, platform, planned.plan.proofs, screenshots=screenshots):
         if not outcome.passed:
             message = f"{name} was not named: on {platform}, {outcome.proof.name}: {outcome.summary}"
             raise BuildError(

@@ -60,13 +60,16 @@ class Proof:
     """A failure keeps the image from its tag; what was only guessed is tried and told: it breaks nothing."""
     may_run_on: bool = False
     """A program that has no end: still alive after the proof's seconds counts as passed, as ending with 0 does."""
+    display: bool = False
+    """It opens windows: it runs with a virtual display, and a picture of that is kept."""
 
 
 def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
     """Return the proofs of an image, in the order in which they are run."""
+    windows = decision.gui if config.gui is None else config.gui
     if config.test:
         command = ("bash", "-c", config.test) if isinstance(config.test, str) else config.test
-        return (Proof(name="the repository's test", command=command),)
+        return (Proof(name="the repository's test", command=command, display=windows),)
     found = []
     if decision.dockerfile is None:
         found += _workspace_proofs(decision)
@@ -81,7 +84,8 @@ def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
     start: tuple[str, ...] | str = () if decision.dockerfile else decision.command
     argv = ("bash", "-c", start) if isinstance(start, str) else start
     said = bool(decision.dockerfile or config.command) or argv[:1] == ("bash",)
-    found.append(Proof(name="the default command starts", command=argv, required=said, may_run_on=True))
+    name = "the default command starts"
+    found.append(Proof(name=name, command=argv, required=said, may_run_on=True, display=windows))
     return tuple(found)
 
 

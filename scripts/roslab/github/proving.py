@@ -9,7 +9,7 @@ from pathlib import Path
 
 from roslab import containers, engine, registry
 from roslab.errors import BuildError, Problem
-from roslab.github import workflow
+from roslab.github import screen, workflow
 from roslab.github.run import Folder, Run, slug
 from roslab.proof import describe
 from roslab.render.sizes import LayerSize
@@ -27,15 +27,17 @@ def prove(environment: Mapping[str, str]) -> None:
     seconds = time.time() - build["started"]
     platforms = build["platforms"].split(",")
     digest = environment.get("ROSLAB_DIGEST", "")
-    if run.push:
-        single = platforms[0] if len(platforms) == 1 else None
-        images = registry.platforms(run.image, digest, platform=single)
-        if sorted(image.platform for image in images) != sorted(platforms):
-            found = ", ".join(image.platform for image in images)
-            raise BuildError(Problem(message=f"{', '.join(platforms)} were to be built, the registry holds {found}"))
-        failed = [_prove_pushed(folder, run, image, digest, seconds) for image in images]
-    else:
-        failed = [_prove_loaded(folder, run, platform, build, seconds) for platform in platforms]
+    with screen.screenshots(folder, run, platforms, environment):
+        if run.push:
+            single = platforms[0] if len(platforms) == 1 else None
+            images = registry.platforms(run.image, digest, platform=single)
+            if sorted(image.platform for image in images) != sorted(platforms):
+                found = ", ".join(image.platform for image in images)
+                wanted = f"{', '.join(platforms)} were to be built, the registry holds {found}"
+                raise BuildError(Problem(message=wanted))
+            failed = [_prove_pushed(folder, run, image, digest, seconds) for image in images]
+        else:
+            failed = [_prove_loaded(folder, run, platform, build, seconds) for platform in platforms]
     if problems := [problem for problem in failed if problem]:
         raise BuildError(*problems)
 
@@ -47,7 +49,7 @@ def _prove_pushed(
     base = registry.base_layers(run.plan.base_image, image.platform)
     with workflow.group(f"Prove {reference} on {image.platform}"):
         registry.pull(reference, image.platform)
-        outcomes = containers.prove(reference, image.platform, run.plan.proofs)
+        outcomes = containers.prove(reference, image.platform, run.plan.proofs, screenshots=folder.artifact)
         engine.remove_image(reference)
     layers = tuple(LayerSize(size=x.size, text=x.created_by, base=x.digest in base) for x in image.layers)
     folder.write_report(
@@ -77,7 +79,7 @@ def _prove_loaded(folder: Folder, run: Run, platform: str, build: Mapping[str, s
     )
     with workflow.group(f"Load and prove {platform}"):
         digest, _ = engine.build(job, environment={"SOURCE_DATE_EPOCH": build["epoch"]} if build["epoch"] else None)
-        outcomes = containers.prove(candidate, platform, run.plan.proofs)
+        outcomes = containers.prove(candidate, platform, run.plan.proofs, screenshots=folder.artifact)
         engine.remove_image(candidate)
     proofs = _proofs(outcomes)
     folder.write_report(
@@ -94,6 +96,8 @@ def _proofs(outcomes: Sequence[containers.Outcome]) -> tuple[ProofReport, ...]:
             passed=outcome.passed,
             summary=outcome.summary,
             output="\n".join(outcome.output.splitlines()[-OUTPUT_LINES:])[-20_000:],
+            screenshot=outcome.screenshot.file.name if outcome.screenshot and outcome.screenshot.file else "",
+            screenshot_remark=outcome.screenshot.remark if outcome.screenshot else "",
         )
         for outcome in outcomes
     )

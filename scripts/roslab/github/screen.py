@@ -1,0 +1,50 @@
+"""What a job does for programs with windows: an X server to prove them with, and their screenshots as an artifact."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+
+from roslab import engine
+from roslab.github import workflow
+from roslab.github.run import Folder, Run, slug
+
+INSTALL_SECONDS = 300.0
+
+
+@contextmanager
+def screenshots(folder: Folder, run: Run, platforms: Sequence[str], environment: Mapping[str, str]) -> Iterator[None]:
+    """Make ready for the proofs of a job, and name the pictures that they left, of failed proofs too.
+
+    The outputs are ``screenshots``, a pattern of files and ``""`` where there is none, and ``screenshots-artifact``.
+    """
+    if not any(proof.display for proof in run.plan.proofs):
+        yield
+        return
+    _install()
+    try:
+        yield
+    finally:
+        found = any(folder.artifact.glob("screenshot-*.png"))
+        part = slug(platforms[0]) if len(platforms) == 1 else "all"
+        name = f"screenshots-{run.image.partition('/')[2].replace('/', '-')}-{part}"
+        pattern = str(folder.artifact / "screenshot-*.png") if found else ""
+        workflow.outputs({"screenshots": pattern, "screenshots-artifact": name}, environment)
+
+
+def _install() -> None:
+    """Install Xvfb by apt where the runner lacks it and this user may; else the proof itself says what is missing."""
+    if shutil.which("Xvfb") or not shutil.which("apt-get"):
+        return
+    root = [] if os.geteuid() == 0 else ["sudo", "--non-interactive"]
+    if root and (not shutil.which("sudo") or engine.output([*root, "true"]).returncode):
+        return
+    apt = [*root, "env", "DEBIAN_FRONTEND=noninteractive", "apt-get"]
+    with workflow.group("Install Xvfb, which GitHub's own runners have"):
+        for words in (["update"], ["install", "--yes", "--no-install-recommends", "xvfb"]):
+            answer = engine.output([*apt, "--quiet", *words], timeout=INSTALL_SECONDS)
+            engine.say(answer.stdout + answer.stderr)
+            if answer.returncode:
+                return
