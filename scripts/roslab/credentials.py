@@ -146,6 +146,12 @@ class _NoRedirect(urllib.request.HTTPRedirectHandler):
         return None
 
 
+def _said(error: OSError | ValueError) -> str:
+    """Return what a person needs of an error: its words without its number."""
+    reason = getattr(error, "reason", None) or error
+    return str(getattr(reason, "strerror", None) or reason)
+
+
 def _ask_once(method: str, url: str, headers: Mapping[str, str]) -> _Answer:
     request = urllib.request.Request(url, method=method, headers={"User-Agent": "roslab", **headers})  # noqa: S310
     if method == "POST":
@@ -157,4 +163,4 @@ def _ask_once(method: str, url: str, headers: Mapping[str, str]) -> _Answer:
         with error:
             return _Answer(status=error.code, headers=error.headers, body=error.read(65536).decode(errors="replace"))
     except (OSError, ValueError) as error:
-        return _Answer(status=0, headers=Message(), body=str(getattr(error, "reason", None) or error))
+        return _Answer(status=0, headers=Message(), body=_said(error))

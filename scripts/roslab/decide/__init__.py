@@ -131,7 +131,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             *base.reasons,
             *tool_reasons,
             *layout.reasons,
-            *python_reasons,
+            # An author's recipe brings a Python of its own
+            *(reason for reason in python_reasons if not (recipe.dockerfile and reason.question == "python")),
             *cuda.reasons,
             *recipe.reasons,
             *command.reasons,

@@ -81,9 +81,9 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
             own = Reason(
                 question="command",
                 answer=shlex.join(recipe.command),
-                reason="the author's recipe has it",
+                reason="the author's recipe starts it",
                 file=recipe.file,
-                line=recipe.line,
+                line=recipe.command_line,
                 weight=60,
             )
             return CommandChoice(command=recipe.command, candidates=candidates, gui=gui, reasons=(own, *reasons))

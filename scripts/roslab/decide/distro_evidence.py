@@ -13,6 +13,8 @@ from roslab.knowledge.distros import distros, distros_of, ubuntus
 
 FAMILY = 2
 """Images of more distributions than this are a family, one for each: none of them says which is meant."""
+QUOTED = 160
+"""Letters of a sentence that are quoted."""
 _AGAINST = re.compile(
     r"not (?:been )?(?:tested|supported|work)|n't work|unsupported|no longer|deprecated|end[- ]of[- ]life|\beol\b|"
     r"coming soon|todo|"
@@ -101,7 +103,13 @@ def _weighed(mention: Mention) -> tuple[str, int]:
     weight = max(_spoken(sentence) for sentence in _sentences(mention.text, mention.value))
     if places.documentation(mention.file):
         weight -= 60
-    return mention.text[:160], weight - 3 * depth
+    return f"“{_quoted(mention)}”", weight - 3 * depth
+
+
+def _quoted(mention: Mention) -> str:
+    """Return the sentence that names a distribution, marked where it is cut."""
+    said = next(iter(_sentences(mention.text, mention.value))).strip().rstrip(";:,")
+    return said if len(said) <= QUOTED else said[: QUOTED - 1].rstrip() + "…"
 
 
 def _sentences(text: str, value: str) -> list[str]:

@@ -57,7 +57,8 @@ def _ros(evidence: Evidence) -> list[Reason]:
             continue
         others = len(by_version[3 - version])
         weight = (200 if wrapper else 500) + (_leaning(evidence, version, len(made) - others) if others else 0)
-        why = f"{len(made)} package(s) built by {'catkin' if version == 1 else 'ament'}"
+        number = "a package" if len(made) == 1 else f"{len(made)} packages"
+        why = f"{number} built by {'catkin' if version == 1 else 'ament'}"
         why += ", a wrapper beside a Python project" if wrapper else ""
         reasons.append(because("kind", f"ros{version}", why, made[0], weight=weight))
     if not packages.built:

@@ -20,15 +20,16 @@ _PYTHON_2 = frozenset({None, "trusty", "xenial", "bionic"})
 """Where `python` is Python 2. https://wiki.ubuntu.com/FocalFossa/ReleaseNotes#Python3_by_default"""
 _IN_ANY_ROS = ("catkin", "ros_base", "ros_core", "ament_cmake")
 _HOW = {
-    "cmake": "find_package",
-    "pkg-config": "pkg-config",
-    "link": "linked",
-    "include": "included",
-    "ros": "a ROS package in use",
-    "apt": "an install line",
-    "pip": "its wheel lacks it",
-    "rosdep": "a key",
-    "shebang": "the first line of a program",
+    "cmake": "find_package asks for {}",
+    "pkg-config": "pkg-config asks for {}",
+    "link": "{} is linked",
+    "include": "{} is included",
+    "import": "{} is imported",
+    "ros": "the ROS package {} is used",
+    "apt": "an install line names {}",
+    "pip": "the wheel of {} lacks it",
+    "rosdep": "the key {} is named",
+    "shebang": "the first line of a program names {}",
 }
 
 
@@ -137,9 +138,9 @@ def _explained(
     declared: dict[str, Dependency | None], guessed: dict[str, Dependency], keys: tuple[Dependency, ...]
 ) -> Iterator[Reason]:
     for key in keys:
-        yield because("dependencies", key.name, f"a key of a package.xml ({key.role})", key, weight=500)
+        yield because("dependencies", key.name, f"a package.xml asks for it ({key.role})", key, weight=500)
     for name, dependency in (*declared.items(), *guessed.items()):
         if dependency is not None:
-            how = _HOW.get(dependency.role) or _HOW.get(dependency.namespace, dependency.namespace)
-            why = f"{how}: {dependency.name} ({dependency.strength})"
+            how = _HOW.get(dependency.role) or _HOW.get(dependency.namespace, "{} is named")
+            why = how.format(dependency.name) + (", but need not be there" if dependency.strength == "optional" else "")
             yield because("dependencies", name, why, dependency, weight=400 if name in declared else 100)

@@ -142,6 +142,7 @@ class _Reading:
     base_line: int = 1
     copied: list[tuple[str, int]] = field(default_factory=list)
     command: tuple[str, ...] = ()
+    command_line: int | None = None
     problem: str | None = None
     """Why it is no Dockerfile."""
     needs: str | None = None
@@ -165,7 +166,7 @@ class _Reading:
         elif name in {"COPY", "ADD"}:
             self.copied += [(source, line) for source in _sources(body)]
         elif name == "CMD" or (name == "ENTRYPOINT" and not self.command):
-            self.command = _argv(body)
+            self.command, self.command_line = _argv(body), line
 
     def _from(self, body: str, line: int) -> None:
         if match := _FROM.match(expand(body.strip(), self.known)):
@@ -206,6 +207,7 @@ def _recipe(repository: Repository, file: File) -> Recipe:
         build_tool=next((tool for tool in tools if tool != "cmake"), tools[0] if tools else None),
         dependencies=tuple(dict.fromkeys(collector.dependencies)),
         command=reading.command,
+        command_line=reading.command_line,
         purpose=_purpose(file.path, reading.base or "", problem),
         arguments=tuple(reading.arguments.items()),
         problem=problem or reading.needs or missing,

@@ -159,6 +159,8 @@ class Recipe:
     problem: str | None = None
     context: str | None = None
     """Build context that its COPY lines fit, relative to the root; ``None`` where nothing is copied."""
+    command_line: int | None = None
+    """Where ``command`` stands."""
     clones_itself: bool = False
     """It clones the repository it lies in: what it builds is not this checkout."""
 

@@ -39,7 +39,7 @@ def problem(access: Access, *, image: str, event: Event) -> Problem | None:
     if access.verdict == "forbidden":
         return Problem(message=f"the token may not write {image}{said}", hint=_right(host, image, event))
     if access.verdict == "unreachable":
-        hint = "no tag was made or moved: run the job again later"
+        hint = "run the job again later"
         return Problem(message=f"the registry {host} does not answer{said}", hint=hint)
     return None
 

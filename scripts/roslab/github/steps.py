@@ -134,7 +134,7 @@ def explain(environment: Environment) -> None:
     log = builder.failed_log()
     if refused := access.refusal(log):
         access.require(refused, image=run.image, event=event.read(environment))
-    known = [Problem(message=f"{found.cause}: {found.line}", hint=found.fix) for found in diagnose(log)]
+    known = [Problem(message=f"{found.cause.rstrip('.')}: {found.line}", hint=found.fix) for found in diagnose(log)]
     if not known:
         step = f": {engine.failed_step(log)}" if log else ""
         known = [Problem(message=f"the build failed{step}", hint="the log of the step above has the lines before it")]

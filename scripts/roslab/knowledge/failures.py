@@ -7,6 +7,9 @@ from dataclasses import dataclass
 
 from roslab.knowledge.table import rows
 
+_STEP = re.compile(r"^#\d+ (?:\d+\.\d+ )?")
+"""The number of BuildKit's step and its seconds, before what the step printed."""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Diagnosis:
@@ -25,6 +28,6 @@ def diagnose(log: str) -> tuple[Diagnosis, ...]:
             start = log.rfind("\n", 0, match.start()) + 1
             end = log.find("\n", match.end())
             cause = row["cause"].format(*match.groups())
-            line = log[start : end if end >= 0 else len(log)].strip()
+            line = _STEP.sub("", log[start : end if end >= 0 else len(log)].strip())
             found.setdefault((cause, row["fix"]), Diagnosis(line=line[:300], cause=cause, fix=row["fix"]))
     return tuple(found.values())

@@ -11,6 +11,9 @@ from roslab.decide.decision import Decision, Reason
 from roslab.plan import Plan
 from roslab.repository import printable
 
+COLUMN = 44
+"""Letters of an answer beside which its reason stands in the same column as the others'."""
+
 
 def inspection(decision: Decision, plan: Plan) -> dict[str, Any]:
     """Return the object of ``inspect --format json``; its keys are a contract with other programs."""
@@ -65,30 +68,45 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
         ),
         ("platforms", ", ".join(decision.platforms), "platforms"),
     ]
-    for label, value, question in rows:
-        if value:
-            lines.append(f"  {label:<11} {printable(value)}{_because(decision, question)}")
-    lines += _section("rosdep keys", decision.rosdep)
-    lines += _section("apt packages", (*plan.apt_first, *plan.apt))
-    lines += _section("apt packages, where this base knows them", (*plan.apt_tools, *plan.apt_guessed))
-    python = decision.python
-    lines += _section(
-        "pip packages",
-        dict.fromkeys(line for line in (*decision.pip, *python.python2) if line not in python.pip_guessed),
-    )
-    lines += _section("pip packages, guessed", python.pip_guessed)
-    lines += _section("no newer than", python.bounds)
+    shown = [(label, printable(value), _because(decision, question)) for label, value, question in rows if value]
+    width = max(len(value) for _, value, _ in shown if len(value) <= COLUMN)
+    lines += [f"  {label:<11} {value:<{width}}  {because}".rstrip() for label, value, because in shown]
+    lines += _packages(decision, plan)
     lines += _section(
         "from source",
         (f"{s.name} {s.repo or s.zip or ''} {s.ref or '(no fixed ref)'}".strip() for s in decision.source),
         rows=True,
     )
-    others = (shlex.join(c) for c in decision.command_candidates if c != decision.command)
+    command = decision.command if isinstance(decision.command, str) else shlex.join(decision.command)
+    others = (said for c in decision.command_candidates if (said := shlex.join(c)) != command)
     lines += _section("other commands", others, rows=True)
     lines += _section("not built for", (f"{name}: {why}" for name, why in decision.platforms_refused), rows=True)
     lines += _section("warnings", (_placed(w.message, w.file, w.line) for w in decision.warnings), rows=True)
-    lines += ["", "`roslab inspect --explain QUESTION` shows all evidence for and against one answer."]
+    questions = ", ".join(sorted({reason.question for reason in decision.reasons}))
+    lines += [
+        "",
+        "All evidence for and against one answer: `roslab inspect --explain QUESTION`, one of",
+        f"  {questions}",
+    ]
     return "\n".join(lines) + "\n"
+
+
+def _packages(decision: Decision, plan: Plan) -> list[str]:
+    """Return what the image gets installed; of an author's recipe, which installs by itself, what is named."""
+    python = decision.python
+    apt, apt_guessed = (*plan.apt_first, *plan.apt), (*plan.apt_tools, *plan.apt_guessed)
+    pip = dict.fromkeys(line for line in (*decision.pip, *python.python2) if line not in python.pip_guessed)
+    if decision.dockerfile:
+        named = dict.fromkeys((*decision.rosdep, *apt, *apt_guessed, *pip, *python.pip_guessed))
+        return _section("named by the recipe and the code; what is installed, the recipe says", named)
+    return [
+        *_section("rosdep keys", decision.rosdep),
+        *_section("apt packages", apt),
+        *_section("apt packages, where this base knows them", apt_guessed),
+        *_section("pip packages", pip),
+        *_section("pip packages, guessed", python.pip_guessed),
+        *_section("no newer than", python.bounds),
+    ]
 
 
 def explanation(reasons: Iterable[Reason], question: str) -> str:
@@ -116,7 +134,7 @@ def _python(decision: Decision) -> str | None:
 
 def _because(decision: Decision, question: str) -> str:
     reason = next((r for r in decision.reasons if r.question == question and r.decisive), None)
-    return f"    {_placed(reason.reason, reason.file, reason.line)}" if reason else ""
+    return _placed(reason.reason, reason.file, reason.line) if reason else ""
 
 
 def _placed(text: str, file: str | None, line: int | None) -> str:

@@ -1,0 +1,42 @@
+"""What ``inspect`` prints for a person."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.pipeline import plan_repository
+from roslab.render.report import inspection_text
+
+EXAMPLES = sorted(path.name for path in (Path(__file__).parents[3] / "examples").iterdir() if path.is_dir())
+
+
+def printed(examples: Path, name: str) -> str:
+    planned = plan_repository(examples / name, folder_name=name)
+    return inspection_text(planned.decision, planned.plan)
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_reasons_stand_in_one_column(examples: Path, name: str) -> None:
+    rows = printed(examples, name).split("\n\n")[1].splitlines()
+    explained = [row for row in rows if "  " in row[14:]]
+    columns = {len(row) - len(row[14:].partition("  ")[2].lstrip()) for row in explained}
+    assert len(explained) >= 3
+    assert len(columns) == 1, rows
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_other_commands_are_others(examples: Path, name: str) -> None:
+    text = printed(examples, name)
+    (command,) = (line[14:].split("  ")[0] for line in text.splitlines() if line.startswith("  command "))
+    others = text.partition("other commands:\n")[2].partition("\n\n")[0].splitlines()
+    assert f"  {command}" not in others
+
+
+def test_nothing_is_said_to_be_installed_beside_an_authors_recipe(examples: Path) -> None:
+    text = printed(examples, "own_dockerfile")
+    assert "guessed" not in text
+    assert "where this base knows them" not in text
+    assert "named by the recipe and the code; what is installed, the recipe says (3):\n  python3 python3-numpy" in text
+    assert "python3 pose_chain.py     the author's recipe starts it (docker/Dockerfile:11)" in text
