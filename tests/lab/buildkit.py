@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import shutil
+import subprocess
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from . import engine, facts, packages, processes, registry
-from .command import run, succeeds
+from .command import LabError, run, succeeds
 from .home import folder, home, recipe
 
 NAME = "buildkitd"
@@ -63,20 +67,47 @@ def forget() -> None:
     shutil.rmtree(home() / "buildkit", ignore_errors=True)
 
 
-def answers() -> bool:
+@contextmanager
+def fresh(place: Path) -> Iterator[str]:
+    """Run one more buildkitd whose empty store lies in ``place``, as a runner of GitHub's has it; yield its address.
+
+    Raises LabError when it does not answer within half a minute.
+    """
+    socket = place / "buildkitd.sock"
+    place.mkdir(parents=True)
+    configuration = _configuration(root=place / "store", socket=socket, path=place / "buildkitd.toml")
+    command = [str(program()), "--config", str(configuration)]
+    with (place / "buildkitd.log").open("w") as log:
+        daemon = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, cwd="/")
+    try:
+        deadline = time.monotonic() + 30
+        while not answers(f"unix://{socket}"):
+            if daemon.poll() is not None or time.monotonic() > deadline:
+                raise LabError(f"a fresh buildkitd does not answer; its log: {(place / 'buildkitd.log').read_text()}")
+            time.sleep(0.1)
+        yield f"unix://{socket}"
+    finally:
+        daemon.terminate()
+        daemon.wait(30)
+        engine.unmount_below(place)
+        shutil.rmtree(place / "store", ignore_errors=True)
+
+
+def answers(where: str = "") -> bool:
     """Tell whether something listens on its socket; buildx's own client says whether it is sound when it is used."""
-    return succeeds(["python3", "-c", _KNOCK, address().removeprefix("unix://")], timeout=5)
+    return succeeds(["python3", "-c", _KNOCK, (where or address()).removeprefix("unix://")], timeout=5)
 
 
 _KNOCK = "import socket, sys; socket.socket(socket.AF_UNIX).connect(sys.argv[1])"
 
 
-def _configuration() -> Path:
+def _configuration(*, root: Path | None = None, socket: Path | None = None, path: Path | None = None) -> Path:
+    """Write the configuration of the lab's own buildkitd, or of one with another store, socket and file."""
     local = [registry.address(registry.PROTECTED), registry.address(registry.MIRROR)]
     lines = [
-        f'root = "{folder("buildkit")}"',
+        f'root = "{root or folder("buildkit")}"',
         "[grpc]",
-        f'  address = ["{address()}"]',
+        f'  address = ["{f"unix://{socket}" if socket else address()}"]',
         "[worker.oci]",
         "  enabled = true",
         # Builds use the machine's own network: it knows the way to the package registries.
@@ -89,6 +120,6 @@ def _configuration() -> Path:
     ]
     for place in local:
         lines += [f'[registry."{place}"]', "  http = true", "  insecure = true"]
-    path = folder("run") / "buildkitd.toml"
+    path = path or folder("run") / "buildkitd.toml"
     path.write_text("\n".join(lines) + "\n")
     return path

@@ -23,6 +23,12 @@ on the loopback, a buildkitd, emulation of arm64, stand-in base images under the
   real                    say whether the real docker.io is in reach (then no stand-ins are used)
 
 Everything it keeps is in $REPRO_LAB_HOME, else in repro-action-lab in the user's cache folder.
+
+The actions that ours use have stand-ins in tests/lab/actions. To run the real ones instead, name a folder with a copy
+of each in OWNER__NAME, such as docker__build-push-action, with its action.yml and its dist; what is not there keeps its
+stand-in, and so does actions/checkout, which under act cannot know which code is under test:
+
+  REPRO_LAB_ACTIONS=FOLDER python3 -m pytest tests/lab/test_action.py tests/lab/test_workflows.py
 """
 
 

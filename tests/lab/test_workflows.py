@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -158,20 +157,3 @@ def test_a_registrys_bad_day(lab: Laboratory, tmp_path: Path, repository: str, t
     assert bool(doors.tags(repository)) == recovered
     if not recovered:
         assert [error for error in doors.errors(ran) if "503" in error], doors.errors(ran)
-
-
-def test_a_second_push_runs_no_step_again(lab: Laboratory, tmp_path: Path, repository: str) -> None:
-    """The cache is the registry's: the RUN of this repository takes the time of day, which two runs cannot share."""
-    recipe = f"FROM ubuntu:24.04\nRUN echo {repository} && date +%s%N > /when\nCOPY . /source\n"
-    given: dict[str, Any] = {"registry": lab.registry, "cache": "registry", "test": "echo made at $(cat /when)"}
-    caller = doors.through_workflow(tmp_path, given, {"Dockerfile": recipe})
-    first, second = run(lab, caller, repository), run(lab, caller, repository)
-    assert (first.exit_code, second.exit_code) == (0, 0), second.log
-    times = [
-        sorted({line.rpartition("made at ")[2] for line in ran.log.splitlines() if "made at 1" in line})
-        for ran in (first, second)
-    ]
-    assert len(times[0]) == 2  # one for each platform
-    assert times[0] == times[1]
-    caches = [tag for tag in registry.tags(repository) if tag.startswith("buildcache-")]
-    assert sorted(caches) == ["buildcache-main-linux-amd64", "buildcache-main-linux-arm64"]
