@@ -11,6 +11,7 @@ import sys
 import tempfile
 import threading
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -76,18 +77,21 @@ def run_workflow(
     actions_dir: Path | None = None,
     timeout: float = 900,
     tell: Callable[[str], None] | None = None,
+    place: Path | None = None,
+    unmasked: bool = False,
 ) -> Result:
     """Run the caller's workflows for an event in a throw-away copy and return what came of it.
 
     `jobs` and `workflow` (a path below the caller) narrow what runs; `env` is added to every step's environment;
     `tell` is given each line as it comes;
+    `place` is where it runs, and stays there afterwards; `unmasked` has act log secrets as they are, for a search;
     `inputs` are those of workflow_dispatch; `actions_dir` holds copies of real actions in folders OWNER__NAME.
     The caller's folder and the user's home are not touched. Raises LabError when an action has no stand-in.
     """
     payload = _payload(event_payload or {})
     branch = str(payload["repository"]["default_branch"])
     with (
-        tempfile.TemporaryDirectory(prefix="repro-act-", ignore_cleanup_errors=True) as name,
+        _folder(place) as name,
         api_stub({"default_branch": branch}) as api,
         artifact_door(server := f"127.0.0.1:{_free_port()}") as artifacts,
     ):
@@ -108,6 +112,7 @@ def run_workflow(
         command = [str(lab.act), event, "--json", "-C", str(copy), "-e", str(event_file)]
         command += ["--defaultbranch", branch, "--actor", payload["sender"]["login"]]
         command += [*_host_labels(), *_offline(place, server)]
+        command += ["--insecure-secrets"] if unmasked else []
         for job in jobs or ():
             command += ["--job", job]
         if workflow:
@@ -120,6 +125,13 @@ def run_workflow(
                 command += [option, f"{key}={value}"]
         code, lines = _run(command, environment, timeout, tell)
     return _result(code, lines)
+
+
+def _folder(place: Path | None) -> AbstractContextManager[str]:
+    if place is None:
+        return tempfile.TemporaryDirectory(prefix="repro-act-", ignore_cleanup_errors=True)
+    place.mkdir(parents=True)
+    return nullcontext(str(place))
 
 
 def _payload(given: dict[str, Any]) -> dict[str, Any]:

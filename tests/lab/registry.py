@@ -5,14 +5,18 @@ from __future__ import annotations
 import base64
 import json
 import shutil
+import sys
 import urllib.error
 import urllib.request
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from email.message import Message
+from pathlib import Path
 from typing import Any
 
 from . import facts, packages, processes
 from .command import LabError, run
-from .home import folder
+from .home import folder, lock
 
 PROTECTED = "registry"
 MIRROR = "mirror"
@@ -54,6 +58,27 @@ def down(name: str) -> bool:
 def credentials() -> tuple[str, str]:
     """Return the user name and the password of the protected registry."""
     return facts.text("registry", "username"), facts.text("registry", "password")
+
+
+@contextmanager
+def account(username: str, password: str) -> Iterator[None]:
+    """Let one more user in, for a while: the registry reads its passwords again whenever their file changes."""
+    passwords = folder("registries") / "htpasswd"
+    line = run(["htpasswd", "-Bbn", username, password]).strip()
+    with lock(sys.stderr):
+        _replace(passwords, [*passwords.read_text().split(), line])
+    try:
+        yield
+    finally:
+        with lock(sys.stderr):
+            _replace(passwords, [known for known in passwords.read_text().split() if known != line])
+
+
+def _replace(file: Path, lines: Sequence[str]) -> None:
+    """Write a file at once: the registry may read it at any moment."""
+    part = file.with_suffix(".part")
+    part.write_text("\n".join(lines) + "\n")
+    part.rename(file)
 
 
 def answers(name: str) -> bool:

@@ -21,6 +21,15 @@ def settings(environment: Mapping[str, str]) -> dict[str, str]:
     }
 
 
+def scanner(environment: Mapping[str, str], *, act: bool) -> bool:
+    """Tell whether the builder can pull the scanner that writes the bill of materials of an image.
+
+    Under act it is not asked for, since the machine may be offline; ROSLAB_SBOM (``true``, ``false``) says otherwise.
+    https://docs.docker.com/build/metadata/attestations/sbom/
+    """
+    return (environment.get("ROSLAB_SBOM") or ("false" if act else "true")) == "true"
+
+
 def emulated(platforms: Sequence[str]) -> tuple[str, ...]:
     """Return the architectures that the machine cannot run yet, as docker/setup-qemu-action names them."""
     known = listed(output(["docker", "buildx", "inspect", "default"]).stdout) or (native_platform(),)

@@ -120,7 +120,7 @@ def recipe(environment: Environment) -> None:
         "cache-from": "\n".join(layers.read),
         "cache-to": "\n".join(layers.write),
         "epoch": str(seconds) if seconds is not None else "",
-        "sbom": _flag(run.push and what.public and not what.act),
+        "sbom": _flag(run.push and what.public and builder.scanner(environment, act=what.act)),
     }
     folder.write("build.json", json.dumps({**build, "started": time.time()}))
     workflow.outputs(build, environment)

@@ -34,3 +34,10 @@ def test_a_runner_gets_a_buildkit_of_its_own_unless_a_machine_names_one() -> Non
     assert builder.settings({}) == {"driver": "docker-container", "endpoint": ""}
     named = {"ROSLAB_BUILDX_DRIVER": "remote", "ROSLAB_BUILDX_ENDPOINT": "unix:///run/buildkitd.sock"}
     assert builder.settings(named) == {"driver": "remote", "endpoint": "unix:///run/buildkitd.sock"}
+
+
+def test_a_bill_of_materials_is_written_on_a_runner_and_under_act_where_it_is_asked_for() -> None:
+    assert builder.scanner({}, act=False)
+    assert not builder.scanner({}, act=True)
+    assert builder.scanner({"ROSLAB_SBOM": "true"}, act=True)
+    assert not builder.scanner({"ROSLAB_SBOM": "false"}, act=False)

@@ -2,7 +2,8 @@
 
 Source: https://github.com/docker/build-push-action README and src/context.ts, v7.3.0; read 2026-11-21. A list input is
 lines; platforms, tags, allow and the like may be separated by commas too. With `push`, an output of type image or
-registry pushes; without `outputs`, --push does.
+registry pushes; without `outputs`, --push does. Without `provenance`, a public repository's build gets all of it, a
+private one's the least.
 """
 
 from __future__ import annotations
@@ -78,9 +79,17 @@ def command(inputs: Mapping[str, str], secrets: Path) -> list[str]:
     return words
 
 
+def provenance(event: Path) -> str:
+    """Return the provenance of a build that asks for none."""
+    payload = json.loads(event.read_text(encoding="utf-8")) if event.is_file() else {}
+    return "mode=min,inline-only=true" if payload.get("repository", {}).get("private") else "mode=max"
+
+
 def main(environment: Mapping[str, str]) -> int:
     """Build, write the outputs, return buildx's exit code."""
     inputs = {key: str(value) for key, value in json.loads(environment["BUILD_INPUTS"]).items()}
+    if inputs.get("load") != "true" and "type=docker" not in inputs.get("outputs", ""):
+        inputs["provenance"] = inputs.get("provenance") or provenance(Path(environment.get("GITHUB_EVENT_PATH", "")))
     with tempfile.TemporaryDirectory() as name:
         metadata, identity = Path(name) / "metadata.json", Path(name) / "id"
         words = [*command(inputs, Path(name)), "--metadata-file", str(metadata), "--iidfile", str(identity)]
