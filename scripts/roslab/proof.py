@@ -11,6 +11,8 @@ from roslab.decide.decision import Decision
 from roslab.knowledge.tools import SYSTEM_PYTHON
 from roslab.packages import ROS_TOOLS
 
+LONGEST = 200
+"""Letters of a command that are shown."""
 IMPORT_SCRIPT = """\
 import importlib, importlib.metadata as metadata, sys
 names, failed = sys.argv[1:], {}
@@ -128,6 +130,10 @@ def _distribution(line: str) -> str | None:
 
 
 def describe(proof: Proof) -> str:
-    """Return the command as a person would type it, long scripts cut."""
-    text = shlex.join(proof.command) or "(the image's own command)"
-    return text if len(text) <= 100 else text[:97] + "…"
+    """Return the command as a person would type it; of a script of several lines the first, of a long one its begin."""
+    words = [
+        f"{first} …" if (first := word.partition("\n")[0]) != (whole := word.rstrip("\n")) else whole
+        for word in proof.command
+    ]
+    text = shlex.join(words) or "(the image's own command)"
+    return text if len(text) <= LONGEST else text[: LONGEST - 1] + "…"

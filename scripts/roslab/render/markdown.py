@@ -8,14 +8,22 @@ from collections.abc import Iterable, Sequence
 
 from roslab.repository import printable
 
+_TERMINAL = re.compile(r"\x1b\[[0-?]*[ -/]*[@-~]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)")
+"""ECMA-48, 5.4 and 5.6: https://ecma-international.org/publications-and-standards/standards/ecma-48/"""
+
 
 def text(value: str) -> str:
     """Return one line of plain text: no markup, no HTML, no mention, no cell border, no link."""
     return _escaped(" ".join(value.split()))
 
 
+def _plain(line: str) -> str:
+    """Return a line without a terminal's colours and titles, and with every other control character spelt out."""
+    return printable(_TERMINAL.sub("", line))
+
+
 def _escaped(line: str) -> str:
-    escaped = re.sub(r"([\\`*_{}\[\]()#+!|~$-])", r"\\\1", printable(line))
+    escaped = re.sub(r"([\\`*_{}\[\]()#+!|~$-])", r"\\\1", _plain(line))
     # A zero-width space after @ and before the rest of a bare URL: neither is turned into a link
     return html.escape(escaped, quote=False).replace("@", "@\u200b").replace("://", ":\u200b//")
 
@@ -28,7 +36,7 @@ def prose(value: str) -> str:
 
 def code(value: str) -> str:
     """Return one line in a code span; the fence is longer than any run of backticks in it."""
-    line = printable(" ".join(value.split())) or " "
+    line = _plain(" ".join(value.split())) or " "
     fence = "`" * (max((len(run) for run in re.findall(r"`+", line)), default=0) + 1)
     pad = " " if line.startswith("`") or line.endswith("`") else ""
     return f"{fence}{pad}{line}{pad}{fence}"
@@ -36,7 +44,7 @@ def code(value: str) -> str:
 
 def block(value: str, language: str = "") -> str:
     """Return a code block; the fence is longer than any run of backticks in it."""
-    lines = [printable(line.replace("\t", "    ")) for line in value.strip("\n").splitlines()]
+    lines = [_plain(line.replace("\t", "    ")) for line in value.strip("\n").splitlines()]
     body = "\n".join(lines)
     fence = "`" * max(3, max((len(run) for run in re.findall(r"`+", body)), default=0) + 1)
     return f"{fence}{language}\n{body}\n{fence}\n"

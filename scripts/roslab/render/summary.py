@@ -17,6 +17,7 @@ FEW = 5
 """Warnings that are shown without a click."""
 NOT_PROVED = "not proved"
 """How the outcome of a proof begins that failed and was only guessed."""
+PASSED = "✅"
 PHONE = 40
 """Characters of a line of code that a phone shows."""
 
@@ -156,19 +157,29 @@ def _failed_proofs(report: Report) -> str:
 
 
 def _passed_proofs(report: Report) -> str:
-    return "\n".join(_proof(entry, proof) for entry in report.platforms for proof in entry.proofs if proof.passed)
+    """Return one section for each platform: with one for each proof, the list was longer than a phone."""
+    parts = []
+    for entry in report.platforms:
+        passed = [proof for proof in entry.proofs if proof.passed]
+        if len(passed) == 1:
+            parts.append(_proof(entry, passed[0]))
+        elif passed:
+            mark = next((mark for proof in passed if (mark := _mark(proof)) != PASSED), PASSED)
+            body = "\n".join(f"**{text(proof.name)}**\n\n{_told(proof)}" for proof in passed)
+            parts.append(folded(f"{mark} {len(passed)} proofs on {_html(entry.platform)}", body))
+    return "\n".join(parts)
 
 
 def _proof(entry: PlatformReport, proof: ProofReport) -> str:
     title = f"{_mark(proof)} Proof on {_html(entry.platform)}: {_html(proof.name)}"
-    told = prose(proof.summary[:1].upper() + proof.summary[1:])
+    return folded(title, _told(proof), opened=not proof.passed)
+
+
+def _told(proof: ProofReport) -> str:
+    outcome = prose(proof.summary[:1].upper() + proof.summary[1:])
     command = block(proof.command, "bash") if proof.command else "The command that the image itself starts.\n"
-    body = (
-        f"{command}\n{told}. It printed:\n\n{block(proof.output, 'text')}"
-        if proof.output.strip()
-        else (f"{command}\n{told}. It printed nothing.\n")
-    )
-    return folded(title, body, opened=not proof.passed)
+    printed = f"It printed:\n\n{block(proof.output, 'text')}" if proof.output.strip() else "It printed nothing.\n"
+    return f"{command}\n{outcome}. {printed}"
 
 
 def _short(proof: ProofReport) -> str:
@@ -190,7 +201,7 @@ def _screens(report: Report) -> str:
 
 def _mark(proof: ProofReport) -> str:
     if proof.passed:
-        return "⚠️" if proof.summary.startswith(NOT_PROVED) else "✅"
+        return "⚠️" if proof.summary.startswith(NOT_PROVED) else PASSED
     return "❌"
 
 

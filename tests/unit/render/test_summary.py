@@ -139,6 +139,23 @@ def test_a_guess_that_failed_is_no_success(report: Report) -> None:
     assert "✅ Proof" not in text
 
 
+def test_the_proofs_of_a_platform_that_passed_are_one_section(report: Report) -> None:
+    two = (proof(), dataclasses.replace(proof(), name="the command", command="", output=""))
+    entry = dataclasses.replace(platform("linux/amd64"), proofs=two)
+    text = summary(dataclasses.replace(report, platforms=(entry,)))
+    assert (
+        "<details><summary>✅ 2 proofs on linux/amd64</summary>\n\n**the test**\n\n```bash\nbash -c true\n```" in text
+    )
+    told = "The command that the image itself starts.\n\nPassed in 1.0 s. It printed nothing."
+    assert f"**the command**\n\n{told}\n\n</details>" in text
+
+
+def test_colours_of_a_terminal_are_left_out() -> None:
+    said = "\x1b]2;title\x07\x1b[31m[ERROR]\x1b[0m bad\x1b"
+    assert markdown.block(said, "text") == "```text\n[ERROR] bad\\x1b\n```\n"
+    assert markdown.code(said) == "`[ERROR] bad\\x1b`"
+
+
 def test_few_doubts_are_seen_and_many_are_folded(report: Report) -> None:
     def said(number: int) -> str:
         warnings = tuple(Warning_(message=f"doubt {index}", file="a.txt", line=3) for index in range(number))
