@@ -118,6 +118,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
                 Warning_(message=message, file=place.file if place else None, line=place.line if place else None)
                 for message, place in config.warnings
             ),
+            *kind.warnings,
             *ros.warnings,
             *python_warnings,
             *cuda.warnings,

@@ -21,6 +21,8 @@ _PLACEHOLDER = re.compile(r"YOUR|your[_-]|path/to|/path|\[|\]|\.\.\.|…|/home/|
 _ARGUMENT = re.compile(r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|--help\b|(?:^|\s)-h\b")
 """Files of the author's machine, or a question: no program to start by default."""
 _TEST = re.compile(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
+_WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
+"""Words of the shortest command that starts something."""
 _TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 
 
@@ -87,8 +89,9 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
                 weight=60,
             )
             return CommandChoice(command=recipe.command, candidates=candidates, gui=gui, reasons=(own, *reasons))
-    obvious = [c for c in found.values() if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
-    obvious = obvious if any(c.strong for c in found.values()) else list(found.values())
+    ours = [c for c in found.values() if _own(c.argv, evidence)]
+    obvious = [c for c in ours if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
+    obvious = obvious if any(c.strong for c in ours) else ours
     obvious = _barest(obvious)
     if len(obvious) == 1:
         only = obvious[0]
@@ -104,6 +107,13 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
     why = f"{len(found)} programs could be meant" if found else "no program stands out"
     shell = Reason(question="command", answer="bash", reason=f"{why}: a shell; set `command` in roslab.yaml", weight=10)
     return CommandChoice(candidates=candidates, gui=gui, reasons=(shell, *reasons))
+
+
+def _own(argv: tuple[str, ...], evidence: Evidence) -> bool:
+    """Tell whether a command starts something of the repository's: a viewer beside it is no default."""
+    package = argv[2:3] if argv[0] == "ros2" else argv[1:2] if argv[0] in {"roslaunch", "rosrun"} else ()
+    names = {manifest.name for manifest in evidence.manifests}
+    return not package or not names or package[0] in names
 
 
 def _barest(candidates: list[_Candidate]) -> list[_Candidate]:
@@ -139,6 +149,8 @@ def _written(evidence: Evidence, *, ros: bool) -> Iterator[_Candidate]:
         argv = tuple(mention.value.split())
         if _PLACEHOLDER.search(mention.value) or any(part.rpartition("/")[2] in _TOOLS for part in argv):
             continue
+        if len(argv) < _WORDS.get(argv[0], 1) or argv[-1].endswith(":="):
+            continue  # a page's prose about the command, or an argument whose value it leaves to the reader
         if argv[0].startswith("python"):
             here = _here(argv, programs)
             if here is None:

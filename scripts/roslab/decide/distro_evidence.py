@@ -29,6 +29,9 @@ _FOR = re.compile(
     re.IGNORECASE,
 )
 """The sentence tells what to have."""
+_RECOMMENDED = re.compile(r"\brecommend", re.IGNORECASE)
+_LIST = (".repos", ".rosinstall")
+"""A list for one distribution holds what that one lacks: others may need no list."""
 _SENTENCE = re.compile(r"(?<=[.;!?])\s+|\s*\|\s*")
 _RECIPES = {"project": 700, "ci": 520, "deploy": 450, "documentation": 300, "vendored": 50, "broken": 200}
 _PLACES = {"filename": 420, "ci": 500, "recipe": 430, "script": 330}
@@ -93,11 +96,13 @@ def _ubuntu(mention: Mention, ros: int) -> Iterator[Reason]:
 
 def _weighed(mention: Mention) -> tuple[str, int]:
     """Return why a distribution's name counts, and how much."""
-    depth = 5 * mention.file.count("/")
+    depth = 5 * mention.file.count("/") * (not mention.file.startswith("."))  # .github is a root's, as Jenkinsfile is
     if mention.source == "branch":
         return f"the branch is {mention.text}", 900
     if places.vendored(mention.file):
         return "a copied file names it", 20
+    if mention.source == "filename" and mention.file.endswith(_LIST):
+        return f"a list is named {mention.text}", 390 - depth
     if mention.source in _PLACES:
         return f"{_WHAT[mention.source]} {mention.text[:120]}", _PLACES[mention.source] - depth
     weight = max(_spoken(sentence) for sentence in _sentences(mention.text, mention.value))
@@ -118,7 +123,8 @@ def _sentences(text: str, value: str) -> list[str]:
 
 
 def _spoken(sentence: str) -> int:
-    return (400 if _FOR.search(sentence) else 300) - (180 if _AGAINST.search(sentence) else 0)
+    against = 180 if _AGAINST.search(sentence) else 0
+    return (420 if _RECOMMENDED.search(sentence) else 400 if _FOR.search(sentence) else 300) - against
 
 
 def _branches(evidence: Evidence, ros: int) -> Iterator[Reason]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import cast
 
 from roslab.config.model import Config, Kind
-from roslab.decide.decision import Reason
+from roslab.decide.decision import Reason, Warning_
 from roslab.decide.framework import framework
 from roslab.decide.reasons import Placed, because, configured, ranked
 from roslab.decide.workspace import packages_of, ros_versions
@@ -25,6 +25,7 @@ class KindChoice:
 
     kind: Kind
     reasons: tuple[Reason, ...]
+    warnings: tuple[Warning_, ...] = ()
 
 
 def decide_kind(evidence: Evidence, config: Config) -> KindChoice:
@@ -40,7 +41,8 @@ def decide_kind(evidence: Evidence, config: Config) -> KindChoice:
     if not reasons:
         reasons.append(because("kind", "python", "nothing says what it is", weight=1))
     best = max(reasons, key=lambda reason: reason.weight)
-    return KindChoice(kind=cast("Kind", best.answer), reasons=ranked(reasons, best.answer))
+    kind = cast("Kind", best.answer)
+    return KindChoice(kind=kind, reasons=ranked(reasons, kind), warnings=_warnings(evidence, kind))
 
 
 def _ros(evidence: Evidence) -> list[Reason]:
@@ -63,13 +65,31 @@ def _ros(evidence: Evidence) -> list[Reason]:
         reasons.append(because("kind", f"ros{version}", why, made[0], weight=weight))
     if not packages.built:
         reasons += _meta(evidence)
-    rosbuild = next((project for project in evidence.cmake if "rosbuild" in project.macros), None)
+    rosbuild = [project for project in evidence.cmake if "rosbuild" in project.macros]
     if rosbuild:
-        reasons.append(because("kind", "ros1", "it is built by rosbuild", rosbuild, weight=90))
+        weight = 365 if _all_rosbuild(evidence) else 90
+        reasons.append(because("kind", "ros1", "it is built by rosbuild", rosbuild[0], weight=weight))
     for manifest in packages.assets[:1]:
         why = "a package.xml with nothing to build beside it: a robot's description"
         reasons.append(because("kind", "ros1", why, manifest, weight=-10))
     return reasons
+
+
+def _all_rosbuild(evidence: Evidence) -> bool:
+    """Tell whether everything that CMake starts with is rosbuild's; one such folder in a program is an example."""
+    tops = [project for project in evidence.cmake if not places.vendored(project.file)]
+    nearest = min((project.file.count("/") for project in tops), default=0)
+    return all("rosbuild" in project.macros for project in tops if project.file.count("/") == nearest)
+
+
+def _warnings(evidence: Evidence, kind: Kind) -> tuple[Warning_, ...]:
+    """Say what of the repository is not built although its kind is clear."""
+    old = next((project for project in evidence.cmake if "rosbuild" in project.macros), None)
+    if kind != "ros1" or old is None or packages_of(evidence).built:
+        return ()
+    message = "rosbuild's packages (manifest.xml) are not built: catkin and colcon do not know them"
+    hint = "the image has what they need; build them under `custom` in roslab.yaml, by rosmake"
+    return (Warning_(message=f"{message}; {hint}", file=old.file, line=old.line),)
 
 
 def _wrapper(evidence: Evidence, manifests: list[str]) -> bool:
@@ -104,15 +124,23 @@ def _leaning(evidence: Evidence, version: int, majority: int) -> int:
 
 
 def _meta(evidence: Evidence) -> list[Reason]:
-    """Read a repository that only lists others: its vcs files and the distributions that its pages name."""
+    """Read a repository that only lists others: its vcs files, its submodules and the distributions that pages name.
+
+    A list at the root that only ROS's tools read outweighs requirements; submodules count with one of ROS's builders.
+    """
     listed = [source for source in evidence.sources if source.kind == "vcs"]
     sides = [found.ros for m in evidence.mentions if m.topic == "distro" and (found := distro(m.value))]
-    if not listed or not sides:
+    own = [source for source in listed if "/" not in source.file and source.file.endswith((".repos", ".rosinstall"))]
+    tools = {m.value for m in evidence.mentions if m.topic == "build_tool"}
+    builders = tools & {"catkin_make", "catkin_tools", "colcon"}
+    if not listed and builders and sides:
+        listed = [source for source in evidence.sources if source.kind == "submodule"]
+    if not listed or not (sides or own):
         return []
     lead = sides.count(2) - sides.count(1)
     version = 2 if lead > 0 or (lead == 0 and listed[0].file.endswith(".repos")) else 1
-    why = f"{len(listed)} repositories to import and a ROS {version} distribution to do it for"
-    return [because("kind", f"ros{version}", why, listed[0], weight=300)]
+    why = f"{len(listed)} repositories to import" + (f" and a ROS {version} distribution to do it for" if sides else "")
+    return [because("kind", f"ros{version}", why, (own or listed)[0], weight=370 if own else 300)]
 
 
 def _python(evidence: Evidence) -> list[Reason]:

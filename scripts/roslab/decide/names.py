@@ -6,11 +6,14 @@ import re
 from dataclasses import dataclass
 
 from roslab.evidence.facts import Dependency
+from roslab.knowledge.distros import distros
 from roslab.knowledge.libraries import Library, header, library
 from roslab.knowledge.released import released
 
 APT_NAME = re.compile(r"^[a-z0-9][a-z0-9.+-]+$")
-_PLACEHOLDER = re.compile(r"^ros-(?:\{distro\}|[a-z]+)-(.+)$")
+_PLACEHOLDER = re.compile(r"^ros-(\{distro\}|[a-z]+)-(.+)$")
+_BEFORE = frozenset({"diamondback", "electric", "fuerte", "groovy", "hydro", "ardent", "bouncy", "crystal"})
+"""Distributions that no image is made for. https://wiki.ros.org/Distributions, https://ros.org/reps/rep-2000.html"""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -85,8 +88,14 @@ def _include(path: str, target: Target) -> Resolved:
 def _apt(name: str, target: Target) -> tuple[str, ...]:
     """Fill in the distribution of a name from prose, whichever one it was written for."""
     match = _PLACEHOLDER.match(name)
-    if match:
+    if match and written_for(name):
         if not target.ros_distro:
             return ()
-        name = f"ros-{target.ros_distro}-{match[1]}"
+        name = f"ros-{target.ros_distro}-{match[2]}"
     return (name,) if APT_NAME.match(name) else ()
+
+
+def written_for(name: str) -> str | None:
+    """Return the distribution in an apt name, ``{distro}`` for a placeholder; ``ros-dev-tools`` has none."""
+    match = _PLACEHOLDER.match(name)
+    return match[1] if match and (match[1] in distros() or match[1] in _BEFORE or match[1] == "{distro}") else None

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from roslab.config.model import Kind
+from roslab.decide.names import written_for
 from roslab.decide.workspace import Packages
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency, Evidence
@@ -14,7 +15,9 @@ from roslab.evidence.facts import Dependency, Evidence
 _STARTED = re.compile(r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch))\s+(?:--?\S+\s+)*([a-z][a-z0-9_]+)\s")
 
 
-def needs(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[tuple[Dependency, bool]]:
+def needs(
+    evidence: Evidence, packages: Packages, kind: Kind, ros_distro: str | None
+) -> Iterator[tuple[Dependency, bool]]:
     """Yield what is needed, and whether its place is trusted: what the build really runs through."""
     yield from _cmake(evidence, packages, compiled=kind in {"ros1", "ros2", "cpp"})
     for dependency in evidence.code:
@@ -23,7 +26,7 @@ def needs(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[tuple[
             yield dependency, False
     for dependency in started(evidence, kind):
         yield dependency, False
-    for dependency in _installed(evidence):
+    for dependency in _installed(evidence, ros_distro):
         yield dependency, False
 
 
@@ -62,7 +65,8 @@ def started(evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
     if kind not in {"ros1", "ros2"}:
         return
     for launch in evidence.launch:
-        yield from launch.dependencies
+        if kind == f"ros{launch.ros}":  # a repository that moved on keeps the launch files of its past
+            yield from launch.dependencies
     for dependency in evidence.code:
         if dependency.namespace == "ros":
             yield dependency
@@ -75,9 +79,16 @@ def started(evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
             )
 
 
-def _installed(evidence: Evidence) -> Iterator[Dependency]:
-    """Yield what pages, CI and the author's own images install by apt."""
-    yield from (dependency for dependency in evidence.prose if dependency.namespace == "apt")
+def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependency]:
+    """Yield what pages, CI and the author's own images install by apt.
+
+    A page with lines for this distribution has those for the others beside them: only its own count.
+    """
+    written = [dependency for dependency in evidence.prose if dependency.namespace == "apt"]
+    ours = {d.file for d in written if ros_distro and written_for(d.name) == ros_distro}
+    for dependency in written:
+        if dependency.file not in ours or written_for(dependency.name) in {None, ros_distro, "{distro}"}:
+            yield dependency
     for recipe in evidence.recipes:
         if recipe.purpose in {"project", "ci"}:
             yield from (dependency for dependency in recipe.dependencies if dependency.namespace == "apt")

@@ -34,7 +34,9 @@ _CI_TOOLS = frozenset(
         "cmake-format", "codespell", "gcovr", "yapf", "bandit", "pydocstyle", "pycodestyle", "mkdocs",
     ]
 )  # fmt: skip
-_FOR_DEVELOPERS = re.compile(r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|docs?/)")
+_FOR_DEVELOPERS = re.compile(
+    r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|(?:bitbucket|azure)-pipelines\.|docs?\d?/)"
+)
 _FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
 MAX_GUESSES = 40
 MAX_PROJECTS = 6

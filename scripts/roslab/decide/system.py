@@ -73,11 +73,12 @@ def decide_system(
     keys = declared_keys(packages, target, kind) if target.ros_distro else ()
     found = _Found(declared=dict.fromkeys((*config.apt, *base_packages)))
     found.skip = dict.fromkeys((*config.skip_keys, *(key.name for key in keys if key.name in sisters)))
+    submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
     for key in keys:
         if key.name not in found.skip:
-            _translate(key, target, found, cloned=bool(sisters))
+            _translate(key, target, found, cloned=bool(sisters), submodules=submodules)
     known = frozenset({key.name for key in keys} | packages.names | sisters | set(config.skip_keys))
-    for dependency, trusted in needs(evidence, packages, kind):
+    for dependency, trusted in needs(evidence, packages, kind, target.ros_distro):
         if dependency.role == "shebang" and target.ubuntu in _PYTHON_2:
             continue
         if dependency.name not in known:
@@ -98,8 +99,8 @@ def decide_system(
     )
 
 
-def _translate(key: Dependency, target: Target, found: _Found, *, cloned: bool) -> None:
-    meant = translate(key, target, cloned=cloned)
+def _translate(key: Dependency, target: Target, found: _Found, *, cloned: bool, submodules: tuple[str, ...]) -> None:
+    meant = translate(key, target, cloned=cloned, submodules=submodules)
     for apt in meant.apt:
         found.declared.setdefault(apt, key)
     if meant.recipe:

@@ -19,6 +19,9 @@ TRIGGER = re.compile(
     r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b"
 )
 """A line without one of these words says nothing here."""
+_RUN = re.compile(r"\b(?:roslaunch|rosrun|ros2)\s")
+_BLANK = re.compile(r"<[A-Za-z][^<>|&;\n]{0,60}>")
+"""What the reader of a page is to fill in."""
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
 _APT_NAME = re.compile(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
@@ -50,6 +53,8 @@ class Collector:
     def logical(self, text: str, line: int) -> None:
         """Read one logical line."""
         if TRIGGER.search(text):
+            if "<" in text and _RUN.search(text):
+                text = _BLANK.sub("$UNKNOWN", text)  # else the shell's reader takes `<sensor name>` for a redirection
             for command in commands(text, line, self.variables):
                 self.command(command)
 

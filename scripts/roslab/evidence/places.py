@@ -11,7 +11,7 @@ _VENDORED = re.compile(
     re.IGNORECASE,
 )
 _DOCUMENTATION = re.compile(
-    r"(?:^|/)(?:\.?docs?|documentation|site|website|sphinx|tutorials?|doxygen)(?:/|$)", re.IGNORECASE
+    r"(?:^|/)(?:\.?docs?\d?|documentation|site|website|sphinx|tutorials?|doxygen)(?:/|$)", re.IGNORECASE
 )
 _TEST = re.compile(r"(?:^|/)(?:tests?|testing|ci|\.ci|\.github|\.circleci|benchmarks?)(?:/|$)", re.IGNORECASE)
 _EXAMPLE = re.compile(r"(?:^|/)(?:examples?|demos?|samples?|templates?|tutorials?)(?:/|$)", re.IGNORECASE)

@@ -1,0 +1,121 @@
+"""ROS repositories whose pages, lists and layouts are unlike most: what is read all the same, what is not believed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.repository import Repository
+
+CATKIN = (
+    "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><build_depend>roscpp</build_depend>"
+    "{more}</package>"
+)
+AMENT = (
+    '<package format="3"><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend>'
+    "<export><build_type>ament_cmake</build_type></export></package>"
+)
+
+
+def decided(tmp_path: Path, files: dict[str, str], branch: str | None = None) -> Decision:
+    for path, text in files.items():
+        target = tmp_path / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    return decide(gather(Repository.open(tmp_path, branch=branch)), Config(), folder_name="demo")
+
+
+def catkin(more: str = "") -> dict[str, str]:
+    return {"package.xml": CATKIN.format(more=more), "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n"}
+
+
+def ament() -> dict[str, str]:
+    return {"package.xml": AMENT, "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n"}
+
+
+SUBMODULE = '[submodule "planner"]\n\tpath = planner\n\turl = https://github.com/x/planner.git\n'
+REPOS = "repositories:\n  a:\n    type: git\n    url: https://github.com/x/a.git\n    version: main\n"
+ROSBUILD = "include($ENV{ROS_ROOT}/core/rosbuild/rosbuild.cmake)\nrosbuild_init()\nrosbuild_add_executable(a a.cpp)\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "kind"),
+    [
+        ({"requirements.txt": "numpy\n", "team.repos": REPOS}, "ros2"),
+        ({"requirements.txt": "numpy\n", "tools/team.repos": REPOS}, "python"),
+        ({".gitmodules": SUBMODULE, "README.md": "ROS Noetic\n\n    catkin_make\n"}, "ros1"),
+        ({".gitmodules": SUBMODULE, "README.md": "Shown at a ROS Noetic meeting\n", "a.py": "import x\n"}, "python"),
+        ({"core/CMakeLists.txt": ROSBUILD, "core/manifest.xml": "<package/>"}, "ros1"),
+        ({"CMakeLists.txt": "project(a)\n", "Examples/ROS/CMakeLists.txt": ROSBUILD}, "cpp"),
+    ],
+)  # fmt: skip
+def test_what_a_repository_without_a_manifest_is(tmp_path: Path, files: dict[str, str], kind: str) -> None:
+    assert decided(tmp_path, files).kind == kind
+
+
+def test_rosbuild_is_not_built_and_that_is_said(tmp_path: Path) -> None:
+    found = decided(tmp_path, {"core/CMakeLists.txt": ROSBUILD, "README.md": "    apt install ros-indigo-libg2o\n"})
+    assert (found.ros_distro, found.packages) == ("indigo", ())
+    assert any("rosmake" in warning.message for warning in found.warnings)
+
+
+def test_a_tool_of_ros_is_no_package_of_a_distribution(tmp_path: Path) -> None:
+    readme = "ROS noetic\n\n    sudo apt install ros-dev-tools ros-hydro-tf2 ros-noetic-joy\n"
+    found = decided(tmp_path, {**catkin(), "README.md": readme})
+    assert {"ros-dev-tools", "ros-noetic-joy"} <= set(found.apt_guessed)
+    assert not {"ros-noetic-tools", "ros-noetic-tf2", "ros-hydro-tf2"} & set(found.apt_guessed)
+
+
+def test_lines_for_another_distribution_count_where_there_are_none_for_this_one(tmp_path: Path) -> None:
+    files = {
+        "README.md": "    sudo apt install ros-melodic-joy libb\n",
+        "INSTALL.md": "    apt install ros-kinetic-slam\n",
+    }
+    found = decided(tmp_path, {**catkin(), **files}, branch="melodic-devel")
+    assert {"ros-melodic-joy", "ros-melodic-slam", "libb"} <= set(found.apt_guessed)
+
+
+def test_launch_files_of_the_other_ros_ask_for_nothing(tmp_path: Path) -> None:
+    old = '<launch><node pkg="fancy_pkg" name="a" type="b"/><node pkg="turtlesim" name="c" type="d"/></launch>'
+    assert "ros-humble-turtlesim" not in decided(tmp_path, {**ament(), "old/launch/a.launch": old}).apt_guessed
+    new = "<launch><node pkg='turtlesim' exec='d'/></launch>"
+    assert "ros-humble-turtlesim" in decided(tmp_path, {**ament(), "launch/b.launch.xml": new}).apt_guessed
+
+
+@pytest.mark.parametrize(
+    ("files", "branch", "distro"),
+    [
+        ({"README.md": "ROS >= Foxy (Recommend to use ROS-Humble)"}, "ros2", "humble"),
+        ({"README.md": "Install ROS kinetic, lunar or melodic", "ros_lunar.rosinstall": "- git: {local-name: a, uri: 'https://x.org/a'}"}, None, "melodic"),  # noqa: E501
+        ({"Jenkinsfile": "image 'x/ros-melodic:1'", ".github/workflows/ci.yml": "container: x/ros-noetic:1\n"}, None, "noetic"),  # noqa: E501
+    ],
+)  # fmt: skip
+def test_what_counts_more_for_a_distribution(
+    tmp_path: Path, files: dict[str, str], branch: str | None, distro: str
+) -> None:
+    made = ament() if branch == "ros2" else catkin()
+    assert decided(tmp_path, {**made, **files}, branch=branch).ros_distro == distro
+
+
+def test_an_unknown_key_that_a_submodule_or_a_slip_explains(tmp_path: Path) -> None:
+    files = catkin("<build_depend>planner</build_depend><build_depend>tf_conversion</build_depend>")
+    found = decided(tmp_path, {**files, ".gitmodules": SUBMODULE})
+    assert any("planner" in w.message and "git submodule update" in w.message for w in found.warnings)
+    assert any("is tf_conversions meant?" in w.message for w in found.warnings)
+
+
+def test_a_viewer_beside_the_packages_is_no_default(tmp_path: Path) -> None:
+    pages = {"README.md": "```\nros2 run rviz2 rviz2\n```\n"}
+    assert decided(tmp_path, {**ament(), **pages}).command == ("bash",)
+    own = {"README.md": "```\nros2 run rviz2 rviz2\nros2 launch demo a.launch.py\n```\n"}
+    assert decided(tmp_path, {**ament(), **own}).command == ("ros2", "launch", "demo", "a.launch.py")
+
+
+def test_calls_that_leave_something_to_the_reader_are_no_candidates(tmp_path: Path) -> None:
+    page = "```\nros2 launch demo a.launch.py host:=<sensor host name> # change <a> it\nros2 launch\n```\n"
+    assert decided(tmp_path, {**ament(), "README.md": page}).command_candidates == ()
