@@ -7,7 +7,7 @@ from roslab.decide.base import decide_base, of_recipe
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.command import decide_command
 from roslab.decide.compatible import folder_of_workspace, in_order, named_only, narrowed, requested, systems_python
-from roslab.decide.cuda import CudaChoice, decide_cuda
+from roslab.decide.cuda import CudaChoice, decide_cuda, of_image
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.distro import decide_distro
 from roslab.decide.keys import declared_keys
@@ -50,6 +50,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     build_tool, tool_reasons = decide_build_tool(evidence, config, kind.kind, python)
     recipe = decide_recipe(evidence, config, kind.kind, distro)
     base = of_recipe(base, evidence, config, recipe.dockerfile)
+    cuda = of_image(cuda, base.image) if recipe.dockerfile else cuda
     packages = packages_of(evidence)
     target = Target(ros_distro=distro, ubuntu=base.ubuntu)
     needed = (

@@ -17,7 +17,10 @@ MAX_CANDIDATES = 30
 _WINDOWS = frozenset(
     {"PyQt5", "PyQt6", "PySide2", "PySide6", "tkinter", "Tkinter", "pygame", "wx", "pyglet", "vispy", "mayavi", "kivy"}
 )
-_PLACEHOLDER = re.compile(r"YOUR|your[_-]|path/to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx", re.IGNORECASE)
+_PLACEHOLDER = re.compile(
+    r"YOUR|your[_-]|path/to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])", re.IGNORECASE
+)
+"""``yyy-yy`` too: a letter that is typed for want of a word."""
 _ARGUMENT = re.compile(r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|--help\b|(?:^|\s)-h\b")
 """Files of the author's machine, or a question: no program to start by default."""
 _TEST = re.compile(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
@@ -91,9 +94,9 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
             return CommandChoice(command=recipe.command, candidates=candidates, gui=gui, reasons=(own, *reasons))
     ours = [c for c in found.values() if _own(c.argv, evidence)]
     obvious = [c for c in ours if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
-    obvious = obvious if any(c.strong for c in ours) else ours
+    obvious = obvious if dockerfile or any(c.strong for c in ours) else ours
     obvious = _barest(obvious)
-    if len(obvious) == 1:
+    if len(obvious) == 1 and not (obvious[0].strong and _others(evidence, obvious[0])):
         only = obvious[0]
         chosen = Reason(
             question="command",
@@ -116,6 +119,19 @@ def _own(argv: tuple[str, ...], evidence: Evidence) -> bool:
     return not package or not names or package[0] in names
 
 
+def _others(evidence: Evidence, only: _Candidate) -> bool:
+    """Tell whether the same page runs further Python files of the tree, which have no guard to be known by."""
+    programs = [script.file for script in evidence.scripts]
+    folders = {file.rpartition("/")[0] for file in (*programs, *(d.file for d in evidence.code))} | {""}
+    for mention in evidence.mentions:
+        if mention.topic == "command" and mention.file == only.file and mention.value.startswith("python"):
+            named = next((posixpath.normpath(p) for p in mention.value.split()[1:] if p.endswith(".py")), "setup.py")
+            unknown = not any(program.endswith(named) for program in programs)
+            if unknown and named.rpartition("/")[2] not in _TOOLS and named.rpartition("/")[0] in folders:
+                return True
+    return False
+
+
 def _barest(candidates: list[_Candidate]) -> list[_Candidate]:
     """Keep of each program the call with the fewest arguments: variants of one call leave no doubt about it."""
     programs: dict[tuple[str, ...], _Candidate] = {}
@@ -132,20 +148,31 @@ def _barest(candidates: list[_Candidate]) -> list[_Candidate]:
 def _candidates(evidence: Evidence, kind: Kind) -> Iterator[_Candidate]:
     """Yield what could be run, what the README runs first."""
     ros = kind in {"ros1", "ros2"}
-    yield from _written(evidence, ros=ros)
+    compiled = kind == "cpp" or (kind == "cuda" and _only_compiled(evidence))
+    yield from _written(evidence, ros=ros, compiled=compiled)
     if ros:
         yield from _launched(evidence)
-    elif kind == "cpp" or not evidence.scripts:
+    elif compiled or not evidence.scripts:
         yield from _compiled(evidence)
     else:
         yield from _installed(evidence)
 
 
-def _written(evidence: Evidence, *, ros: bool) -> Iterator[_Candidate]:
+def _only_compiled(evidence: Evidence) -> bool:
+    """Tell whether the root is a CMake project that no tool of Python's knows."""
+    manifests = [p.file for p in evidence.python] + [r.file for r in evidence.requirements]
+    manifests += [environment.file for environment in evidence.conda]
+    root = any(project.top_level and "/" not in project.file for project in evidence.cmake)
+    return root and all("/" in file for file in manifests)
+
+
+def _written(evidence: Evidence, *, ros: bool, compiled: bool) -> Iterator[_Candidate]:
+    """Yield what READMEs run; a page deeper in the tree tells of a part, and a compiled program's scripts serve it."""
     programs = [script.file for script in evidence.scripts]
-    for mention in evidence.mentions:
-        if mention.topic != "command" or mention.source != "readme" or places.vendored(mention.file):
-            continue
+    said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
+    said = [m for m in said if not places.vendored(m.file)]
+    nearest = min((mention.file.count("/") for mention in said), default=0)
+    for mention in said:
         argv = tuple(mention.value.split())
         if _PLACEHOLDER.search(mention.value) or any(part.rpartition("/")[2] in _TOOLS for part in argv):
             continue
@@ -156,10 +183,19 @@ def _written(evidence: Evidence, *, ros: bool) -> Iterator[_Candidate]:
             if here is None:
                 continue
             argv = ("python3" if ros else argv[0], *here)
+            if compiled and _tests(here):
+                continue
         elif not ros:
             continue
-        strong = not any(places.example(part) for part in argv)
+        strong = not any(places.example(part) for part in argv) and not (compiled and argv[0].startswith("python"))
+        strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)
         yield _Candidate(argv=argv, why="the README runs it", file=mention.file, line=mention.line, strong=strong)
+
+
+def _tests(argv: tuple[str, ...]) -> bool:
+    """Tell whether a Python program only tests others."""
+    programs = [part for part in argv if part.endswith(".py")]
+    return any(part.endswith("_test.py") or places.test(part) for part in programs)
 
 
 def _here(argv: tuple[str, ...], programs: list[str]) -> tuple[str, ...] | None:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from roslab.config.model import Config
 from roslab.decide.decision import Reason, Warning_
 from roslab.decide.pins import Pin, pins
+from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import CudaImage, cuda_image, framework, nearest_cuda_image, version
 
@@ -67,6 +68,17 @@ def decide_cuda(evidence: Evidence, config: Config) -> CudaChoice:
     return _fitted(best.answer, config.base.cudnn or _cudnn(evidence), reasons, others)
 
 
+def of_image(choice: CudaChoice, image: str) -> CudaChoice:
+    """Return the CUDA of the author's own image, which is built as it is, where its name tells."""
+    match = _IMAGE.search(image)
+    named = (match[1] or match[2]) if match else choice.cuda
+    if named is None or named == choice.cuda:
+        return choice
+    why = Reason(question="cuda", answer=named, reason=f"the author's image is {image}", weight=200)
+    others = tuple(_outweighed(reason, why) for reason in choice.reasons)
+    return CudaChoice(cuda=named, cudnn=choice.cudnn, reasons=(why, *others))
+
+
 def _outweighed(reason: Reason, best: Reason) -> Reason:
     if reason.answer == best.answer:
         return reason
@@ -91,7 +103,7 @@ def _candidates(evidence: Evidence) -> Iterator[Candidate]:
         yield from _of_pin(pin)
     for file in evidence.requirements:
         for option in file.options:
-            if file.purpose == "run" and (local := _local(option)):
+            if file.purpose == "run" and not places.example(file.file) and (local := _local(option)):
                 yield _reason(local, f"{option} serves its wheels", file.file, 1, 80), ()
     for environment in evidence.conda:
         for package in environment.packages:
@@ -119,7 +131,11 @@ def _local(text: str) -> str | None:
 def _of_pin(pin: Pin) -> Iterator[Candidate]:
     file, line = pin.dependency.file, pin.dependency.line
     local = _local(pin.line) if pin.name in _BUILT_FOR else None
-    if local:
+    if not pin.trust:  # an example's, or something deep in the tree
+        row = framework(_TABLED.get(pin.name, ""), pin.release) if pin.release else None
+        if answer := local or (row.cuda[0] if row else None):
+            yield _reason(answer, f"{pin.line} goes with it", file, line, 3), ()
+    elif local:
         yield _reason(local, f"{pin.line} is built for it", file, line, 82 + pin.trust), ()
     elif named := _JAX.search(pin.line):
         yield _reason("11.8" if named[1] == "11" else "12.3", f"{pin.line} names it", file, line, 70 + pin.trust), ()

@@ -177,11 +177,13 @@ def _cpp(evidence: Evidence) -> list[Reason]:
         return []
     top = min(tops, key=lambda p: (p.file.count("/"), p.file))
     root = "/" not in top.file
-    answer = "cuda" if "cuda" in top.macros and "CUDA" in top.languages else "cpp"
+    compiled = "CUDA" in top.languages or evidence.cuda_files
+    answer = "cuda" if "cuda" in top.macros and compiled else "cpp"
     bindings = any(not project.folder and "cmake" in project.extensions for project in evidence.python)
     if root and bindings and _mostly_cpp(evidence):
         return [because("kind", answer, "a CMake project; Python only binds it", top, weight=450)]
-    return [because("kind", answer, "a CMake project", top, weight=360 if root else 150)]
+    weight = 360 if root else 150 if _mostly_cpp(evidence) else 90
+    return [because("kind", answer, "a CMake project", top, weight=weight)]
 
 
 def _mostly_cpp(evidence: Evidence) -> bool:

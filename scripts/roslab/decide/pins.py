@@ -71,7 +71,7 @@ def pins(evidence: Evidence) -> Iterator[Pin]:
 def _of_files(evidence: Evidence) -> Iterator[Pin]:
     own = sorted((f for f in evidence.requirements if f.purpose == "run"), key=lambda f: (f.file.count("/"), f.file))
     for file in own[:MAX_FILES]:
-        trust = {0: 3, 1: 2}.get(file.file.count("/"), 0)
+        trust = 0 if places.example(file.file) else {0: 3, 1: 2}.get(file.file.count("/"), 0)
         yield from (_pin(dependency, trust) for dependency in file.dependencies)
 
 

@@ -14,7 +14,14 @@ from roslab.knowledge.frameworks import Version, framework, version
 
 PREFERRED = ("3.10", "3.8", "3.12", "3.9", "3.11", "3.7", "3.6", "3.13", "3.14", "3.5", "2.7")
 """Where several fit: what an Ubuntu ships comes first, then what most wheels exist for."""
-_TABLED = {"tensorflow-gpu": "tensorflow", "tensorflow-cpu": "tensorflow", "jaxlib": "jax"}
+_TABLED = {
+    "tensorflow-gpu": "tensorflow",
+    "tensorflow-cpu": "tensorflow",
+    "jaxlib": "jax",
+    "opencv-python-headless": "opencv-python",
+    "opencv-contrib-python": "opencv-python",
+    "opencv-contrib-python-headless": "opencv-python",
+}
 _SPECIFIER = re.compile(r"(>=|<=|==|~=|!=|>|<|\^)?\s*(\d+(?:\.\d+|\.\*)*)")
 _AT_LEAST = re.compile(r">=\s*(\d[\w.]*)")
 _TRUSTED = 3

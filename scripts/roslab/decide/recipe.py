@@ -27,6 +27,8 @@ _PUBLISHED = (
     "library/",
     "mcr.",
 )
+_ACCELERATED = re.compile(r"nvidia|nvcr\.io|cuda|pytorch|tensorflow|-gpu|rocm")
+_UBUNTU_TAG = re.compile(r"ubuntu[:_-]?(\d\d)\.\d\d")
 _OLD_UBUNTU = re.compile(r"^(?:ubuntu|debian):(?:1[0-5]\.|17\.|19\.|2[13]\.|jessie|stretch|buster)")
 
 
@@ -75,7 +77,7 @@ def decide_recipe(evidence: Evidence, config: Config, kind: Kind, ros_distro: st
             )
     if not believed:
         return RecipeChoice(reasons=tuple(reasons[:20]))
-    best = min(believed, key=lambda recipe: _rank(recipe, ros_distro))
+    best = min(believed, key=lambda recipe: _rank(recipe, kind, ros_distro))
     reasons.insert(
         0,
         Reason(
@@ -143,10 +145,19 @@ def _base_doubt(base: str, kind: Kind, ros_distro: str | None) -> str | None:
     return None
 
 
-def _rank(recipe: Recipe, ros_distro: str | None) -> tuple[int, int, int, str]:
-    """Order believable recipes: the distro in the path, the plain name, near the root."""
-    path = recipe.file.lower()
-    other = any(name in path for name in distros() if name != ros_distro)
+def _rank(recipe: Recipe, kind: Kind, ros_distro: str | None) -> tuple[bool, bool, bool, int, bool, int, int, str]:
+    """Order believable recipes by their paths and bases.
+
+    The distro in the path, a base that everybody has and that suits the kind, few folders, the plain name, near the
+    root, the newer Ubuntu.
+    """
+    path, base = recipe.file.lower(), (recipe.base or "").lower()
     mine = bool(ros_distro and ros_distro in path)
+    other = any(name in path for name in distros() if name != ros_distro) and not mine
+    private = "/" in base and not base.startswith(_PUBLISHED)
+    unlike = kind in {"cuda", "cpp", "python"} and bool(_ACCELERATED.search(base)) != (kind == "cuda")
     plain = path.rpartition("/")[2] == "dockerfile"
-    return (1 if other and not mine else 0, 0 if mine or plain else 1, path.count("/"), recipe.file)
+    below = 0 if mine else max(0, path.count("/") - 1)  # docker/Dockerfile is as good as one at the root
+    release = _UBUNTU_TAG.search(base) if kind not in {"ros1", "ros2"} else None
+    newest = -int(release[1]) if release else 0
+    return (other, private, unlike, below, not (mine or plain), path.count("/"), newest, recipe.file)

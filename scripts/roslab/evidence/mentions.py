@@ -32,9 +32,10 @@ _AMBIGUOUS = frozenset(
 )
 """English words too: they need ROS, a branch or an Ubuntu near them."""
 _UBUNTU = (
-    r"ubuntu[\s:_-]{0,3}(?:lts\s{0,2})?(1[46]\.04|18\.04|2[0246]\.04)|(trusty|xenial|bionic|focal|jammy|noble|"
-    r"resolute)"
+    r"ubuntu[\s:_-]{0,3}(?:lts\s{0,2})?(1[46]\.04|18\.04|2[0246]\.04)|(trusty|xenial|bionic|jammy|noble|resolute|"
+    r"focal(?!['\u2019]?s?[\s_-]{1,3}(?:lengths?|points?|planes?|distances?|axis|ratio|loss|spots?)))"
 )
+"""A camera's focal length is no Ubuntu."""
 _CUDA = r"cuda(?:[\s_-]{0,3}toolkit)?(?:\s{0,3}\(?(?:version|v|==?|>=|~|:)?\s{0,3}|[-=:]{1,3})(\d{1,2}\.\d)"
 _CUDNN = r"cudnn(?:[\s:v=_-]|version){0,9}(\d)"
 _PYTHON = r"python(?:\s{0,3}(?:version|>=|==?|~=|:|\()?\s{0,3}|[-=])([23]\.\d{1,2})(?:\.\d+|\.x)?(?!\d)"

@@ -41,6 +41,8 @@ _ELSEWHERE = re.compile(
     r"hardware(?: setup)?|kernel|contribut|changelog|news|acknowledg|citation|licen[sc]e)",
     re.IGNORECASE,
 )
+_STRUCK = re.compile(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
+"""``~~what no longer holds~~``."""
 _RST_LINE = re.compile(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
 
 
@@ -66,6 +68,8 @@ def _pages(repository: Repository) -> list[File]:
 
 def _read(text: str, file: File) -> Prose:
     collector = Collector(file.path, "readme")
+    if "~~" in text and "~~~" not in text:
+        text = _STRUCK.sub(lambda match: "\n" * match[0].count("\n"), text)
     if TRIGGER.search(text):
         for line, code in _code(text):
             collector.text(code, line)

@@ -36,6 +36,7 @@ _TOKEN = re.compile(
       | (?P<variable>\$\{[^}\n]*\}|\$\w+)
       | (?P<separator>&&|\|\||;;|[;|&(){}](?=\s|$|[^\w])|[;|&()])
       | (?P<version>[<>!=~]=|[<>](?=\d))
+      | (?P<placeholder><[A-Za-z](?:[^<>|&;\n]{0,80}[^\s<>|&;])?>)   # <path to your images>: no redirection
       | (?P<redirect>\d?[<>]{1,3}&?\d?)
       | (?P<escape>\\.)
       | (?P<plain>[^\s'"$`;|&()<>\\{}!=~]+)
@@ -200,7 +201,7 @@ def _value(kind: str, token: str, known: Mapping[str, str]) -> str:
         return token[1:-1]
     if kind == "double":
         return _expand(token[1:-1].replace('\\"', '"'), known)
-    if kind == "unknown":
+    if kind in {"unknown", "placeholder"}:
         return UNKNOWN
     if kind == "variable":
         return _expand(token, known)
