@@ -35,6 +35,7 @@ Runs the image ${image}. Without COMMAND it runs what the repository is about:
   ${default_command}
 
   --notebook       open JupyterLab, on this machine only and behind a token; prints the address
+                   (in this image: ${notebook})
   --shell          open a shell in the container
   --volume HOST:CONTAINER[:ro]
                    let the container see a folder of this machine; one that roslab.yaml

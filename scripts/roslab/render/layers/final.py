@@ -51,6 +51,7 @@ def environment(plan: Plan) -> str:
             "USER root",
             shell.heredoc(ENVIRONMENT, "\n".join(setups)),
             shell.heredoc("/usr/local/bin/roslab-entrypoint", ENTRY_POINT, executable=True),
+            "# The same for every further shell in the container",
             f"RUN echo 'source {ENVIRONMENT}' >>/etc/bash.bashrc",
         )
     )

@@ -106,8 +106,7 @@ def packages(plan: Plan) -> str:
     if python.requirements:
         files = "".join(f" --requirement {quote.shell(f'{MANIFESTS}/{name}')}" for name in python.requirements)
         blocks.append(
-            f"COPY --from=manifests /manifests/ {MANIFESTS}/\n"
-            + shell.run(f"{pip}{files}", comment="Requirement files")
+            f"# Requirement files\nCOPY --from=manifests /manifests/ {MANIFESTS}/\n" + shell.run(f"{pip}{files}")
         )
     if python.python2:
         options = _options(python.python2_options)

@@ -30,7 +30,10 @@ def manifest_stage(plan: Plan) -> str:
     if not names:
         return ""
     copy = f"cp --parents --target-directory=/manifests{shell.words(quote.path(name) for name in names)}"
-    return "\n".join(("FROM base AS manifests", "WORKDIR /repository", "COPY . .", shell.run("mkdir /manifests", copy)))
+    why = "# The manifests alone: what is installed from them is installed again only when one of them changes"
+    return "\n".join(
+        (why, "FROM base AS manifests", "WORKDIR /repository", "COPY . .", shell.run("mkdir /manifests", copy))
+    )
 
 
 def _manifests(plan: Plan) -> tuple[str, ...]:
@@ -149,15 +152,18 @@ def old_paths(plan: Plan) -> str:
 
 def own_home(_: Plan) -> str:
     """Give the user what root made in its home; files that are its own already are not written to the layer again."""
-    return 'RUN find "/home/${NB_USER}" ! -user "${NB_UID}" -exec chown --no-dereference "${NB_UID}:${NB_UID}" {} +'
+    why = "# Folders that COPY and WORKDIR made on the way are root's\n"
+    return (
+        why + 'RUN find "/home/${NB_USER}" ! -user "${NB_UID}" -exec chown --no-dereference "${NB_UID}:${NB_UID}" {} +'
+    )
 
 
 def compile_workspace(plan: Plan) -> str:
     """Compile the workspace and the CMake project as the user, who can then compile them again."""
     blocks = []
     if compiles_workspace(plan):
-        run = shell.run(ROS_SETUP, shell.JOBS, _command(plan), comment="The workspace")
-        blocks.append(f"WORKDIR {WS}\n{run}")
+        run = shell.run(ROS_SETUP, shell.JOBS, _command(plan))
+        blocks.append(f"# The workspace, with as many jobs as there are cores and memory for\nWORKDIR {WS}\n{run}")
     if plan.workspace.tool == "cmake":
         blocks.append(_plain_cmake(plan))
     return "\n\n".join(blocks)
