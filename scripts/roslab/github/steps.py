@@ -15,7 +15,7 @@ from roslab.github.labels import labels
 from roslab.github.run import Folder, Run, slug
 from roslab.pipeline import plan_repository, write_plan
 from roslab.plan import to_json
-from roslab.render.markdown import text
+from roslab.render.markdown import prose
 from roslab.render.summary import platforms_of
 from roslab.render.summary import summary as render_summary
 
@@ -184,7 +184,7 @@ def summary(environment: Environment) -> None:
 
 def nothing_built(problems: Sequence[str]) -> str:
     """Return the summary of a run that stopped before anything was decided."""
-    return "### Nothing was built\n\n" + "".join(f"- {text(problem)}\n" for problem in problems)
+    return "### ❌ Nothing was built\n\n" + "".join(f"- {prose(problem)}\n" for problem in problems)
 
 
 def _reports(folder: Folder, environment: Environment) -> Path:
