@@ -9,7 +9,7 @@ from pathlib import Path
 
 from roslab import commits, credentials, engine, registry
 from roslab.errors import BuildError, ConfigurationError, Problem
-from roslab.github import access, builder, cache, event, inputs, report, workflow
+from roslab.github import access, builder, cache, checkout, event, inputs, report, workflow
 from roslab.github import run as runs
 from roslab.github.labels import labels
 from roslab.github.run import Folder, Run, slug
@@ -102,6 +102,10 @@ def recipe(environment: Environment) -> None:
     root = _workspace(environment)
     folder.recipe.mkdir(exist_ok=True)
     dockerfile, context = write_plan(run.plan, root, folder.recipe)
+    if run.plan.recipe and (copy := checkout.shielded(dockerfile, context, folder.recipe)):
+        dockerfile = copy
+        hint = "write `persist-credentials: false` below `with:` of actions/checkout"
+        workflow.warn(Problem(message="the checkout left a token in .git, so the build does not see .git", hint=hint))
     revision, seconds = commits.head(root)
     named = labels(run.plan, what, revision=revision, seconds=seconds)
     platforms = _platforms(environment, run)

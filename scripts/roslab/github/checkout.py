@@ -1,0 +1,57 @@
+"""What a checkout leaves in ``.git``, and how a build with the author's own recipe is kept from seeing it."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+from roslab.render.ignore import keeps_out
+
+FLAGS = re.IGNORECASE | re.MULTILINE
+CREDENTIAL = re.compile(rb"^\s*extraheader\s*=.*authorization|^\s*url\s*=\s*\w+://[^/\s]*:[^/\s]*@", FLAGS)
+"""What actions/checkout up to version 5 writes with ``persist-credentials``, and an address with a password in it.
+https://github.com/actions/checkout/blob/main/CHANGELOG.md"""
+MAX_CONFIG = 1_000_000
+"""Bytes of a git configuration that are read."""
+
+
+def shielded(dockerfile: Path, context: Path, folder: Path) -> Path | None:
+    """Return a copy of the recipe in ``folder`` whose build does not see ``.git``, where that holds a credential.
+
+    ``None`` means that the recipe can be built where it stands. The lines of the author's ignore file are kept.
+    """
+    left = [path for path in _configurations(context) if _has_credential(context / path)]
+    lines = _ignored(dockerfile, context)
+    if all(keeps_out(lines, path) for path in left):
+        return None
+    shutil.copyfile(dockerfile, copy := folder / "Dockerfile")
+    (folder / "Dockerfile.dockerignore").write_text("\n".join([*lines, "**/.git", ""]), encoding="utf-8")
+    return copy
+
+
+def _configurations(context: Path) -> Iterator[str]:
+    """Yield every git configuration below a folder, of submodules too, relative to it; no link is followed."""
+    for place, folders, _ in os.walk(context):
+        if ".git" in folders:
+            git = Path(place) / ".git"
+            folders.remove(".git")
+            for inner, _, names in os.walk(git):
+                yield from (os.path.relpath(Path(inner) / name, context) for name in names if name.startswith("config"))
+
+
+def _has_credential(file: Path) -> bool:
+    if file.is_symlink() or not file.is_file():
+        return False
+    with file.open("rb") as stream:
+        return bool(CREDENTIAL.search(stream.read(MAX_CONFIG)))
+
+
+def _ignored(dockerfile: Path, context: Path) -> list[str]:
+    """Return the lines of the ignore file that docker would read: https://docs.docker.com/build/concepts/context/."""
+    for file in (dockerfile.with_name(f"{dockerfile.name}.dockerignore"), context / ".dockerignore"):
+        if file.is_file():
+            return file.read_text(encoding="utf-8", errors="replace").splitlines()
+    return []
