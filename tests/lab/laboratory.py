@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import secrets
 import shutil
 import sys
 from collections.abc import Iterator, Mapping
@@ -35,10 +36,11 @@ class Laboratory:
     environment: Mapping[str, str] = field(repr=False)
 
     def fresh_repository(self, name: str) -> str:
-        """Return a repository name in the protected registry that has nothing in it yet: HOST:PORT/NAME-NUMBER."""
-        taken = set(registry.repositories())
-        number = next(n for n in range(1, 100_000) if f"{name}-{n}" not in taken)
-        return f"{self.registry}/{name}-{number}"
+        """Return a repository name in the protected registry that nobody else uses: HOST:PORT/NAME-DIGITS.
+
+        Runs of tests at the same time share the registry, so a name that is free now may be another's in a moment.
+        """
+        return f"{self.registry}/{name}-{secrets.token_hex(4)}"
 
 
 def up(*, emulated: bool = True, everything: bool = False) -> None:
