@@ -21,6 +21,9 @@ _EXTRA = re.compile(
     r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
 )
 _WORDS = re.compile(r"[a-z]+")
+SHORTEST = 4
+"""Letters of a word that tells one family of packages from another."""
+_COMMON = frozenset({"msgs", "driver", "drivers", "common", "robot", "core", "tools", "utils", "ros1", "ros2"})
 _TOOLS = frozenset({"catkin", "ament_cmake", "ament_package", "cmake"})
 _IN_WORKSPACE: dict[BuildTool, Literal["catkin_make", "catkin_tools", "colcon"]] = {
     "catkin_make": "catkin_make",
@@ -66,18 +69,19 @@ def decide_sources(
         if git.kind == "vcs" and git.file in files and not _is(git, itself):
             chosen.add(git, f"{git.file} lists it")
     wanted = _wanted(needed)
-    for git in _clones(evidence):
+    elsewhere = released(ros_distro or "") | rosdep_keys() | own
+    for git in _clones(evidence, ros_distro):
         if _is(git, itself) or _plain(git.name) in own:
             continue
         asked = _asked(git, wanted, released(ros_distro or "") | own)
         if asked is None:
             continue
-        chosen.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
-        if asked.namespace == "rosdep":
+        new = chosen.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
+        if new and asked.namespace == "rosdep" and asked.name in elsewhere:
             message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
-            more = "a package of that name that rosdep knows may be another one: the clone is used"
+            more = "the package of that name that rosdep knows may be another one: the clone is used"
             chosen.warnings.append(Warning_(message=f"{message}; {more}", file=asked.file, line=asked.line))
-    chosen.known(needed, released(ros_distro or "") | rosdep_keys() | own, 1 if kind == "ros1" else 2, ros_distro or "")
+    chosen.known(needed, elsewhere, 1 if kind == "ros1" else 2, ros_distro or "")
     return chosen.choice(files)
 
 
@@ -91,12 +95,12 @@ class _Chosen:
     warnings: list[Warning_] = field(default_factory=list)
     libraries: dict[str, Dependency] = field(default_factory=dict)
 
-    def add(self, git: GitSource, why: str) -> None:
-        """Take a repository, unless one of that name or URL is there already."""
+    def add(self, git: GitSource, why: str) -> bool:
+        """Take a repository, unless one of that name or URL is there already; tell whether it was taken."""
         name = re.sub(r"[^\w.-]+", "_", git.name.strip("/").rpartition("/")[2]).strip(".") or "source"
         urls = {_url(source.repo) for source in self.sources.values() if source.repo}
         if name in self.sources or _url(git.url) in urls:
-            return
+            return False
         self.sources[name] = Source(
             name=name,
             repo=https(git.url),
@@ -105,6 +109,7 @@ class _Chosen:
             place=Place(file=git.file, line=git.line),
         )
         self.reasons.append(because("source", name, why, git, weight=500))
+        return True
 
     def configure(self, config: Config) -> None:
         """Take what roslab.yaml names; nothing replaces it."""
@@ -200,19 +205,35 @@ def _wanted(needed: Iterable[Dependency]) -> dict[str, Dependency]:
 
 
 def _asked(git: GitSource, wanted: dict[str, Dependency], known: frozenset[str]) -> Dependency | None:
-    """Return what asks for a clone: a package of its name, or one that nobody released and whose name begins so."""
+    """Return what asks for a clone: a package of its name, or one that nobody released and whose name begins so.
+
+    A key that rosdep cannot know is also asked of a clone with the key's first word in its name: ``vikit_ros`` of
+    ``rpg_vikit``.
+    """
     name = _plain(git.name)
     if name in wanted:
         return wanted[name]
-    family = (d for each, d in wanted.items() if each.startswith(f"{name}_") and d.name not in known)
-    return next((d for d in family if d.namespace in {"rosdep", "ros"}), None)
+    unknown = [(each, d) for each, d in wanted.items() if d.name not in known]
+    family = (d for each, d in unknown if each.startswith(f"{name}_") and d.namespace in {"rosdep", "ros"})
+    words = {word for word in name.split("_") if len(word) >= SHORTEST} - _COMMON
+    related = (d for each, d in unknown if d.namespace == "rosdep" and each.partition("_")[0] in words)
+    return next(family, None) or next((d for d in related if d.name not in rosdep_keys()), None)
 
 
-def _clones(evidence: Evidence) -> list[GitSource]:
-    """Return what manifests and pages clone: a package.xml's word first, then what has a ref, then the nearest page."""
+def _clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
+    """Return what manifests and pages clone: a package.xml's word first, then what has a ref, then the nearest page.
+
+    What an author's image for another distribution clones is for that one.
+    """
+    recipes = {recipe.file: _distros(recipe.base or "") for recipe in evidence.recipes}
     found = [git for git in evidence.sources if git.kind in {"clone", "git_url"} and not places.vendored(git.file)]
     found += [clone for recipe in evidence.recipes if recipe.purpose == "project" for clone in recipe.clones]
+    found = [git for git in found if not recipes.get(git.file) or ros_distro in recipes[git.file]]
     return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))
+
+
+def _distros(image: str) -> set[str]:
+    return set(_WORDS.findall(image.lower())) & distros().keys()
 
 
 def _vcs_files(evidence: Evidence, config: Config, ros_distro: str | None) -> tuple[str, ...]:
@@ -220,7 +241,7 @@ def _vcs_files(evidence: Evidence, config: Config, ros_distro: str | None) -> tu
     if config.vcs is not None:
         return config.vcs
     files = list(dict.fromkeys(source.file for source in evidence.sources if source.kind == "vcs"))
-    distinct = [(file, set(_WORDS.findall(file.rpartition("/")[2].lower())) & distros().keys()) for file in files]
+    distinct = [(file, _distros(file.rpartition("/")[2])) for file in files]
     named = [file for file, words in distinct if ros_distro in words]
     plain = [file for file, words in distinct if not words]
     candidates = named or plain
@@ -228,6 +249,8 @@ def _vcs_files(evidence: Evidence, config: Config, ros_distro: str | None) -> tu
         candidates = [file for file in candidates if "not-released" in file]
     https_only = [file for file in candidates if not _EXTRA.search(file.rpartition("/")[2])]
     candidates = https_only or [file for file in candidates if "ssh" not in file] or candidates
+    said = {m.value for m in evidence.mentions if m.topic == "vcs_file" and m.source == "readme"}
+    candidates = [file for file in candidates if file.rpartition("/")[2].lower() in said] or candidates
     if not candidates:
         return ()
     depth = min(file.count("/") for file in candidates)

@@ -169,7 +169,9 @@ class Recipe:
 class Mention:
     """A name of the world (a distro, an Ubuntu, a CUDA or Python version) written somewhere."""
 
-    topic: Literal["distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command", "date"]
+    topic: Literal[
+        "distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command", "date", "vcs_file"
+    ]
     value: str
     source: Literal[
         "branch", "recipe", "ci", "readme", "vcs", "filename", "manifest", "launch", "script", "code", "commit"

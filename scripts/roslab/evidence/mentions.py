@@ -1,4 +1,4 @@
-"""Names of the world in running text: ROS distros, Ubuntu releases, CUDA and Python versions."""
+"""Names in running text: ROS distros, Ubuntu releases, CUDA and Python versions, lists of repositories."""
 
 from __future__ import annotations
 
@@ -47,17 +47,21 @@ _MORE = re.compile(
 """What goes on after a version of Python: ``3.6, 3.7 or 3.8``. Blanks are counted: no line can take long."""
 
 
+_LIST = r"([\w-][\w.-]{0,60}\.(?:repos|rosinstall))\b"
+
+
 def _word(pattern: str) -> re.Pattern[str]:
     return re.compile(rf"(?<![A-Za-z])(?:{pattern})", re.IGNORECASE)
 
 
-_PATTERNS: tuple[tuple[Literal["distro", "ubuntu", "cuda", "cudnn", "python"], re.Pattern[str]], ...] = (
+_PATTERNS: tuple[tuple[Literal["distro", "ubuntu", "cuda", "cudnn", "python", "vcs_file"], re.Pattern[str]], ...] = (
     ("distro", _word(rf"({_DISTROS})(?![A-Za-z])")),
     ("ubuntu", _word(rf"(?:{_UBUNTU})(?![A-Za-z])")),
     ("cuda", _word(_CUDA)),
     ("cuda", _LOCAL),
     ("cudnn", _word(_CUDNN)),
     ("python", _word(_PYTHON)),
+    ("vcs_file", _word(_LIST)),
 )
 _TRACEBACK = re.compile(r"File \"[^\"\n]{0,200}\Z")
 """Before a version of Python: a line of a traceback, out of somebody's own machine."""

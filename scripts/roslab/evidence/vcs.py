@@ -79,6 +79,8 @@ def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
     entries = (
         list(_vcstool(data)) if isinstance(data, dict) else list(_rosinstall(data)) if isinstance(data, list) else []
     )
+    if any("${" in str(part) for entry in entries for part in entry):
+        return  # a template: a script of the author's fills it in and decides when it is for
     for name, url, ref in entries:
         if not isinstance(url, str) or not _PLAIN_URL.match(url.strip()):
             continue

@@ -119,3 +119,34 @@ def test_a_viewer_beside_the_packages_is_no_default(tmp_path: Path) -> None:
 def test_calls_that_leave_something_to_the_reader_are_no_candidates(tmp_path: Path) -> None:
     page = "```\nros2 launch demo a.launch.py host:=<sensor host name> # change <a> it\nros2 launch\n```\n"
     assert decided(tmp_path, {**ament(), "README.md": page}).command_candidates == ()
+
+
+def test_of_several_lists_the_one_that_the_page_names_is_imported(tmp_path: Path) -> None:
+    files = {f"{name}.rosinstall": f"- git: {{local-name: {name}, uri: 'https://x.org/{name}'}}\n" for name in "abc"}
+    assert len(decided(tmp_path, {**catkin(), **files}).source) == 3
+    found = decided(tmp_path, {"README.md": "    wget https://x.org/raw/master/b.rosinstall\n"})
+    assert ([source.name for source in found.source], found.vcs) == (["b"], ("b.rosinstall",))
+
+
+def test_a_list_that_a_script_must_fill_in_is_not_imported(tmp_path: Path) -> None:
+    template = REPOS.replace("version: main", "version: ${ROS_DISTRO}")
+    found = decided(tmp_path, {**ament(), "docker/deps.repos": template})
+    assert (found.source, found.vcs) == ((), ())
+
+
+def test_clones_for_another_distribution_are_not_taken(tmp_path: Path) -> None:
+    image = "FROM ros:{name}\nRUN git clone https://github.com/x/helper {ref}\nCOPY . /ws/src/demo\nRUN catkin_make\n"
+    files = {
+        "docker/noetic/Dockerfile": image.format(name="noetic", ref=""),
+        "docker/melodic/Dockerfile": image.format(name="melodic", ref="-b melodic"),
+        **catkin("<build_depend>helper</build_depend>"),
+    }
+    (source,) = decided(tmp_path, files, branch="noetic-devel").source
+    assert (source.name, source.ref) == ("helper", None)
+
+
+def test_a_clone_related_to_a_key_that_nobody_released(tmp_path: Path) -> None:
+    page = "    git clone https://github.com/x/lab_vikit.git\n    git clone https://github.com/x/some_common.git\n"
+    found = decided(tmp_path, {**catkin("<build_depend>vikit_ros</build_depend>"), "README.md": page})
+    assert [source.name for source in found.source] == ["lab_vikit"]
+    assert not any("the clone is used" in warning.message for warning in found.warnings)
