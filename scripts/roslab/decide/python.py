@@ -19,6 +19,7 @@ from roslab.decide.python_version import python_version
 from roslab.decide.reasons import because
 from roslab.decide.workspace import packages_of, ros_versions, types
 from roslab.evidence.facts import Dependency, Evidence, PythonProject
+from roslab.knowledge.distros import distro
 from roslab.knowledge.frameworks import build_needs, imports, kept_for_build_types, version
 from roslab.knowledge.tools import SYSTEM_PYTHON
 
@@ -42,8 +43,8 @@ def decide_python(
     )
     plain = plain and not (config.base.python or config.pip or config.pip3 or evidence.scripts)
     if kind in {"ros1", "ros2"} or plain:
-        manager, number = "system", None
-        ours = SYSTEM_PYTHON.get(ubuntu or "")
+        manager, number = "system", _of_ros(ros_distro, wanted)
+        ours = number or SYSTEM_PYTHON.get(ubuntu or "")
         if wanted and ours and wanted != ours and reasons[0].decisive and reasons[0].weight >= 50 and ros_distro:
             warnings.append(
                 Warning_(
@@ -83,6 +84,12 @@ def decide_python(
         python2_options=lists.python2_options,
     )
     return python, (*reasons, *_package_reasons(chosen), *kept, *bound_reasons), tuple(warnings)
+
+
+def _of_ros(ros_distro: str | None, wanted: str | None) -> str | None:
+    """Return Python 2 where the distribution's nodes run on it and the author says so, else ``None``: Python 3."""
+    known = distro(ros_distro) if ros_distro else None
+    return known.python if known and wanted == known.python and wanted.startswith("2") else None
 
 
 def specifiers(evidence: Evidence, python: Python) -> tuple[str, ...]:

@@ -150,3 +150,13 @@ def test_a_clone_related_to_a_key_that_nobody_released(tmp_path: Path) -> None:
     found = decided(tmp_path, {**catkin("<build_depend>vikit_ros</build_depend>"), "README.md": page})
     assert [source.name for source in found.source] == ["lab_vikit"]
     assert not any("the clone is used" in warning.message for warning in found.warnings)
+
+
+@pytest.mark.parametrize(
+    ("branch", "said", "version"), [("melodic", "2.7", "2.7"), ("melodic", "3.6", None), ("noetic", "2.7", None)]
+)
+def test_packages_go_to_the_python_of_the_nodes(tmp_path: Path, branch: str, said: str, version: str | None) -> None:
+    files = {**catkin(), "requirements.txt": "rospkg\n", "README.md": f"It needs Python {said} of ROS.\n"}
+    found = decided(tmp_path, files, branch=branch)
+    assert (found.python.version, found.python.requirements) == (version, ("requirements.txt",))
+    assert not any("packages go there" in warning.message for warning in found.warnings)
