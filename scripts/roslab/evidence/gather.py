@@ -59,7 +59,7 @@ def gather(repository: Repository) -> Evidence:
         mentions=(*names.read(repository), *prose.mentions, *(dates.read(repository) if manifests else ())),
         bounds=removed.read(repository),
         cuda_files=cpp.cuda_files(repository),
-        problems=tuple(_malformed(m) for m in manifests if m.malformed),
+        problems=(*(_malformed(m) for m in manifests if m.malformed), *vcs.absent(repository)),
     )
 
 

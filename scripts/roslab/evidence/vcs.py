@@ -37,6 +37,23 @@ def lists(repository: Repository) -> tuple[str, ...]:
     return tuple(file.path for file in _files(repository))
 
 
+def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
+    """Return ``(message, file, line)`` where submodules are not checked out: what is in them was not read."""
+    folders = {file.folder for file in repository.files}
+    for file in repository.named(".gitmodules"):
+        missing = [
+            source
+            for source in _submodules(repository, file)
+            if not any(folder == source.name or folder.startswith(f"{source.name}/") for folder in folders)
+        ]
+        if missing:
+            names = ", ".join(source.name for source in missing)
+            what = "a submodule is" if len(missing) == 1 else "submodules are"
+            message = f"{what} not checked out and could not be read: {names}; git submodule update --init --recursive"
+            return ((message, file.path, missing[0].line),)
+    return ()
+
+
 def https(url: str, origin: str | None = None) -> str:
     """Return a URL that anybody can clone: https in place of ssh and git, relative ones resolved against ``origin``."""
     url = url.strip()

@@ -160,3 +160,11 @@ def test_packages_go_to_the_python_of_the_nodes(tmp_path: Path, branch: str, sai
     found = decided(tmp_path, files, branch=branch)
     assert (found.python.version, found.python.requirements) == (version, ("requirements.txt",))
     assert not any("packages go there" in warning.message for warning in found.warnings)
+
+
+def test_submodules_that_are_not_checked_out_are_said_to_be_missing(tmp_path: Path) -> None:
+    gone = decided(tmp_path, {**catkin(), ".gitmodules": SUBMODULE})
+    (warning,) = [w for w in gone.warnings if "not checked out" in w.message]
+    assert (warning.file, warning.line) == (".gitmodules", 3)
+    here = decided(tmp_path, {"planner/src/a.cpp": "int a;\n"})
+    assert not any("not checked out" in w.message for w in here.warnings)
