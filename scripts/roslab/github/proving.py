@@ -107,5 +107,5 @@ def _failure(outcomes: Sequence[containers.Outcome]) -> Problem | None:
     failed = next((outcome for outcome in outcomes if not outcome.passed), None)
     if failed is None:
         return None
-    hint = "what it printed is in the log and in the summary; correct the code, or name another `test` in roslab.yaml"
+    hint = "correct the code, or name another `test` in roslab.yaml"
     return Problem(message=f"on {failed.platform}, {failed.proof.name}: {failed.summary}", hint=hint)
