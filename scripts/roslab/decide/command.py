@@ -18,10 +18,11 @@ _WINDOWS = frozenset(
     {"PyQt5", "PyQt6", "PySide2", "PySide6", "tkinter", "Tkinter", "pygame", "wx", "pyglet", "vispy", "mayavi", "kivy"}
 )
 _PLACEHOLDER = re.compile(
-    r"YOUR|your[_-]|path/to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])", re.IGNORECASE
+    r"YOUR|your[_-]|path[/_-]to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])",
+    re.IGNORECASE,
 )
 """``yyy-yy`` too: a letter that is typed for want of a word."""
-_ARGUMENT = re.compile(r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|--help\b|(?:^|\s)-h\b")
+_ARGUMENT = re.compile(r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|--help\b|(?:^|\s)-h\b|--show-args\b|\s(?:-s|--ros-args)$")
 """Files of the author's machine, or a question: no program to start by default."""
 _TEST = re.compile(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}

@@ -45,6 +45,12 @@ _MORE = re.compile(
     r"(?:[\s,/|&-]{0,4}(?:or|and|to)?\s{0,3}(?:python)?\s{0,2}[23]\.\d{1,2}(?![\d.])){1,6}", re.IGNORECASE
 )
 """What goes on after a version of Python: ``3.6, 3.7 or 3.8``. Blanks are counted: no line can take long."""
+_MORE_UBUNTU = re.compile(
+    r"(?:[\s,/|&~-]{0,4}(?:or|and|to)?\s{0,3}(?:ubuntu)?\s{0,2}(?:1[468]|2[0246])\.04(?![\d.]\d)){1,5}",
+    re.IGNORECASE,
+)
+"""The same after a release of Ubuntu: ``18.04~20.04``."""
+_GOES_ON = {"python": (_MORE, re.compile(r"\d\.\d{1,2}")), "ubuntu": (_MORE_UBUNTU, re.compile(r"\d\d\.04"))}
 
 
 _LIST = r"([\w-][\w.-]{0,60}\.(?:repos|rosinstall))\b"
@@ -88,9 +94,17 @@ def read(
             line += text.count("\n", position, match.start())
             position = match.start()
             yield Mention(topic=topic, value=value, source=source, file=file, line=line, text=context)
-            if topic == "python" and (more := _MORE.match(text, match.end())):  # "Python 3.6, 3.7 or 3.8"
-                for further in re.findall(r"\d\.\d{1,2}", more[0]):
-                    yield Mention(topic=topic, value=further, source=source, file=file, line=line, text=context)
+            for further in _further(topic, text, match.end()):
+                yield Mention(topic=topic, value=further, source=source, file=file, line=line, text=context)
             found += 1
             if found >= MAX_MENTIONS:
                 break
+
+
+def _further(topic: str, text: str, end: int) -> list[str]:
+    """Return the versions that follow one in the same breath: ``Python 3.6, 3.7 or 3.8``."""
+    if topic not in _GOES_ON:
+        return []
+    goes_on, number = _GOES_ON[topic]
+    more = goes_on.match(text, end)
+    return number.findall(more[0]) if more else []

@@ -19,7 +19,7 @@ _NAME = re.compile(
     r"requires)(?:[-_.\d].*)?\.(?:txt|in|pip)$"
 )
 _FOLDER = re.compile(r"(?:^|/)requirements?$", re.IGNORECASE)
-_DOCS = re.compile(r"(?:^|[-_./])(?:docs?|sphinx|mkdocs|documentation|rtd|readthedocs)(?:[-_./]|$)", re.IGNORECASE)
+_DOCS = re.compile(r"(?:^|[-_./])(?:docs?\d?|sphinx|mkdocs|documentation|rtd|readthedocs)(?:[-_./]|$)", re.IGNORECASE)
 _TESTS = re.compile(r"(?:^|[-_./])(?:tests?|testing|pytest)(?:[-_./]|$)", re.IGNORECASE)
 _DEV = re.compile(
     r"(?:^|[-_./])(?:dev|develop|development|lint|linter|format|ci|build|release|style|precommit|typing)(?:[-_./]|$)",

@@ -92,6 +92,8 @@ def test_launch_files_of_the_other_ros_ask_for_nothing(tmp_path: Path) -> None:
     [
         ({"README.md": "ROS >= Foxy (Recommend to use ROS-Humble)"}, "ros2", "humble"),
         ({"README.md": "Install ROS kinetic, lunar or melodic", "ros_lunar.rosinstall": "- git: {local-name: a, uri: 'https://x.org/a'}"}, None, "melodic"),  # noqa: E501
+        ({"README.md": "Ubuntu 18.04~20.04"}, None, "noetic"),
+        ({"README.md": "Ubuntu 18.04. Version 20.04.1 of the paper"}, None, "melodic"),
         ({"Jenkinsfile": "image 'x/ros-melodic:1'", ".github/workflows/ci.yml": "container: x/ros-noetic:1\n"}, None, "noetic"),  # noqa: E501
     ],
 )  # fmt: skip
@@ -119,6 +121,17 @@ def test_a_viewer_beside_the_packages_is_no_default(tmp_path: Path) -> None:
 def test_calls_that_leave_something_to_the_reader_are_no_candidates(tmp_path: Path) -> None:
     page = "```\nros2 launch demo a.launch.py host:=<sensor host name> # change <a> it\nros2 launch\n```\n"
     assert decided(tmp_path, {**ament(), "README.md": page}).command_candidates == ()
+
+
+@pytest.mark.parametrize("asks", ["-s", "--show-args", "--ros-args"])
+def test_a_call_that_only_asks_is_no_default(tmp_path: Path, asks: str) -> None:
+    page = f"```\nros2 launch demo a.launch.py {asks}\n```\n"
+    assert decided(tmp_path, {**ament(), "README.md": page}).command == ("bash",)
+
+
+def test_requirements_of_a_second_folder_of_documentation(tmp_path: Path) -> None:
+    found = decided(tmp_path, {**ament(), "docs2/requirements.txt": "furo\n", "nodes/requirements.txt": "rowan\n"})
+    assert found.python.requirements == ("nodes/requirements.txt",)
 
 
 def test_of_several_lists_the_one_that_the_page_names_is_imported(tmp_path: Path) -> None:
