@@ -53,11 +53,13 @@ class Python:
     """Every file that ``requirements`` need to be read: they themselves, what they include, their constraints."""
     projects: tuple[str, ...] = ()
     """Folders to ``pip install``, ``.`` for the root; installed in this order, editable, after the source is copied."""
+    alone: tuple[str, ...] = ()
+    """Those of ``projects`` that pip installs without their dependencies: one of these is nowhere to be had."""
     conda_file: str | None = None
     first: tuple[str, ...] = ()
     """Requirement lines that must be there before the others are built (numpy, torch, Cython)."""
     bounds: tuple[str, ...] = ()
-    """Constraints on what is installed: the code uses what newer versions no longer have."""
+    """Constraints on what is installed: newer versions no longer have what the code uses, or are not what it is for."""
     options: tuple[str, ...] = ()
     """pip options: index URLs and find-links of the framework's own wheels."""
     pip_options: tuple[str, ...] = ()

@@ -18,6 +18,10 @@ _CONDA_NAMES = {
     "pytorch-gpu": "torch",
     "tensorflow-gpu": "tensorflow-gpu",
     "opencv": "opencv-python",
+    "pytorch-scatter": "torch-scatter",
+    "pytorch-sparse": "torch-sparse",
+    "pytorch-cluster": "torch-cluster",
+    "pyg": "torch-geometric",
 }
 _NO_PACKAGE = frozenset(
     [

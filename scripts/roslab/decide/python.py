@@ -11,16 +11,18 @@ from roslab.decide.cmake_version import from_pip
 from roslab.decide.cuda import DEFAULT as CUDA
 from roslab.decide.cuda import decide_cuda
 from roslab.decide.decision import Python, Reason, Warning_
+from roslab.decide.framework_pins import framework_pins
 from roslab.decide.pins import conda_pins, name_of
 from roslab.decide.python2 import pip_lists
 from roslab.decide.python_base import cuda_ubuntu
 from roslab.decide.python_packages import Chosen, choose, with_guess, with_includes
 from roslab.decide.python_version import python_version
 from roslab.decide.reasons import because
+from roslab.decide.refused import refused, repair, right
 from roslab.decide.workspace import packages_of, ros_versions, types
 from roslab.evidence.facts import Dependency, Evidence, PythonProject
 from roslab.knowledge.distros import distro
-from roslab.knowledge.frameworks import build_needs, imports, kept_for_build_types, version
+from roslab.knowledge.frameworks import build_needs, canonical, imports, kept_for_build_types, version
 from roslab.knowledge.tools import SYSTEM_PYTHON
 
 DEFAULT = "3.10"
@@ -60,22 +62,31 @@ def decide_python(
             reasons = (Reason(question="python", answer=number, reason=why, weight=1), *reasons)
         manager = _manager(evidence, config, kind, ubuntu, number, chosen)
     lists = pip_lists(config, ubuntu, number)
-    declared, extra, notes = _declared(evidence, chosen, lists.lines, manager)
-    warnings += [*notes, *lists.warnings]
+    own = {canonical(project.name) for project in chosen.projects if project.name}
+    repaired = repair(evidence, chosen.files, chosen.projects, own)
+    declared, extra = [*lists.lines, *repaired.lines], repaired.files
+    if chosen.conda and manager != "conda":
+        declared += [d.name for e in evidence.conda if e.file == chosen.conda for d in e.dependencies if not d.role]
+    warnings += [*repaired.warnings, *lists.warnings]
     kept = tuple(_kept(evidence, [*declared, *(d.name for d in (*chosen.guessed, *_from_files(evidence, chosen)))]))
     declared += [reason.answer for reason in kept]
     installed = [*declared, *(d.name for d in chosen.guessed)]
     everything = [*installed, *(d.name for d in _from_files(evidence, chosen))]
     # A distribution's own packages are as old as it is: only what pip chooses freely needs a bound
     bounds, bound_reasons = decide_bounds(evidence.bounds if manager != "system" else (), everything)
+    if manager != "system":
+        exact, exact_reasons = framework_pins(evidence, everything, decide_cuda(evidence, config).cuda)
+        bounds, bound_reasons = (*bounds, *exact), (*bound_reasons, *exact_reasons)
+        installed += exact
     python = Python(
         version=number,
         bounds=bounds,
         manager=manager,  # type: ignore[arg-type]
         pip=tuple(dict.fromkeys(declared)),
-        pip_guessed=tuple(dict.fromkeys(d.name for d in chosen.guessed)),
+        pip_guessed=tuple(dict.fromkeys(right(d.name for d in chosen.guessed))),
         requirements=tuple(file.file for file in chosen.files if file.file not in extra),
         projects=tuple(project.folder or "." for project in chosen.projects),
+        alone=repaired.alone,
         conda_file=chosen.conda if manager == "conda" else None,
         first=_first(everything, chosen.projects),
         options=tuple(dict.fromkeys((*_indexes(installed), *_file_options(evidence, chosen, extra), *chosen.options))),
@@ -118,7 +129,7 @@ def specifiers(evidence: Evidence, python: Python) -> tuple[str, ...]:
                 )
                 for d in file.dependencies
             ]
-    return tuple(dict.fromkeys(_readable(line) for line in (*lines, *python.pip_guessed)))
+    return tuple(dict.fromkeys(_readable(line) for line in (*lines, *python.pip_guessed) if not refused(line)))
 
 
 def _readable(line: str) -> str:
@@ -147,34 +158,6 @@ def _manager(  # noqa: PLR0917
     return "venv"
 
 
-def _declared(
-    evidence: Evidence, chosen: Chosen, said: tuple[str, ...], manager: str
-) -> tuple[list[str], set[str], list[Warning_]]:
-    """Return the lines to install one by one, the files that cannot be installed as they stand, and the warnings.
-
-    A file with a line that pip would refuse is installed line by line, repaired.
-    """
-    lines = list(said)
-    broken: set[str] = set()
-    warnings: list[Warning_] = []
-    for file in chosen.files:
-        repaired = [d for f in with_includes(evidence, [file]) for d in f.dependencies if d.role == "repaired"]
-        if not repaired:
-            continue
-        broken.add(file.file)
-        lines += [d.name for f in with_includes(evidence, [file]) for d in f.dependencies if d.role != "project"]
-        warnings.append(
-            Warning_(
-                message=f"pip would refuse this line; the packages of {file.file} are installed one by one",
-                file=repaired[0].file,
-                line=repaired[0].line,
-            )
-        )
-    if chosen.conda and manager != "conda":
-        lines += [d.name for e in evidence.conda if e.file == chosen.conda for d in e.dependencies if not d.role]
-    return lines, broken, warnings
-
-
 def _kept(evidence: Evidence, lines: Sequence[str]) -> Iterator[Reason]:
     """Yield what the build of the packages needs in a version that pip might replace, where pip installs anything."""
     named = {name_of(line) for line in lines}
@@ -188,7 +171,7 @@ def _kept(evidence: Evidence, lines: Sequence[str]) -> Iterator[Reason]:
 
 def _from_files(evidence: Evidence, chosen: Chosen) -> list[Dependency]:
     found = [d for file in with_includes(evidence, chosen.files) for d in file.dependencies]
-    found += [d for project in chosen.projects for d in project.dependencies if not d.role]
+    found += [d for project in chosen.projects for d in project.dependencies if d.role in {"", "source"}]
     return found + [d for e in evidence.conda if e.file == chosen.conda for d in e.dependencies]
 
 
@@ -235,7 +218,7 @@ def _indexes(lines: list[str]) -> list[str]:
     return options
 
 
-def _file_options(evidence: Evidence, chosen: Chosen, broken: set[str]) -> list[str]:
+def _file_options(evidence: Evidence, chosen: Chosen, broken: frozenset[str]) -> list[str]:
     return [o for file in with_includes(evidence, [f for f in chosen.files if f.file in broken]) for o in file.options]
 
 

@@ -182,6 +182,8 @@ def _projects(evidence: Evidence, kind: Kind) -> tuple[PythonProject, ...]:
     usable = {p.folder: p for p in evidence.python if p.installable}
     chosen: dict[str, PythonProject] = {}
     if "" in usable and not ("" in manifests and kind in {"ros1", "ros2"}):
+        members = {name_of(d.name) for d in usable[""].dependencies if d.role == "member"}
+        chosen = {p.folder: p for p in usable.values() if p.name and canonical(p.name) in members}
         chosen[""] = usable[""]
     for dependency in _prose(evidence):
         if dependency.role != "project" or dependency.name in {".", "./"}:
@@ -215,7 +217,7 @@ def _known(
 ) -> set[str]:
     """Return the packages that are installed anyway, and the names of the tree's own projects."""
     known = {name_of(d.name) for file in with_includes(evidence, files) for d in file.dependencies}
-    known |= {name_of(d.name) for project in projects for d in project.dependencies if not d.role}
+    known |= {name_of(d.name) for project in projects for d in project.dependencies if d.role in {"", "source"}}
     known |= {canonical(project.name) for project in evidence.python if project.name}
     for environment in evidence.conda:
         if environment.file == conda:

@@ -10,7 +10,9 @@ from roslab.decide.decision import Reason
 from roslab.decide.pins import Pin, pins
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.frameworks import Version, framework, version
+from roslab.knowledge.distros import ubuntus
+from roslab.knowledge.frameworks import Version, canonical, framework, last_below, version
+from roslab.knowledge.tools import SYSTEM_PYTHON
 
 PREFERRED = ("3.10", "3.8", "3.12", "3.9", "3.11", "3.7", "3.6", "3.13", "3.14", "3.5", "2.7")
 """Where several fit: what an Ubuntu ships comes first, then what most wheels exist for."""
@@ -26,6 +28,7 @@ _SPECIFIER = re.compile(r"(>=|<=|==|~=|!=|>|<|\^)?\s*(\d+(?:\.\d+|\.\*)*)")
 _AT_LEAST = re.compile(r">=\s*(\d[\w.]*)")
 _TRUSTED = 3
 """Of ``Pin.trust``: a manifest of the project itself."""
+_UBUNTU = re.compile(r"(?:^|/|-)ubuntu:?(\d\d\.04)")
 _CLASSIFIER = re.compile(r"Python :: (\d\.\d+)")
 
 
@@ -65,6 +68,9 @@ def python_version(evidence: Evidence, config: Config) -> tuple[str | None, tupl
             list(PREFERRED),
         )
     chosen = next((reason for reason in named if reason.answer in fitting or reason.weight >= 70), None)
+    if chosen is None and (older := tuple(_by_use(evidence))):  # nobody says which: what the code uses does
+        ranges = (*ranges, *older)
+        fitting = [candidate for candidate in fitting if _fits(candidate, older)] or fitting
     reasons = [reason for _, _, reason in ranges]
     if chosen is not None:
         return chosen.answer, (chosen, *(_aside(r, chosen.answer) for r in (*named, *reasons) if r is not chosen))
@@ -100,6 +106,10 @@ def _named(evidence: Evidence) -> Iterator[Reason]:
     for mention in evidence.mentions:
         if mention.topic != "python" or version(mention.value) < (2, 7):
             continue
+        if mention.source == "code":
+            why = "print is a statement in most of its modules"
+            yield _reason(mention.value, why, mention.file, mention.line, 0 if three else 39)
+            continue
         if mention.value.startswith("2") and (three or _BOTH.search(mention.text)):
             continue  # Python 3 does as well
         depth = min(mention.file.count("/"), 3)
@@ -112,10 +122,27 @@ def _named(evidence: Evidence) -> Iterator[Reason]:
         )
         yield _reason(mention.value, f"“{mention.text[:80]}”", mention.file, mention.line, weight)
 
+    yield from _of_images(evidence)
     for pin in pins(evidence):
         if pin.trust and (tag := re.search(r"-cp(\d)(\d{1,2})-", pin.line)):
             why = "a wheel of it is named"
             yield _reason(f"{tag[1]}.{tag[2]}", why, pin.dependency.file, pin.dependency.line, 42)
+
+
+def _telling(evidence: Evidence) -> set[str]:
+    """Return the recipes that name the Python they are for."""
+    return {m.file for m in evidence.mentions if m.topic == "python" and m.source == "recipe"}
+
+
+def _of_images(evidence: Evidence) -> Iterator[Reason]:
+    """Yield the Python of the Ubuntu that a recipe starts from, where the recipe installs packages and names none."""
+    telling = _telling(evidence)
+    for recipe in evidence.recipes:
+        tag = _UBUNTU.search(recipe.base or "") if recipe.purpose == "project" and recipe.file not in telling else None
+        number = SYSTEM_PYTHON.get(ubuntus().get(tag[1], "")) if tag else None
+        if number and any(d.namespace == "pip" for d in recipe.dependencies):
+            weight = 16 - 4 * min(recipe.file.count("/"), 3)
+            yield _reason(number, f"the Python of {recipe.base}", recipe.file, recipe.base_line, weight)
 
 
 def _ranges(evidence: Evidence) -> Iterator[tuple[Version, Version, Reason]]:
@@ -136,7 +163,10 @@ def _ranges(evidence: Evidence) -> Iterator[tuple[Version, Version, Reason]]:
                 (numbers[-1][0], numbers[-1][1] + 2),
                 _reason(f"≥ {_text(numbers[0])}", why, project.file, project.line, 10),
             )
+    telling = _telling(evidence)
     for pin in pins(evidence):
+        if pin.dependency.file in telling:
+            continue  # of several images the pins of one say nothing of another's Python
         release = pin.release or pin.below
         if pin.release is None and pin.trust >= _TRUSTED:
             yield from _lowest(pin)
@@ -152,6 +182,17 @@ def _ranges(evidence: Evidence) -> Iterator[tuple[Version, Version, Reason]]:
                 version(row.python_max),
                 _reason(f"{row.python_min}…{row.python_max}", why, *place, 30 + pin.trust),
             )
+
+
+def _by_use(evidence: Evidence) -> Iterator[tuple[Version, Version, Reason]]:
+    """Yield the Pythons of the last wheels with a name that the code uses, where the author pins nothing himself."""
+    pinned = {pin.name for pin in pins(evidence) if pin.trust and (pin.release or pin.below)}
+    for use in evidence.bounds:
+        package, _, below = use.name.partition("<")
+        row = None if canonical(package) in pinned else last_below(canonical(package), below)
+        if row is not None:
+            why = f"the code uses {use.role}: {use.name} has wheels up to Python {row.python_max}"
+            yield (0,), version(row.python_max), _reason(f"≤ {row.python_max}", why, use.file, use.line, 20)
 
 
 def _at_least(number: str, text: str) -> bool:

@@ -19,7 +19,7 @@ _NAMES = (
     "circle.yml", ".cirrus.yml",
 )  # fmt: skip
 _FOLDERS = re.compile(
-    r"^(?:.*/)?(?:\.github/workflows|\.github/actions/[^/]+|\.circleci|\.gitlab(?:-ci)?|\.azure-pipelines|"
+    r"^(?:\.github/workflows|\.github/actions/[^/]+|\.circleci|\.gitlab(?:-ci)?|\.azure-pipelines|"
     r"\.jenkins|\.ci)/[^/]+\.ya?ml$"
 )
 _OTHER = re.compile(
@@ -60,7 +60,8 @@ def read(repository: Repository) -> Prose:
 def _is_ci(file: File) -> bool:
     if places.vendored(file.path):
         return False
-    return (file.name in _NAMES or bool(_FOLDERS.match(file.path))) and not _OTHER.search(
+    # A service reads the files of the root: one that came with a copied library runs nowhere
+    return ((file.name in _NAMES and "/" not in file.path) or bool(_FOLDERS.match(file.path))) and not _OTHER.search(
         file.path.lower().rpartition("/")[2]
     )
 

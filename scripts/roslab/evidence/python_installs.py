@@ -129,4 +129,5 @@ def conda_asks(command: Command) -> Iterator[Asked]:
             and name not in {"install", "create"}
         ):
             exact = f"=={number[0]}" if number and number[0] == version else ""
+            exact += ".*" if exact and name == "opencv" else ""  # pip's has a number more, of the build
             yield Asked(_CONDA_NAMES.get(name, name) + exact, line, "conda")

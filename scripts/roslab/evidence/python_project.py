@@ -6,7 +6,10 @@ import configparser
 import re
 import sys
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from typing import Any
+
+from packaging.utils import canonicalize_name
 
 from roslab.evidence import requirements, setup_py
 from roslab.evidence.facts import Dependency, PythonProject
@@ -183,6 +186,7 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
     line_of = _finder(text)
     project, poetry = _table(data, "project"), _table(data, "tool", "poetry")
     dependencies = _listed(_list(project, "dependencies"), path, line_of)
+    dependencies = [_of_uv(d, _table(data, "tool", "uv", "sources")) for d in dependencies]
     for extra, lines in _table(project, "optional-dependencies").items():
         dependencies += _listed(lines if isinstance(lines, list) else (), path, line_of, f"extra:{extra}")
     dynamic = _table(data, "tool", "setuptools", "dynamic", "dependencies").get("file")
@@ -210,6 +214,28 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         extensions=setup_py.extensions(str(backend) + " ".join(map(str, build))),
         classifiers=tuple(line for line in _list(project, "classifiers") if isinstance(line, str)),
     )
+
+
+def _of_uv(dependency: Dependency, sources: dict[str, Any]) -> Dependency:
+    """Return a dependency as uv would install it: pip knows neither its sources nor the members of its workspace.
+
+    https://docs.astral.sh/uv/concepts/projects/dependencies/#dependency-sources.
+    """
+    name = canonicalize_name(re.split(r"[\s\[<>=!~;@]", dependency.name, maxsplit=1)[0])
+    said = next((value for key, value in sources.items() if canonicalize_name(key) == name), None)
+    said = said[0] if isinstance(said, list) and said else said
+    if not isinstance(said, dict):
+        return dependency
+    if said.get("workspace") or "path" in said:
+        return replace(dependency, role="member")
+    if isinstance(said.get("git"), str):
+        ref = said.get("rev") or said.get("tag") or said.get("branch")
+        folder = f"#subdirectory={said['subdirectory']}" if said.get("subdirectory") else ""
+        line = f"{name} @ git+{said['git']}" + (f"@{ref}" if ref else "") + folder
+        return replace(dependency, name=line, role="source")
+    if isinstance(said.get("url"), str):
+        return replace(dependency, name=f"{name} @ {said['url']}", role="source")
+    return dependency
 
 
 def _table(data: Any, *keys: str) -> dict[str, Any]:

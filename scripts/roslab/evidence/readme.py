@@ -22,7 +22,7 @@ _PAGE = re.compile(
     r"^(?:readme|install|installation|building|build|compiling|compilation|"
     r"getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
 )
-_TEXTS = (".md", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
+_TEXTS = (".md", ".mdx", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
 _DOCS_PAGE = re.compile(
     r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite"
 )

@@ -61,6 +61,12 @@ def framework(package: str, release: str | None) -> Framework | None:
     return next((row for row in reversed(series) if version(row.first) <= version(release)), None)
 
 
+def last_below(package: str, release: str) -> Framework | None:
+    """Return the row of the newest release before one, ``None`` for what the table does not know."""
+    series = _frameworks().get(package, ())
+    return next((row for row in reversed(series) if version(row.first) < version(release)), None)
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class CudaImage:
     """The images of one CUDA version that still exist."""

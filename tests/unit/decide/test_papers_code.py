@@ -126,3 +126,101 @@ def test_no_image_holds_the_hosts_driver(name: str) -> None:
     assert never().match(name)
     assert not never().match("libnvidia-container-tools")
     assert not never().match("nvidia-cuda-toolkit")
+
+
+TF1 = "import tensorflow as tf\n\nx = tf.placeholder(tf.float32)\n"
+
+
+def test_the_api_of_tensorflow_1_needs_a_python_that_it_was_made_for(tmp_path: Path) -> None:
+    decision = decided(tmp_path, {"train.py": TF1, "README.md": "Tested with CUDA 11.8.\n"})
+    assert (decision.python.version, decision.python.manager) == ("3.7", "conda")
+    assert "tensorflow<2" in decision.python.bounds
+
+
+def test_what_is_said_of_python_outweighs_what_the_code_uses(tmp_path: Path) -> None:
+    assert decided(tmp_path, {"train.py": TF1, "README.md": "Python 3.6 is required.\n"}).python.version == "3.6"
+
+
+def test_the_compatible_api_of_tensorflow_2_is_not_that_of_1(tmp_path: Path) -> None:
+    code = "import tensorflow as tf\nimport tensorflow.compat.v1 as tf1\nx = tf1.placeholder(tf.float32)\n"
+    assert decided(tmp_path, {"train.py": code}).python.bounds == ()
+
+
+def test_print_as_a_statement_is_python_2(tmp_path: Path) -> None:
+    old = 'import numpy\nprint "done"\n'
+    files = {"a.py": old, "b.py": old, "c.py": "import numpy\nprint(1)\n"}
+    assert decided(tmp_path, files).python.version == "2.7"
+    assert decided(tmp_path, {**files, "b.py": "print(2)\n"}).python.version != "2.7"
+
+
+def test_of_several_images_each_has_its_own_python(tmp_path: Path) -> None:
+    torch = (
+        "FROM nvidia/cuda:11.3.1-base-ubuntu20.04\nRUN conda create -n a python=3.8\nRUN pip install torch==1.10.0\n"
+    )
+    old = "FROM ubuntu:18.04\nRUN conda create -n a python=3.7\nRUN pip install tensorflow-gpu==1.15.0\n"
+    files = {"main.py": MAIN, "docker/sim/Dockerfile": torch, "docker/tensorflow/Dockerfile": old}
+    assert decided(tmp_path, files).python.version == "3.8"
+
+
+def test_an_image_that_names_no_python_has_its_ubuntus(tmp_path: Path) -> None:
+    recipe = "FROM nvidia/cuda:11.6.2-devel-ubuntu20.04\nRUN pip3 install torch==1.13.1+cu116\n"
+    assert decided(tmp_path, {"main.py": MAIN, "docker/Dockerfile": recipe}).python.version == "3.8"
+
+
+def test_what_a_manifest_leaves_free_and_the_readme_pins(tmp_path: Path) -> None:
+    files = {"main.py": MAIN, "requirements.txt": "torch>=1.4\ntorchvision\nnumpy\n"}
+    readme = "```\npip install torch==1.10.0+cu113 torchvision==0.11.1+cu113\n```\n"
+    decision = decided(tmp_path, {**files, "README.md": readme})
+    assert decision.python.bounds == ("torch==1.10.0+cu113", "torchvision==0.11.1+cu113")
+    assert any("cu113" in option for option in decision.python.options)
+    assert decided(tmp_path, {**files, "README.md": readme.replace("1.10.0", "1.2.0")}).python.bounds == ()
+
+
+def test_a_project_that_asks_for_what_is_on_no_index(tmp_path: Path) -> None:
+    files = {
+        "gym/setup.py": "from setuptools import setup\nsetup(name='gym', install_requires=['isaacgym', 'rl', 'scipy'])",
+        "rl/setup.py": "from setuptools import setup\nsetup(name='rl', install_requires=['torch'])\n",
+        "requirements.txt": "sklearn\ntensorflow-gpu==2.5.0\ndataclasses; python_version < '3.7'\n",
+    }
+    decision = decided(tmp_path, files)
+    assert decision.python.projects == ("gym", "rl")
+    assert decision.python.alone == ("gym",)
+    assert set(decision.python.pip) == {
+        "scikit-learn", "tensorflow-gpu==2.5.0", "dataclasses; python_version < '3.7'", "scipy",
+    }  # fmt: skip
+    messages = [warning.message for warning in decision.warnings]
+    assert any("isaacgym: it is behind a login" in message for message in messages)
+    assert not {"isaacgym", "sklearn"} & set(decision.pip)
+
+
+def test_what_uv_takes_from_elsewhere(tmp_path: Path) -> None:
+    root = """\
+[project]
+name = "policy"
+version = "1"
+dependencies = ["torch==2.7.1", "data", "policy-client"]
+[tool.uv.sources]
+data = { git = "https://example.org/lab/data", rev = "0cf8648" }
+policy-client = { workspace = true }
+[build-system]
+requires = ["hatchling"]
+build-backend = "hatchling.build"
+"""
+    client = '[project]\nname = "policy-client"\nversion = "1"\ndependencies = ["msgpack"]\n'
+    decision = decided(tmp_path, {"pyproject.toml": root, "packages/client/pyproject.toml": client})
+    assert decision.python.projects == ("packages/client", ".")
+    assert decision.python.alone == (".",)
+    assert decision.python.pip == ("torch==2.7.1", "data @ git+https://example.org/lab/data@0cf8648")
+
+
+def test_a_copied_library_brings_no_ci_and_no_prose(tmp_path: Path) -> None:
+    files = {"main.py": MAIN, "pybind11/docs/install.md": "```\npip install would be\n```\n"}
+    files["lib/.github/workflows/ci.yml"] = "jobs:\n  a:\n    steps:\n      - run: sudo apt install intel-oneapi\n"
+    decision = decided(tmp_path, files)
+    assert decision.pip == ("torch",)
+    assert "intel-oneapi" not in decision.apt_guessed
+
+
+def test_condas_opencv_by_the_number_that_pip_has(tmp_path: Path) -> None:
+    files = {"main.py": "import cv2\n", "README.md": "```\nconda install opencv=3.3.1\n```\n"}
+    assert decided(tmp_path, files).pip == ("opencv-python==3.3.1.*",)

@@ -65,7 +65,8 @@ def constraints(plan: Plan) -> str:
     if not plan.python.bounds:
         return ""
     file = "/usr/local/share/roslab/constraints.txt"
-    text = "# The code uses what newer versions no longer have\n" + "\n".join(map(quote.checked, plan.python.bounds))
+    why = "# Newer versions no longer have what the code uses, or are not what it was written for\n"
+    text = why + "\n".join(map(quote.checked, plan.python.bounds))
     return f"{shell.heredoc(file, text)}\nENV PIP_CONSTRAINT={file}"
 
 
@@ -141,12 +142,17 @@ def projects(plan: Plan) -> str:
     if not folders:
         return ""
     isolation = " --no-build-isolation" if plan.python.first else ""
-    editable = "".join(
+    pip = f"{interpreter(plan)} -m pip install --no-cache-dir{isolation}{_options(plan.python.options)}"
+    whole = [folder for folder in folders if folder not in plan.python.alone]
+    alone = [folder for folder in folders if folder in plan.python.alone]
+    commands = [f"{pip}{_editable(whole)}"] if whole else []
+    commands += [f"{pip} --no-deps{_editable(alone)}"] if alone else []
+    return shell.run(*commands, comment="The repository's own Python packages")
+
+
+def _editable(folders: Sequence[str]) -> str:
+    return "".join(
         f" --editable {quote.shell('./' + folder if folder not in ('', '.') else '.')}" for folder in folders
-    )
-    return shell.run(
-        f"{interpreter(plan)} -m pip install --no-cache-dir{isolation}{_options(plan.python.options)}{editable}",
-        comment="The repository's own Python packages",
     )
 
 
