@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from pathlib import Path
 
 import pytest
+from PIL import Image, ImageGrab
 
 from roslab import display
 from roslab.errors import BuildError
 from roslab.pipeline import plan_repository
-from roslab.screenshot import NO_PILLOW, Screenshot, file_name
+from roslab.screenshot import NO_PILLOW, Camera, Screenshot, file_name
 
 
 def test_the_container_gets_a_socket_and_a_key_and_nothing_else() -> None:
@@ -119,3 +122,44 @@ def test_which_proofs_have_a_display(tmp_path: Path, files: dict[str, str], expe
     found = {proof.name: proof.display for proof in plan_repository(tmp_path).plan.proofs}
     assert {name: found[name] for name in expected} == expected
     assert not any(shown for name, shown in found.items() if name not in expected)
+
+
+def test_without_pillow_the_proof_goes_on(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setitem(sys.modules, "PIL", None)
+    camera = Camera(display=display.Display(number=7, key=tmp_path / "Xauthority"))
+    camera.look()
+    assert (camera.blind, camera.drawn) == (True, False)
+    assert camera.keep(tmp_path / "a.png") == Screenshot(remark="Pillow is not installed (pip install Pillow)")
+
+
+def test_a_display_that_is_gone_gives_no_picture_and_no_error(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("XAUTHORITY", "the user's own")
+    camera = Camera(display=display.Display(number=59999, key=tmp_path / "Xauthority"))
+    camera.look()
+    assert (camera.blind, camera.drawn) == (True, False)
+    assert os.environ["XAUTHORITY"] == "the user's own"
+    kept = camera.keep(tmp_path / "a.png")
+    assert kept.file is None
+    assert kept.remark.startswith("the display gives no picture: ")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_newest_picture_with_something_in_it_is_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """A stand-in of the X server's answers: blank, a window, another, and blank again once it is closed."""
+    pictures = []
+    for colour in (None, "red", "green", None):
+        pictures.append(Image.new("RGB", (30, 20)))
+        if colour:
+            pictures[-1].paste(colour, (5, 5, 10, 10))
+    answers = iter(pictures)
+    monkeypatch.setattr(ImageGrab, "grab", lambda xdisplay: next(answers))
+    camera = Camera(display=display.Display(number=7, key=tmp_path / "Xauthority"))
+    camera.look()
+    assert camera.keep(tmp_path / "blank.png").remark == "nothing was drawn: it is wholly blank"
+    for _ in range(3):
+        camera.look()
+    assert camera.keep(tmp_path / "new" / "a.png") == Screenshot(file=tmp_path / "new" / "a.png")
+    with Image.open(tmp_path / "new" / "a.png") as kept:
+        assert kept.getpixel((6, 6)) == (0, 128, 0)
+    (tmp_path / "file").touch()
+    assert "cannot be written" in camera.keep(tmp_path / "file" / "a.png").remark

@@ -192,9 +192,9 @@ def _screens(report: Report) -> str:
     lines = []
     for entry in report.platforms:
         for proof in entry.proofs:
-            place = f"{code(proof.screenshot)}, among the artifacts of this run" if proof.screenshot else ""
-            told = "; ".join(part for part in (place, prose(proof.screenshot_remark)) if part)
-            if told:
+            place = f"{code(proof.screenshot)}, among the artifacts of this run" if proof.screenshot else "none"
+            if proof.screenshot or proof.screenshot_remark:
+                told = "; ".join(part for part in (place, prose(proof.screenshot_remark)) if part)
                 lines.append(f"- Screenshot on {code(entry.platform)}: {told}.\n")
     return "".join(lines)
 

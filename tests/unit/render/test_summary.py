@@ -208,3 +208,16 @@ def test_part(history: str, expected: str) -> None:
 )
 def test_human(size: int, expected: str) -> None:
     assert human(size) == expected
+
+
+def test_the_screenshots_are_named(report: Report) -> None:
+    shown = dataclasses.replace(proof(), screenshot="screenshot-linux-amd64-default-command-starts.png")
+    blank = dataclasses.replace(shown, screenshot_remark="nothing was drawn: it is wholly blank")
+    none = dataclasses.replace(proof(), screenshot_remark="Xvfb is not installed")
+    entries = [dataclasses.replace(platform(f"linux/{n}"), proofs=(p,)) for n, p in enumerate((shown, blank, none))]
+    text = summary(dataclasses.replace(report, platforms=tuple(entries)))
+    file = "`screenshot-linux-amd64-default-command-starts.png`, among the artifacts of this run"
+    assert f"- Screenshot on `linux/0`: {file}.\n" in text
+    assert f"- Screenshot on `linux/1`: {file}; nothing was drawn: it is wholly blank.\n" in text
+    assert "- Screenshot on `linux/2`: none; Xvfb is not installed.\n" in text
+    assert "Screenshot on" not in summary(report)
