@@ -102,6 +102,8 @@ def run_workflow(
         environment = {**_environment(lab, place), "ACTIONS_RUNTIME_URL": artifacts}
         steps = {
             "GITHUB_API_URL": api,
+            # As on runners of their own: a job that ends logs out, while another still needs its login
+            "DOCKER_CONFIG": "${{ runner.temp }}/docker-config",
             "REPRO_LAB_SOURCE": str(CHECKOUT),
             "REPRO_LAB_BUILDKIT": lab.buildkit,
             "REPRO_LAB_ARTIFACTS": str(place / "artifacts"),
@@ -145,8 +147,6 @@ def _payload(given: dict[str, Any]) -> dict[str, Any]:
 
 def _environment(lab: Laboratory, place: Path) -> dict[str, str]:
     """Return everything that act and, in host mode, every step inherits."""
-    settings = place / "docker-config"
-    settings.mkdir()
     home = place / "home"
     home.mkdir()
     # The interpreter below a test's own virtual environment: a step must not see what the tests installed.
@@ -157,7 +157,6 @@ def _environment(lab: Laboratory, place: Path) -> dict[str, str]:
         "HOME": str(home),
         "PATH": path,
         "DOCKER_HOST": lab.docker_host,
-        "DOCKER_CONFIG": str(settings),
         "PIP_CACHE_DIR": str(folder("pip-cache")),
     }
 

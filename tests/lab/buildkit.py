@@ -32,13 +32,15 @@ def address() -> str:
 def program() -> Path:
     """Return the compiled program, compiled once for the version of facts.toml."""
     module, package, version = (facts.text("buildkit", key) for key in ("module", "package", "version"))
-    place = folder("go", f"buildkitd-{recipe(module, package, version, IMPORTER)}")
+    # Clients ask its version for what it can do; a build outside its own repository has to be told
+    named = f"-X {module}/version.Version={version}"
+    place = folder("go", f"buildkitd-{recipe(module, package, version, IMPORTER, named)}")
     if not (place / NAME).exists():
         (place / "go.mod").write_text("module lab.example.org/buildkitd\n")
         (place / "tools.go").write_text(IMPORTER.format(package=package))
         environment = packages.go_environment()
         run(["go", "get", f"{package}@{version}"], log="go-get-buildkitd", cwd=place, env=environment)
-        command = ["nice", "go", "build", "-trimpath", "-o", f"{NAME}.part", package]
+        command = ["nice", "go", "build", "-trimpath", "-ldflags", named, "-o", f"{NAME}.part", package]
         run(command, log="go-buildkitd", cwd=place, env=environment)
         (place / f"{NAME}.part").rename(place / NAME)
     return place / NAME
