@@ -12,6 +12,7 @@ from roslab.decide.pins import Pin, pins
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import framework, version
 
+_BUILD = re.compile(r"^([A-Za-z][\w.-]*)-cu(\d{2,3})(?![\w.-])")
 _LEADING = {"torch": "torch", "tensorflow": "tensorflow", "jax": "jax"}
 _BESIDE = {"torch": ("torchvision", "torchaudio"), "jax": ("jaxlib",), "tensorflow": ()}
 """Released together with it: their pins count where they stand in the same file."""
@@ -36,6 +37,19 @@ def framework_pins(
                 why = "an install line pins what the manifest leaves free"
                 found.setdefault(f"{pin.name}=={pin.release}", _reason(pin, why))
     return tuple(found), tuple(found.values())
+
+
+def one_build(lines: Iterable[str], cuda: str | None) -> list[str]:
+    """Return the lines with one build of each package: ``spconv-cu102`` and ``spconv-cu116`` hold the same module."""
+    kept = list(lines)
+    builds: dict[str, list[tuple[str, str]]] = {}
+    for line in kept:
+        if match := _BUILD.match(line):
+            builds.setdefault(match[1].lower(), []).append((match[2], line))
+    for same in builds.values():
+        fitting = [line for digits, line in same if digits == (cuda or "").replace(".", "")] or [same[0][1]]
+        kept = [line for line in kept if line in fitting[:1] or line not in {other for _, other in same}]
+    return kept
 
 
 def _free(line: str) -> Requirement | None:

@@ -11,7 +11,7 @@ from roslab.decide.cmake_version import from_pip
 from roslab.decide.cuda import DEFAULT as CUDA
 from roslab.decide.cuda import decide_cuda
 from roslab.decide.decision import Python, Reason, Warning_
-from roslab.decide.framework_pins import framework_pins
+from roslab.decide.framework_pins import framework_pins, one_build
 from roslab.decide.pins import conda_pins, name_of
 from roslab.decide.python2 import pip_lists
 from roslab.decide.python_base import cuda_ubuntu
@@ -74,8 +74,9 @@ def decide_python(
     everything = [*installed, *(d.name for d in _from_files(evidence, chosen))]
     # A distribution's own packages are as old as it is: only what pip chooses freely needs a bound
     bounds, bound_reasons = decide_bounds(evidence.bounds if manager != "system" else (), everything)
+    cuda = decide_cuda(evidence, config).cuda
     if manager != "system":
-        exact, exact_reasons = framework_pins(evidence, everything, decide_cuda(evidence, config).cuda)
+        exact, exact_reasons = framework_pins(evidence, everything, cuda)
         bounds, bound_reasons = (*bounds, *exact), (*bound_reasons, *exact_reasons)
         installed += exact
     python = Python(
@@ -83,7 +84,7 @@ def decide_python(
         bounds=bounds,
         manager=manager,  # type: ignore[arg-type]
         pip=tuple(dict.fromkeys(declared)),
-        pip_guessed=tuple(dict.fromkeys(right(d.name for d in chosen.guessed))),
+        pip_guessed=tuple(dict.fromkeys(one_build(right(d.name for d in chosen.guessed), cuda))),
         requirements=tuple(file.file for file in chosen.files if file.file not in extra),
         projects=tuple(project.folder or "." for project in chosen.projects),
         alone=repaired.alone,

@@ -224,3 +224,11 @@ def test_a_copied_library_brings_no_ci_and_no_prose(tmp_path: Path) -> None:
 def test_condas_opencv_by_the_number_that_pip_has(tmp_path: Path) -> None:
     files = {"main.py": "import cv2\n", "README.md": "```\nconda install opencv=3.3.1\n```\n"}
     assert decided(tmp_path, files).pip == ("opencv-python==3.3.1.*",)
+
+
+def test_one_build_of_a_package_for_the_cuda_of_the_image(tmp_path: Path) -> None:
+    recipe = "FROM nvidia/cuda:{}\nRUN pip install spconv-cu{}\n"
+    files = {"main.py": MAIN, "requirements.txt": "torch==1.13.1+cu116\n"}
+    files["docker/Dockerfile"] = recipe.format("10.2-devel-ubuntu18.04", "102")
+    files["docker/cu116.Dockerfile"] = recipe.format("11.6.2-devel-ubuntu20.04", "116")
+    assert decided(tmp_path, files).python.pip_guessed == ("spconv-cu116",)
