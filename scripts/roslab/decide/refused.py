@@ -81,5 +81,6 @@ def _kept(found: Iterable[Dependency], own: set[str]) -> list[str]:
 
 def _warning(dependency: Dependency) -> Warning_:
     name, row = name_of(dependency.name), not_on_index()[name_of(dependency.name)]
-    does = f"{row.instead} is installed" if row.instead else "the image is built without it"
+    without = f"the image is built without it, install it by `custom` or `pip` in roslab.yaml ({row.source})"
+    does = f"{row.instead} is installed" if row.instead else without
     return Warning_(message=f"pip cannot install {name}: {row.why}; {does}", file=dependency.file, line=dependency.line)

@@ -15,9 +15,14 @@ class NotOnIndex:
 
     instead: str
     why: str
+    source: str
+    """Where its author tells how to install it."""
 
 
 @cache
 def not_on_index() -> dict[str, NotOnIndex]:
     """Return the table, by names as the index compares them."""
-    return {canonical(row["pip"]): NotOnIndex(instead=row["instead"], why=row["why"]) for row in rows("not_on_index")}
+    return {
+        canonical(row["pip"]): NotOnIndex(instead=row["instead"], why=row["why"], source=row["source"])
+        for row in rows("not_on_index")
+    }
