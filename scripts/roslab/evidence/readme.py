@@ -43,6 +43,9 @@ _ELSEWHERE = re.compile(
 )
 _STRUCK = re.compile(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
 """``~~what no longer holds~~``."""
+_LEAF = re.compile(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
+DEEPEST = 7
+"""Such a section holds no others: the next heading ends it, however deep its author has put that one."""
 _RST_LINE = re.compile(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
 
 
@@ -106,9 +109,11 @@ def _section(line: str, below: str, elsewhere: int) -> int:
     if heading is None and not (line.strip() and _RST_LINE.match(below[:200])):
         return elsewhere
     level, title = (len(heading[1]), heading[2]) if heading else (2, line)
-    if _ELSEWHERE.search(title):
-        return elsewhere or level
-    return 0 if level <= elsewhere else elsewhere
+    if 0 < elsewhere < level:
+        return elsewhere
+    if _LEAF.search(title):
+        return DEEPEST
+    return level if _ELSEWHERE.search(title) else 0
 
 
 def _shell(line: str, *, fenced: bool) -> Iterator[str]:

@@ -75,6 +75,14 @@ def test_inline_code_in_three_backquotes_opens_no_block(tmp_path: Path) -> None:
     assert named(read(readme, tmp_path, {"README.md": text})) == [("liba", 3), ("libb", 4), ("libe", 7)]
 
 
+def test_a_licence_holds_no_other_section(tmp_path: Path) -> None:
+    text = (
+        "# Thing\n# License\n    apt install liba\n## Prerequisites\n    apt install libb\n"
+        "# Windows\n## Install\n    apt install libc\n# Linux\n    apt install libd\n"
+    )
+    assert named(read(readme, tmp_path, {"README.md": text})) == [("libb", 5), ("libd", 10)]
+
+
 def test_other_pages_and_formats(tmp_path: Path) -> None:
     files = {
         "README.rst": "Install\n=======\n\n.. code-block:: bash\n\n   sudo apt-get install liba\n",
