@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from lab import buildkit, doors, laboratory, records, registry
+from lab import buildkit, doors, records, registry
 from lab.act import Result, run_workflow
 from lab.laboratory import Laboratory
 from lab.records import Step
@@ -26,14 +25,6 @@ IGNORED = ".git\n"
 """Of the context, as in a generated recipe: git's index holds times and inodes, which no two checkouts share."""
 RUNS = 3
 """RUN steps of the recipe, for each platform."""
-
-
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Laboratory]:
-    if reason := laboratory.usable():
-        pytest.skip(reason)
-    with laboratory.laboratory() as running:
-        yield running
 
 
 def push(lab: Laboratory, caller: Path, name: str, runner: Path) -> tuple[Result, list[tuple[Step, ...]]]:

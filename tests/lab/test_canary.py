@@ -9,14 +9,14 @@ import subprocess
 import tarfile
 import zipfile
 from base64 import b64encode
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import quote
 
 import pytest
 
-from lab import canary, doors, laboratory, leavings, registry
+from lab import canary, doors, leavings, registry
 from lab.act import Result, run_workflow
 from lab.canary import Place
 from lab.laboratory import Laboratory
@@ -62,14 +62,6 @@ printf '{"_type":"https://in-toto.io/Statement/v0.1","predicateType":"https://sp
 {"spdxVersion":"SPDX-2.3","SPDXID":"SPDXRef-DOCUMENT","name":"stand-in","comment":"%s","files":[%s{"fileName":""}]}}' \
   "$told" "$files" > "$BUILDKIT_SCAN_DESTINATION/stand-in.spdx.json"
 """
-
-
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Laboratory]:
-    if reason := laboratory.usable():
-        pytest.skip(reason)
-    with laboratory.laboratory() as running:
-        yield running
 
 
 @pytest.fixture(scope="module")

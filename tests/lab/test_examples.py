@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from subprocess import CompletedProcess
 
 import pytest
 
-from . import laboratory
 from .laboratory import Laboratory
 
 EXAMPLES = Path(__file__).resolve().parent.parent.parent / "examples"
@@ -25,14 +24,6 @@ SEEN = {
 """What a reader types into a container, and what it prints. The two others need what no stand-in has: rclcpp, CUDA."""
 SNAPSHOT = "failed to prepare extraction snapshot"
 """The engine's unpacking fails so now and then while another image of the same name goes away; again, it works."""
-
-
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Laboratory]:
-    if reason := laboratory.usable():
-        pytest.skip(reason)
-    with laboratory.laboratory() as running:
-        yield running
 
 
 @pytest.fixture

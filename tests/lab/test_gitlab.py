@@ -7,26 +7,15 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
 import yaml
 
-from . import laboratory
 from .doors import tags
 from .laboratory import Laboratory
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 JOB = yaml.safe_load((ROOT / "workflows/gitlab-ci.yml").read_text(encoding="utf-8"))["repro-action"]
-
-
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Laboratory]:
-    if reason := laboratory.usable():
-        pytest.skip(reason)
-    with laboratory.laboratory() as running:
-        yield running
 
 
 def run(lab: Laboratory, tmp_path: Path, repository: str, **variables: str) -> str:

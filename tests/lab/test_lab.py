@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from lab import laboratory, registry
+from lab import registry
 from lab.act import run_workflow
 from lab.laboratory import Laboratory
 
@@ -52,14 +51,6 @@ jobs:
           for tag in $TAGS; do docker buildx imagetools create --tag "$tag" "$IMAGE@$DIGEST"; done
           echo "published as $TAGS" >> "$GITHUB_STEP_SUMMARY"
 """
-
-
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Laboratory]:
-    if reason := laboratory.usable():
-        pytest.skip(reason)
-    with laboratory.laboratory() as running:
-        yield running
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from .laboratory import Laboratory, laboratory, usable
+from .laboratory import Laboratory
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 NAME = "lab-old-talker"
@@ -39,14 +39,6 @@ custom:
   - touch $HOME/catkin_ws/src/{NAME}/made-by-the-other-path
 """
 Inside = Callable[[str], "subprocess.CompletedProcess[str]"]
-
-
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Laboratory]:
-    if reason := usable():
-        pytest.skip(reason)
-    with laboratory() as found:
-        yield found
 
 
 @pytest.fixture(scope="module")

@@ -19,7 +19,7 @@ from pathlib import Path
 
 import pytest
 
-from .laboratory import Laboratory, laboratory, usable
+from .laboratory import Laboratory
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 NAME = "lab-run-script"
@@ -34,14 +34,6 @@ volume:
     options: ro
 """
 Run = Callable[..., "subprocess.CompletedProcess[str]"]
-
-
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Laboratory]:
-    if reason := usable():
-        pytest.skip(reason)
-    with laboratory() as found:
-        yield found
 
 
 @pytest.fixture(scope="module")

@@ -23,7 +23,7 @@ from subprocess import CompletedProcess
 import pytest
 from PIL import Image
 
-from lab import doors, laboratory, packages
+from lab import doors, packages
 from lab.act import Result, run_workflow
 from lab.home import CHECKOUT
 from lab.laboratory import Laboratory
@@ -50,14 +50,6 @@ WINDOW = {
     "roslab.yaml": "format: 3\nkind: python\ndockerfile: Dockerfile\n",
 }
 NAME = "screenshot-{}-default-command-starts.png"
-
-
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Laboratory]:
-    if reason := laboratory.usable():
-        pytest.skip(reason)
-    with laboratory.laboratory() as running:
-        yield running
 
 
 @pytest.fixture(scope="module")

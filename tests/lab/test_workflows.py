@@ -3,23 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from lab import doors, laboratory, registry
+from lab import doors, registry
 from lab.act import Result, run_workflow
 from lab.faulty_registry import Faults, faulty_registry
 from lab.laboratory import Laboratory
-
-
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Laboratory]:
-    if reason := laboratory.usable():
-        pytest.skip(reason)
-    with laboratory.laboratory() as running:
-        yield running
 
 
 @pytest.fixture
