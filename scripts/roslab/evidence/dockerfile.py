@@ -1,22 +1,17 @@
-"""The author's Dockerfiles, under any usual name.
-
-Instructions are cut here, not by a library: the one that is kept (dockerfile-parse) knows neither here-documents nor
-the line of a word inside a continuation, and both are what a reason has to show.
-"""
+"""The author's Dockerfiles, under any usual name."""
 
 from __future__ import annotations
 
-import json
 import posixpath
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from roslab.evidence import mentions, places
+from roslab.evidence.dockerfile_text import Instruction, argv, instructions, sources
 from roslab.evidence.facts import GitSource, Mention, Prose, Recipe
 from roslab.evidence.installs import Collector, merge
-from roslab.evidence.shell import expand, logical_lines
+from roslab.evidence.shell import expand
 from roslab.repository import File, Repository
 
 MAX_SIZE = 256 * 1024
@@ -24,20 +19,12 @@ _NAME = re.compile(r"^(?:dockerfile(?:[-_.].*)?|.*\.dockerfile|.*[-_.]dockerfile
 _NOT = re.compile(
     r"\.(?:md|rst|html?|py|ya?ml|json|sh|png|jpe?g|svg|j2|jinja2?|em|in|template|tmpl|erb|dockerignore|txt)$"
 )
-_INSTRUCTION = re.compile(r"^\s*([A-Za-z]+)\s+(.*)$", re.DOTALL)
 _DOCKER_FOLDER = re.compile(
     r"^(?:.*/)?\.?(?:docker\w*|container\w*|devcontainer|build\w*|images?|env\w*|recipes?|"
     r"images?/\w+)(?:/[^/]+)*$|^$",
     re.IGNORECASE,
 )
 """Folders that only hold recipes: what they copy is the root."""
-_KNOWN = frozenset(
-    {
-        "ADD", "ARG", "CMD", "COPY", "ENTRYPOINT", "ENV", "EXPOSE", "FROM", "HEALTHCHECK",
-        "LABEL", "MAINTAINER", "ONBUILD", "RUN", "SHELL", "STOPSIGNAL", "USER", "VOLUME", "WORKDIR",
-    }
-)  # fmt: skip
-_HEREDOC = re.compile(r"<<-?\s*[\"']?(\w+)[\"']?")
 _FROM = re.compile(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
 _PAIR = re.compile(r"(\w+)=(\"[^\"]*\"|'[^']*'|\S*)")
 _DEPLOY = re.compile(
@@ -55,16 +42,6 @@ _PRIVATE = re.compile(
     re.IGNORECASE,
 )
 _REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
-
-
-class Instruction(NamedTuple):
-    """One instruction: its name in capitals, the text after it, its line."""
-
-    name: str
-    text: str
-    line: int
-    script: bool = False
-    """The text is a here-document: lines of its own, not one line with continuations."""
 
 
 def read(repository: Repository) -> tuple[Recipe, ...]:
@@ -103,33 +80,6 @@ def _built(text: str, path: str) -> tuple[Mention, ...]:
     return tuple(collector.mentions)
 
 
-def instructions(text: str) -> Iterator[Instruction]:
-    """Yield the instructions of a Dockerfile; a line that is none has the name ``""``."""
-    heredoc, pending, following = "", Instruction("", "", 0), 0
-    body: list[str] = []
-    for line, logical in logical_lines(text):
-        if heredoc:
-            if logical.strip() == heredoc:
-                yield Instruction(pending.name, "\n".join((pending.text, *body)), pending.line, script=True)
-                heredoc, body = "", []
-            else:
-                body.extend("" for _ in range(line - following))  # comment lines, which carry no text
-                body.append(logical)
-                following = line + logical.count("\n") + 1
-            continue
-        if not logical.strip():
-            continue
-        match = _INSTRUCTION.match(logical)
-        name = match[1].upper() if match else ""
-        pending = Instruction(name if name in _KNOWN else "", match[2] if match else logical, line)
-        start = _HEREDOC.search(pending.text) if name in {"RUN", "COPY"} else None
-        if start:
-            heredoc, following = start[1], line + 1
-            pending = pending._replace(text=pending.text[: start.start()] if name == "RUN" else pending.text)
-        else:
-            yield pending
-
-
 @dataclass
 class _Reading:
     """What was read of one Dockerfile so far."""
@@ -164,9 +114,9 @@ class _Reading:
             if _PRIVATE.search(body):
                 self.needs = self.needs or f"line {line} needs a private key or token"
         elif name in {"COPY", "ADD"}:
-            self.copied += [(source, line) for source in _sources(body)]
+            self.copied += [(source, line) for source in sources(body)]
         elif name == "CMD" or (name == "ENTRYPOINT" and not self.command):
-            self.command, self.command_line = _argv(body), line
+            self.command, self.command_line = argv(body), line
 
     def _from(self, body: str, line: int) -> None:
         if match := _FROM.match(expand(body.strip(), self.known)):
@@ -228,31 +178,6 @@ def _itself(repository: Repository, clone: GitSource) -> bool:
     origin = (repository.origin or "").rstrip("/").removesuffix(".git").rpartition("/")[2].lower()
     folder = repository.root.name.rpartition("__")[2].lower()
     return clone.name.lower() in {origin, folder} - {""}
-
-
-def _argv(text: str) -> tuple[str, ...]:
-    text = text.strip()
-    if text.startswith("["):
-        try:
-            value = json.loads(text)
-        except ValueError:
-            return ()
-        return tuple(str(part) for part in value) if isinstance(value, list) else ()
-    return ("bash", "-c", text) if text else ()
-
-
-def _sources(body: str) -> list[str]:
-    """Return what a COPY or ADD takes from the build context; what is fetched or unknown is left out."""
-    words = body.replace("\n", " ").split()
-    if any(word.startswith("--from") for word in words) or "<<" in body:
-        return []
-    sources = [word for word in words if not word.startswith("--")][:-1]
-    if "[" in body and body[body.index("[") :].strip().endswith("]"):
-        sources = list(_argv(body[body.index("[") :]))[:-1]
-    found = (
-        source for source in sources if "://" not in source and "$" not in source and not source.startswith("git@")
-    )
-    return [source.removeprefix("./").strip("/") if source not in {".", "./", "/"} else "" for source in found]
 
 
 def _context(repository: Repository, file: File, copied: list[tuple[str, int]]) -> tuple[bool, str | None, str | None]:
