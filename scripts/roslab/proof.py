@@ -87,6 +87,7 @@ def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
     argv = ("bash", "-c", start) if isinstance(start, str) else start
     said = bool(decision.dockerfile or config.command) or argv[:1] == ("bash",)
     name = "the default command starts"
+    windows = windows and argv != ("bash",)  # a shell without a terminal ends at once and draws nothing
     found.append(Proof(name=name, command=argv, required=said, may_run_on=True, display=windows))
     return tuple(found)
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from roslab.proof import LONGEST, Proof, describe
+from roslab.config.model import Config
+from roslab.decide.decision import Decision, Python
+from roslab.proof import LONGEST, Proof, describe, proofs
 
 
 @pytest.mark.parametrize(
@@ -24,3 +26,18 @@ def test_a_long_command_is_cut() -> None:
     told = describe(Proof(name="x", command=("echo", "word" * 100)))
     assert len(told) == LONGEST
     assert told.endswith("…")
+
+
+@pytest.mark.parametrize(("command", "display"), [(("bash",), False), (("rviz",), True), ("rqt_plot", True)])
+def test_a_shell_by_default_draws_nothing(command: tuple[str, ...] | str, display: bool) -> None:
+    decision = Decision(
+        kind="ros1",
+        ros_distro="noetic",
+        ubuntu="focal",
+        base_image="ros:noetic-ros-base",
+        build_tool="catkin_make",
+        python=Python(version="3.8", manager="system"),
+        command=command,
+        gui=True,
+    )
+    assert [proof.display for proof in proofs(decision, Config())] == [display]
