@@ -62,12 +62,19 @@ def x_server() -> None:
     packages.install(["xvfb"])
 
 
+OTHERS = 60.0
+"""Seconds after which a proof's display is gone, whoever runs it."""
+
+
 @pytest.fixture
 def displays() -> Iterator[None]:
     """See that no X server and no socket of one is left behind."""
     before = x_servers()
     yield
-    assert x_servers() == before
+    deadline = time.monotonic() + OTHERS
+    while (left := x_servers() - before) and time.monotonic() < deadline:
+        time.sleep(1)  # another proof on this machine has one for a while; one that was left behind stays
+    assert not left
 
 
 def x_servers() -> set[str]:
