@@ -12,22 +12,22 @@ Why it is made so:
 - The key is a fresh cookie in a folder that no other user of the machine can enter. It names no host, since a
   container's name is not the machine's. The server listens on that one socket: neither on the network nor on a name
   that other containers could reach.
-- The user's own screen is never used: DISPLAY is not read. The server itself picks a number that is free.
+- The user's own screen is never used: DISPLAY is not read. The number is one at which nothing answers, taken by X's own
+  lock file: a server that is left to pick one (``-displayfd``) takes no lock, and takes the socket of another away.
 - The kernel ends the server when this program is killed, ``finally`` ends it otherwise; either way it removes its
   socket.
 """
 
 from __future__ import annotations
 
-import os
 import secrets
-import select
 import shutil
+import socket
 import struct
 import subprocess
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -37,6 +37,8 @@ from roslab.errors import BuildError, Problem
 SIZE = "1920x1080x24"
 START_SECONDS = 30.0
 """How long the server may take to start; it takes less than one on an idle machine."""
+NUMBERS = range(99, 600)
+"""Numbers to take; people's own screens and those that ssh forwards have lower ones."""
 SOCKETS = Path("/tmp/.X11-unix")  # noqa: S108 - where X keeps its sockets
 KEY = "/run/roslab/Xauthority"
 """Where the key lies in a container, as in docker_run.sh's."""
@@ -57,9 +59,9 @@ class Display:
 
     def options(self) -> tuple[str, ...]:
         """Return the options of ``docker run`` that give a container this display, and nothing else of the machine."""
-        socket = SOCKETS / f"X{self.number}"
+        path = SOCKETS / f"X{self.number}"
         words = ["--mount", f"type=tmpfs,destination={SOCKETS},tmpfs-mode=1777"]
-        for source, target in ((socket, socket), (self.key, KEY)):
+        for source, target in ((path, path), (self.key, KEY)):
             words += ["--mount", f"type=bind,source={source},destination={target},readonly"]
         for setting in (f"DISPLAY={self.name}", f"XAUTHORITY={KEY}", "LIBGL_ALWAYS_SOFTWARE=1"):
             words += ["--env", setting]
@@ -78,37 +80,74 @@ def virtual_display(folder: Path) -> Iterator[Display]:
     key = folder / "Xauthority"
     key.write_bytes(_entry(secrets.token_bytes(16)))
     key.chmod(0o644)  # the image's user reads it; on this machine the folder keeps others away
-    reading, writing = os.pipe()
-    log = folder / "xvfb.log"
-    with os.fdopen(reading, "rb", buffering=0) as number, log.open("wb") as said:
-        try:
+    server, number = _start(key, folder / "xvfb.log")
+    try:
+        yield Display(number=number, key=key)
+    finally:
+        _end(server)
+
+
+def _start(key: Path, log: Path) -> tuple[subprocess.Popen[bytes], int]:
+    """Start a server at the first number that is free; a start that another one was quicker than goes on with the next.
+
+    Raises ``BuildError`` with the server's own words where it does not start.
+    """
+    for number in NUMBERS:
+        if _answers(number):
+            continue
+        with log.open("wb") as said:
             server = subprocess.Popen(
-                _command(key, writing),
+                _command(key, number),
                 stdin=subprocess.DEVNULL,
                 stdout=said,
                 stderr=said,
-                pass_fds=(writing,),
                 start_new_session=True,  # Ctrl-C ends the proof first, and the proof its server
             )
-        finally:
-            os.close(writing)
         try:
-            told = _read_line(number.fileno())
-            if not told.isdigit():
-                why = last_line(log.read_text(encoding="utf-8", errors="replace"))
-                raise BuildError(Problem(message=f"Xvfb does not start: {why}"))
-            yield Display(number=int(told), key=key)
-        finally:
+            ready = _ready(server, number)
+        except BaseException:
             _end(server)
+            raise
+        if ready:
+            return server, number
+        _end(server)
+        text = log.read_text(encoding="utf-8", errors="replace")
+        if "already active" not in text:
+            raise BuildError(Problem(message=f"Xvfb does not start: {last_line(text)}"))
+    raise BuildError(Problem(message=f"Xvfb does not start: displays {NUMBERS[0]} to {NUMBERS[-1]} are all in use"))
 
 
-def _command(key: Path, descriptor: int) -> list[str]:
+def _ready(server: subprocess.Popen[bytes], number: int) -> bool:
+    """Wait until the lock of a number is the server's and its socket answers; tell whether it came to that in time."""
+    lock = SOCKETS.with_name(f".X{number}-lock")
+    deadline = time.monotonic() + START_SECONDS
+    while server.poll() is None and time.monotonic() < deadline:
+        with suppress(OSError):
+            if lock.read_text(encoding="ascii", errors="replace").strip() == str(server.pid) and _answers(number):
+                return True
+        time.sleep(0.02)
+    return False
+
+
+def _answers(number: int) -> bool:
+    """Tell whether a server, of whatever kind, has a display's socket; a file that a killed one left has none."""
+    with socket.socket(socket.AF_UNIX) as asked:
+        try:
+            asked.connect(str(SOCKETS / f"X{number}"))
+        except (FileNotFoundError, ConnectionRefusedError):
+            return False
+        except OSError:  # it is there, and may not be asked
+            return True
+    return True
+
+
+def _command(key: Path, number: int) -> list[str]:
     """Return the server's command: https://www.x.org/releases/current/doc/man/man1/Xvfb.1.xhtml and Xserver.1."""
     # setpriv is part of util-linux, which every distribution with apt has: it makes the kernel end an orphan
     guard = ["setpriv", "--pdeathsig", "TERM"] if shutil.which("setpriv") else []
     # Without -noreset the server forgets everything when its last client leaves, which a picture's taker may be
     listening = ["-nolisten", "tcp", "-nolisten", "local", "-noreset", "-extension", "MIT-SHM"]
-    return [*guard, "Xvfb", "-displayfd", str(descriptor), "-auth", str(key), "-screen", "0", SIZE, *listening]
+    return [*guard, "Xvfb", f":{number}", "-auth", str(key), "-screen", "0", SIZE, *listening]
 
 
 def _require_engine_here() -> None:
@@ -125,19 +164,6 @@ def _entry(cookie: bytes) -> bytes:
     """Return the one entry of a key file, for any host (family 65535) and any number: Xsecurity(7), AuRead.c."""
     fields = (b"", b"", b"MIT-MAGIC-COOKIE-1", cookie)
     return struct.pack(">H", 0xFFFF) + b"".join(struct.pack(">H", len(field)) + field for field in fields)
-
-
-def _read_line(descriptor: int) -> str:
-    """Return the first line that a descriptor gives in time, without its end; what there is where it gives no more."""
-    deadline = time.monotonic() + START_SECONDS
-    line = b""
-    while not line.endswith(b"\n"):
-        ready, _, _ = select.select([descriptor], [], [], max(0.0, deadline - time.monotonic()))
-        data = os.read(descriptor, 64) if ready else b""
-        if not data:
-            return ""
-        line += data
-    return line.decode("ascii", errors="replace").strip()
 
 
 def _end(server: subprocess.Popen[bytes]) -> None:
