@@ -11,8 +11,10 @@ import os
 import re
 import shutil
 import signal
+import socket
 import subprocess
 import sys
+import threading
 import time
 import zipfile
 from collections.abc import Callable, Iterator
@@ -27,6 +29,7 @@ from lab import doors, packages
 from lab.act import Result, run_workflow
 from lab.home import CHECKOUT
 from lab.laboratory import Laboratory
+from roslab import display
 
 Roslab = Callable[..., CompletedProcess[str]]
 Build = Callable[..., CompletedProcess[str]]
@@ -260,6 +263,43 @@ def test_a_folder_that_cannot_be_made(build: Build, tmp_path: Path) -> None:
     assert answer.returncode == 2
     assert f"no folder {tmp_path}/file/pictures can be made for screenshots: Not a directory" in answer.stderr
     assert "--screenshots DIR" in answer.stderr
+
+
+@pytest.mark.usefixtures("x_server", "displays")
+def test_servers_that_start_at_once_take_numbers_of_their_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A server that takes no lock, as a desktop's does, keeps its socket too; what a killed one left is used again."""
+    monkeypatch.setattr(display, "_require_engine_here", lambda: None)
+    first = next(number for number in display.NUMBERS if not display._answers(number))
+    desktop = display.SOCKETS / f"X{first}"
+    display.SOCKETS.mkdir(mode=0o1777, exist_ok=True)
+    desktop.unlink(missing_ok=True)
+    taken: list[int] = []
+
+    def start(name: str) -> None:
+        folder = tmp_path / name
+        folder.mkdir()
+        with display.virtual_display(folder) as found:
+            taken.append(found.number)
+            together.wait()
+
+    together = threading.Barrier(5)
+    with socket.socket(socket.AF_UNIX) as other:
+        other.bind(str(desktop))
+        other.listen()
+        threads = [threading.Thread(target=start, args=(str(number),)) for number in range(4)]
+        for thread in threads:
+            thread.start()
+        together.wait(60)
+        for thread in threads:
+            thread.join(60)
+        assert len(set(taken)) == 4
+        assert first not in taken
+        assert desktop.is_socket()
+    taken.clear()
+    together = threading.Barrier(1)
+    start("after")  # its file is still there, and nobody answers
+    assert taken == [first]
+    assert not desktop.exists()
 
 
 PACKAGE = """\

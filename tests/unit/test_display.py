@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import os
-import shutil
-import socket
 import sys
-import threading
 from pathlib import Path
 
 import pytest
@@ -169,40 +166,3 @@ def test_the_newest_picture_with_something_in_it_is_kept(monkeypatch: pytest.Mon
         assert kept.getpixel((6, 6)) == (0, 128, 0)
     (tmp_path / "file").touch()
     assert "cannot be written" in camera.keep(tmp_path / "file" / "a.png").remark
-
-
-@pytest.mark.skipif(not shutil.which("Xvfb"), reason="Xvfb is not installed")
-def test_servers_that_start_at_once_take_numbers_of_their_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A server that takes no lock, as a desktop's does, keeps its socket too; what a killed one left is used again."""
-    monkeypatch.setattr(display, "_require_engine_here", lambda: None)
-    first = next(number for number in display.NUMBERS if not display._answers(number))
-    desktop = display.SOCKETS / f"X{first}"
-    display.SOCKETS.mkdir(mode=0o1777, exist_ok=True)
-    desktop.unlink(missing_ok=True)
-    taken: list[int] = []
-
-    def start(name: str) -> None:
-        folder = tmp_path / name
-        folder.mkdir()
-        with display.virtual_display(folder) as found:
-            taken.append(found.number)
-            together.wait()
-
-    together = threading.Barrier(5)
-    with socket.socket(socket.AF_UNIX) as other:
-        other.bind(str(desktop))
-        other.listen()
-        threads = [threading.Thread(target=start, args=(str(number),)) for number in range(4)]
-        for thread in threads:
-            thread.start()
-        together.wait(60)
-        for thread in threads:
-            thread.join(60)
-        assert len(set(taken)) == 4
-        assert first not in taken
-        assert desktop.is_socket()
-    taken.clear()
-    together = threading.Barrier(1)
-    start("after")  # its file is still there, and nobody answers
-    assert taken == [first]
-    assert not desktop.exists()
