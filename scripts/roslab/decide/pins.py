@@ -8,27 +8,11 @@ from typing import NamedTuple
 
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Dependency, Evidence
-from roslab.knowledge.frameworks import canonical, imports
+from roslab.knowledge.frameworks import canonical, conda_names, imports
 
 _EXACT = re.compile(r"(?:===?|~=)\s*v?(\d[\w.]*(?:\+[\w.]+)?)")
 _UPPER = re.compile(r"<=?\s*(\d[\w.]*)")
 _CONDA = re.compile(r"^(?:[\w-]+::)?([A-Za-z0-9][\w.-]*)\s*(?:[=<>~! ]+\s*(\d[\w.+-]*))?")
-_CONDA_NAMES = {
-    "pytorch": "torch",
-    "pytorch-gpu": "torch",
-    "tensorflow-gpu": "tensorflow-gpu",
-    "opencv": "opencv-python",
-    "pytorch-scatter": "torch-scatter",
-    "pytorch-sparse": "torch-sparse",
-    "pytorch-cluster": "torch-cluster",
-    "pyg": "torch-geometric",
-}
-_NO_PACKAGE = frozenset(
-    [
-        "python", "pip", "cudatoolkit", "cuda", "pytorch-cuda", "cuda-toolkit", "cudnn", "cuda-nvcc", "mkl",
-        "nccl", "gcc", "gxx", "cmake", "ninja", "git", "ffmpeg", "nodejs",
-    ]
-)  # fmt: skip
 MAX_FILES = 60
 """Requirement files that are weighed, the nearest to the root first."""
 _NOT_OURS = frozenset({"vendored", "documentation", "ci"})
@@ -110,7 +94,7 @@ def _of_prose(evidence: Evidence) -> Iterator[Pin]:
 def conda_pins(environment: CondaEnvironment, trust: int = 2) -> list[Pin]:
     """Return conda's own packages, by the names that the index has for them; Python itself and CUDA are none."""
     found = (_conda_pin(package, environment.file, trust) for package in environment.packages)
-    return [pin for pin in found if pin and pin.name not in _NO_PACKAGE]
+    return [pin for pin in found if pin]
 
 
 def _pin(dependency: Dependency, trust: int) -> Pin:
@@ -125,9 +109,10 @@ def _pin(dependency: Dependency, trust: int) -> Pin:
 
 def _conda_pin(package: str, file: str, trust: int) -> Pin | None:
     match = _CONDA.match(package)
-    if match is None:
+    known = conda_names().get(match[1].lower(), match[1]) if match else None
+    if match is None or known is None:
         return None
-    name = canonical(_CONDA_NAMES.get(match[1], match[1]))
+    name = canonical(known)
     release = match[2].partition("=")[0] if match[2] and re.match(r"^[^<>!]*=", package[match.end(1) :]) else None
     dependency = Dependency(namespace="pip", name=name, strength="declared", file=file, line=1, role="conda")
     return Pin(name, release, None, f"{name}=={release}" if release else name, dependency, trust)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from roslab.evidence.shell import UNKNOWN, Command
+from roslab.knowledge.frameworks import conda_names
 
 STOP = frozenset(
     [
@@ -31,19 +32,6 @@ _PIP_OPTIONS = {
 _PIP_SPEC = re.compile(r"^[A-Za-z0-9][A-Za-z0-9._-]*(?:\[[\w\s,.-]*\])?\s*(?:(?:[=<>!~]=|[<>]|@|;)\s*[^\s].*)?$")
 _URL = re.compile(r"^(?:git\+)?(?:https?|ssh|git|file)://\S+$|^git@\S+:\S+$")
 CONDA = frozenset({"conda", "mamba", "micromamba"})
-_CONDA_NAMES = {
-    "pytorch": "torch",
-    "pytorch-gpu": "torch",
-    "pytorch-cpu": "torch",
-    "opencv": "opencv-python",
-    "pytables": "tables",
-}
-_NOT_PIP = frozenset(
-    {
-        "python", "pip", "cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit", "cudnn", "mamba", "conda",
-        "git", "cmake", "ninja", "ffmpeg", "gcc", "gxx", "mkl", "nodejs",
-    }
-)  # fmt: skip
 _CONDA_VALUED = frozenset({"-n", "-c", "--name", "--channel", "-p", "--prefix", "-f", "--file"})
 _CUDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit"})
 _VERSION = re.compile(r"\d+(?:\.\d+)*")
@@ -123,11 +111,11 @@ def conda_asks(command: Command) -> Iterator[Asked]:
         elif name in _CUDA and number:
             yield Asked(number[0], line, "cuda")
         elif (
-            name not in _NOT_PIP
+            (package := conda_names().get(name, name))
             and re.fullmatch(r"[a-z][a-z0-9._-]*", name)
             and name not in STOP
             and name not in {"install", "create"}
         ):
             exact = f"=={number[0]}" if number and number[0] == version else ""
             exact += ".*" if exact and name == "opencv" else ""  # pip's has a number more, of the build
-            yield Asked(_CONDA_NAMES.get(name, name) + exact, line, "conda")
+            yield Asked(package + exact, line, "conda")

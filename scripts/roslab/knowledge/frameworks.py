@@ -129,6 +129,12 @@ def kept_for_build_types() -> dict[str, tuple[tuple[str, str], ...]]:
 
 
 @cache
+def conda_names() -> dict[str, str | None]:
+    """Return ``conda → pip`` for packages that the index has by another name, ``None`` for those that it has not."""
+    return {row["conda"]: row["pip"] or None for row in rows("conda_names")}
+
+
+@cache
 def imports() -> dict[str, tuple[str | None, str | None]]:
     """Return ``module → (pip, apt)``; ``None`` where there is no such package."""
     return {row["module"]: (row["pip"] or None, row["apt"] or None) for row in rows("imports")}
