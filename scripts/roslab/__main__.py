@@ -2,7 +2,7 @@
 
 import sys
 
-from roslab.cli import main
+from roslab.cli.main import main
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -14,7 +14,7 @@ from typing import Literal
 
 from roslab.errors import ConfigurationError, Problem, RefusedError
 from roslab.render.output import MARKER, OutputFile
-from roslab.repository import printable
+from roslab.repository.checkout import printable
 
 MARKED_LINES = 6
 """The mark stands in the first lines of a file; further down it is a quotation."""

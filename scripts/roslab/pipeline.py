@@ -16,9 +16,9 @@ from roslab.errors import ConfigurationError, NothingToBuildError, Problem, Refu
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
 from roslab.knowledge.distros import rosdistro_tag
-from roslab.plan import Plan, image_name, make_plan
+from roslab.plan.plan import Plan, image_name, make_plan
 from roslab.render import OutputFile, quote, render_all
-from roslab.repository import Repository, printable
+from roslab.repository.checkout import Repository, printable
 
 MAX_CONFIG = 1024 * 1024
 """Bytes of a roslab.yaml: the longest of 78 real ones has two thousand."""

@@ -29,7 +29,7 @@ from lab import doors, packages
 from lab.act import Result, run_workflow
 from lab.home import CHECKOUT
 from lab.laboratory import Laboratory
-from roslab import display
+from roslab.prove import display
 
 Roslab = Callable[..., CompletedProcess[str]]
 Build = Callable[..., CompletedProcess[str]]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from roslab.commits import head
+from roslab.repository.git import head
 
 
 def git(folder: Path, *arguments: str) -> str:

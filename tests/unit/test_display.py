@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 from PIL import Image, ImageGrab
 
-from roslab import display
 from roslab.errors import BuildError
 from roslab.pipeline import plan_repository
-from roslab.screenshot import NO_PILLOW, Camera, Screenshot, file_name
+from roslab.prove import display
+from roslab.prove.screenshot import NO_PILLOW, Camera, Screenshot, file_name
 
 
 def test_the_container_gets_a_socket_and_a_key_and_nothing_else() -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from roslab.engine import failed_step
+from roslab.engine.docker import failed_step
 from roslab.knowledge import failures
 
 TABLE = Path(failures.__file__).with_name("failures.csv")

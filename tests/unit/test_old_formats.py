@@ -27,9 +27,9 @@ from roslab.decide import decide
 from roslab.errors import ConfigurationError, RoslabError
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
-from roslab.plan import Plan, from_json, make_plan, to_json
+from roslab.plan.plan import Plan, from_json, make_plan, to_json
 from roslab.render import render_all
-from roslab.repository import Repository
+from roslab.repository.checkout import Repository
 
 ROOT = Path(__file__).resolve().parents[2]
 SHARED = Path(os.environ.get("REPRO_SHARED") or ROOT.parent / "shared") / "roslab-yaml"

@@ -6,7 +6,7 @@ import pytest
 
 from roslab.config.model import Config
 from roslab.decide.decision import Decision, Python
-from roslab.proof import LONGEST, Proof, describe, proofs
+from roslab.plan.proof import LONGEST, Proof, describe, proofs
 
 
 @pytest.mark.parametrize(

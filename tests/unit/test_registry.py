@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 
-from roslab import registry
+from roslab.engine import registry
 
 
 def answer(code: int, error: str = "") -> subprocess.CompletedProcess[str]:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from roslab.errors import ConfigurationError, NothingToBuildError
-from roslab.repository import MAX_TEXT, Repository, printable
+from roslab.repository.checkout import MAX_TEXT, Repository, printable
 
 
 def write(path: Path, text: str | bytes = "") -> Path:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from roslab.knowledge.launches import dead_nodes
-from roslab.proof import Proof
-from roslab.verdict import End, verdict
+from roslab.plan.proof import Proof
+from roslab.prove.verdict import End, verdict
 
 START = Proof(name="the default command starts", command=("roslaunch", "robot", "a.launch"), may_run_on=True)
 GUESS = Proof(name=START.name, command=START.command, may_run_on=True, required=False)

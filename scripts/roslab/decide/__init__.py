@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 from roslab.config.model import Config, Kind
+from roslab.decide.author_dockerfile import decide_recipe
 from roslab.decide.base import decide_base, of_recipe
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.command import decide_command
-from roslab.decide.compatible import folder_of_workspace, in_order, named_only, narrowed, requested, systems_python
-from roslab.decide.cuda import CudaChoice, decide_cuda, of_image
+from roslab.decide.cuda.version import CudaChoice, decide_cuda, of_image
 from roslab.decide.decision import Decision, Warning_
-from roslab.decide.distro import decide_distro
-from roslab.decide.keys import declared_keys
 from roslab.decide.kind import decide_kind
-from roslab.decide.layout import decide_layout
-from roslab.decide.names import Target
-from roslab.decide.needs import code_needs, started
+from roslab.decide.old_formats import folder_of_workspace, in_order, named_only, narrowed, requested, systems_python
 from roslab.decide.platforms import decide_platforms
-from roslab.decide.python import decide_python, specifiers
-from roslab.decide.recipe import decide_recipe
-from roslab.decide.sources import decide_sources, with_recipes
-from roslab.decide.system import decide_system
-from roslab.decide.workspace import Packages, packages_of
+from roslab.decide.python.environment import decide_python, specifiers
+from roslab.decide.ros.distro import decide_distro
+from roslab.decide.ros.keys import declared_keys
+from roslab.decide.ros.layout import decide_layout
+from roslab.decide.ros.sources import decide_sources, with_recipes
+from roslab.decide.ros.workspace import Packages, packages_of
+from roslab.decide.system.names import Target
+from roslab.decide.system.needs import code_needs, started
+from roslab.decide.system.packages import decide_system
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.recipes import recipes_for

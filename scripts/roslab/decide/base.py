@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from roslab.config.model import Config, Kind
-from roslab.decide.cmake_version import has_it, needed_cmake
-from roslab.decide.cuda import CudaChoice
+from roslab.decide.cuda.version import CudaChoice
 from roslab.decide.decision import Reason
-from roslab.decide.distro import DistroChoice
-from roslab.decide.python_base import base_for
+from roslab.decide.python.base import base_for
 from roslab.decide.reasons import because, configured, ranked
+from roslab.decide.ros.distro import DistroChoice
+from roslab.decide.system.cmake_version import has_it, needed_cmake
 from roslab.evidence.facts import Dependency, Evidence, Recipe
 from roslab.knowledge.distros import Distro, distros, ubuntus
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.decision import Python, Reason
 from roslab.decide.reasons import configured, ranked
-from roslab.decide.workspace import packages_of, types
+from roslab.decide.ros.workspace import packages_of, types
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 

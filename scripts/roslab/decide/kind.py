@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import cast
 
 from roslab.config.model import Config, Kind
+from roslab.decide.cuda.signs import framework
 from roslab.decide.decision import Reason, Warning_
-from roslab.decide.framework import framework
 from roslab.decide.reasons import Placed, because, configured, ranked
-from roslab.decide.workspace import packages_of, ros_versions
+from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.knowledge.distros import distro, distros

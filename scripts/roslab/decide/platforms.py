@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Python, Reason
-from roslab.decide.pins import name_of
-from roslab.decide.python import specifiers
+from roslab.decide.python.environment import specifiers
+from roslab.decide.python.pins import name_of
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import distro
 from roslab.knowledge.frameworks import arm64_wheels, framework, version

@@ -4,28 +4,19 @@ from __future__ import annotations
 
 import re
 
-from roslab.evidence import (
-    ci,
-    cmake,
-    conda,
-    cpp,
-    dates,
-    dockerfile,
-    imports,
-    launch,
-    names,
-    package_xml,
-    python2,
-    python_project,
-    readme,
-    removed,
-    requirements,
-    scripts,
-    vcs,
-)
 from roslab.evidence.facts import Evidence, PackageManifest
-from roslab.evidence.installs import merge
-from roslab.repository import Repository
+from roslab.evidence.native import cmake, cpp
+from roslab.evidence.prose import author_dockerfile as dockerfile
+from roslab.evidence.prose import ci, readme
+from roslab.evidence.prose import install_scripts as scripts
+from roslab.evidence.prose.installs import merge
+from roslab.evidence.python import conda, imports, removed, requirements
+from roslab.evidence.python import print_statement as python2
+from roslab.evidence.python import project as python_project
+from roslab.evidence.ros import commit_date as dates
+from roslab.evidence.ros import distro_names as names
+from roslab.evidence.ros import launch, package_xml, vcs
+from roslab.repository.checkout import Repository
 
 PROSE = (
     dockerfile.prose,  # the author's own image: the nearest thing to the truth

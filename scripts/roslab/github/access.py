@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from roslab.credentials import Access, Verdict
+from roslab.engine.credentials import Access, Verdict
 from roslab.errors import BuildError, Problem
 from roslab.github.event import Event
 

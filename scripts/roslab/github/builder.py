@@ -6,7 +6,7 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 
-from roslab.engine import native_platform, output
+from roslab.engine.docker import native_platform, output
 
 
 def settings(environment: Mapping[str, str]) -> dict[str, str]:

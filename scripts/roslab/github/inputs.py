@@ -12,8 +12,8 @@ from roslab import config as configuration
 from roslab.errors import ConfigurationError, Problem
 from roslab.github.event import Push
 from roslab.pipeline import Overrides
-from roslab.plan import image_name
-from roslab.repository import printable
+from roslab.plan.plan import image_name
+from roslab.repository.checkout import printable
 
 Cache = Literal["auto", "registry", "none"]
 PUSH = ("auto", "true", "false")

@@ -6,7 +6,7 @@ import datetime as dt
 import re
 
 from roslab.github.event import Event
-from roslab.plan import Plan
+from roslab.plan.plan import Plan
 
 PREFIX = "org.opencontainers.image"
 """https://github.com/opencontainers/image-spec/blob/main/annotations.md"""

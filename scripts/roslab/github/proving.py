@@ -7,11 +7,13 @@ import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from roslab import containers, engine, registry
+from roslab.engine import docker as engine
+from roslab.engine import registry
 from roslab.errors import BuildError, Problem
 from roslab.github import screen, workflow
 from roslab.github.run import Folder, Run, slug
-from roslab.proof import describe
+from roslab.plan.proof import describe
+from roslab.prove import containers
 from roslab.render.sizes import LayerSize
 from roslab.render.summary import PlatformReport, ProofReport
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from roslab.errors import ConfigurationError, Problem
 from roslab.github.inputs import Cache
-from roslab.plan import Plan, from_json
+from roslab.plan.plan import Plan, from_json
 from roslab.render.summary import PlatformReport
 
 PORTABLE = 100_000

@@ -7,7 +7,7 @@ import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
-from roslab import engine
+from roslab.engine import docker as engine
 from roslab.github import workflow
 from roslab.github.run import Folder, Run, slug
 

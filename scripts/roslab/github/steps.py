@@ -7,17 +7,19 @@ import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from roslab import commits, credentials, engine, registry
+from roslab.engine import credentials, registry
+from roslab.engine import docker as engine
 from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.github import access, builder, cache, checkout, event, inputs, report, workflow
 from roslab.github import run as runs
 from roslab.github.labels import labels
 from roslab.github.run import Folder, Run, slug
 from roslab.pipeline import plan_repository, write_plan
-from roslab.plan import to_json
+from roslab.plan.plan import to_json
 from roslab.render.markdown import prose
 from roslab.render.summary import platforms_of
 from roslab.render.summary import summary as render_summary
+from roslab.repository import git as commits
 
 Environment = Mapping[str, str]
 

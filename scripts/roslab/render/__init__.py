@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslab.plan import Plan
+from roslab.plan.plan import Plan
 from roslab.render.build_script import build_script
 from roslab.render.dockerfile import dockerfile
 from roslab.render.ignore import ignore

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslab.plan import Plan
+from roslab.plan.plan import Plan
 from roslab.render.script import script
 
 OLDEST_DOCKER = "23"

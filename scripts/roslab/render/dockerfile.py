@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from roslab.plan import Plan
+from roslab.plan.plan import Plan
 from roslab.render.layers import base, final, python, system, workspace
 
 Block = Callable[[Plan], str]

@@ -8,7 +8,7 @@ import re
 from collections.abc import Sequence
 from functools import cache
 
-from roslab.plan import Plan
+from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.output import MARKER
 

@@ -8,8 +8,8 @@ from collections.abc import Iterable
 from typing import Any
 
 from roslab.decide.decision import Decision, Reason
-from roslab.plan import Plan
-from roslab.repository import printable
+from roslab.plan.plan import Plan
+from roslab.repository.checkout import printable
 
 COLUMN = 44
 """Letters of an answer beside which its reason stands in the same column as the others'."""

@@ -6,7 +6,7 @@ import re
 
 from roslab.config.model import Volume
 from roslab.errors import ConfigurationError, Problem
-from roslab.plan import Plan
+from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.script import script
 

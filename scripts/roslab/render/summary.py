@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from roslab.decide.decision import Reason
-from roslab.plan import Plan
+from roslab.plan.plan import Plan
 from roslab.render.markdown import block, code, folded, prose, table, text
 from roslab.render.sizes import LayerSize, chart, human
 

@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 from packaging.requirements import Requirement
 
-from roslab.decide.bounds import decide_bounds
-from roslab.evidence import removed
+from roslab.decide.python.bounds import decide_bounds
+from roslab.evidence.python import removed
 from roslab.knowledge.removals import removals
 from roslab.knowledge.table import rows
-from roslab.repository import Repository
+from roslab.repository.checkout import Repository
 
 
 def bounds(tmp_path: Path, code: str) -> dict[str, int]:

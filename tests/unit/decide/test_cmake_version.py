@@ -10,7 +10,7 @@ from roslab.config.model import Config
 from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.evidence.gather import gather
-from roslab.repository import Repository
+from roslab.repository.checkout import Repository
 
 TOP = "cmake_minimum_required(VERSION {})\nproject(thing)\nadd_executable(thing main.cpp)\n"
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from roslab.config.model import Base, Config
-from roslab.decide.cuda import decide_cuda
-from roslab.decide.python_base import base_for
+from roslab.decide.cuda.version import decide_cuda
+from roslab.decide.python.base import base_for
 from roslab.evidence.facts import CondaEnvironment, Dependency, Evidence, Mention, RequirementFile
 from roslab.knowledge.frameworks import cuda_images, nearest_cuda_image
 

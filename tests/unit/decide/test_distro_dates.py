@@ -9,10 +9,10 @@ import pytest
 
 from roslab.config.model import Config, Kind
 from roslab.decide import decide
-from roslab.decide.distro_dates import of_its_time
+from roslab.decide.ros.distro_dates import of_its_time
 from roslab.evidence.facts import Mention
 from roslab.evidence.gather import gather
-from roslab.repository import Repository
+from roslab.repository.checkout import Repository
 
 
 @pytest.mark.parametrize(

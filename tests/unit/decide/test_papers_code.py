@@ -11,7 +11,7 @@ from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.evidence.gather import gather
 from roslab.knowledge.never import never
-from roslab.repository import Repository
+from roslab.repository.checkout import Repository
 
 MAIN = 'import torch\n\nif __name__ == "__main__":\n    pass\n'
 

@@ -9,11 +9,14 @@ import pytest
 
 from roslab.config.model import Base, Config, Kind
 from roslab.decide.decision import Python
-from roslab.decide.python import decide_python, specifiers
-from roslab.decide.wheels import apt_for_wheels
-from roslab.evidence import ci, conda, dockerfile, imports, python_project, readme, requirements
+from roslab.decide.python.environment import decide_python, specifiers
+from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.facts import Evidence
-from roslab.repository import Repository
+from roslab.evidence.prose import author_dockerfile as dockerfile
+from roslab.evidence.prose import ci, readme
+from roslab.evidence.python import conda, imports, requirements
+from roslab.evidence.python import project as python_project
+from roslab.repository.checkout import Repository
 
 
 def evidence_of(tmp_path: Path, files: dict[str, str]) -> Evidence:

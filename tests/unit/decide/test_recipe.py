@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from roslab.config.model import Config
-from roslab.decide.recipe import decide_recipe, doubt
+from roslab.decide.author_dockerfile import decide_recipe, doubt
 from roslab.evidence.facts import Evidence, Recipe
 
 GOOD = Recipe(

@@ -12,7 +12,7 @@ from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.errors import NothingToBuildError
 from roslab.evidence.gather import gather
-from roslab.repository import Repository
+from roslab.repository.checkout import Repository
 
 CATKIN = (
     "<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend>"

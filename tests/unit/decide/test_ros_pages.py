@@ -10,7 +10,7 @@ from roslab.config.model import Config
 from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.evidence.gather import gather
-from roslab.repository import Repository
+from roslab.repository.checkout import Repository
 
 CATKIN = (
     "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><build_depend>roscpp</build_depend>"

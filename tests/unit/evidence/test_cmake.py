@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from roslab.evidence import cmake
 from roslab.evidence.facts import CMakeProject
-from roslab.repository import Repository
+from roslab.evidence.native import cmake
+from roslab.repository.checkout import Repository
 
 
 def read(tmp_path: Path, text: str, **more: str) -> tuple[CMakeProject, ...]:

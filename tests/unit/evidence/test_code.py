@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from roslab.evidence import cpp, launch, names, vcs
-from roslab.repository import Repository
+from roslab.evidence.native import cpp
+from roslab.evidence.ros import distro_names as names
+from roslab.evidence.ros import launch, vcs
+from roslab.repository.checkout import Repository
 
 
 def tree(tmp_path: Path, files: dict[str, str], branch: str | None = None) -> Repository:

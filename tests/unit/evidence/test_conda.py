@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from roslab.evidence import conda
-from roslab.repository import Repository
+from roslab.evidence.python import conda
+from roslab.repository.checkout import Repository
 
 TEXT = """
 name: robodiff

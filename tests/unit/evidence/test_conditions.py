@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslab.evidence.conditions import holds
+from roslab.evidence.ros.conditions import holds
 
 VARIABLES = {"ROS_VERSION": "2", "ROS_DISTRO": "humble"}
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from roslab.evidence import dockerfile
 from roslab.evidence.facts import Recipe
-from roslab.repository import Repository
+from roslab.evidence.prose import author_dockerfile as dockerfile
+from roslab.repository.checkout import Repository
 
 
 def read(tmp_path: Path, files: dict[str, str]) -> dict[str, Recipe]:

@@ -12,7 +12,7 @@ import pytest
 from roslab.config.model import Config
 from roslab.decide import decide
 from roslab.evidence.gather import gather
-from roslab.repository import Repository
+from roslab.repository.checkout import Repository
 
 SECONDS = 10
 MEGABYTES = 300

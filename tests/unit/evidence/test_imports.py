@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from roslab.evidence import imports
-from roslab.repository import Repository
+from roslab.evidence.python import imports
+from roslab.repository.checkout import Repository
 
 
 def tree(tmp_path: Path, files: dict[str, str]) -> Repository:

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from roslab.evidence import package_xml
 from roslab.evidence.facts import PackageManifest
-from roslab.repository import Repository
+from roslab.evidence.ros import package_xml
+from roslab.repository.checkout import Repository
 
 
 def read(tmp_path: Path, *files: tuple[str, str]) -> tuple[PackageManifest, ...]:

@@ -7,9 +7,10 @@ from types import ModuleType
 
 import pytest
 
-from roslab.evidence import ci, readme, scripts
 from roslab.evidence.facts import Prose
-from roslab.repository import Repository
+from roslab.evidence.prose import ci, readme
+from roslab.evidence.prose import install_scripts as scripts
+from roslab.repository.checkout import Repository
 
 
 def read(module: ModuleType, tmp_path: Path, files: dict[str, str]) -> Prose:

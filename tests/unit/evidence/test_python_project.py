@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from roslab.evidence import python_project
 from roslab.evidence.facts import PythonProject
-from roslab.repository import Repository
+from roslab.evidence.python import project as python_project
+from roslab.repository.checkout import Repository
 
 
 def read(tmp_path: Path, files: dict[str, str]) -> dict[str, PythonProject]:

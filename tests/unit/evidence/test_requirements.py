@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from roslab.evidence import requirements
 from roslab.evidence.facts import RequirementFile
-from roslab.repository import Repository
+from roslab.evidence.python import requirements
+from roslab.repository.checkout import Repository
 
 
 def read(tmp_path: Path, files: dict[str, str]) -> dict[str, RequirementFile]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from roslab.evidence.installs import Collector
-from roslab.evidence.shell import commands, fill_placeholders, logical_lines
+from roslab.evidence.lex.shell import commands, fill_placeholders, logical_lines
+from roslab.evidence.prose.installs import Collector
 
 
 def words(text: str) -> list[tuple[str, ...]]:

@@ -10,7 +10,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 
-from roslab.credentials import Access, is_public, may_push
+from roslab.engine.credentials import Access, is_public, may_push
 from roslab.errors import BuildError
 from roslab.github import access
 from roslab.github.event import Event

@@ -14,7 +14,7 @@ import pytest
 
 from roslab.config.model import Config
 from roslab.decide.decision import Decision, Python
-from roslab.plan import Plan, Run, Workspace, make_plan
+from roslab.plan.plan import Plan, Run, Workspace, make_plan
 
 
 def make(**changes: Any) -> Plan:

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from roslab.plan import Plan, Recipe
+from roslab.plan.plan import Plan, Recipe
 from roslab.render.build_script import build_script
 
 Plans = Callable[..., Plan]

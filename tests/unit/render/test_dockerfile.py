@@ -11,7 +11,7 @@ import pytest
 from roslab.config.model import Base, Config, Custom, Source
 from roslab.decide.decision import Decision, Python
 from roslab.errors import ConfigurationError
-from roslab.plan import Plan, from_json, image_name, make_plan, to_json
+from roslab.plan.plan import Plan, from_json, image_name, make_plan, to_json
 from roslab.render.dockerfile import dockerfile
 
 

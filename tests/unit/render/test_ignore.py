@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from roslab.plan import Plan, Rosdep
+from roslab.plan.plan import Plan, Rosdep
 from roslab.render.ignore import OWN, ignore, keeps_out
 
 Plans = Callable[..., Plan]

@@ -9,7 +9,7 @@ from typing import Any
 import nbformat
 import pytest
 
-from roslab.plan import Plan
+from roslab.plan.plan import Plan
 from roslab.render.notebook import notebook
 
 Plans = Callable[..., Plan]

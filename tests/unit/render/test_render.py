@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from roslab.files import generated
-from roslab.plan import Plan, Recipe
+from roslab.plan.plan import Plan, Recipe
 from roslab.render import render_all
 from roslab.render.script import script
 

@@ -15,7 +15,7 @@ import pytest
 
 from roslab.config.model import Matlab, Volume
 from roslab.errors import ConfigurationError
-from roslab.plan import Plan, Recipe
+from roslab.plan.plan import Plan, Recipe
 from roslab.render.run_script import run_script
 
 Plans = Callable[..., Plan]

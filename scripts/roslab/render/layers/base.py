@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.knowledge.distros import distro
 from roslab.knowledge.ros_packages import ros_packages
-from roslab.plan import Plan
+from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
 

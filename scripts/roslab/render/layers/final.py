@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslab.plan import Plan
+from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
 from roslab.render.layers.workspace import WS, build_folder, compiles_workspace, overlay, own_home, source_folder

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from roslab.plan import Plan
+from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
 

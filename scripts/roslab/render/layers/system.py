@@ -5,7 +5,7 @@ from __future__ import annotations
 import shlex
 
 from roslab.config.model import Source
-from roslab.plan import Plan
+from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import shlex
 
 from roslab.config.model import Source
-from roslab.packages import ROS_TOOLS
-from roslab.plan import Plan
+from roslab.plan.packages import ROS_TOOLS
+from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
 from roslab.render.layers.python import MANIFESTS

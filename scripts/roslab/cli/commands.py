@@ -1,0 +1,249 @@
+"""What each command of ``cli`` does; the answer goes to standard output, progress to standard error."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from roslab.errors import BuildError, ConfigurationError, Problem
+from roslab.pipeline import Overrides, Planned, plan_repository
+from roslab.render import report
+
+
+def _plan(options: argparse.Namespace) -> Planned:
+    platforms = getattr(options, "platform", None)
+    overrides = Overrides(
+        name=options.name,
+        platforms=tuple(part.strip() for part in platforms.split(",") if part.strip()) if platforms else None,
+        command=getattr(options, "default_command", None),
+        test=getattr(options, "test", None),
+    )
+    return plan_repository(options.path, branch=options.branch, config_file=options.config, overrides=overrides)
+
+
+def inspect(options: argparse.Namespace) -> int:
+    """Print what was found and why."""
+    planned = _plan(options)
+    if options.explain:
+        questions = sorted({reason.question for reason in planned.decision.reasons})
+        if options.explain not in questions:
+            raise ConfigurationError(
+                Problem(message=f"no question {options.explain!r} here", hint=f"one of: {', '.join(questions)}")
+            )
+        sys.stdout.write(report.explanation(planned.decision.reasons, options.explain))
+    elif options.format == "json":
+        sys.stdout.write(report.inspection_json(planned.decision, planned.plan))
+    else:
+        sys.stdout.write(report.inspection_text(planned.decision, planned.plan))
+    return 0
+
+
+def plan(options: argparse.Namespace) -> int:
+    """Print the plan as JSON."""
+    from roslab.plan.plan import to_json  # noqa: PLC0415
+
+    sys.stdout.write(to_json(_plan(options).plan))
+    return 0
+
+
+def check(options: argparse.Namespace) -> int:
+    """Validate roslab.yaml, and that the repository can be planned with it."""
+    planned = _plan(options)
+    config = planned.config
+    formats = {
+        "paper": "the 2019 paper's",
+        "later": "the later old",
+        "interim": "the interim (repolab)",
+        "today": "today's",
+    }
+    if options.format == "json":
+        warnings = [{"message": w.message, "file": w.file, "line": w.line} for w in planned.decision.warnings]
+        sys.stdout.write(
+            json.dumps({"file": config.file, "format": config.generation, "warnings": warnings}, indent=2) + "\n"
+        )
+        return 0
+    sys.stdout.write(
+        f"{config.file}: valid, {formats[config.generation]} format\n"
+        if config.file
+        else "no roslab.yaml: everything comes from the repository\n"
+    )
+    for warning in planned.decision.warnings:
+        place = (
+            f"{warning.file}:{warning.line}: "
+            if warning.file and warning.line
+            else f"{warning.file}: "
+            if warning.file
+            else ""
+        )
+        sys.stdout.write(f"{place}warning: {warning.message}\n")
+    return 0
+
+
+def migrate(options: argparse.Namespace) -> int:
+    """Print today's form of an old roslab.yaml."""
+    from roslab.config.migrate import migrate as migrated  # noqa: PLC0415
+    from roslab.pipeline import config_path, config_text  # noqa: PLC0415
+    from roslab.repository.checkout import Repository  # noqa: PLC0415
+
+    repository = Repository.open(options.path, branch=options.branch)
+    file = config_path(repository, options.config)
+    if file is None:
+        raise ConfigurationError(Problem(message="there is no roslab.yaml to migrate", hint="name it with --config"))
+    migration = migrated(config_text(repository, file), file=file)
+    for change in migration.changes:
+        sys.stderr.write(f"{change}\n")
+    if options.write:
+        from roslab.files import replace_with_backup  # noqa: PLC0415
+
+        replace_with_backup(repository.root / file, migration.text)
+    else:
+        sys.stdout.write(migration.text)
+    return 0
+
+
+def create(options: argparse.Namespace) -> int:
+    """Write the files beside the repository's own."""
+    from roslab.files import write_all  # noqa: PLC0415
+    from roslab.pipeline import rendered  # noqa: PLC0415
+
+    planned = _plan(options)
+    folder = Path(options.output) if options.output else planned.repository.root
+    written = write_all(rendered(planned, folder), folder, force=options.force)
+    for entry in written:
+        sys.stdout.write(f"{entry}\n")
+    _warn(planned)
+    return 0
+
+
+def build(options: argparse.Namespace) -> int:
+    """Build, prove, and only then name the image; the name stays with the old image where anything fails."""
+    from roslab.engine import docker as engine  # noqa: PLC0415
+    from roslab.pipeline import write_recipe  # noqa: PLC0415
+
+    arguments = tuple(_argument(text) for text in options.build_arg)
+    planned = _plan(options)
+    _warn(planned)
+    version = engine.check()
+    screenshots = _screenshots(options, planned)
+    platforms = planned.plan.platforms if options.platform else (engine.native_platform(),)
+    name = f"{planned.plan.name}:{options.tag}"
+    engine.say(f"roslab: building {name} for {', '.join(platforms)} with Docker {version}")
+    candidates: list[str] = []
+    try:
+        with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
+            dockerfile, context = write_recipe(planned, Path(folder))
+            for platform in platforms:
+                candidates.append(f"{planned.plan.name}:roslab-candidate-{os.getpid()}-{platform.replace('/', '-')}")
+                job = engine.Build(
+                    context=context,
+                    dockerfile=dockerfile,
+                    platforms=(platform,),
+                    tags=(candidates[-1],),
+                    labels=engine.commit_labels(planned.repository.root),
+                    arguments=arguments,
+                    extra=("--no-cache",) if options.no_cache else (),
+                )
+                engine.build(job)
+                if not options.no_proof:
+                    _prove(planned, candidates[-1], platform, name, screenshots)
+        for candidate, platform in zip(candidates, platforms, strict=True):
+            # The engine's image store may hold one platform a name: several get one name each
+            suffix = f"-{platform.rpartition('/')[2]}" if len(platforms) > 1 else ""
+            engine.name_image(candidate, name + suffix)
+            sys.stdout.write(f"{name}{suffix}\n")
+    finally:
+        for candidate in candidates:
+            engine.remove_image(candidate)
+    return 0
+
+
+def _screenshots(options: argparse.Namespace, planned: Planned) -> Path:
+    """Return the folder for pictures of the screen, made where one will be kept.
+
+    By default one of the user's cache: in the repository it would change the image that is built next.
+    """
+    cache = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    folder = Path(options.screenshots or Path(os.path.expanduser(cache), "roslab", planned.plan.name))  # noqa: PTH111
+    if options.screenshots or (not options.no_proof and any(proof.display for proof in planned.plan.proofs)):
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            message = f"no folder {folder} can be made for screenshots: {error.strerror}"
+            raise ConfigurationError(Problem(message=message, hint="name another with --screenshots DIR")) from None
+    return folder.absolute()
+
+
+def _prove(planned: Planned, candidate: str, platform: str, name: str, screenshots: Path) -> None:
+    from roslab.prove import containers  # noqa: PLC0415
+
+    for outcome in containers.prove(candidate, platform, planned.plan.proofs, screenshots=screenshots):
+        if not outcome.passed:
+            message = f"{name} was not named: on {platform}, {outcome.proof.name}: {outcome.summary}"
+            raise BuildError(
+                Problem(
+                    message=message, hint="its output stands above; correct it, or name another `test` in roslab.yaml"
+                )
+            )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Run the image as docker_run.sh does: it is that very script."""
+    from roslab.pipeline import rendered  # noqa: PLC0415
+
+    planned = _plan(options)
+    if not shutil.which("docker"):
+        raise BuildError(Problem(message="docker is not installed", hint="https://docs.docker.com/engine/install/"))
+    with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
+        script = Path(folder) / "docker_run.sh"
+        text = next(file.text for file in rendered(planned, Path(folder)) if file.path == "docker_run.sh")
+        script.write_text(text, encoding="utf-8")
+        arguments = ["--notebook"] if options.notebook else []
+        environment = {
+            **os.environ,
+            "ROSLAB_IMAGE": os.environ.get("ROSLAB_IMAGE", f"{planned.plan.name}:{options.tag}"),
+        }
+        return subprocess.run(
+            ["bash", str(script), *arguments, *options.arguments],
+            env=environment,
+            cwd=planned.repository.root,
+            check=False,
+        ).returncode
+
+
+def explain(options: argparse.Namespace) -> int:
+    """Say why a build failed."""
+    from roslab.knowledge.failures import diagnose  # noqa: PLC0415
+
+    try:
+        log = (
+            sys.stdin.read() if options.log == "-" else Path(options.log).read_text(encoding="utf-8", errors="replace")
+        )
+    except OSError as error:
+        raise ConfigurationError(Problem(message=f"cannot read {options.log}: {error.strerror}")) from None
+    found = diagnose(log)
+    for diagnosis in found:
+        sys.stdout.write(f"{diagnosis.line}\n  cause: {diagnosis.cause}\n  fix:   {diagnosis.fix}\n")
+    if not found:
+        from roslab.engine.docker import failed_step  # noqa: PLC0415
+
+        sys.stdout.write(f"No known cause in this log. It ends with: {failed_step(log)}\n")
+    return 0
+
+
+def _argument(text: str) -> tuple[str, str]:
+    name, separator, value = text.partition("=")
+    if not separator or not name.isidentifier():
+        raise ConfigurationError(Problem(message=f"--build-arg {text!r} is no NAME=VALUE"))
+    return name, value
+
+
+def _warn(planned: Planned) -> None:
+    for warning in planned.decision.warnings:
+        place = f"{warning.file}:{warning.line}: " if warning.file and warning.line else ""
+        sys.stderr.write(f"{place}warning: {warning.message}\n")

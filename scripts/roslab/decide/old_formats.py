@@ -1,0 +1,133 @@
+"""What an old file's image is made of: what the file names, the packages' own keys, and nothing else that is certain.
+
+The old generators read roslab.yaml, package.xml and nothing more. An image that takes its requirements from elsewhere
+too is another image, and one that breaks where the old one worked: a requirements.txt of 2018 for Python 2 does not
+install on Python 3. What else stands in the tree is therefore left aside, and named where somebody may miss it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from roslab.config.model import Config, Kind, Place, Source
+from roslab.decide.decision import Python
+from roslab.decide.ros.layout import LayoutChoice
+from roslab.decide.ros.sources import SourceChoice
+from roslab.decide.system.packages import SystemChoice
+from roslab.evidence import places
+from roslab.evidence.facts import Evidence, GitSource
+from roslab.evidence.ros.vcs import https
+from roslab.knowledge.on_request import packages
+
+_ROS_TOOLS = frozenset({"catkin_make", "catkin_tools", "colcon"})
+_KEPT_TOPICS = frozenset({"command", "distro", "ubuntu", "build_tool"})
+
+
+def narrowed(evidence: Evidence, config: Config) -> tuple[Evidence, Config]:
+    """Return the evidence that an old file leaves room for, and the file with what its format took for granted."""
+    if not config.compatible:
+        return evidence, config
+    files = {*(config.requirements or ()), *(config.vcs or ()), config.conda, config.dockerfile}
+    left = [file.file for file in evidence.requirements if file.purpose == "run" and "/" not in file.file]
+    left += [project.file for project in evidence.python if project.installable and not project.folder]
+    warnings: list[tuple[str, Place | None]] = [
+        (f"{name} is not installed: the old format installs only what roslab.yaml names", Place(file=name, line=1))
+        for name in sorted(set(left) - files)
+    ]
+    sources = []
+    for source in config.source:
+        git = _pinned(source, evidence)
+        sources.append(replace(source, ref=git.ref) if git else source)
+        if git:
+            text = f"{source.name} has no `ref`; {git.ref} is built, which {git.file}:{git.line} asks for"
+            warnings.append((text, source.place or Place(file=git.file, line=git.line)))
+        elif source.repo and not source.ref:
+            text = f"{source.name} has no `ref`: its newest state of today is built, which may no longer fit this base"
+            warnings.append((text, source.place))
+    evidence = replace(
+        evidence,
+        python=(),
+        requirements=tuple(file for file in evidence.requirements if file.file in files),
+        conda=tuple(file for file in evidence.conda if file.file in files),
+        recipes=tuple(recipe for recipe in evidence.recipes if recipe.file in files),
+        code=tuple(found for found in evidence.code if found.namespace != "import"),
+        prose=tuple(found for found in evidence.prose if found.namespace == "apt"),
+        sources=tuple(git for git in evidence.sources if git.file in files),
+        mentions=tuple(mention for mention in evidence.mentions if mention.topic in _KEPT_TOPICS),
+        bounds=(),
+        cuda_files=(),
+    )
+    config = replace(
+        config,
+        kind=_kind(evidence, config),
+        vcs=config.vcs or (),
+        source=tuple(sources),
+        warnings=(*config.warnings, *warnings),
+    )
+    return evidence, config
+
+
+def _kind(evidence: Evidence, config: Config) -> Kind | None:
+    """Return the kind of an image without ROS: the later format had none where ``base.ros`` was not said."""
+    if config.kind or config.base.ros or config.compatible == "paper" or config.build in _ROS_TOOLS:
+        return config.kind
+    if config.base.cuda:
+        return "cuda"
+    built = any(project.top_level and not places.vendored(project.file) for project in evidence.cmake)
+    return "cpp" if config.build == "cmake" or built else "python"
+
+
+def _pinned(source: Source, evidence: Evidence) -> GitSource | None:
+    """Return where a package.xml names the branch of a source that roslab.yaml takes from the newest state.
+
+    The newest state of today is not the one that the file was written for.
+    """
+    if source.ref or not source.repo:
+        return None
+    url = _plain(source.repo)
+    named = (git for git in evidence.sources if git.kind == "git_url" and git.ref and _plain(git.url) == url)
+    return next(named, None)
+
+
+def _plain(url: str) -> str:
+    return https(url).removesuffix(".git").rstrip("/").lower()
+
+
+def systems_python(python: Python, config: Config) -> Python:
+    """Return the Python of an old image: the distribution's own, where ``python`` and ``pip`` are what they were."""
+    if not config.compatible or config.conda or config.base.python:
+        return python
+    return replace(python, manager="system", version=None, projects=(), pip_guessed=())
+
+
+def named_only(system: SystemChoice, base_packages: tuple[str, ...], config: Config) -> SystemChoice:
+    """Return the system packages with those that only CMake files ask for as guesses: they stop no build."""
+    if not config.compatible:
+        return system
+    named = {*config.apt, *base_packages}
+    guessed = {*system.apt_guessed, *(name for name in system.apt if name not in named)}
+    return replace(
+        system,
+        apt=tuple(name for name in system.apt if name in named),
+        apt_guessed=tuple(sorted(guessed)),
+        recipes=(),
+    )
+
+
+def in_order(sources: SourceChoice, config: Config) -> SourceChoice:
+    """Return the sources of the file alone, in its order."""
+    return replace(sources, sources=config.source) if config.compatible and not config.vcs else sources
+
+
+def folder_of_workspace(layout: LayoutChoice, config: Config) -> LayoutChoice:
+    """Return the layout of an old image: the repository was always a folder of the workspace."""
+    return replace(layout, workspace="overlay") if config.compatible and layout.workspace == "root" else layout
+
+
+def requested(system: SystemChoice, config: Config, ubuntu: str | None) -> SystemChoice:
+    """Add what ``base.opengl`` and ``matlab`` stand for: whatever of it this Ubuntu has."""
+    keys = ["opengl-runtime"] if config.base.opengl else []
+    keys += ["opengl-devel"] if config.base.opengl == "devel" else []
+    keys += ["matlab"] if config.matlab else []
+    wanted = {name for key in keys for name in packages(key, ubuntu)} - set(system.apt)
+    return replace(system, apt_guessed=tuple(sorted({*system.apt_guessed, *wanted}))) if wanted else system

@@ -1,0 +1,1 @@
+"""Decisions on Python: version, manager, packages, pins."""

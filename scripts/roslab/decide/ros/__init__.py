@@ -1,0 +1,1 @@
+"""Decisions on ROS: distribution, keys, workspace, sister repositories."""

@@ -1,0 +1,112 @@
+"""Which ROS distribution: evidence is ranked, and what the packages declare rules out what cannot be meant."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from roslab.config.model import Config, Kind
+from roslab.decide.decision import Reason, Warning_
+from roslab.decide.reasons import because, configured, ranked
+from roslab.decide.ros.distro_dates import DEFAULT, dated, of_its_time
+from roslab.decide.ros.distro_evidence import reasons_for
+from roslab.decide.ros.workspace import packages_of
+from roslab.evidence.facts import Evidence
+from roslab.evidence.ros.conditions import holds
+from roslab.knowledge.distros import Distro, distro, distros, distros_of
+from roslab.knowledge.libraries import library
+from roslab.knowledge.released import released, rosdep_keys
+
+UNFIT = 400
+"""What a distribution loses that lacks a declared key: more than a recipe outweighs a branch's convention."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class DistroChoice:
+    """The distribution (``None`` where the repository is not ROS), with what speaks for and against."""
+
+    distro: Distro | None = None
+    reasons: tuple[Reason, ...] = ()
+    warnings: tuple[Warning_, ...] = ()
+
+
+def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> DistroChoice:
+    """Return the ROS distribution that the repository is made for."""
+    if config.base.ros and (known := distro(config.base.ros.partition("-")[0])):
+        said = configured(config, "ros_distro", known.name, "base.ros")
+        return DistroChoice(distro=known, reasons=ranked([said, *reasons_for(evidence, known.ros)], known.name))
+    if kind not in {"ros1", "ros2"}:
+        return DistroChoice()
+    ros = 1 if kind == "ros1" else 2
+    unknown = _unknown_keys(evidence, ros)
+    reasons = [_fitted(reason, unknown) for reason in reasons_for(evidence, ros)]
+    if config.base.ubuntu and (fitting := distros_of(config.base.ubuntu, 1 if ros == 1 else 2)):
+        inside = [reason for reason in reasons if reason.answer in fitting]
+        answer = max(inside, key=_order).answer if inside else fitting[0]
+        said = configured(config, "ros_distro", answer, "base.ubuntu")
+        return DistroChoice(distro=distros()[answer], reasons=ranked([said, *reasons], answer))
+    reasons += _fitting(reasons, unknown)
+    if not reasons:
+        return _default(evidence, kind, unknown)
+    best = max(reasons, key=_order)
+    return DistroChoice(distro=distros()[best.answer], reasons=ranked(reasons, best.answer))
+
+
+def _order(reason: Reason) -> tuple[int, int]:
+    return reason.weight, distros()[reason.answer].preference
+
+
+def _preference(name: str) -> int:
+    return distros()[name].preference
+
+
+def _unknown_keys(evidence: Evidence, ros: int) -> dict[str, frozenset[str]]:
+    """Return, for each distribution of a ROS version, the declared keys that only came after it.
+
+    A package needs what its authors' distribution has, so such keys rule out the older ones. A key that an older one
+    had says nothing: its package may be built from source since. Rolling's list has gaps and rules out nothing.
+    """
+    packages = packages_of(evidence)
+    variables = {"ROS_VERSION": str(ros)}
+    declared = (d for m in packages.built for d in m.dependencies if d.role != "doc" and holds(d.condition, variables))
+    keys = {d.name for d in declared} - packages.names - {source.name for source in evidence.sources} - rosdep_keys()
+    keys = {key for key in keys if library("cmake", key, None) is None}
+    line = [name for name, found in distros().items() if found.ros == ros and name != "rolling"]
+    later: set[str] = set()
+    unknown = {"rolling": frozenset[str]()} if ros == 2 else {}
+    for name in sorted(line, key=lambda name: distros()[name].released, reverse=True):
+        unknown[name] = frozenset(later - released(name))
+        later |= keys & released(name)
+    return unknown
+
+
+def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
+    """Weigh a distribution less that lacks what the packages declare: its mention is older than they are."""
+    missing = sorted(unknown.get(reason.answer, ()))
+    if not missing:
+        return reason
+    text = f"{reason.reason}; but {reason.answer} has no {', '.join(missing[:3])}"
+    return replace(reason, reason=text, weight=max(1, reason.weight - UNFIT))
+
+
+def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[Reason]:
+    """Offer the best distribution that has every declared key, where one that is named lacks some."""
+    if not any(unknown.get(reason.answer) for reason in reasons):
+        return []
+    best = max((name for name, missing in unknown.items() if not missing), key=_preference)
+    return [because("ros_distro", best, "it has every key that the packages declare", weight=100)]
+
+
+def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]]) -> DistroChoice:
+    """Return the distribution of the last commit's time, else the default; where it lacks a key, one that has all."""
+    date = dated(evidence)
+    answer = of_its_time(kind, date.value if date else None)
+    why = "nothing is said: the default"
+    if date:
+        usual = "the default is" if answer == DEFAULT[kind] else f"it is older than {DEFAULT[kind]}, the default:"
+        why = f"nothing is said; the last commit is of {date.value}: {usual} of that time"
+    if unknown.get(answer):
+        answer = max((name for name, missing in unknown.items() if not missing), key=_preference)
+        why = "nothing is said: the default of those with every key that the packages declare"
+    message = f"nothing says which ROS distribution this is for: {answer} is taken; name it as base.ros in roslab.yaml"
+    reason = because("ros_distro", answer, why, date, weight=1)
+    return DistroChoice(distro=distros()[answer], reasons=(reason,), warnings=(Warning_(message=message),))

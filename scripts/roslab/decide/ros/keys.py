@@ -1,0 +1,86 @@
+"""The keys of the package.xml files that are built, and those of them that rosdep cannot know."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from roslab.config.model import Kind
+from roslab.decide.decision import Warning_
+from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.names import Target
+from roslab.evidence.facts import Dependency
+from roslab.evidence.ros.conditions import holds
+from roslab.knowledge.libraries import library
+from roslab.knowledge.released import released, rosdep_keys
+
+_NOT_INSTALLED = frozenset({"doc"})
+"""rosdep leaves documentation alone."""
+_PYTHON2 = frozenset({"trusty", "xenial", "bionic"})
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Translated:
+    """What a key stands for that is no key but a library's name, and what to tell the author."""
+
+    apt: tuple[str, ...] = ()
+    recipe: str = ""
+    skip: bool = False
+    warning: Warning_ | None = None
+
+
+def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Dependency, ...]:
+    """Return the keys of the packages that are built, each once and sorted, their conditions evaluated."""
+    variables = {
+        "ROS_VERSION": "1" if kind == "ros1" else "2",
+        "ROS_DISTRO": target.ros_distro or "",
+        "ROS_PYTHON_VERSION": "2" if target.ubuntu in _PYTHON2 and kind == "ros1" else "3",
+    }
+    found: dict[str, Dependency] = {}
+    for manifest in packages.built:
+        for dependency in manifest.dependencies:
+            if dependency.role in _NOT_INSTALLED or dependency.name in packages.names:
+                continue
+            if holds(dependency.condition, variables):
+                found.setdefault(dependency.name, dependency)
+    return tuple(found[name] for name in sorted(found))
+
+
+def translate(key: Dependency, target: Target, *, cloned: bool, submodules: tuple[str, ...] = ()) -> Translated:
+    """Return what a key comes to that rosdep cannot resolve: a library's packages or recipe, else a warning.
+
+    ``cloned``: there are sister repositories, whose packages are only known once they are cloned; ``submodules`` are
+    the folders of submodules: one of the key's name would have its package.xml in it if it were checked out.
+    """
+    name = key.name
+    if name in rosdep_keys() or name in released(target.ros_distro or ""):
+        return Translated()
+    found = library("cmake", name, target.ubuntu)
+    if found is None or not (found.apt or found.recipe):
+        message = f"rosdep knows no {name} for ROS {target.ros_distro}"
+        hint = _hint(name, target, cloned=cloned, submodules=submodules)
+        return Translated(warning=Warning_(message=f"{message}: {hint}", file=key.file, line=key.line))
+    instead = " ".join(found.apt) or f"{found.recipe}, from its source,"
+    message = f"{name} is no key of rosdep but a library's name: {instead} is installed for it"
+    return Translated(
+        apt=found.apt,
+        recipe="" if found.apt else found.recipe,
+        skip=True,
+        warning=Warning_(message=message, file=key.file, line=key.line),
+    )
+
+
+def _hint(name: str, target: Target, *, cloned: bool, submodules: tuple[str, ...]) -> str:
+    folder = next((path for path in submodules if path.rpartition("/")[2] == name), None)
+    if folder:
+        return f"the submodule {folder} may hold it and is not checked out: git submodule update --init --recursive"
+    near = _nearest(name, rosdep_keys() | released(target.ros_distro or ""))
+    where = "one of the cloned repositories may hold it" if cloned else "nothing here says where it comes from"
+    meant = f"correct the name (is {near} meant?)" if near else "correct the name"
+    return f"{where}; else {meant}, or give its repository under source in roslab.yaml"
+
+
+def _nearest(name: str, known: frozenset[str]) -> str | None:
+    """Return the known name that differs by a letter or two; only names that begin alike are compared."""
+    alike = sorted(each for each in known if each[:4] == name[:4] and abs(len(each) - len(name)) <= 1)
+    return next(iter(get_close_matches(name, alike, n=1, cutoff=0.92)), None)

@@ -1,0 +1,271 @@
+"""What is built from its source: vcs files, clones that a manifest asks for, libraries of the table of recipes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+from roslab.config.model import BuildTool, Config, Kind, Place, Source
+from roslab.decide.decision import Reason, Warning_
+from roslab.decide.reasons import because, configured
+from roslab.evidence import places
+from roslab.evidence.facts import Dependency, Evidence, GitSource
+from roslab.evidence.ros.vcs import https
+from roslab.knowledge.distros import distros
+from roslab.knowledge.released import released, rosdep_keys
+from roslab.knowledge.ros_sources import RosSource, ros_sources
+
+_EXTRA = re.compile(
+    r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
+)
+_WORDS = re.compile(r"[a-z]+")
+SHORTEST = 4
+"""Letters of a word that tells one family of packages from another."""
+_COMMON = frozenset({"msgs", "driver", "drivers", "common", "robot", "core", "tools", "utils", "ros1", "ros2"})
+_TOOLS = frozenset({"catkin", "ament_cmake", "ament_package", "cmake"})
+_IN_WORKSPACE: dict[BuildTool, Literal["catkin_make", "catkin_tools", "colcon"]] = {
+    "catkin_make": "catkin_make",
+    "catkin_tools": "catkin_tools",
+    "colcon": "colcon",
+}
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class SourceChoice:
+    """What is built from source, in this order, and the vcs files it came from."""
+
+    sources: tuple[Source, ...] = ()
+    vcs: tuple[str, ...] = ()
+    libraries: tuple[tuple[str, Dependency], ...] = ()
+    """Rows of the table of recipes that they link, with what asks for each."""
+    names: frozenset[str] = frozenset()
+    """Names that these sources answer for: no key and no package is needed for them."""
+    reasons: tuple[Reason, ...] = ()
+    warnings: tuple[Warning_, ...] = ()
+
+
+def decide_sources(
+    evidence: Evidence,
+    config: Config,
+    kind: Kind,
+    *,
+    ros_distro: str | None,
+    build_tool: BuildTool,
+    needed: tuple[Dependency, ...],
+    own: frozenset[str],
+    folder_name: str,
+) -> SourceChoice:
+    """Return the sources; ``needed`` are the names that a manifest or CMake asks for, ``own`` the repository's own."""
+    chosen = _Chosen(build_tool=build_tool)
+    chosen.configure(config)
+    chosen.submodules(evidence)
+    if kind not in {"ros1", "ros2"}:
+        return chosen.choice(())
+    itself = {folder_name.lower(), *(name.lower() for name in own if len(own) == 1)}
+    files = _vcs_files(evidence, config, ros_distro)
+    for git in evidence.sources:
+        if git.kind == "vcs" and git.file in files and not _is(git, itself):
+            chosen.add(git, f"{git.file} lists it")
+    wanted = _wanted(needed)
+    elsewhere = released(ros_distro or "") | rosdep_keys() | own
+    for git in _clones(evidence, ros_distro):
+        if _is(git, itself) or _plain(git.name) in own:
+            continue
+        asked = _asked(git, wanted, released(ros_distro or "") | own)
+        if asked is None:
+            continue
+        new = chosen.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
+        if new and asked.namespace == "rosdep" and asked.name in elsewhere:
+            message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
+            more = "the package of that name that rosdep knows may be another one: the clone is used"
+            chosen.warnings.append(Warning_(message=f"{message}; {more}", file=asked.file, line=asked.line))
+    chosen.known(needed, elsewhere, 1 if kind == "ros1" else 2, ros_distro or "")
+    return chosen.choice(files)
+
+
+@dataclass
+class _Chosen:
+    """What was chosen so far."""
+
+    build_tool: BuildTool
+    sources: dict[str, Source] = field(default_factory=dict)
+    reasons: list[Reason] = field(default_factory=list)
+    warnings: list[Warning_] = field(default_factory=list)
+    libraries: dict[str, Dependency] = field(default_factory=dict)
+
+    def add(self, git: GitSource, why: str) -> bool:
+        """Take a repository, unless one of that name or URL is there already; tell whether it was taken."""
+        name = re.sub(r"[^\w.-]+", "_", git.name.strip("/").rpartition("/")[2]).strip(".") or "source"
+        urls = {_url(source.repo) for source in self.sources.values() if source.repo}
+        if name in self.sources or _url(git.url) in urls:
+            return False
+        self.sources[name] = Source(
+            name=name,
+            repo=https(git.url),
+            ref=_ref(git.ref),
+            build=_IN_WORKSPACE.get(self.build_tool, "none"),
+            place=Place(file=git.file, line=git.line),
+        )
+        self.reasons.append(because("source", name, why, git, weight=500))
+        return True
+
+    def configure(self, config: Config) -> None:
+        """Take what roslab.yaml names; nothing replaces it."""
+        for index, source in enumerate(config.source):
+            self.sources[source.name] = source
+            self.reasons.append(configured(config, "source", source.name, f"source.{index}"))
+
+    def submodules(self, evidence: Evidence) -> None:
+        """Note the submodules: they come with the checkout, not with the image."""
+        for git in evidence.sources:
+            if git.kind == "submodule":
+                why = f"a submodule, {git.url}: check it out with the repository"
+                self.reasons.append(replace(because("source", git.name, why, git, weight=10), decisive=False))
+
+    def known(self, needed: Iterable[Dependency], elsewhere: frozenset[str], ros: int, distro: str) -> None:
+        """Take what the table of unreleased packages holds for the names that nothing else answers for.
+
+        A clone of the same repository that the author names keeps its own ref, and gets all else that the table knows.
+        """
+        for asked in needed:
+            if asked.namespace not in {"rosdep", "ros", "cmake"} or asked.name in elsewhere:
+                continue
+            for found in ros_sources(asked.name, ros):
+                git = GitSource(
+                    name=found.package,
+                    url=found.repo,
+                    ref=found.ref,
+                    strength=asked.strength,
+                    file=asked.file,
+                    line=asked.line,
+                    kind="clone",
+                )
+                self.add(git, f"{asked.name} is needed, and no distribution released {found.package}")
+                if found.package in self.sources:
+                    self._complete(found, asked, distro)
+
+    def _complete(self, found: RosSource, asked: Dependency, distro: str) -> None:
+        source = self.sources[found.package]
+        if source.repo is None or _url(source.repo) != _url(found.repo):
+            return  # another repository of that name
+        if found.library:
+            self.libraries.setdefault(found.library, asked)
+        options = source.cmake_options or found.options.format(distro=distro)
+        self.sources[found.package] = replace(source, prepare=found.prepare, cmake_options=options)
+
+    def loose(self) -> tuple[Warning_, ...]:
+        """Warn of sources without a ref: another day gives another image."""
+        names = sorted(source.name for source in self.sources.values() if source.repo and not source.ref)
+        if not names:
+            return ()
+        message = f"cloned without a fixed ref: {', '.join(names)}; another day gives another image"
+        return (Warning_(message=f"{message}: name a tag or a commit where they are listed, or under source"),)
+
+    def choice(self, files: tuple[str, ...]) -> SourceChoice:
+        """Return all of it."""
+        return SourceChoice(
+            sources=tuple(self.sources.values()),
+            vcs=files,
+            libraries=tuple(self.libraries.items()),
+            names=frozenset(self.sources) | {_plain(name) for name in self.sources},
+            reasons=tuple(self.reasons),
+            warnings=(*self.warnings, *self.loose()),
+        )
+
+
+def _ref(ref: str | None) -> str | None:
+    return ref if ref and re.fullmatch(r"[\w./+-]+", ref) and not ref.startswith("-") else None
+
+
+def _url(url: str) -> str:
+    return https(url).removesuffix(".git").rstrip("/").lower()
+
+
+def _plain(name: str) -> str:
+    return re.sub(r"[-_.]+", "_", name.rpartition("/")[2]).lower()
+
+
+def _is(git: GitSource, names: set[str]) -> bool:
+    """Tell whether a list names the repository itself."""
+    return _plain(git.name) in {_plain(name) for name in names} or _url(git.url).rpartition("/")[2] in names
+
+
+def _wanted(needed: Iterable[Dependency]) -> dict[str, Dependency]:
+    """Return the needed names in one spelling; what a package is built with comes from the base image."""
+    found: dict[str, Dependency] = {}
+    for dependency in needed:
+        if dependency.role == "buildtool" and dependency.name in _TOOLS:
+            continue
+        found.setdefault(_plain(dependency.name), dependency)
+        if dependency.name.startswith("lib"):
+            found.setdefault(_plain(dependency.name[3:]), dependency)
+    return found
+
+
+def _asked(git: GitSource, wanted: dict[str, Dependency], known: frozenset[str]) -> Dependency | None:
+    """Return what asks for a clone: a package of its name, or one that nobody released and whose name begins so.
+
+    A key that rosdep cannot know is also asked of a clone with the key's first word in its name: ``vikit_ros`` of
+    ``rpg_vikit``.
+    """
+    name = _plain(git.name)
+    if name in wanted:
+        return wanted[name]
+    unknown = [(each, d) for each, d in wanted.items() if d.name not in known]
+    family = (d for each, d in unknown if each.startswith(f"{name}_") and d.namespace in {"rosdep", "ros"})
+    words = {word for word in name.split("_") if len(word) >= SHORTEST} - _COMMON
+    related = (d for each, d in unknown if d.namespace == "rosdep" and each.partition("_")[0] in words)
+    return next(family, None) or next((d for d in related if d.name not in rosdep_keys()), None)
+
+
+def _clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
+    """Return what manifests and pages clone: a package.xml's word first, then what has a ref, then the nearest page.
+
+    What an author's image for another distribution clones is for that one.
+    """
+    recipes = {recipe.file: _distros(recipe.base or "") for recipe in evidence.recipes}
+    found = [git for git in evidence.sources if git.kind in {"clone", "git_url"} and not places.vendored(git.file)]
+    found += [clone for recipe in evidence.recipes if recipe.purpose == "project" for clone in recipe.clones]
+    found = [git for git in found if not recipes.get(git.file) or ros_distro in recipes[git.file]]
+    return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))
+
+
+def _distros(image: str) -> set[str]:
+    return set(_WORDS.findall(image.lower())) & distros().keys()
+
+
+def _vcs_files(evidence: Evidence, config: Config, ros_distro: str | None) -> tuple[str, ...]:
+    """Return the vcs files to import: roslab.yaml's, else those for this distribution, else the plainest ones."""
+    if config.vcs is not None:
+        return config.vcs
+    files = list(dict.fromkeys(source.file for source in evidence.sources if source.kind == "vcs"))
+    distinct = [(file, _distros(file.rpartition("/")[2])) for file in files]
+    named = [file for file, words in distinct if ros_distro in words]
+    plain = [file for file, words in distinct if not words]
+    candidates = named or plain
+    if any("not-released" in file for file in candidates):
+        candidates = [file for file in candidates if "not-released" in file]
+    https_only = [file for file in candidates if not _EXTRA.search(file.rpartition("/")[2])]
+    candidates = https_only or [file for file in candidates if "ssh" not in file] or candidates
+    said = {m.value for m in evidence.mentions if m.topic == "vcs_file" and m.source == "readme"}
+    candidates = [file for file in candidates if file.rpartition("/")[2].lower() in said] or candidates
+    if not candidates:
+        return ()
+    depth = min(file.count("/") for file in candidates)
+    nearest = [file for file in candidates if file.count("/") == depth]
+    return tuple(nearest)
+
+
+def with_recipes(choice: SourceChoice, recipes: Iterable[tuple[Source, Dependency]]) -> SourceChoice:
+    """Put libraries of the table of recipes before the sister packages that link them."""
+    added: dict[str, Source] = {}
+    reasons = list(choice.reasons)
+    for source, asked in recipes:
+        if source.name not in choice.names and source.name not in added:
+            added[source.name] = source
+            why = f"{asked.name} is needed and no package of this Ubuntu holds it"
+            reasons.append(because("source", source.name, why, asked, weight=400))
+    names = choice.names | added.keys()
+    return replace(choice, sources=(*added.values(), *choice.sources), names=names, reasons=tuple(reasons))

@@ -1,0 +1,94 @@
+"""Everything that a repository needs beyond its keys, from the surest to the vaguest."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+from roslab.config.model import Kind
+from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.names import written_for
+from roslab.evidence import places
+from roslab.evidence.facts import Dependency, Evidence
+
+_STARTED = re.compile(r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch))\s+(?:--?\S+\s+)*([a-z][a-z0-9_]+)\s")
+
+
+def needs(
+    evidence: Evidence, packages: Packages, kind: Kind, ros_distro: str | None
+) -> Iterator[tuple[Dependency, bool]]:
+    """Yield what is needed, and whether its place is trusted: what the build really runs through."""
+    yield from _cmake(evidence, packages, compiled=kind in {"ros1", "ros2", "cpp"})
+    for dependency in evidence.code:
+        started_by = dependency.role == "shebang" and kind in {"ros1", "ros2"}  # an environment has its own `python`
+        if dependency.namespace == "include" or started_by:
+            yield dependency, False
+    for dependency in started(evidence, kind):
+        yield dependency, False
+    for dependency in _installed(evidence, ros_distro):
+        yield dependency, False
+
+
+def code_needs(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
+    """Yield what CMake files look for, outside copies and the packages that are not built."""
+    skipped = frozenset(m.file.rpartition("/")[0] for m in packages.left_out if m.ignored)
+    for project in evidence.cmake:
+        if places.vendored(project.file) or _inside(project.file, skipped):
+            continue
+        for dependency in project.dependencies:
+            if dependency.role != "test" and dependency.name not in packages.names:
+                yield dependency
+
+
+def _cmake(evidence: Evidence, packages: Packages, *, compiled: bool) -> Iterator[tuple[Dependency, bool]]:
+    folders = frozenset(manifest.file.rpartition("/")[0] for manifest in packages.built)
+    for dependency in code_needs(evidence, packages):
+        path = dependency.file
+        aside = places.example(path) or places.test(path) or places.documentation(path)
+        if compiled or not aside:
+            yield dependency, compiled and not aside and (not folders or _inside(path, folders))
+
+
+def _inside(path: str, folders: frozenset[str]) -> bool:
+    """Tell whether a path lies in one of the folders; as many steps as it is deep, however many folders there are."""
+    folder = path
+    while folders and folder:
+        folder = folder.rpartition("/")[0]
+        if folder in folders:
+            return True
+    return False
+
+
+def started(evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
+    """Yield the ROS packages that launch and parameter files name, Python imports, and pages tell people to run."""
+    if kind not in {"ros1", "ros2"}:
+        return
+    for launch in evidence.launch:
+        if kind == f"ros{launch.ros}":  # a repository that moved on keeps the launch files of its past
+            yield from launch.dependencies
+    for dependency in evidence.code:
+        if dependency.namespace == "ros":
+            yield dependency
+        elif dependency.namespace == "import":
+            yield replace(dependency, namespace="ros", role="exec")
+    for mention in evidence.mentions:
+        if mention.topic == "command" and (match := _STARTED.search(mention.text)):
+            yield Dependency(
+                namespace="ros", name=match[1], strength="prose", file=mention.file, line=mention.line, role="exec"
+            )
+
+
+def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependency]:
+    """Yield what pages, CI and the author's own images install by apt.
+
+    A page with lines for this distribution has those for the others beside them: only its own count.
+    """
+    written = [dependency for dependency in evidence.prose if dependency.namespace == "apt"]
+    ours = {d.file for d in written if ros_distro and written_for(d.name) == ros_distro}
+    for dependency in written:
+        if dependency.file not in ours or written_for(dependency.name) in {None, ros_distro, "{distro}"}:
+            yield dependency
+    for recipe in evidence.recipes:
+        if recipe.purpose in {"project", "ci"}:
+            yield from (dependency for dependency in recipe.dependencies if dependency.namespace == "apt")

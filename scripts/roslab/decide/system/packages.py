@@ -1,0 +1,147 @@
+"""System packages: what is declared and must install, what is guessed and is installed where apt knows it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from roslab.config.model import Config, Kind
+from roslab.decide.decision import Python, Reason, Warning_
+from roslab.decide.reasons import because, configured
+from roslab.decide.ros.keys import declared_keys, translate
+from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.names import Target, resolve
+from roslab.decide.system.needs import needs
+from roslab.decide.system.wheels import apt_for_wheels
+from roslab.evidence.facts import Dependency, Evidence
+from roslab.knowledge.never import never
+
+_PYTHON_2 = frozenset({None, "trusty", "xenial", "bionic"})
+"""Where `python` is Python 2. https://wiki.ubuntu.com/FocalFossa/ReleaseNotes#Python3_by_default"""
+_IN_ANY_ROS = ("catkin", "ros_base", "ros_core", "ament_cmake")
+_HOW = {
+    "cmake": "find_package asks for {}",
+    "pkg-config": "pkg-config asks for {}",
+    "link": "{} is linked",
+    "include": "{} is included",
+    "import": "{} is imported",
+    "ros": "the ROS package {} is used",
+    "apt": "an install line names {}",
+    "pip": "the wheel of {} lacks it",
+    "rosdep": "the key {} is named",
+    "shebang": "the first line of a program names {}",
+}
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class SystemChoice:
+    """Keys, packages in two levels of trust, and the libraries that no package holds."""
+
+    rosdep: tuple[str, ...] = ()
+    skip_keys: tuple[str, ...] = ()
+    apt: tuple[str, ...] = ()
+    apt_guessed: tuple[str, ...] = ()
+    recipes: tuple[tuple[str, Dependency], ...] = ()
+    """``(row of the table of recipes, what asks for it)``."""
+    reasons: tuple[Reason, ...] = ()
+    warnings: tuple[Warning_, ...] = ()
+
+
+@dataclass
+class _Found:
+    """What was gathered so far, each name with the first that asked for it."""
+
+    declared: dict[str, Dependency | None] = field(default_factory=dict)
+    guessed: dict[str, Dependency] = field(default_factory=dict)
+    recipes: dict[str, Dependency] = field(default_factory=dict)
+    skip: dict[str, None] = field(default_factory=dict)
+    warnings: list[Warning_] = field(default_factory=list)
+
+
+def decide_system(
+    evidence: Evidence,
+    config: Config,
+    kind: Kind,
+    *,
+    target: Target,
+    packages: Packages,
+    python: Python,
+    base_packages: tuple[str, ...],
+    sisters: frozenset[str],
+) -> SystemChoice:
+    """Return the system packages; ``sisters`` are the names that sources in the workspace answer for."""
+    keys = declared_keys(packages, target, kind) if target.ros_distro else ()
+    found = _Found(declared=dict.fromkeys((*config.apt, *base_packages)))
+    found.skip = dict.fromkeys((*config.skip_keys, *(key.name for key in keys if key.name in sisters)))
+    submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
+    for key in keys:
+        if key.name not in found.skip:
+            _translate(key, target, found, cloned=bool(sisters), submodules=submodules)
+    known = frozenset({key.name for key in keys} | packages.names | sisters | set(config.skip_keys))
+    for dependency, trusted in needs(evidence, packages, kind, target.ros_distro):
+        if dependency.role == "shebang" and target.ubuntu in _PYTHON_2:
+            continue
+        if dependency.name not in known:
+            _add(dependency, target, found, known, trusted=trusted)
+    for apt, dependency in apt_for_wheels(python, target.ubuntu, evidence):
+        found.guessed.setdefault(apt, dependency)
+    refused = never()
+    kept = {n: d for n, d in found.guessed.items() if n not in found.declared and not refused.match(n)}
+    said = (configured(config, "dependencies", name, f"apt.{index}") for index, name in enumerate(config.apt))
+    return SystemChoice(
+        rosdep=tuple(key.name for key in keys if key.name not in found.skip),
+        skip_keys=tuple(found.skip),
+        apt=tuple(found.declared),
+        apt_guessed=tuple(sorted(kept)),
+        recipes=tuple(found.recipes.items()),
+        reasons=(*said, *_explained(found.declared, kept, keys)),
+        warnings=tuple(found.warnings),
+    )
+
+
+def _translate(key: Dependency, target: Target, found: _Found, *, cloned: bool, submodules: tuple[str, ...]) -> None:
+    meant = translate(key, target, cloned=cloned, submodules=submodules)
+    for apt in meant.apt:
+        found.declared.setdefault(apt, key)
+    if meant.recipe:
+        found.recipes.setdefault(meant.recipe, key)
+    if meant.skip:
+        found.skip[key.name] = None
+    if meant.warning:
+        found.warnings.append(meant.warning)
+
+
+def _add(dependency: Dependency, target: Target, found: _Found, known: frozenset[str], *, trusted: bool) -> None:
+    """Take what a name comes to: must install where the build requires it and Ubuntu has it, else a guess."""
+    meant = resolve(dependency, target)
+    sure = trusted and dependency.strength == "declared" and dependency.namespace in {"cmake", "pkg-config"}
+    if meant.recipe and trusted and dependency.strength != "optional":
+        found.recipes.setdefault(meant.recipe, dependency)
+    for apt in meant.apt:
+        if apt.startswith("ros-") and _covered(apt, target, known):
+            continue
+        if sure and not apt.startswith("ros-"):
+            found.declared.setdefault(apt, dependency)
+        else:
+            found.guessed.setdefault(apt, dependency)
+    if dependency.strength != "optional":
+        for apt in meant.beside:
+            found.guessed.setdefault(apt, dependency)
+
+
+def _covered(apt: str, target: Target, known: frozenset[str]) -> bool:
+    """Tell whether a ROS package is a key already, the repository's own, a sister's, or in every image of ROS."""
+    name = apt.split("-", 2)[2].replace("-", "_")
+    return name in known or apt in {target.ros(each) for each in _IN_ANY_ROS}
+
+
+def _explained(
+    declared: dict[str, Dependency | None], guessed: dict[str, Dependency], keys: tuple[Dependency, ...]
+) -> Iterator[Reason]:
+    for key in keys:
+        yield because("dependencies", key.name, f"a package.xml asks for it ({key.role})", key, weight=500)
+    for name, dependency in (*declared.items(), *guessed.items()):
+        if dependency is not None:
+            how = _HOW.get(dependency.role) or _HOW.get(dependency.namespace, "{} is named")
+            why = how.format(dependency.name) + (", but need not be there" if dependency.strength == "optional" else "")
+            yield because("dependencies", name, why, dependency, weight=400 if name in declared else 100)

@@ -1,0 +1,1 @@
+"""Docker, BuildKit and the registry: calls, credentials, retries, time limits."""

@@ -1,0 +1,166 @@
+"""Whether a registry takes a user's password and lets him push, asked before an hour of building.
+
+The dialogue is the distribution project's: https://distribution.github.io/distribution/spec/auth/token/
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from email.message import Message
+from typing import Literal
+from urllib.parse import urlencode, urljoin, urlsplit
+
+from roslab.engine.registry import PAUSE
+
+Verdict = Literal["granted", "wrong password", "forbidden", "unreachable", "unknown"]
+SECONDS = 20.0
+ATTEMPTS = 4
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Access:
+    """What the registry said."""
+
+    verdict: Verdict
+    detail: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Answer:
+    status: int
+    """0 where no answer came."""
+    headers: Message
+    body: str
+
+
+def may_push(image: str, username: str, password: str, *, pause: Callable[[float], None] = time.sleep) -> Access:
+    """Ask whether an image may be pushed: an upload is begun, as every push begins, and given up at once.
+
+    ``image`` is ``HOST/PATH``. ``unknown`` means that the registry speaks otherwise: the push itself will show it.
+    """
+    url = _url(image)
+    answer = _ask("GET", urljoin(url, "/v2/"), {}, pause)
+    if answer.status == 0 or answer.status >= 500:
+        return Access(verdict="unreachable", detail=answer.body or f"HTTP {answer.status}")
+    secret = "Basic " + base64.b64encode(f"{username}:{password}".encode()).decode()
+    headers, refused = _authorise(answer, image, secret, pause)
+    if refused:
+        return refused
+    upload = _ask("POST", f"{url}/blobs/uploads/", headers, pause)
+    if upload.status == 202:
+        if location := upload.headers.get("Location"):
+            _ask("DELETE", urljoin(url, location), headers, pause)
+        return Access(verdict="granted")
+    # With a token in hand the password was right: what is missing is the right to write
+    bearer = headers.get("Authorization", "").startswith("Bearer ")
+    return _judged(upload, "forbidden" if bearer or upload.status == 403 else "wrong password")
+
+
+def is_public(image: str, reference: str, *, pause: Callable[[float], None] = time.sleep) -> bool | None:
+    """Tell whether anybody may pull a tag or digest, ``None`` where the registry does not say."""
+    url = _url(image)
+    headers, refused = _authorise(_ask("GET", urljoin(url, "/v2/"), {}, pause), image, None, pause)
+    if refused:
+        return False if refused.verdict == "wrong password" else None
+    accept = "application/vnd.oci.image.index.v1+json, application/vnd.oci.image.manifest.v1+json"
+    answer = _ask("HEAD", f"{url}/manifests/{reference}", {**headers, "Accept": accept}, pause)
+    return True if answer.status == 200 else False if answer.status in (401, 403, 404) else None
+
+
+def _url(image: str) -> str:
+    """Return the address of an image's part of the registry; docker speaks plain HTTP to this machine alone."""
+    host, _, path = image.partition("/")
+    name = host.partition(":")[0]
+    scheme = "http" if name == "localhost" or name.startswith("127.") else "https"
+    host = "registry-1.docker.io" if host in ("docker.io", "index.docker.io") else host
+    return f"{scheme}://{host}/v2/{path}"
+
+
+def _authorise(
+    answer: _Answer, image: str, secret: str | None, pause: Callable[[float], None]
+) -> tuple[dict[str, str], Access | None]:
+    """Return the headers that carry the right to push (or to pull, without a secret), or why there is none."""
+    if answer.status == 200:
+        return {}, None
+    challenge = answer.headers.get("WWW-Authenticate", "")
+    kind = challenge.partition(" ")[0].lower()
+    fields = dict(re.findall(r'(\w+)="([^"]*)"', challenge))
+    if kind == "basic":
+        return ({"Authorization": secret}, None) if secret else ({}, Access(verdict="wrong password"))
+    realm = fields.get("realm", "")
+    if kind != "bearer" or not _trusted(realm, image):
+        return {}, Access(verdict="unknown", detail=f"HTTP {answer.status}, {kind or 'no'} authentication")
+    scope = f"repository:{image.partition('/')[2]}:{'pull,push' if secret else 'pull'}"
+    query = urlencode({"service": fields.get("service", ""), "scope": scope})
+    token = _ask("GET", f"{realm}?{query}", {"Authorization": secret} if secret else {}, pause)
+    if token.status != 200:
+        return {}, _judged(token, "wrong password")
+    try:
+        data = json.loads(token.body)
+        return {"Authorization": f"Bearer {data.get('token') or data['access_token']}"}, None
+    except (ValueError, KeyError, AttributeError):
+        return {}, Access(verdict="unknown", detail="the token server gave no token")
+
+
+def _trusted(realm: str, image: str) -> bool:
+    """Tell whether a password may go to a token server: never in the clear, except to this machine."""
+    return realm.startswith("https://") or urlsplit(realm).hostname == urlsplit(_url(image)).hostname
+
+
+def _judged(answer: _Answer, denial: Verdict) -> Access:
+    """Read a refusal; ghcr.io's token server answers 403 where others answer 401."""
+    if answer.status == 0 or answer.status >= 500:
+        return Access(verdict="unreachable", detail=answer.body or f"HTTP {answer.status}")
+    return Access(verdict=denial if answer.status in (401, 403) else "unknown", detail=_message(answer))
+
+
+def _message(answer: _Answer) -> str:
+    """Return what the registry says in words: https://distribution.github.io/distribution/spec/api/#errors."""
+    try:
+        errors = json.loads(answer.body)["errors"]
+        return "; ".join(str(error.get("message") or error.get("code")) for error in errors)
+    except (ValueError, KeyError, TypeError, AttributeError):
+        return f"HTTP {answer.status}"
+
+
+def _ask(method: str, url: str, headers: Mapping[str, str], pause: Callable[[float], None]) -> _Answer:
+    for attempt in range(1, ATTEMPTS + 1):
+        answer = _ask_once(method, url, headers)
+        if attempt == ATTEMPTS or not (answer.status in (0, 429) or answer.status >= 500):
+            break
+        pause(PAUSE * 2 ** (attempt - 1))
+    return answer
+
+
+class _NoRedirect(urllib.request.HTTPRedirectHandler):
+    """A header with a password follows no redirect."""
+
+    def redirect_request(self, *_: object) -> None:
+        return None
+
+
+def _said(error: OSError | ValueError) -> str:
+    """Return what a person needs of an error: its words without its number."""
+    reason = getattr(error, "reason", None) or error
+    return str(getattr(reason, "strerror", None) or reason)
+
+
+def _ask_once(method: str, url: str, headers: Mapping[str, str]) -> _Answer:
+    request = urllib.request.Request(url, method=method, headers={"User-Agent": "roslab", **headers})  # noqa: S310
+    if method == "POST":
+        request.data = b""
+    try:
+        with urllib.request.build_opener(_NoRedirect).open(request, timeout=SECONDS) as reply:
+            return _Answer(status=reply.status, headers=reply.headers, body=reply.read(65536).decode(errors="replace"))
+    except urllib.error.HTTPError as error:
+        with error:
+            return _Answer(status=error.code, headers=error.headers, body=error.read(65536).decode(errors="replace"))
+    except (OSError, ValueError) as error:
+        return _Answer(status=0, headers=Message(), body=_said(error))

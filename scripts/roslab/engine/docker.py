@@ -1,0 +1,188 @@
+"""Docker, buildx and a registry, called as a person would call them; nothing is decided here."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from roslab.errors import BuildError, Problem
+from roslab.repository import git as commits
+
+MINIMUM = 23
+"""First engine whose own Dockerfile reader knows here-documents: https://docs.docker.com/engine/release-notes/23.0/"""
+Say = Callable[[str], None]
+
+
+def say(text: str) -> None:
+    """Print progress; the default of everything here."""
+    print(text, file=sys.stderr, flush=True)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Build:
+    """One call of ``docker buildx build``."""
+
+    context: Path
+    dockerfile: Path
+    platforms: tuple[str, ...] = ()
+    tags: tuple[str, ...] = ()
+    labels: tuple[tuple[str, str], ...] = ()
+    arguments: tuple[tuple[str, str], ...] = ()
+    output: str = ""
+    """Value of ``--output``; ``""`` loads the image into the engine."""
+    extra: tuple[str, ...] = ()
+
+
+def check() -> str:
+    """Return the engine's version. Raises ``BuildError`` where it is absent, does not answer or is too old."""
+    if not shutil.which("docker"):
+        raise BuildError(
+            Problem(
+                message="docker is not installed",
+                hint="install Docker Engine 23 or newer: https://docs.docker.com/engine/install/",
+            )
+        )
+    answer = output(["docker", "version", "--format", "{{.Server.Version}}"])
+    if answer.returncode:
+        error = last_line(answer.stderr)
+        raise BuildError(
+            Problem(
+                message=f"the Docker engine does not answer: {error}",
+                hint="start it, or set DOCKER_HOST to one that runs",
+            )
+        )
+    version = answer.stdout.strip()
+    major = re.match(r"\d+", version)
+    if not major or int(major[0]) < MINIMUM:
+        raise BuildError(
+            Problem(message=f"Docker engine {version} is too old", hint=f"version {MINIMUM} or newer is needed")
+        )
+    if output(["docker", "buildx", "version"]).returncode:
+        raise BuildError(Problem(message="docker has no buildx", hint="install the docker-buildx-plugin package"))
+    return version
+
+
+def build(job: Build, *, environment: Mapping[str, str] | None = None) -> tuple[str, str]:
+    """Build an image, its progress on standard error as docker prints it; return its digest and the end of the log.
+
+    The digest is the index's where several platforms were pushed, the image's own where it was loaded.
+    Raises ``BuildError`` with the step that failed.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        metadata = Path(folder) / "metadata.json"
+        command = [
+            "docker",
+            "buildx",
+            "build",
+            "--file",
+            str(job.dockerfile),
+            "--metadata-file",
+            str(metadata),
+        ]
+        command += ["--platform", ",".join(job.platforms)] if job.platforms else []
+        for tag in job.tags:
+            command += ["--tag", tag]
+        for flag, pairs in (("--label", job.labels), ("--build-arg", job.arguments)):
+            for name, value in pairs:
+                command += [flag, f"{name}={value}"]
+        command += ["--output", job.output] if job.output else ["--load"]
+        command += [*job.extra, str(job.context)]
+        log = _stream(command, environment)
+        record = json.loads(metadata.read_text(encoding="utf-8")) if metadata.exists() else {}
+    return str(record.get("containerimage.digest", "")), log
+
+
+def _stream(command: Sequence[str], environment: Mapping[str, str] | None) -> str:
+    """Run a command, pass its output on line by line, and return the last 400 lines of it."""
+    lines: list[str] = []
+    settings = {**os.environ, **(environment or {})}
+    with subprocess.Popen(
+        command,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        env=settings,
+        text=True,
+        errors="replace",
+    ) as process:
+        try:
+            for line in process.stdout or ():
+                sys.stderr.write(line)
+                sys.stderr.flush()
+                lines = [*lines[-399:], line]
+        except BaseException:
+            process.terminate()
+            raise
+    log = "".join(lines)
+    if process.returncode:
+        raise BuildError(
+            Problem(
+                message=f"the build failed: {failed_step(log)}",
+                hint="the lines above say why; `roslab explain` reads a saved log",
+            )
+        )
+    return log
+
+
+def failed_step(log: str) -> str:
+    """Return what BuildKit says of the step that failed: its last ``ERROR`` line without the noise around it."""
+    errors = re.findall(r"^(?:#\d+ )?ERROR: (.+)$", log, flags=re.MULTILINE)
+    text = errors[-1] if errors else last_line(log)
+    text = re.sub(r"^failed to (?:build|solve): ", "", re.sub(r"^failed to build: ", "", text))
+    return text if len(text) <= 400 else text[:400] + "…"
+
+
+def native_platform() -> str:
+    """Return the engine's own platform, ``linux/amd64``."""
+    answer = output(["docker", "version", "--format", "{{.Server.Os}}/{{.Server.Arch}}"])
+    return answer.stdout.strip() or "linux/amd64"
+
+
+def commit_labels(root: Path) -> tuple[tuple[str, str], ...]:
+    """Return the labels that name the commit of a checkout, none where there is no git or no commit.
+
+    https://github.com/opencontainers/image-spec/blob/main/annotations.md
+    """
+    revision = commits.head(root)[0] if (root / ".git").exists() else ""
+    return (("org.opencontainers.image.revision", revision),) if revision else ()
+
+
+def name_image(candidate: str, name: str) -> None:
+    """Give a proved image its name. Raises ``BuildError`` where the engine refuses."""
+    answer = output(["docker", "tag", candidate, name])
+    if answer.returncode:
+        raise BuildError(Problem(message=f"cannot name the image {name}: {last_line(answer.stderr)}"))
+
+
+def remove_image(reference: str) -> None:
+    """Remove a loaded image; one that is gone or in use stays without a word."""
+    output(["docker", "image", "rm", reference])
+
+
+def output(command: Sequence[str], timeout: float = 120.0) -> subprocess.CompletedProcess[str]:
+    """Run a short command and return what it printed; exit code 124: no answer within ``timeout`` seconds."""
+    try:
+        return subprocess.run(
+            command,
+            capture_output=True,
+            stdin=subprocess.DEVNULL,
+            text=True,
+            errors="replace",
+            timeout=timeout,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return subprocess.CompletedProcess(command, 124, "", f"no answer within {timeout:.0f} s")
+
+
+def last_line(text: str) -> str:
+    """Return the last line that says something."""
+    return next((line.strip() for line in reversed(text.splitlines()) if line.strip()), "no message")

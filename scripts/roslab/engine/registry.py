@@ -1,0 +1,216 @@
+"""Images as a registry holds them: their platforms, layers and tags; transient faults are survived."""
+
+from __future__ import annotations
+
+import json
+import random
+import re
+import subprocess
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from roslab.engine.docker import last_line, output
+from roslab.errors import BuildError, Problem
+
+TRANSIENT = re.compile(
+    r"\b(429|50[0234])\b|too ?many ?requests|service unavailable|bad gateway|gateway time-?out|timed? ?out"
+    r"|deadline exceeded|connection (reset|refused|closed)|broken pipe|\bEOF\b|TLS handshake"
+    r"|temporary failure|try again",
+    re.IGNORECASE,
+)
+"""What a registry or the way to it says of a fault that may pass."""
+ATTEMPTS = 5
+PAUSE = 1.0
+"""Seconds before the second attempt; doubled each time and jittered, so that many jobs do not come back at once."""
+ATTESTATION = "vnd.docker.reference.type"
+"""Annotation of an attestation in an index.
+https://docs.docker.com/build/metadata/attestations/attestation-storage/"""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Layer:
+    """One compressed layer."""
+
+    digest: str
+    size: int
+    """Bytes as they are transferred."""
+    created_by: str = ""
+    """The instruction that made it, as the image's history has it."""
+    base: bool = False
+    """It is the base image's: whoever has another image on that base has it already."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class PlatformImage:
+    """The image of one platform."""
+
+    platform: str
+    digest: str
+    """Of its manifest."""
+    layers: tuple[Layer, ...]
+
+    @property
+    def size(self) -> int:
+        """Bytes that a first pull transfers."""
+        return sum(layer.size for layer in self.layers)
+
+
+def with_retries(
+    call: Callable[[], subprocess.CompletedProcess[str]],
+    *,
+    attempts: int = ATTEMPTS,
+    pause: Callable[[float], None] = time.sleep,
+) -> subprocess.CompletedProcess[str]:
+    """Run a command again while it fails in a way that may pass; return the last answer."""
+    for attempt in range(1, attempts + 1):
+        answer = call()
+        if answer.returncode == 0 or attempt == attempts or not is_transient(answer):
+            break
+        pause(PAUSE * 2 ** (attempt - 1) * random.uniform(0.7, 1.3))  # noqa: S311 - a jitter keeps no secret
+    return answer
+
+
+def is_transient(answer: subprocess.CompletedProcess[str]) -> bool:
+    """Tell whether a failed command may succeed a moment later."""
+    return answer.returncode == 124 or bool(TRANSIENT.search(answer.stderr))
+
+
+def platforms(image: str, digest: str, *, platform: str | None = None) -> tuple[PlatformImage, ...]:
+    """Return the images that an index or a manifest holds, attestations left out, in the index's order.
+
+    ``platform`` names the platform of a single manifest, which does not say it itself.
+    Raises ``BuildError`` where the registry does not give them.
+    """
+    found = _inspect(f"{image}@{digest}")
+    if "manifests" not in found:
+        return (_image(digest, platform or "", found, _histories(image, digest, platform or "")),)
+    children = [
+        (entry["digest"], platform_name(entry.get("platform", {})))
+        for entry in found["manifests"]
+        if not is_attestation(entry)
+    ]
+    histories = _histories(image, digest, children[0][1] if len(children) == 1 else "")
+    return tuple(_image(child, name, _inspect(f"{image}@{child}"), histories) for child, name in children)
+
+
+def is_attestation(descriptor: dict[str, Any]) -> bool:
+    """Tell whether an entry of an index is an attestation and no image."""
+    os = descriptor.get("platform", {}).get("os")
+    return ATTESTATION in descriptor.get("annotations", {}) or os == "unknown"
+
+
+def platform_name(platform: dict[str, Any]) -> str:
+    """Return ``linux/arm/v7`` for a descriptor's platform; arm64's only variant is left out, as docker does."""
+    parts = [platform.get("os", ""), platform.get("architecture", ""), platform.get("variant", "")]
+    if parts[1:] == ["arm64", "v8"]:
+        parts.pop()
+    return "/".join(filter(None, parts))
+
+
+def _image(
+    digest: str, platform: str, manifest: Mapping[str, Any], histories: Mapping[str, list[str]]
+) -> PlatformImage:
+    layers = [(entry["digest"], int(entry["size"])) for entry in manifest.get("layers", [])]
+    history = histories.get(platform, [])
+    # Without a history of the same length the layers have no names, but their sizes still hold
+    names = history if len(history) == len(layers) else [""] * len(layers)
+    return PlatformImage(
+        platform=platform,
+        digest=digest,
+        layers=tuple(Layer(digest=d, size=s, created_by=n) for (d, s), n in zip(layers, names, strict=True)),
+    )
+
+
+def _histories(image: str, digest: str, platform: str) -> dict[str, list[str]]:
+    """Return the instructions that made the layers, by platform; instructions without a layer are left out.
+
+    buildx gives the configurations of an index as one object by platform, and a single one, ``platform``'s, as itself.
+    """
+    command = ["docker", "buildx", "imagetools", "inspect", f"{image}@{digest}", "--format", "{{json .Image}}"]
+    answer = with_retries(lambda: output(command))
+    try:
+        data: Any = json.loads(answer.stdout) if answer.returncode == 0 else {}
+    except ValueError:
+        data = {}
+    data = data if isinstance(data, dict) else {}
+    configurations = {platform: data} if "history" in data else data
+    return {
+        name: [str(e.get("created_by", "")) for e in entry.get("history", []) if not e.get("empty_layer")]
+        for name, entry in configurations.items()
+        if isinstance(entry, dict)
+    }
+
+
+def base_layers(reference: str, platform: str) -> frozenset[str]:
+    """Return the digests of a base image's layers, none where its registry does not give them."""
+    try:
+        found = _inspect(reference, attempts=1)
+        if "manifests" in found:
+            name = reference.partition("@")[0]
+            fitting = [e for e in found["manifests"] if platform_name(e.get("platform", {})) == platform]
+            found = _inspect(f"{_without_tag(name)}@{fitting[0]['digest']}", attempts=1) if fitting else {}
+    except BuildError:
+        return frozenset()
+    return frozenset(entry["digest"] for entry in found.get("layers", []))
+
+
+def _without_tag(name: str) -> str:
+    path, colon, tag = name.rpartition(":")
+    return path if colon and "/" not in tag else name
+
+
+def _inspect(reference: str, *, attempts: int = ATTEMPTS) -> dict[str, Any]:
+    command = ["docker", "buildx", "imagetools", "inspect", "--raw", reference]
+    answer = with_retries(lambda: output(command), attempts=attempts)
+    if answer.returncode:
+        raise BuildError(Problem(message=f"the registry does not give {reference}: {last_line(answer.stderr)}"))
+    try:
+        data = json.loads(answer.stdout)
+    except ValueError:
+        data = None
+    if not isinstance(data, dict):
+        raise BuildError(Problem(message=f"the registry gives no manifest for {reference}"))
+    return data
+
+
+def pull(reference: str, platform: str) -> None:
+    """Bring one platform's image to the engine. Raises ``BuildError`` where that does not succeed."""
+    command = ["docker", "pull", "--quiet", "--platform", platform, reference]
+    answer = with_retries(lambda: output(command, timeout=3600.0))
+    if answer.returncode:
+        raise BuildError(Problem(message=f"cannot pull {reference} for {platform}: {last_line(answer.stderr)}"))
+
+
+def create_tags(image: str, digests: Sequence[str], tags: Sequence[str]) -> str:
+    """Put tags on one index of the given images and return its digest.
+
+    ``digests`` are indexes or manifests of ``image``; ``tags`` complete references. The index is written once, under
+    its first tag, and the other tags are then put on that very digest.
+    Raises ``BuildError`` where the registry refuses, with what it said.
+    """
+    _create(tags[:1], [f"{image}@{digest}" for digest in digests])
+    digest = _digest(tags[0])
+    if tags[1:]:
+        _create(tags[1:], [f"{image}@{digest}"])
+    return digest
+
+
+def _create(tags: Sequence[str], sources: Sequence[str]) -> None:
+    flags = [word for tag in tags for word in ("--tag", tag)]
+    command = ["docker", "buildx", "imagetools", "create", *flags, *sources]
+    answer = with_retries(lambda: output(command, timeout=600.0))
+    if answer.returncode:
+        names = ", ".join(tag.rpartition(":")[2] for tag in tags)
+        raise BuildError(Problem(message=f"the tags {names} were not made: {last_line(answer.stderr)}"))
+
+
+def _digest(reference: str) -> str:
+    command = ["docker", "buildx", "imagetools", "inspect", reference, "--format", "{{json .Manifest}}"]
+    answer = with_retries(lambda: output(command))
+    match = re.search(r'"digest":\s*"(sha256:[0-9a-f]{64})"', answer.stdout)
+    if answer.returncode or not match:
+        said = last_line(answer.stderr)
+        raise BuildError(Problem(message=f"the registry does not give the digest of {reference}: {said}"))
+    return match[1]

@@ -1,0 +1,1 @@
+"""Lexers: text cut into the words of its language, without meaning."""

@@ -1,0 +1,86 @@
+"""A Dockerfile cut into its instructions.
+
+They are cut here, not by a library: the one that is kept (dockerfile-parse) knows neither here-documents nor the line
+of a word inside a continuation, and both are what a reason has to show.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from roslab.evidence.lex.shell import logical_lines
+
+_INSTRUCTION = re.compile(r"^\s*([A-Za-z]+)\s+(.*)$", re.DOTALL)
+_KNOWN = frozenset(
+    {
+        "ADD", "ARG", "CMD", "COPY", "ENTRYPOINT", "ENV", "EXPOSE", "FROM", "HEALTHCHECK",
+        "LABEL", "MAINTAINER", "ONBUILD", "RUN", "SHELL", "STOPSIGNAL", "USER", "VOLUME", "WORKDIR",
+    }
+)  # fmt: skip
+_HEREDOC = re.compile(r"<<-?\s*[\"']?(\w+)[\"']?")
+
+
+class Instruction(NamedTuple):
+    """One instruction: its name in capitals, the text after it, its line."""
+
+    name: str
+    text: str
+    line: int
+    script: bool = False
+    """The text is a here-document: lines of its own, not one line with continuations."""
+
+
+def instructions(text: str) -> Iterator[Instruction]:
+    """Yield the instructions of a Dockerfile; a line that is none has the name ``""``."""
+    heredoc, pending, following = "", Instruction("", "", 0), 0
+    body: list[str] = []
+    for line, logical in logical_lines(text):
+        if heredoc:
+            if logical.strip() == heredoc:
+                yield Instruction(pending.name, "\n".join((pending.text, *body)), pending.line, script=True)
+                heredoc, body = "", []
+            else:
+                body.extend("" for _ in range(line - following))  # comment lines, which carry no text
+                body.append(logical)
+                following = line + logical.count("\n") + 1
+            continue
+        if not logical.strip():
+            continue
+        match = _INSTRUCTION.match(logical)
+        name = match[1].upper() if match else ""
+        pending = Instruction(name if name in _KNOWN else "", match[2] if match else logical, line)
+        start = _HEREDOC.search(pending.text) if name in {"RUN", "COPY"} else None
+        if start:
+            heredoc, following = start[1], line + 1
+            pending = pending._replace(text=pending.text[: start.start()] if name == "RUN" else pending.text)
+        else:
+            yield pending
+
+
+def argv(text: str) -> tuple[str, ...]:
+    """Return the words of a CMD or ENTRYPOINT: those of its JSON list, else bash with its line."""
+    text = text.strip()
+    if text.startswith("["):
+        try:
+            value = json.loads(text)
+        except ValueError:
+            return ()
+        return tuple(str(part) for part in value) if isinstance(value, list) else ()
+    return ("bash", "-c", text) if text else ()
+
+
+def sources(body: str) -> list[str]:
+    """Return what a COPY or ADD takes from the build context; what is fetched or unknown is left out."""
+    words = body.replace("\n", " ").split()
+    if any(word.startswith("--from") for word in words) or "<<" in body:
+        return []
+    sources = [word for word in words if not word.startswith("--")][:-1]
+    if "[" in body and body[body.index("[") :].strip().endswith("]"):
+        sources = list(argv(body[body.index("[") :]))[:-1]
+    found = (
+        source for source in sources if "://" not in source and "$" not in source and not source.startswith("git@")
+    )
+    return [source.removeprefix("./").strip("/") if source not in {".", "./", "/"} else "" for source in found]

@@ -1,0 +1,1 @@
+"""Readers of CMake files and of C++ and CUDA sources."""

@@ -1,0 +1,141 @@
+"""CMakeLists.txt: what is looked for, linked, fetched and built, and whether it must be there."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from roslab.evidence.facts import CMakeProject, Dependency, GitSource
+from roslab.evidence.lex.cmake import Call, calls
+from roslab.evidence.native import cmake_needs
+from roslab.repository.checkout import File, Repository
+
+MAX_PROJECTS = 3_000
+_EXECUTABLE = frozenset(
+    [
+        "add_executable",
+        "cuda_add_executable",
+        "cs_add_executable",
+        "rosbuild_add_executable",
+        "ament_auto_add_executable",
+    ]
+)
+_LIBRARY = frozenset(["add_library", "cuda_add_library", "cs_add_library", "ament_auto_add_library"])
+_NAMES = (
+    cmake_needs.CALLS
+    | cmake_needs.FETCHING
+    | _EXECUTABLE
+    | _LIBRARY
+    | frozenset(
+        [
+            "project",
+            "cmake_minimum_required",
+            "enable_language",
+            "add_subdirectory",
+            "catkin_package",
+            "catkin_simple",
+            "autoware_package",
+        ]
+    )
+    | {"cs_*", "ament_*", "rosbuild_*", "rosidl_generate_interfaces"}
+)
+_LANGUAGES = frozenset({"C", "CXX", "CUDA", "Fortran"})
+_FAMILIES = (
+    ("cuda", re.compile(r"cuda_add")),
+    ("rosbuild", re.compile(r"rosbuild_")),
+    ("ament", re.compile(r"ament_(?!target_dependencies)|autoware_package|rosidl_generate_interfaces")),
+    ("catkin", re.compile(r"catkin_package|catkin_simple|cs_")),
+)
+_FOUND = (
+    ("catkin", re.compile(r"catkin(?:_simple)?$")),
+    ("ament", re.compile(r"ament_|autoware_cmake$")),
+)
+_CUDA = re.compile(r"(?:CUDA|CUDAToolkit|CUDNN|TensorRT)$")
+_TARGET = re.compile(r"[A-Za-z][\w.+-]*$")
+
+
+@dataclass
+class _Reading:
+    """What was read of one file so far."""
+
+    name: str | None = None
+    minimum: Dependency | None = None
+    languages: list[str] = field(default_factory=list)
+    macros: dict[str, None] = field(default_factory=dict)
+    executables: dict[str, int] = field(default_factory=dict)
+    libraries: set[str] = field(default_factory=set)
+    dependencies: list[Dependency] = field(default_factory=list)
+    sources: list[GitSource] = field(default_factory=list)
+
+
+def read(repository: Repository) -> tuple[CMakeProject, ...]:
+    """Return every CMakeLists.txt that says something, sorted by path; those of build folders are not read."""
+    files = sorted(repository.named("CMakeLists.txt"), key=lambda file: (file.path.count("/"), file.path))
+    added: set[str] = set()
+    found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
+    kept = (p for p in found if p.name or p.dependencies or p.executables or p.macros)
+    return tuple(sorted(kept, key=lambda project: project.file))
+
+
+def _project(repository: Repository, file: File, added: set[str]) -> CMakeProject:
+    """Read one file; the folders that it adds are noted in ``added``, so parents must be read first."""
+    reading = _Reading()
+    for call in calls(repository.read(file), _NAMES):
+        if call.name == "add_subdirectory" and call.words:
+            added.add(_joined(file.folder, call.words[0]))
+        else:
+            _note(call, file.path, reading)
+    own = reading.libraries | reading.executables.keys() | {reading.name}
+    return CMakeProject(
+        file=file.path,
+        line=1,
+        name=reading.name,
+        top_level=reading.name is not None and file.folder not in added,
+        languages=tuple(dict.fromkeys(reading.languages)),
+        macros=tuple(reading.macros | ({"cuda": None} if "CUDA" in reading.languages else {})),
+        executables=tuple(reading.executables.items()),
+        dependencies=tuple(
+            dict.fromkeys(d for d in reading.dependencies if d.namespace != "link" or d.name not in own)
+        ),
+        sources=tuple(reading.sources),
+        minimum=reading.minimum,
+    )
+
+
+def _note(call: Call, path: str, reading: _Reading) -> None:
+    name, words = call.name, call.words
+    if name == "project" and words:
+        reading.name = reading.name or words[0]
+        reading.languages += [word for word in words[1:] if word in _LANGUAGES]
+    elif name == "cmake_minimum_required":
+        reading.minimum = reading.minimum or _minimum(call, path)
+    elif name == "enable_language":
+        reading.languages += words[:1]
+    elif name in _EXECUTABLE and words and _TARGET.match(words[0]):
+        reading.executables.setdefault(words[0], call.line)
+    elif name in _LIBRARY:
+        reading.libraries.update(words[:1])
+    elif name in cmake_needs.FETCHING:
+        reading.sources += cmake_needs.fetched(call, path)
+    elif name in cmake_needs.CALLS and (not call.in_function or name == "find_package"):
+        reading.dependencies += cmake_needs.needs(call, path, reading.name)
+    reading.macros |= dict.fromkeys(family for family, pattern in _FAMILIES if pattern.match(name))
+    if name == "find_package" and words and not call.conditions:
+        reading.macros |= dict.fromkeys(family for family, pattern in _FOUND if pattern.match(words[0]))
+        if _CUDA.match(words[0]) and "REQUIRED" in words:
+            reading.macros["cuda"] = None
+
+
+def _minimum(call: Call, path: str) -> Dependency | None:
+    """Read ``VERSION 3.15...3.28 FATAL_ERROR``: the first number must be there, the second is about policies."""
+    version = next((m[1] for word in call.words if (m := re.match(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)", word))), None)
+    if version is None or call.conditions:
+        return None
+    return Dependency(
+        namespace="cmake", name="CMake", strength="declared", file=path, line=call.line, role="build", version=version
+    )
+
+
+def _joined(folder: str, path: str) -> str:
+    path = re.sub(r"^\$\{(?:CMAKE_CURRENT_SOURCE_DIR|PROJECT_SOURCE_DIR)\}/|^\./", "", path).rstrip("/")
+    return f"{folder}/{path}" if folder else path

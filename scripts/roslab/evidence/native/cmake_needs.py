@@ -1,0 +1,184 @@
+"""What one call of a CMakeLists.txt looks for: packages, pkg-config modules, link names, things to fetch."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+from roslab.evidence import places
+from roslab.evidence.facts import Dependency, GitSource, Strength
+from roslab.evidence.lex.cmake import Call
+
+CALLS = frozenset(
+    [
+        "find_package",
+        "find_dependency",
+        "pkg_check_modules",
+        "pkg_search_module",
+        "target_link_libraries",
+        "link_libraries",
+        "find_library",
+    ]
+)
+FETCHING = frozenset({"fetchcontent_declare", "externalproject_add"})
+_FLAGS = frozenset(
+    [
+        "REQUIRED",
+        "QUIET",
+        "EXACT",
+        "CONFIG",
+        "MODULE",
+        "NO_MODULE",
+        "NO_POLICY_SCOPE",
+        "GLOBAL",
+        "NO_DEFAULT_PATH",
+        "NO_CMAKE_PATH",
+        "BYPASS_PROVIDER",
+    ]
+)
+_VALUED = frozenset({"NAMES", "CONFIGS", "HINTS", "PATHS", "PATH_SUFFIXES", "REGISTRY_VIEW"})
+_MODULE_FLAGS = frozenset(
+    ["REQUIRED", "QUIET", "IMPORTED_TARGET", "GLOBAL", "NO_CMAKE_PATH", "NO_CMAKE_ENVIRONMENT_PATH"]
+)
+_LINK_WORDS = frozenset(
+    [
+        "PUBLIC",
+        "PRIVATE",
+        "INTERFACE",
+        "LINK_PUBLIC",
+        "LINK_PRIVATE",
+        "LINK_INTERFACE_LIBRARIES",
+        "debug",
+        "optimized",
+        "general",
+    ]
+)
+_ROS_FINDERS = frozenset(
+    [
+        "catkin",
+        "catkin_simple",
+        "ament_cmake",
+        "ament_cmake_auto",
+        "ament_cmake_ros",
+        "ament_cmake_python",
+        "rosidl_default_generators",
+    ]
+)
+"""Packages of ROS whose components are packages themselves."""
+_TEST = re.compile(r"CATKIN_ENABLE_TESTING|BUILD_TEST(?:S|ING)?|_TESTS?\b|GTEST", re.IGNORECASE)
+_ELSEWHERE = re.compile(r"^(?:WIN32|MSVC|APPLE)\b")
+_HERE = re.compile(r"^(?:UNIX\b(?! AND (?:APPLE))|NOT \(?(?:WIN32|MSVC|APPLE)\)?$|NOT (?:WIN32|MSVC|APPLE)\b)")
+_NAME = re.compile(r"^[A-Za-z][\w.+-]*$")
+_LINK = re.compile(r"^(?:-l)?([A-Za-z_][\w.+-]*)$")
+_VERSION = re.compile(r"^\d+(?:\.\d+)*$")
+_MODULE = re.compile(r"^([A-Za-z][\w.+-]*?)(?:(?:>=|<=|=|>|<)[\d.]+)?$")
+MAX_LINKED = 60
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Finder:
+    """Words of a ``find_package`` that say more than the name."""
+
+    components: tuple[str, ...]
+    version: str | None
+
+
+def needs(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
+    """Yield what a call asks for; ``project`` is the name of the project itself."""
+    words = call.words
+    if call.name in {"find_package", "find_dependency"}:
+        yield from _found(call, path, project)
+    elif call.name in {"pkg_check_modules", "pkg_search_module"}:
+        strength = _strength(call, required="REQUIRED" in words)
+        for word in words[1:]:
+            if word not in _MODULE_FLAGS and (match := _MODULE.match(word)):
+                yield _dependency("pkg-config", match[1], strength, call, path)
+    else:
+        vague = bool(call.conditions) or call.name == "find_library"
+        for word in words[0 if call.name == "link_libraries" else 1 :][:MAX_LINKED]:
+            if word not in _LINK_WORDS and (match := _LINK.match(word)):
+                yield _dependency("link", match[1], "optional" if vague else "used", call, path)
+
+
+def fetched(call: Call, path: str) -> Iterator[GitSource]:
+    """Yield what a call fetches while CMake configures."""
+    words = call.words
+    values = dict(pairwise(words))
+    url = values.get("GIT_REPOSITORY") or values.get("URL")
+    if words and url and "${" not in url:
+        ref = values.get("GIT_TAG")
+        yield GitSource(
+            name=words[0],
+            url=url,
+            ref=ref if ref and "${" not in ref else None,
+            strength="optional" if call.conditions else "declared",
+            file=path,
+            line=call.line,
+            kind="fetch",
+        )
+
+
+def _found(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
+    if not call.words or "${" in call.words[0]:
+        return
+    finder = _finder(call.words[1:])
+    required = "REQUIRED" in call.words or call.name == "find_dependency"
+    strength = _strength(call, required=required, quiet="QUIET" in call.words)
+    for name in call.words[0].split():  # a foreach over a list gives several
+        if not _NAME.match(name) or name == project:
+            continue
+        if name in _ROS_FINDERS:
+            for component in finder.components:
+                yield _dependency("ros", component, strength, call, path)
+        else:
+            yield _dependency("cmake", name, strength, call, path, finder)
+
+
+def _finder(words: tuple[str, ...]) -> _Finder:
+    """Sort the words behind the name; catkin's components may stand without a keyword before them."""
+    components: list[str] = []
+    version = None
+    skipping = False
+    for word in words:
+        if word in _FLAGS or word == "COMPONENTS":
+            skipping = False
+        elif word in _VALUED or word == "OPTIONAL_COMPONENTS":
+            skipping = True
+        elif _VERSION.match(word) and not components:
+            version = word
+        elif not skipping and _NAME.match(word):
+            components.append(word)
+    return _Finder(components=tuple(components), version=version)
+
+
+def _strength(call: Call, *, required: bool, quiet: bool = False) -> Strength:
+    """Return how sure a call is: required and unconditional is declared, quiet or conditional is optional."""
+    if quiet or any(_ELSEWHERE.match(condition) or not _HERE.match(condition) for condition in call.conditions):
+        return "optional"
+    return "declared" if required else "used"
+
+
+def _dependency(  # noqa: PLR0917 - called in one file, in the order of its sentence
+    namespace: Literal["cmake", "ros", "pkg-config", "link"],
+    name: str,
+    strength: Strength,
+    call: Call,
+    path: str,
+    finder: _Finder | None = None,
+) -> Dependency:
+    condition = " AND ".join(call.conditions) or None
+    test = bool(condition and _TEST.search(condition)) or places.test(path)
+    return Dependency(
+        namespace=namespace,
+        name=name,
+        strength=strength,
+        file=path,
+        line=call.line,
+        components=finder.components if finder else (),
+        version=finder.version if finder else None,
+        role="test" if test else "build",
+        condition=condition,
+    )

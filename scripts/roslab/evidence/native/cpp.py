@@ -1,0 +1,62 @@
+"""C++ and CUDA sources: which foreign headers they include."""
+
+from __future__ import annotations
+
+import re
+
+from roslab.evidence import places
+from roslab.evidence.facts import Dependency
+from roslab.repository.checkout import File, Repository
+
+SUFFIXES = (".cpp", ".hpp", ".h", ".cc", ".cxx", ".hh", ".c", ".cu", ".cuh")
+MAX_READ = 32 * 1024
+"""Bytes of a source that are searched: includes stand at its top."""
+MAX_SOURCES = 2_500
+"""Sources opened, those nearest to the root first."""
+MAX_SIZE = 1024 * 1024
+_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]", re.MULTILINE)
+_STANDARD = re.compile(
+    r"^(?:[a-z_]+|c[a-z]+|std\w+\.h|bits/.*|sys/.*|linux/.*|arpa/.*|netinet/.*|net/.*|experimental/.*|(?:math|string|time|errno|signal|unistd|assert|ctype|fcntl|float|limits|inttypes|poll|pthread|termios|dirent|getopt|memory|locale|dlfcn|x86intrin|immintrin|emmintrin|xmmintrin|malloc|sched|wchar|windows)\.h)$"
+)
+
+
+def read(repository: Repository) -> tuple[Dependency, ...]:
+    """Return every header from outside the tree and the language, each once, at its first place."""
+    found: dict[str, Dependency] = {}
+    for file in _sources(repository):
+        text = repository.read_bytes(file, limit=MAX_READ).decode("utf-8", errors="replace")
+        position, line = 0, 1
+        for match in _INCLUDE.finditer(text):
+            name = match[1]
+            key = name if "/" not in name else "/".join(name.split("/")[:2])
+            if key in found or _STANDARD.match(name) or _local(repository, name):
+                continue
+            line += text.count("\n", position, match.start(1))
+            position = match.start(1)
+            found[key] = Dependency(namespace="include", name=name, strength="used", file=file.path, line=line)
+    return tuple(found.values())
+
+
+def cuda_files(repository: Repository) -> tuple[str, ...]:
+    """Return the CUDA sources of the tree, copies of other people's code left out."""
+    return tuple(file.path for file in repository.suffixed(".cu") if not places.vendored(file.path))
+
+
+def _sources(repository: Repository) -> list[File]:
+    files = [
+        file
+        for file in repository.suffixed(*SUFFIXES)
+        if file.size < MAX_SIZE and not places.vendored(file.path) and not places.test(file.path)
+    ]
+    return sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_SOURCES]
+
+
+def _local(repository: Repository, name: str) -> bool:
+    """Tell whether a header lies in the tree: its last parts are those of a file there."""
+    last = name.rpartition("/")[2].lower()
+    candidates = repository.by_name.get(last)
+    if not candidates:
+        return name.startswith(".")
+    if "/" not in name or name.startswith("."):
+        return True
+    return any(candidate.path.endswith("/" + name) or candidate.path == name for candidate in candidates)

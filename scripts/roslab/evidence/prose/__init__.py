@@ -1,0 +1,1 @@
+"""Readers of what was written for people or for other machines: pages, CI, scripts, the author's Dockerfiles."""

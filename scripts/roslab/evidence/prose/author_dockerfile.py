@@ -1,0 +1,228 @@
+"""The author's Dockerfiles, under any usual name."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from dataclasses import dataclass, field
+from typing import Literal
+
+from roslab.evidence import places
+from roslab.evidence.facts import GitSource, Mention, Prose, Recipe
+from roslab.evidence.lex.dockerfile import Instruction, argv, instructions, sources
+from roslab.evidence.lex.shell import expand
+from roslab.evidence.prose import mentions
+from roslab.evidence.prose.installs import Collector, merge
+from roslab.repository.checkout import File, Repository
+
+MAX_SIZE = 256 * 1024
+_NAME = re.compile(r"^(?:dockerfile(?:[-_.].*)?|.*\.dockerfile|.*[-_.]dockerfile|containerfile)$")
+_NOT = re.compile(
+    r"\.(?:md|rst|html?|py|ya?ml|json|sh|png|jpe?g|svg|j2|jinja2?|em|in|template|tmpl|erb|dockerignore|txt)$"
+)
+_DOCKER_FOLDER = re.compile(
+    r"^(?:.*/)?\.?(?:docker\w*|container\w*|devcontainer|build\w*|images?|env\w*|recipes?|"
+    r"images?/\w+)(?:/[^/]+)*$|^$",
+    re.IGNORECASE,
+)
+"""Folders that only hold recipes: what they copy is the root."""
+_FROM = re.compile(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
+_PAIR = re.compile(r"(\w+)=(\"[^\"]*\"|'[^']*'|\S*)")
+_DEPLOY = re.compile(
+    r"jetson|l4t|deploy|tegra|raspberry|\brpi\b|arm64|aarch64|armhf|production|release|simulator|\bursim\b",
+    re.IGNORECASE,
+)
+_CI = re.compile(
+    r"(?:^|[/._-])ci(?:[/._-]|$)|\.circleci|\.?devcontainer|\.github|\.gitlab|jenkins|travis|azure|clang-tidy|"
+    r"coverage|lint",
+    re.IGNORECASE,
+)
+_DOCS = re.compile(r"sphinx|mkdocs|doxygen|jekyll|readthedocs|(?:^|[/._-])docs?(?:[/._-]|$)", re.IGNORECASE)
+_PRIVATE = re.compile(
+    r"--mount=type=(?:ssh|secret)|id_rsa|GITHUB_TOKEN|ACCESS_TOKEN|OAUTH|:\$\{?\w*(?:TOKEN|PASSWORD)\w*\}?@",
+    re.IGNORECASE,
+)
+_REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
+
+
+def read(repository: Repository) -> tuple[Recipe, ...]:
+    """Return every Dockerfile of the tree, sorted by path; what they mention is in ``mentions_of``."""
+    return tuple(_recipe(repository, file) for file in _files(repository))
+
+
+def prose(repository: Repository) -> Prose:
+    """Return the versions and build commands that the recipes name."""
+    return merge(
+        Prose(mentions=(*mentions.read(_uncommented(text), file.path, "recipe"), *_built(text, file.path)))
+        for file in _files(repository)
+        if (text := repository.read(file, limit=MAX_SIZE))
+    )
+
+
+def _files(repository: Repository) -> list[File]:
+    named = [
+        file
+        for name, files in repository.by_name.items()
+        if _NAME.match(name) and not _NOT.search(name)
+        for file in files
+    ]
+    return sorted((file for file in named if file.size < 4 * MAX_SIZE), key=lambda file: file.path)[:200]
+
+
+def _uncommented(text: str) -> str:
+    return re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
+
+
+def _built(text: str, path: str) -> tuple[Mention, ...]:
+    collector = Collector(path, "recipe")
+    for instruction in instructions(text):
+        if instruction.name in {"RUN", "CMD"}:
+            _collect(collector, instruction)
+    return tuple(collector.mentions)
+
+
+@dataclass
+class _Reading:
+    """What was read of one Dockerfile so far."""
+
+    collector: Collector
+    known: dict[str, str]
+    arguments: dict[str, str | None] = field(default_factory=dict)
+    stages: dict[str, str] = field(default_factory=dict)
+    base: str | None = None
+    base_line: int = 1
+    copied: list[tuple[str, int]] = field(default_factory=list)
+    command: tuple[str, ...] = ()
+    command_line: int | None = None
+    problem: str | None = None
+    """Why it is no Dockerfile."""
+    needs: str | None = None
+    """What it needs that a build does not have."""
+
+    def take(self, instruction: Instruction) -> None:
+        """Read one instruction."""
+        name, body, line = instruction.name, instruction.text, instruction.line
+        if not name:
+            self.problem = self.problem or f"line {line} is no instruction: {body.strip()[:60]!r}"
+        elif self.base is None and name not in {"ARG", "FROM"}:
+            self.problem = self.problem or f"line {line}: {name} before FROM"
+        if name == "FROM":
+            self._from(body, line)
+        elif name in {"ARG", "ENV"}:
+            self._set(name, body)
+        elif name == "RUN":
+            _collect(self.collector, instruction)
+            if _PRIVATE.search(body):
+                self.needs = self.needs or f"line {line} needs a private key or token"
+        elif name in {"COPY", "ADD"}:
+            self.copied += [(source, line) for source in sources(body)]
+        elif name == "CMD" or (name == "ENTRYPOINT" and not self.command):
+            self.command, self.command_line = argv(body), line
+
+    def _from(self, body: str, line: int) -> None:
+        if match := _FROM.match(expand(body.strip(), self.known)):
+            self.base, self.base_line = self.stages.get(match[1].lower(), match[1]), line
+            if match[2]:
+                self.stages[match[2].lower()] = self.base
+
+    def _set(self, name: str, body: str) -> None:
+        if name == "ARG":
+            variable, _, default = body.strip().partition("=")
+            self.arguments[variable] = default.strip("\"'") or None
+            if default:
+                self.known.setdefault(variable, expand(default.strip().strip("\"'"), self.known))
+            return
+        self.known.update((key, expand(value.strip("\"'"), self.known)) for key, value in _PAIR.findall(body))
+        if len(words := body.split(None, 1)) == 2 and "=" not in words[0]:
+            self.known[words[0]] = expand(words[1].strip(), self.known)
+
+
+def _recipe(repository: Repository, file: File) -> Recipe:
+    known: dict[str, str] = {}
+    reading = _Reading(collector=Collector(file.path, "recipe", known), known=known)
+    for instruction in instructions(repository.read(file, limit=MAX_SIZE)):
+        reading.take(instruction)
+    problem = reading.problem or ("no FROM" if reading.base is None else None)
+    copies, context, missing = _context(repository, file, reading.copied)
+    collector = reading.collector
+    clones = tuple(collector.sources)
+    itself = any(_itself(repository, clone) for clone in clones)
+    tools = [mention.value for mention in collector.mentions if mention.topic == "build_tool"]
+    return Recipe(
+        file=file.path,
+        line=1,
+        base=reading.base,
+        base_line=reading.base_line,
+        copies_repository=copies or itself,
+        clones=clones,
+        build_tool=next((tool for tool in tools if tool != "cmake"), tools[0] if tools else None),
+        dependencies=tuple(dict.fromkeys(collector.dependencies)),
+        command=reading.command,
+        command_line=reading.command_line,
+        purpose=_purpose(file.path, reading.base or "", problem),
+        arguments=tuple(reading.arguments.items()),
+        problem=problem or reading.needs or missing,
+        context=context,
+        clones_itself=itself,
+    )
+
+
+def _collect(collector: Collector, instruction: Instruction) -> None:
+    text = re.sub(r"^(?:--\S+\s+)+", "", instruction.text)
+    if instruction.script:
+        collector.text(text, instruction.line)
+    else:
+        collector.logical(text, instruction.line)
+
+
+def _itself(repository: Repository, clone: GitSource) -> bool:
+    origin = (repository.origin or "").rstrip("/").removesuffix(".git").rpartition("/")[2].lower()
+    folder = repository.root.name.rpartition("__")[2].lower()
+    return clone.name.lower() in {origin, folder} - {""}
+
+
+def _context(repository: Repository, file: File, copied: list[tuple[str, int]]) -> tuple[bool, str | None, str | None]:
+    """Tell whether the recipe brings the repository's own source, from which context, and what of it is missing.
+
+    The context is the folder in which everything that is copied lies: the root, the folder above, the recipe's own.
+    """
+    if not copied:
+        return False, None, None
+    everything = any(source in {"", "*"} for source, _ in copied)
+    named = [(source, line) for source, line in copied if source and not re.search(r"[*?\[]", source)]
+    own = file.folder
+    order = ["", own.rpartition("/")[0], own] if _DOCKER_FOLDER.search(own) or named else [own, ""]
+
+    def lies(context: str, source: str) -> bool:
+        where = posixpath.normpath(f"{context}/{source}".strip("/"))
+        return repository.has(where) or where in repository.folders
+
+    fitting = [context for context in dict.fromkeys(order) if all(lies(context, source) for source, _ in named)]
+    if not fitting:
+        best = min(dict.fromkeys(order), key=lambda context: sum(not lies(context, source) for source, _ in named))
+        source, line = next((source, line) for source, line in named if not lies(best, source))
+        return everything, best, f"line {line} copies {source}, which the repository does not hold"
+    context = fitting[0]
+    held = (f"{context}/{source}".strip("/") for source, _ in named)
+    return everything or any(w in repository.folders and _holds_source(repository, w) for w in held), context, None
+
+
+def _holds_source(repository: Repository, folder: str) -> bool:
+    prefix = folder + "/"
+    return any(file.path.startswith(prefix) and file.name.endswith(_REPOSITORY_FILES) for file in repository.files)
+
+
+def _purpose(
+    path: str, base: str, problem: str | None
+) -> Literal["project", "documentation", "vendored", "ci", "deploy", "broken"]:
+    if problem:
+        return "broken"
+    if places.vendored(path):
+        return "vendored"
+    if places.documentation(path) or _DOCS.search(path):
+        return "documentation"
+    if _CI.search(path):
+        return "ci"
+    if _DEPLOY.search(path) or re.search(r"l4t|jetson|arm32v7|arm64v8|ursim", base):
+        return "deploy"
+    return "project"

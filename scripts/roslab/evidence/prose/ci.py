@@ -1,0 +1,128 @@
+"""Continuous integration files: what another machine installs before it builds, and for which distros.
+
+Read line by line, not as YAML: an install line is the same in every service's dialect, and a broken file still speaks.
+"""
+
+from __future__ import annotations
+
+import re
+
+from roslab.evidence import places
+from roslab.evidence.facts import Mention, Prose
+from roslab.evidence.prose import mentions
+from roslab.evidence.prose.installs import Collector, merge
+from roslab.repository.checkout import File, Repository
+
+MAX_SIZE = 128 * 1024
+_NAMES = (
+    ".travis.yml", ".gitlab-ci.yml", "azure-pipelines.yml", "Jenkinsfile", "appveyor.yml", ".appveyor.yml",
+    "bitbucket-pipelines.yml", ".drone.yml",
+    "circle.yml", ".cirrus.yml",
+)  # fmt: skip
+_FOLDERS = re.compile(
+    r"^(?:\.github/workflows|\.github/actions/[^/]+|\.circleci|\.gitlab(?:-ci)?|\.azure-pipelines|"
+    r"\.jenkins|\.ci)/[^/]+\.ya?ml$"
+)
+_OTHER = re.compile(
+    r"(?:^|/)(?:.*(?:docs?|pages|release|publish|deploy|stale|label|lint|format|windows|macos?|osx|cla|"
+    r"pre-commit|codeql).*)\.ya?ml$"
+)
+_PREFIX = re.compile(
+    r"^\s*(?:-\s+)?(?:(?:run|script|command|sh|bash|cmd|install|before_install|"
+    r"before_script)\s*:\s*)?(?:-\s+)?[|>]?-?\s*"
+)
+_EXPRESSION = re.compile(r"\$\{\{[^}\n]*\}\}")
+_WITH_MATRIX = re.compile(r"([\w.+-]{0,40})\$\{\{ {0,9}matrix\.([A-Za-z]\w*) {0,9}\}\}([\w.+-]{0,40})")
+MAX_VALUES = 4
+"""Values of a matrix that are written out."""
+_IMAGE = re.compile(
+    r"^\s*(?:-\s*)?(?:image|container|docker_image|DOCKER_IMAGE|docker)\s*:\s*[\"']?([\w./-]+:[\w.${}-]+)",
+    re.MULTILINE,
+)
+_DEBS = re.compile(
+    r"^\s*(?:-\s*)?(?:ADDITIONAL_DEBS|apt_packages|apt-packages|extra_packages|"
+    r"packages)\s*[:=]\s*[\"']?([a-z][\w .+-]{2,})[\"']?\s*$",
+    re.MULTILINE,
+)
+_TRAVIS_APT = re.compile(r"^([ \t]*)packages:[ \t]*\n((?:\1[ \t]*-[ \t]*[\w.+-]+[ \t]*(?:\n|\Z))+)", re.MULTILINE)
+_FOLDED = re.compile(r"^([ \t]*)(?:-[ \t]+)?\w+:[ \t]*>-?[ \t]*\n((?:\1[ \t]+\S.*\n?)+)", re.MULTILINE)
+
+
+def read(repository: Repository) -> Prose:
+    """Return the install lines, container images and versions of CI files; those of releases are left out."""
+    files = [file for file in (*repository.suffixed(".yml", ".yaml"), *repository.named("Jenkinsfile")) if _is_ci(file)]
+    return merge(
+        _read(repository.read(file), file.path)
+        for file in sorted(files, key=lambda file: file.path)
+        if file.size < MAX_SIZE
+    )
+
+
+def _is_ci(file: File) -> bool:
+    if places.vendored(file.path):
+        return False
+    # A service reads the files of the root: one that came with a copied library runs nowhere
+    return ((file.name in _NAMES and "/" not in file.path) or bool(_FOLDERS.match(file.path))) and not _OTHER.search(
+        file.path.lower().rpartition("/")[2]
+    )
+
+
+def _read(text: str, path: str) -> Prose:
+    text = _FOLDED.sub(
+        lambda match: match[0].split("\n", 1)[0] + "\n" + match[2].rstrip("\n").replace("\n", " \\\n") + "\n",
+        text,
+    )
+    collector = Collector(path, "ci")
+    shell = "\n".join(_matrix(_unquoted(_PREFIX.sub("", line)), text) for line in text.split("\n"))
+    collector.text(_EXPRESSION.sub(lambda match: match[0] if "distro" in match[0].lower() else "$UNKNOWN", shell))
+    for match in _DEBS.finditer(text):
+        if "cache-apt-pkgs" in text or not match[0].lstrip().startswith("packages"):
+            collector.logical(f"apt-get install {match[1]}", _line(text, match))
+    for match in _TRAVIS_APT.finditer(text):
+        for offset, line in enumerate(match[2].split("\n")):
+            if line.strip():
+                collector.logical(f"apt-get install {line.strip(' -')}", _line(text, match) + 1 + offset)
+    found = collector.prose()
+    images = tuple(
+        Mention(
+            topic="base",
+            value=match[1],
+            source="ci",
+            file=path,
+            line=_line(text, match),
+            text=match[0].strip(),
+        )
+        for match in _IMAGE.finditer(text)
+    )
+    uncommented = re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
+    return found._replace(mentions=(*found.mentions, *images, *mentions.read(uncommented, path, "ci")))
+
+
+def _unquoted(line: str) -> str:
+    """Return a command without the quotes that YAML wants around one with a colon in it."""
+    text = line.rstrip()
+    quote = text[:1]
+    inner = text[1:-1].replace(f"\\{quote}", "")
+    if len(text) < 2 or quote not in {'"', "'"} or text[-1] != quote or quote in inner:
+        return line
+    return text[1:-1].replace(f"\\{quote}", quote)
+
+
+def _matrix(line: str, text: str) -> str:
+    """Write an apt line's ``lib${{ matrix.python }}-dev`` out for every value that the matrix has."""
+    if "${{" not in line or "apt" not in line:
+        return line
+
+    def written(match: re.Match[str]) -> str:
+        before, key, after = match.groups()
+        found = re.findall(rf"^[ \t]*(?:-[ \t]+)?{key}:[ \t]*[\"']?([a-z][\w.+-]*)[\"']?[ \t]*$", text, re.MULTILINE)
+        values = list(dict.fromkeys(found))
+        if not 0 < len(values) <= MAX_VALUES or before.endswith("ros-") or "distro" in key.lower():
+            return match[0]
+        return " ".join(f"{before}{value}{after}" for value in values)
+
+    return _WITH_MATRIX.sub(written, line)
+
+
+def _line(text: str, match: re.Match[str]) -> int:
+    return text.count("\n", 0, match.start()) + 1

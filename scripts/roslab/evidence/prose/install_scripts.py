@@ -1,0 +1,79 @@
+"""Install scripts: the apt, pip and clone lines of the author's shell scripts."""
+
+from __future__ import annotations
+
+import re
+
+from roslab.evidence import places
+from roslab.evidence.facts import Prose
+from roslab.evidence.lex.shell import fill_placeholders
+from roslab.evidence.prose.installs import Collector, merge
+from roslab.repository.checkout import Repository
+
+MAX_SIZE = 128 * 1024
+MAX_SCRIPTS = 400
+_NAME = re.compile(
+    r"install|setup|dep(?:s|end)|require|bootstrap|prepare|build|provision|prereq|environment|docker|ci|"
+    r"catkin|apt|init|configure"
+)
+_ROBOT = re.compile(r"jetson|tegra|raspberry|nvidia[-_]?driver|udev|kernel|windows|macos?|osx|homebrew|uninstall")
+_LIST = re.compile(
+    r"^(?:apt|debian|ubuntu|system|os)?[-_]?(?:additional[-_]?)?(?:apt|debs?|packages|"
+    r"dependencies)(?:[-_]?(?:packages|requirements|dependencies|list|deps))?\.txt$"
+)
+_NAMES = re.compile(r"[a-z0-9][a-z0-9+.-]+")
+
+
+def read(repository: Repository) -> Prose:
+    """Return the install lines of shell scripts and of plain lists of system packages."""
+    parts: list[Prose] = []
+    shells = [
+        file
+        for file in repository.suffixed(".sh", ".bash", "")
+        if (file.name.endswith(("sh",)) or "install" in file.name.lower())
+        and _NAME.search(file.path.lower())
+        and not _ROBOT.search(file.path.lower())
+        and not places.vendored(file.path)
+        and file.size < MAX_SIZE
+    ]
+    for file in sorted(shells, key=lambda file: (file.path.count("/"), file.path))[:MAX_SCRIPTS]:
+        text = repository.read(file)
+        if "install" in text or "clone" in text:
+            collector = Collector(file.path, "script")
+            _assignments(text, collector)
+            collector.text(text)
+            parts.append(collector.prose()._replace(mentions=()))
+    lists = (
+        file
+        for file in repository.suffixed(".txt")
+        if _LIST.match(file.name.lower())
+        and not places.vendored(file.path)
+        and file.size < MAX_SIZE
+        and file.name.lower() not in {"packages.txt", "dependencies.txt"}
+    )
+    parts += (_listed(repository.read(file), file.path) for file in lists)
+    return merge(parts)
+
+
+def _assignments(text: str, collector: Collector) -> None:
+    """Give the collector what the script assigns: lists of packages are often kept in a variable."""
+    known = {
+        match[1]: " ".join(match[2].strip("\"'()").replace("\\\n", " ").split())
+        for match in re.finditer(
+            r"^[ \t]*(?:export[ \t]+|readonly[ \t]+|local[ \t]+)?([A-Za-z_]\w*)=(\"[^\"$`]*\"|'[^'$`]*'|[\w./:-]+)",
+            fill_placeholders(text),
+            re.MULTILINE,
+        )
+    }
+    collector.variables = known
+
+
+def _listed(text: str, path: str) -> Prose:
+    lines = [line.split("#")[0].strip() for line in text.split("\n")]
+    if not all(_NAMES.fullmatch(line.replace("=", "-")) for line in lines if line):
+        return Prose()
+    collector = Collector(path, "script")
+    for number, line in enumerate(lines, 1):
+        if line:
+            collector.logical(f"apt-get install {line}", number)
+    return collector.prose()

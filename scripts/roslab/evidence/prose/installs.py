@@ -1,0 +1,242 @@
+"""Commands read as facts: what is installed, cloned, built and run."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from roslab.evidence.facts import Dependency, GitSource, Mention, Prose
+from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
+from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Asked, conda_asks, pip_asks
+
+MentionSource = Literal["recipe", "ci", "readme", "script"]
+TRIGGER = re.compile(
+    r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|"
+    r"\s+build|\s+init)|"
+    r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b"
+)
+"""A line without one of these words says nothing here."""
+_RUN = re.compile(r"\b(?:roslaunch|rosrun|ros2)\s")
+_BLANK = re.compile(r"<[A-Za-z][^<>|&;\n]{0,60}>")
+"""What the reader of a page is to fill in."""
+_APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
+_APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
+_APT_NAME = re.compile(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
+_PYTHON = re.compile(r"^(?:i?python)(\d(?:\.\d+)?)?$")
+_BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_make", "colcon": "colcon"}
+
+
+@dataclass
+class Collector:
+    """Gathers the facts of one file's commands; ``prose()`` hands them over."""
+
+    file: str
+    source: MentionSource
+    variables: Mapping[str, str] = field(default_factory=dict)
+    dependencies: list[Dependency] = field(default_factory=list)
+    sources: list[GitSource] = field(default_factory=list)
+    mentions: list[Mention] = field(default_factory=list)
+    folder: str = ""
+    """Where ``cd`` went, as far as that can be told; what pip is given is relative to it."""
+    fresh: int | None = None
+    """Index of the clone that a ``git checkout`` would belong to."""
+
+    def text(self, text: str, line: int = 1) -> None:
+        """Read every logical line of a shell text whose first line has the given number."""
+        if TRIGGER.search(text):
+            for start, logical in logical_lines(text, line):
+                self.logical(logical, start)
+
+    def logical(self, text: str, line: int) -> None:
+        """Read one logical line."""
+        if TRIGGER.search(text):
+            if "<" in text and _RUN.search(text):
+                text = _BLANK.sub("$UNKNOWN", text)  # else the shell's reader takes `<sensor name>` for a redirection
+            for command in commands(text, line, self.variables):
+                self.command(command)
+
+    def command(self, command: Command) -> None:
+        """Read one simple command."""
+        words = command.words
+        program = words[0].rpartition("/")[2]
+        if program == "uv" and words[1:2] == ("pip",):
+            command, program = Command(words[1:], command.lines[1:]), "pip"
+        elif (python := _PYTHON.match(program)) and words[1:2] == ("-m",) and len(words) > 2 and PIP.match(words[2]):
+            name = "pip2" if (python[1] or "").startswith("2") else "pip"
+            command, program = Command(words[2:], command.lines[2:]), name
+        if program in _APT:
+            self._apt(command)
+        elif PIP.match(program):
+            self._python(pip_asks(command, self._here), command)
+        elif program in CONDA:
+            self._python(conda_asks(command), command)
+        elif program == "git":
+            self._git(command)
+        elif program == "cd":
+            self._cd(words[1] if len(words) > 1 else "~")
+        else:
+            self._program(program, command)
+
+    def prose(self) -> Prose:
+        """Return what was gathered, each thing once."""
+        return Prose(
+            tuple(dict.fromkeys(self.dependencies)),
+            tuple(dict.fromkeys(self.sources)),
+            tuple(dict.fromkeys(self.mentions)),
+        )
+
+    def _depend(
+        self,
+        namespace: Literal["apt", "pip"],
+        name: str,
+        line: int,
+        role: str = "",
+        version: str | None = None,
+    ) -> None:
+        self.dependencies.append(
+            Dependency(
+                namespace=namespace,
+                name=name,
+                strength="prose",
+                file=self.file,
+                line=line,
+                role=role,
+                version=version,
+            )
+        )
+
+    def _mention(
+        self,
+        topic: Literal["python", "cuda", "build_tool", "command", "framework"],
+        value: str,
+        command: Command,
+    ) -> None:
+        words = " ".join(command.words).replace(UNKNOWN, "…")[:200]
+        self.mentions.append(
+            Mention(topic=topic, value=value, source=self.source, file=self.file, line=command.line, text=words)
+        )
+
+    def _apt(self, command: Command) -> None:
+        words = command.words
+        if "install" not in words:
+            return
+        index = words.index("install") + 1
+        while index < len(words):
+            word, line = words[index].strip("\"'`"), command.lines[index]
+            index += 1
+            if word in _APT_VALUED:
+                index += 1
+                continue
+            if word.startswith("-") or UNKNOWN in word:
+                continue
+            name = word.rstrip(",.:;)") if not word.endswith("++") else word
+            if name in STOP and not (name == "sudo" and self._listed(words[index:])):
+                break
+            name, _, version = name.partition("=")
+            name = name.partition("/")[0].partition(":")[0]
+            if _APT_NAME.match(name):
+                self._depend("apt", name, line, version=version or None)
+
+    def _listed(self, rest: tuple[str, ...]) -> bool:
+        """Tell whether `sudo` among apt's words is the package: in a program's list, before no other program."""
+        return self.source != "readme" and not (rest and (rest[0] in _APT or PIP.match(rest[0])))
+
+    def _python(self, asks: Iterable[Asked], command: Command) -> None:
+        for asked in asks:
+            if asked.role == "python":
+                self._mention("python", asked.name, command)
+            elif asked.role == "cuda":
+                self._mention("cuda", asked.name, command)
+            else:
+                self._depend("pip", asked.name, asked.line, role=asked.role)
+
+    def _here(self, path: str) -> str:
+        """Return a path as seen from where the text began."""
+        return posixpath.join(self.folder, path.removeprefix("./")) if self.folder and path[:1] not in "/~" else path
+
+    def _cd(self, target: str) -> None:
+        if target.startswith(("/", "~", "$", "-")) or UNKNOWN in target or "<" in target:
+            self.folder = "" if target in {"~", "-"} else target.rstrip("/").rpartition("/")[2].replace(UNKNOWN, "")
+        else:
+            self.folder = posixpath.normpath(posixpath.join(self.folder, target)).removeprefix("../").strip(".")
+
+    def _git(self, command: Command) -> None:
+        words = command.words
+        if words[1:2] == ("checkout",) and self.fresh is not None and len(words) > 2:
+            clone = self.sources[self.fresh]
+            ref = words[-1] if words[-1] != "--" else ""
+            if clone.ref is None and re.fullmatch(r"[\w./-]+", ref) and not ref.startswith("-"):
+                self.sources[self.fresh] = GitSource(
+                    name=clone.name,
+                    url=clone.url,
+                    ref=ref.removeprefix("tags/"),
+                    strength=clone.strength,
+                    file=clone.file,
+                    line=clone.line,
+                    kind=clone.kind,
+                )
+            self.fresh = None
+            return
+        if "clone" not in words:
+            return
+        url = next(
+            (
+                w
+                for w in words
+                if re.match(r"^(?:https?://|git://|ssh://|git@)\S+$", w) and UNKNOWN not in w and "<" not in w
+            ),
+            None,
+        )
+        if url is None:
+            return
+        branch = next((words[i + 1] for i, w in enumerate(words[:-1]) if w in {"-b", "--branch"}), None)
+        url = url.rstrip(".,;)")
+        name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
+        self.fresh = len(self.sources)
+        branch = None if branch is None or UNKNOWN in branch else branch
+        self.sources.append(
+            GitSource(
+                name=name,
+                url=url,
+                ref=branch,
+                strength="prose",
+                file=self.file,
+                line=command.line,
+                kind="clone",
+            )
+        )
+
+    def _program(self, program: str, command: Command) -> None:
+        words = command.words
+        if program in _BUILD_TOOLS:
+            self._mention("build_tool", _BUILD_TOOLS[program], command)
+        elif program == "catkin" and words[1:2] in {("build",), ("init",), ("config",), ("b",)}:
+            self._mention("build_tool", "catkin_tools", command)
+        elif program == "cmake":
+            self._mention("build_tool", "cmake", command)
+        elif program in {"roslaunch", "rosrun"} or (program == "ros2" and words[1:2] in {("launch",), ("run",)}):
+            self._run(command)
+        elif (python := _PYTHON.match(program)) and len(words) > 1:
+            if python[1] and "." in python[1]:
+                self._mention("python", python[1], command)
+            if words[1].endswith("setup.py"):
+                self._depend("pip", words[1].removesuffix("setup.py") or ".", command.line, role="project")
+            elif words[1].endswith(".py") or words[1] == "-m":
+                self._run(command)
+
+    def _run(self, command: Command) -> None:
+        if not any(UNKNOWN in word or "<" in word for word in command.words):
+            self._mention("command", " ".join(command.words), command)
+
+
+def merge(parts: Iterable[Prose]) -> Prose:
+    """Return several texts' facts as one."""
+    parts = tuple(parts)
+    return Prose(
+        tuple(d for part in parts for d in part.dependencies),
+        tuple(s for part in parts for s in part.sources),
+        tuple(m for part in parts for m in part.mentions),
+    )

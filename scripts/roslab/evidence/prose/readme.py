@@ -1,0 +1,126 @@
+"""README, INSTALL and installation pages: what humans are told to install and run.
+
+Markdown, reStructuredText and plain text are read by one reader of lines: a Markdown library would take longer than
+everything else together, and says nothing of the other two.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslab.evidence import places
+from roslab.evidence.facts import Prose
+from roslab.evidence.prose import mentions
+from roslab.evidence.prose.installs import TRIGGER, Collector, merge
+from roslab.repository.checkout import File, Repository
+
+MAX_SIZE = 256 * 1024
+MAX_PAGES = 60
+MAX_LINE = 2_000
+"""Characters of a line that a person types."""
+_PAGE = re.compile(
+    r"^(?:readme|install|installation|building|build|compiling|compilation|"
+    r"getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
+)
+_TEXTS = (".md", ".mdx", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
+_DOCS_PAGE = re.compile(
+    r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite"
+)
+_FENCE = re.compile(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
+"""Backquotes that are closed on their own line are inline code. https://spec.commonmark.org/0.31.2/#fenced-code-blocks"""
+_START = re.compile(
+    r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
+    r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
+    r"rosrun|catkin|catkin_make|colcon|cmake|uv|mkdir|cd)\s.*|catkin_make)$"
+)
+_SPAN = re.compile(r"(`+)(.+?)\1")
+_HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*$")
+_ELSEWHERE = re.compile(
+    r"\b(?:windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry|nvidia driver|"
+    r"uninstall|docker (?:install|engine)|real[- ]robots?|"
+    r"hardware(?: setup)?|kernel|contribut|changelog|news|acknowledg|citation|licen[sc]e)",
+    re.IGNORECASE,
+)
+_STRUCK = re.compile(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
+"""``~~what no longer holds~~``."""
+_LEAF = re.compile(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
+DEEPEST = 7
+"""Such a section holds no others: the next heading ends it, however deep its author has put that one."""
+_RST_LINE = re.compile(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
+
+
+def read(repository: Repository) -> Prose:
+    """Return the install and run lines and the versions of the pages that explain how to install."""
+    return merge(_read(repository.read(file), file) for file in _pages(repository))
+
+
+def _pages(repository: Repository) -> list[File]:
+    found = []
+    for file in repository.suffixed(*_TEXTS):
+        name = file.name.lower()
+        if file.size > MAX_SIZE or places.vendored(file.path) or places.test(file.path) or name.endswith("lists.txt"):
+            continue
+        if (name.endswith(".txt") or "." not in name) and not re.match(r"readme|install", name):
+            continue
+        page = _PAGE.match(name.rpartition(".")[0] or name)
+        docs = places.documentation(file.path) and _DOCS_PAGE.search(name)
+        if (page and file.path.count("/") <= 3) or docs:
+            found.append(file)
+    return sorted(found, key=lambda file: (file.path.count("/"), file.path))[:MAX_PAGES]
+
+
+def _read(text: str, file: File) -> Prose:
+    collector = Collector(file.path, "readme")
+    if "~~" in text and "~~~" not in text:
+        text = _STRUCK.sub(lambda match: "\n" * match[0].count("\n"), text)
+    if TRIGGER.search(text):
+        for line, code in _code(text):
+            collector.text(code, line)
+    found = collector.prose()
+    return found._replace(mentions=(*found.mentions, *mentions.read(text, file.path, "readme")))
+
+
+def _code(text: str) -> Iterator[tuple[int, str]]:
+    """Yield ``(line, shell text)``: fenced and indented blocks' lines, lines that begin with a command, inline code."""
+    lines = text.split("\n")
+    elsewhere = index = 0
+    fenced = False
+    while index < len(lines):
+        line = lines[index]
+        index += 1
+        if _FENCE.match(line[:MAX_LINE]):
+            fenced = not fenced
+            continue
+        if not fenced:
+            elsewhere = _section(line, lines[index] if index < len(lines) else "", elsewhere)
+        if elsewhere or len(line) > MAX_LINE or not TRIGGER.search(line):
+            continue
+        first = index
+        while line.rstrip().endswith("\\") and index < len(lines) and len(line) < 4 * MAX_LINE:
+            line = line.rstrip() + "\n" + lines[index].lstrip()
+            index += 1
+        for shell in _shell(line, fenced=fenced):
+            yield first, shell
+
+
+def _section(line: str, below: str, elsewhere: int) -> int:
+    """Return the level of the heading under which the text is for another machine, 0 where it is for this one."""
+    heading = _HEADING.match(line[:200])
+    if heading is None and not (line.strip() and _RST_LINE.match(below[:200])):
+        return elsewhere
+    level, title = (len(heading[1]), heading[2]) if heading else (2, line)
+    if 0 < elsewhere < level:
+        return elsewhere
+    if _LEAF.search(title):
+        return DEEPEST
+    return level if _ELSEWHERE.search(title) else 0
+
+
+def _shell(line: str, *, fenced: bool) -> Iterator[str]:
+    if match := _START.match(line.replace("\\\n", "\\\x01")):
+        yield re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n").replace("`", "")
+    elif fenced:
+        yield line
+    else:
+        yield from (span[2] for span in _SPAN.finditer(line) if TRIGGER.search(span[2]) and " " in span[2])

@@ -1,0 +1,1 @@
+"""Readers of Python's manifests and modules."""

@@ -1,0 +1,67 @@
+"""conda environment files."""
+
+from __future__ import annotations
+
+import re
+
+from roslab.evidence.facts import CondaEnvironment, Dependency
+from roslab.evidence.lex.yaml import load
+from roslab.evidence.python.requirements import requirement
+from roslab.repository.checkout import File, Repository
+
+_NAME = re.compile(
+    r"^(?:.*[-_.])?(?:conda|env|environment|mamba|robostack)(?:[-_.\d].*)?\.ya?ml$|^conda.*\.ya?ml$|^env\w*\.ya?ml$"
+)
+_SHAPE = re.compile(r"^dependencies:", re.MULTILINE)
+_PYTHON = re.compile(r"^(?:[\w-]+::)?python\s*[=<>~! ]+\s*(\d+(?:\.\d+)*)")
+_OPTIONS = ("-f ", "-i ", "--extra-index-url", "--find-links", "--index-url")
+MAX_SIZE = 256 * 1024
+
+
+def read(repository: Repository) -> tuple[CondaEnvironment, ...]:
+    """Return every conda environment file of the tree, sorted by path."""
+    candidates = [file for file in repository.suffixed(".yml", ".yaml") if _NAME.match(file.name.lower())]
+    found = (_environment(repository, file) for file in sorted(candidates, key=lambda file: file.path))
+    return tuple(environment for environment in found if environment)
+
+
+def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
+    text = repository.read(file, limit=MAX_SIZE)
+    if not _SHAPE.search(text):
+        return None
+    data = load(text)
+    entries = data.get("dependencies") if isinstance(data, dict) else None
+    if not isinstance(entries, list):
+        return None
+    lines = text.split("\n")
+
+    def line_of(entry: str) -> int:
+        return next((number for number, line in enumerate(lines, 1) if entry in line), 1)
+
+    packages = tuple(entry.strip() for entry in entries if isinstance(entry, str))
+    inner = [entry["pip"] for entry in entries if isinstance(entry, dict) and isinstance(entry.get("pip"), list)]
+    items = [item for listed in inner for item in listed if isinstance(item, str)]
+    pip = [found for item in items if (found := _item(item, file.path, line_of(item)))]
+    python = next((match[1] for package in packages if (match := _PYTHON.match(package))), None)
+    channels = data.get("channels")
+    name = data.get("name")
+    return CondaEnvironment(
+        file=file.path,
+        line=1,
+        name=name if isinstance(name, str) else None,
+        python=".".join(python.split(".")[:2]) if python else None,
+        channels=tuple(c for c in channels if isinstance(c, str)) if isinstance(channels, list) else (),
+        packages=packages,
+        dependencies=tuple(pip),
+    )
+
+
+def _item(item: str, path: str, line: int) -> Dependency | None:
+    """Read one entry of the ``pip:`` part: a file, an option, a requirement."""
+    if item.startswith(("-r ", "--requirement ")):
+        name, role = item.rsplit(maxsplit=1)[-1], "file"
+    elif item.startswith(_OPTIONS):
+        name, role = item, "option"
+    else:
+        return requirement(item.split(" #", maxsplit=1)[0].strip(), path, line)
+    return Dependency(namespace="pip", name=name, strength="declared", file=path, line=line, role=role)

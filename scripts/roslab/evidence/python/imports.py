@@ -1,0 +1,145 @@
+"""Python imports, and the Python programs that can be started."""
+
+from __future__ import annotations
+
+import re
+import sys
+
+from roslab.evidence import places
+from roslab.evidence.facts import Dependency, Script
+from roslab.repository.checkout import File, Repository
+
+MAX_READ = 128 * 1024
+"""Bytes of a module that are searched: imports stand at its top."""
+MAX_MODULES = 6_000
+"""Modules opened: in a larger tree the first ones, nearest to the root, name what matters."""
+_IMPORT = re.compile(
+    r"^(?P<indent>[ \t]*)(?:import[ \t]+(?P<plain>[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?"
+    r"(?:[ \t]*,[ \t]*[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?)*)"
+    r"|from[ \t]+(?P<module>[A-Za-z_][\w.]*)[ \t]+import\b)",
+    re.MULTILINE,
+)
+_CELL = re.compile(r"^[ \t]*\"(?:import|from)[ \t]+([A-Za-z_]\w*)", re.MULTILINE)
+"""A line of a notebook's cell, as its JSON is written."""
+MAX_NOTEBOOK = 1024 * 1024
+_PLAIN_PYTHON = re.compile(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python[ \t]*\r?$", re.MULTILINE)
+"""A first line that starts `python`, which Ubuntu 20.04 and newer do not have of themselves."""
+_MAIN = re.compile(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
+_NODE = re.compile(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
+_APART = frozenset({"tkinter"})
+"""Of the standard library by its documentation, a package of its own by Debian's and Ubuntu's: python3-tk."""
+_STANDARD = (frozenset(sys.stdlib_module_names) - _APART) | frozenset(
+    {
+        "__builtin__", "ConfigParser", "Queue", "StringIO", "cPickle", "commands", "copy_reg", "cStringIO",
+        "distutils", "httplib", "imp", "md5",
+        "sets", "thread", "Tkinter", "tkMessageBox", "tkFileDialog", "urllib2", "urlparse", "xmlrpclib",
+        "SimpleHTTPServer", "SocketServer",
+        "BaseHTTPServer", "cookielib", "HTMLParser", "dummy_thread", "asyncore", "asynchat", "smtpd",
+        "exceptions", "ttk", "typing", "tomllib",
+    }
+)  # fmt: skip
+
+
+def read(repository: Repository) -> tuple[Dependency, ...]:
+    """Return what the tree's Python files import from outside the tree and the standard library.
+
+    Each name once, at its first place; ``optional`` where it is only imported inside a function or a ``try``.
+    The package of a plain ``python`` is among them where a program's first line starts that.
+    """
+    local = _local(repository)
+    found: dict[str, Dependency] = {}
+    for file in modules(repository):
+        text = repository.read(file, limit=MAX_READ)
+        if "" not in found and (started := _started(file, text)):
+            found[""] = started
+        if "import" not in text:
+            continue
+        for match in _IMPORT.finditer(text):
+            names = [match["module"]] if match["module"] else [part.split()[0] for part in match["plain"].split(",")]
+            for name in names:
+                top = name.partition(".")[0]
+                if top in _STANDARD or top in local or top.startswith("_"):
+                    continue
+                known = found.get(top)
+                if known is not None and (known.strength == "used" or match["indent"]):
+                    continue
+                found[top] = Dependency(
+                    namespace="import",
+                    name=top,
+                    strength="optional" if match["indent"] else "used",
+                    file=file.path,
+                    line=text.count("\n", 0, match.start()) + 1,
+                )
+    _add_notebooks(repository, local, found)
+    return tuple(sorted(found.values(), key=lambda dependency: (dependency.file, dependency.line)))
+
+
+def _started(file: File, text: str) -> Dependency | None:
+    """Return the package of ``python`` where a program's first line starts that."""
+    if not _PLAIN_PYTHON.search(text) or places.test(file.path):
+        return None
+    return Dependency(
+        namespace="apt", name="python-is-python3", strength="used", file=file.path, line=1, role="shebang"
+    )
+
+
+def _add_notebooks(repository: Repository, local: frozenset[str], found: dict[str, Dependency]) -> None:
+    for file in _notebooks(repository):
+        text = repository.read(file, limit=MAX_NOTEBOOK)
+        for match in _CELL.finditer(text):
+            top = match[1]
+            if top not in _STANDARD and top not in local and top not in found and not top.startswith("_"):
+                line = text.count("\n", 0, match.start()) + 1
+                found[top] = Dependency(namespace="import", name=top, strength="optional", file=file.path, line=line)
+
+
+def _notebooks(repository: Repository) -> list[File]:
+    kept = [
+        file for file in repository.suffixed(".ipynb") if not places.vendored(file.path) and file.size < MAX_NOTEBOOK
+    ]
+    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:50]
+
+
+def scripts(repository: Repository) -> tuple[Script, ...]:
+    """Return the Python files that are programs: a ``__main__`` guard, ``__main__.py``, a ROS node."""
+    found = []
+    for file in modules(repository):
+        if places.test(file.path) or file.name in {"setup.py", "conftest.py"}:
+            continue
+        text = repository.read(file, limit=MAX_READ)
+        if file.name == "__main__.py":
+            found.append(Script(file=file.path, line=1, kind="main"))
+        elif "__main__" in text and (match := _MAIN.search(text)):
+            node = bool(_NODE.search(text))
+            found.append(
+                Script(
+                    file=file.path,
+                    line=text.count("\n", 0, match.start()) + 1,
+                    kind="node" if node else "main",
+                )
+            )
+    return tuple(sorted(found, key=lambda script: script.file))
+
+
+def modules(repository: Repository) -> list[File]:
+    """Return the modules worth reading, nearest to the root first; copies, documentation and CI are left out."""
+    kept = [
+        file
+        for file in repository.suffixed(".py")
+        if not places.vendored(file.path)
+        and not places.documentation(file.path)
+        and file.size < 16 * MAX_READ
+        and file.name != "setup.py"
+    ]
+    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:MAX_MODULES]
+
+
+def _local(repository: Repository) -> frozenset[str]:
+    """Return every name that could be a module of the tree: its Python files and the folders that hold them."""
+    names: set[str] = set()
+    for file in repository.suffixed(".py", ".pyx", ".so"):
+        names.add(file.name.partition(".")[0])
+        names.update(file.folder.split("/"))
+    for file in repository.named("package.xml"):
+        names.add(file.folder.rpartition("/")[2])
+    return frozenset(names)

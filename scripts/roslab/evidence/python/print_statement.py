@@ -1,0 +1,32 @@
+"""Code that only Python 2 reads: ``print`` as a statement."""
+
+from __future__ import annotations
+
+import re
+
+from roslab.evidence.facts import Mention
+from roslab.evidence.python.imports import MAX_READ, modules
+from roslab.repository.checkout import Repository
+
+_STATEMENT = re.compile(r"^[ \t]*print[ \t]+[\"'][^\n]*$", re.MULTILINE)
+"""A string right behind it: what prose in a docstring hardly ever has."""
+_CALL = re.compile(r"^[ \t]*print[ \t]*\(", re.MULTILINE)
+LEAST = 2
+"""Modules; one alone is a leftover."""
+
+
+def read(repository: Repository) -> tuple[Mention, ...]:
+    """Return that the tree is Python 2's, at the first place that shows it, where more modules show it than do not."""
+    old: list[Mention] = []
+    new = 0
+    for file in modules(repository):
+        text = repository.read(file, limit=MAX_READ)
+        if "print" not in text:
+            continue
+        if match := _STATEMENT.search(text):
+            line = text.count("\n", 0, match.start()) + 1
+            said = match[0].strip()[:60]
+            old.append(Mention(topic="python", value="2.7", source="code", file=file.path, line=line, text=said))
+        elif _CALL.search(text):
+            new += 1
+    return (old[0],) if len(old) >= LEAST and len(old) > new else ()

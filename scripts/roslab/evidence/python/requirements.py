@@ -1,0 +1,165 @@
+"""Requirements files, in any spelling: what a repository asks pip for."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from typing import Literal
+
+from roslab.evidence import places
+from roslab.evidence.facts import Dependency, RequirementFile
+from roslab.repository.checkout import Repository
+
+MAX_LINES = 3_000
+"""Requirement lines read of one file; what is longer is data."""
+MAX_SIZE = 512 * 1024
+Purpose = Literal["run", "docs", "test", "dev", "vendored"]
+_NAME = re.compile(
+    r"^(?!.*(?:apt|conda|rosdep|system|constraint|debian))(?:.*[-_.])?(?:requirements?|"
+    r"requires)(?:[-_.\d].*)?\.(?:txt|in|pip)$"
+)
+_FOLDER = re.compile(r"(?:^|/)requirements?$", re.IGNORECASE)
+_DOCS = re.compile(r"(?:^|[-_./])(?:docs?\d?|sphinx|mkdocs|documentation|rtd|readthedocs)(?:[-_./]|$)", re.IGNORECASE)
+_TESTS = re.compile(r"(?:^|[-_./])(?:tests?|testing|pytest)(?:[-_./]|$)", re.IGNORECASE)
+_DEV = re.compile(
+    r"(?:^|[-_./])(?:dev|develop|development|lint|linter|format|ci|build|release|style|precommit|typing)(?:[-_./]|$)",
+    re.IGNORECASE,
+)
+_OPTION = re.compile(
+    r"^(-i|--index-url|--extra-index-url|-f|--find-links|--pre|--trusted-host|--no-index|--no-binary|"
+    r"--only-binary|--prefer-binary|--use-feature)\b[ =]*(.*)$"
+)
+_LONG = {"-i": "--index-url", "-f": "--find-links"}
+_NESTED = re.compile(r"^(?:-r|--requirement)[ =]*(\S+)$")
+_CONSTRAINT = re.compile(r"^(?:-c|--constraint)[ =]*(\S+)$")
+_EDITABLE = re.compile(r"^(?:-e|--editable)[ =]*(\S.*)$")
+_PER_LINE = re.compile(r"\s+--(?:hash|global-option|install-option|config-settings)[ =]\S+")
+_URL = re.compile(r"^(?:(?:git|hg|svn|bzr)\+\S+|https?://\S+|file:\S+|git://\S+|git@\S+)$")
+_NAMED = re.compile(r"^([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)\s*(\[[\w\s,.-]*\])?\s*(.*)$")
+_SPECIFIER = re.compile(r"^\(?\s*(?:(?:===?|!=|~=|<=?|>=?)\s*[\w.*+!-]+\s*,?\s*)+\)?$")
+_EXPORTED = re.compile(r"^([A-Za-z0-9][\w.-]*)=([\w.+!-]+)(?:=\S+)?$")
+
+
+def read(repository: Repository) -> tuple[RequirementFile, ...]:
+    """Return every requirements file of the tree, and what they include, sorted by path."""
+    found: dict[str, RequirementFile] = {}
+    pending = [
+        file.path
+        for file in repository.suffixed(".txt", ".in", ".pip")
+        if _NAME.match(file.name.lower()) or (_FOLDER.search(file.folder) and file.name.endswith((".txt", ".in")))
+    ]
+    pending = [path for path in pending if ".egg-info" not in path]
+    while pending:
+        path = pending.pop()
+        if path in found or not repository.has(path):
+            continue
+        found[path] = parse(repository.read(path, limit=MAX_SIZE), path, purpose_of(path))
+        pending += found[path].includes
+    return tuple(found[path] for path in sorted(found))
+
+
+def purpose_of(path: str) -> Purpose:
+    """Tell from a path what a requirements file is for."""
+    if places.vendored(path):
+        return "vendored"
+    name = path.rpartition("/")[2]
+    if _DOCS.search(path):
+        return "docs"
+    if _TESTS.search(name) or places.test(path):
+        return "test"
+    return "dev" if _DEV.search(name.rpartition(".")[0]) else "run"
+
+
+def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
+    """Read one file's text. A line that pip would refuse is repaired where its meaning is plain."""
+    dependencies: list[Dependency] = []
+    includes: list[str] = []
+    constraints: list[str] = []
+    options: list[str] = []
+    folder = path.rpartition("/")[0]
+    for number, line in _lines(text):
+        if nested := _NESTED.match(line):
+            includes.append(_inside(folder, nested[1]))
+        elif constraint := _CONSTRAINT.match(line):
+            constraints.append(_inside(folder, constraint[1]))
+        elif option := _OPTION.match(line):
+            options.append(f"{_LONG.get(option[1], option[1])} {option[2].strip()}".strip())
+        elif dependency := requirement(line, path, number):
+            dependencies.append(dependency)
+    return RequirementFile(
+        file=path,
+        line=1,
+        dependencies=tuple(dependencies),
+        includes=tuple(include for include in includes if include),
+        constraints=tuple(constraint for constraint in constraints if constraint),
+        options=tuple(dict.fromkeys(options)),
+        purpose=purpose,
+    )
+
+
+def _lines(text: str) -> list[tuple[int, str]]:
+    """Return what pip would read: comments off, continuations joined."""
+    lines: list[tuple[int, str]] = []
+    pending, start = "", 0
+    for number, raw in enumerate(text.split("\n", MAX_LINES)[:MAX_LINES], 1):
+        line = re.sub(r"(?:^|\s)#.*$", "", raw[:2000]).strip()
+        start = start if pending else number
+        if line.endswith("\\"):
+            pending += line[:-1].rstrip() + " "
+            continue
+        if line := (pending + line).strip():
+            lines.append((start, line))
+        pending = ""
+    return lines
+
+
+def _inside(folder: str, path: str) -> str:
+    """Return a path relative to the root, ``""`` where it leads out of the tree."""
+    joined = posixpath.normpath(posixpath.join(folder, path))
+    return "" if joined.startswith(("..", "/")) or "://" in path else joined
+
+
+def requirement(line: str, path: str, number: int, *, role: str = "") -> Dependency | None:
+    """Read one requirement as people write it; ``None`` where it names nothing that can be installed."""
+    if editable := _EDITABLE.match(line):
+        line, role = editable[1].strip(), role or "editable"
+    line = _PER_LINE.sub("", line).strip()
+    if line[:1] in "\"'" and line[-1:] == line[:1]:
+        line, role = line[1:-1].strip(), role or "repaired"
+    line = line.rstrip(",")
+    line, _, marker = (
+        part.strip() for part in line.partition(" ;" if _URL.match(line.partition(" ;")[0].strip()) else ";")
+    )
+
+    def made(name: str, how: str = role) -> Dependency:
+        return Dependency(
+            namespace="pip",
+            name=name,
+            strength="declared",
+            file=path,
+            line=number,
+            role=how,
+            condition=marker or None,
+        )
+
+    if _URL.match(line):
+        return made(line)
+    if line.startswith((".", "/")) or (role == "editable" and re.fullmatch(r"[\w./-]+(?:\[.*\])?", line)):
+        return made(line, "project")
+    text, repaired = _named(line)
+    return made(text, "repaired" if repaired else role) if text else None
+
+
+def _named(line: str) -> tuple[str, bool]:
+    """Return a requirement as pip spells it, and whether the author's spelling is one that pip refuses."""
+    named = _NAMED.match(line)
+    if named is None:
+        return "", False
+    name, rest = named[1] + (named[2] or "").replace(" ", ""), named[3].strip()
+    if rest.startswith("@"):
+        local = rest[1:].strip().startswith("file:")  # pip freeze in conda: a path of the author's machine
+        return (name if local else f"{name} @ {rest[1:].strip()}"), local
+    if not rest or _SPECIFIER.match(rest):
+        return name + re.sub(r"\s+", "", rest.strip("()")), False
+    exported = _EXPORTED.match(line)  # conda list --export: name=version=build
+    return (f"{exported[1]}=={exported[2]}", True) if exported else ("", False)

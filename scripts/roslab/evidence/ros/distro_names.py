@@ -1,0 +1,55 @@
+"""What names say: the branch, and file names with a distro in them (``Dockerfile.noetic``, ``foxy.repos``)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslab.evidence import places
+from roslab.evidence.facts import Mention
+from roslab.knowledge.distros import distros
+from roslab.repository.checkout import Repository
+
+_WORD = re.compile(r"[a-z]+[0-9]*|[0-9.]+")
+_FILES = re.compile(
+    r"dockerfile|containerfile|\.repos$|\.rosinstall$|\.repos\.ya?ml$|docker-compose|\.ya?ml$|\.sh$", re.IGNORECASE
+)
+
+
+def read(repository: Repository) -> tuple[Mention, ...]:
+    """Return the distros that the branch and the names of recipes, vcs files, CI files and scripts hold."""
+    return tuple(_branch(repository)) + tuple(_files(repository))
+
+
+def _branch(repository: Repository) -> Iterator[Mention]:
+    branch = repository.branch
+    if not branch:
+        return
+    words = _WORD.findall(branch.lower())
+    for word in words:
+        if word in distros():
+            yield _mention(word, "branch", ".git/HEAD", branch)
+    if not any(word in distros() for word in words):
+        ros = {"ros1", "ros2"} & set(words)
+        if ros:
+            yield _mention(ros.pop(), "branch", ".git/HEAD", branch)
+
+
+def _files(repository: Repository) -> Iterator[Mention]:
+    """Read file names; where the same name without a distro lies beside, that one is for this branch."""
+    for file in repository.files:
+        lower = file.name.lower()
+        if not _FILES.search(lower) or places.vendored(file.path) or file.path.count("/") > 4:
+            continue
+        for word in dict.fromkeys(_WORD.findall(lower)):
+            if word not in distros():
+                continue
+            plain = re.sub(rf"[._-]?{word}", "", file.name, flags=re.IGNORECASE)
+            if not repository.has(f"{file.folder}/{plain}".lstrip("/")):
+                yield _mention(word, "filename", file.path, file.name)
+
+
+def _mention(value: str, source: str, file: str, text: str) -> Mention:
+    return Mention(
+        topic="distro", value=value, source="branch" if source == "branch" else "filename", file=file, line=1, text=text
+    )

@@ -1,0 +1,151 @@
+"""Launch files of ROS 1 and 2 (XML, Python, YAML), and the plugins that parameter files and robot descriptions name.
+
+They are searched by patterns, not parsed: a launch file in Python is a program, one in XML is full of substitutions,
+and a package's name looks the same in all of them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from typing import Literal
+
+from roslab.evidence import places
+from roslab.evidence.facts import Dependency, LaunchFile
+from roslab.repository.checkout import File, Repository
+
+MAX_SIZE = 256 * 1024
+MAX_FILES = 800
+"""Launch files, and parameter files, that are opened; those nearest to the root first."""
+_XML = re.compile(r"\.launch$|\.launch\.xml$|\.launch\.inc$|\.test$")
+_PYTHON = re.compile(r"(?:\.launch|_launch|[-_.]?launch[-_]\w+|^launch)\.py$")
+_YAML = re.compile(r"\.launch\.ya?ml$|_launch\.ya?ml$")
+_PACKAGE = r"[a-z][a-z0-9_-]{1,60}"
+_ATTRIBUTE = re.compile(rf"\bpkg\s*[=:]\s*[\"']?({_PACKAGE})\b(?![\w/$(])")
+_FIND = re.compile(rf"\$\(\s*find(?:-pkg-share|-pkg-prefix)?\s+['\"]?({_PACKAGE})['\"]?\s*\)|package://({_PACKAGE})/")
+_PYTHON_PACKAGE = re.compile(
+    rf"(?:FindPackage(?:Share|Prefix)|get_package_(?:share_directory|prefix|share_path|path))"
+    rf"\(\s*(?:package\s*=\s*)?[\"']({_PACKAGE})[\"']"
+    rf"|\b(?:package|node_package|pkg)\s*=\s*[\"']({_PACKAGE})[\"']|\bros2\s+(?:run|launch)\s+({_PACKAGE})\b"
+)
+_NODELET = re.compile(rf"\bload\s+({_PACKAGE})/[A-Za-z]")
+_PLUGIN = re.compile(
+    rf"^[ \t]*(?:-[ \t]*)?\{{?[ \t]*(?:name[ \t]*:[ \t]*\S+[ \t]*,[ \t]*)?"
+    rf"(?:plugin|type|base_(?:local|global)_planner|planner_plugin|class)[ \t]*:[ \t]*"
+    rf"[\"']?({_PACKAGE})(?:/|::)[A-Z]\w+",
+    re.MULTILINE,
+)
+_PARAM_PLUGIN = re.compile(rf"name=\"base_(?:local|global)_planner\"\s+value=\"({_PACKAGE})/[A-Z]")
+_NEW = re.compile(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node")
+"""Words that only ROS 2 has in a launch file of XML."""
+_GUI = re.compile(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
+_COMMENT = {"xml": re.compile(r"<!--.*?-->", re.DOTALL), "hash": re.compile(r"^[ \t]*#.*$", re.MULTILINE)}
+_NAME = re.compile(r"<name>\s*([\w-]+)\s*</name>")
+_NO_PACKAGE = frozenset({"find", "pkg", "package", "name", "python", "python3", "self"})
+
+
+def read(repository: Repository) -> tuple[LaunchFile, ...]:
+    """Return every launch file, sorted by path, with the packages that it starts or finds files in."""
+    packages = _packages(repository)
+    found = []
+    for file in _candidates(repository):
+        text = repository.read(file)
+        python, xml = file.name.endswith(".py"), _XML.search(file.name) or file.name.endswith(".xml")
+        if python and "LaunchDescription" not in text:
+            continue
+        if not python and xml and "<launch" not in text:
+            continue
+        text = _uncommented(text, "xml" if xml else "hash")
+        old = bool(xml) and not _NEW.search(text) and not file.name.endswith(".launch.xml")
+        found.append(
+            LaunchFile(
+                file=file.path,
+                line=1,
+                package=_owner(file.folder, packages),
+                ros=1 if old else 2,
+                dependencies=tuple(_named(text, file, python=python)),
+                gui=bool(_GUI.search(text)),
+            )
+        )
+    return tuple(found)
+
+
+def plugins(repository: Repository) -> tuple[Dependency, ...]:
+    """Return the packages that parameter files and robot descriptions name, and rviz for its own files."""
+    found: dict[str, Dependency] = {}
+    files = [
+        f
+        for f in repository.suffixed(".yaml", ".yml", ".xacro", ".urdf", ".sdf")
+        if f.size < MAX_SIZE and not places.vendored(f.path)
+    ]
+    for file in _nearest(files):
+        text = repository.read(file)
+        patterns = (_PLUGIN,) if file.name.endswith(("yaml", "yml")) else (_FIND,)
+        for dependency in _matches(text, file, patterns):
+            found.setdefault(dependency.name, dependency)
+    for file in repository.suffixed(".rviz")[:1]:
+        name = "rviz2" if "rviz_common/" in repository.read(file) else "rviz"
+        viewer = Dependency(namespace="ros", name=name, strength="used", file=file.path, line=1, role="exec")
+        found.setdefault(name, viewer)
+    return tuple(found.values())
+
+
+def _candidates(repository: Repository) -> list[File]:
+    named = (
+        file
+        for file in repository.suffixed(".launch", ".xml", ".py", ".yaml", ".yml", ".inc", ".test")
+        if file.size <= MAX_SIZE
+        and (
+            _XML.search(file.name)
+            or _PYTHON.search(file.name)
+            or _YAML.search(file.name)
+            or (file.name.endswith((".xml", ".py")) and file.folder.endswith("launch"))
+        )
+        and not places.vendored(file.path)
+    )
+    return sorted(_nearest(named), key=lambda file: file.path)
+
+
+def _nearest(files: Iterable[File]) -> list[File]:
+    return sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]
+
+
+def _uncommented(text: str, kind: Literal["xml", "hash"]) -> str:
+    return _COMMENT[kind].sub(lambda match: "\n" * match[0].count("\n"), text)
+
+
+def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
+    patterns = (_PYTHON_PACKAGE, _NODELET, _PLUGIN) if python else (_ATTRIBUTE, _FIND, _NODELET, _PARAM_PLUGIN, _PLUGIN)
+    seen: set[str] = set()
+    for dependency in _matches(text, file, patterns):
+        if dependency.name not in seen:
+            seen.add(dependency.name)
+            yield dependency
+
+
+def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> Iterator[Dependency]:
+    for pattern in patterns:
+        for match in pattern.finditer(text):
+            name = next(group for group in match.groups() if group)
+            if name not in _NO_PACKAGE:
+                line = text.count("\n", 0, match.start()) + 1
+                yield Dependency(namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec")
+
+
+def _packages(repository: Repository) -> dict[str, str]:
+    """Return ``{folder: package}`` of the package.xml files."""
+    found = {}
+    for file in repository.named("package.xml"):
+        match = _NAME.search(repository.read(file))
+        if match:
+            found[file.folder] = match[1]
+    return found
+
+
+def _owner(folder: str, packages: dict[str, str]) -> str | None:
+    while True:
+        if folder in packages:
+            return packages[folder]
+        if not folder:
+            return None
+        folder = folder.rpartition("/")[0]

@@ -1,0 +1,149 @@
+"""package.xml, formats 1 to 3. https://ros.org/reps/rep-0149.html, https://ros.org/reps/rep-0140.html, REP 127."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from lxml import etree
+
+from roslab.evidence.facts import Dependency, GitSource, PackageManifest
+from roslab.repository.checkout import File, Repository
+
+IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
+"""A folder with one of these holds no package: catkin_pkg and colcon-ros obey all three."""
+MAX_SIZE = 256 * 1024
+"""The longest package.xml of 73 real repositories has 20 kB."""
+_VERSIONS = {"version_eq": "=", "version_gte": ">=", "version_gt": ">", "version_lte": "<=", "version_lt": "<"}
+_ROLES: dict[str, tuple[str, ...]] = {
+    "depend": ("build", "exec"),
+    "build_depend": ("build",),
+    "build_export_depend": ("build",),
+    "buildtool_depend": ("buildtool",),
+    "buildtool_export_depend": ("buildtool",),
+    "run_depend": ("exec",),
+    "exec_depend": ("exec",),
+    "test_depend": ("test",),
+    "doc_depend": ("doc",),
+}
+
+
+def read(repository: Repository) -> tuple[PackageManifest, ...]:
+    """Return every package.xml, sorted by path; what is no well-formed XML is read as far as it goes."""
+    files = [file for file in repository.named("package.xml") if file.size <= MAX_SIZE]
+    if not files:
+        return ()
+    ignored = frozenset(file.folder for file in repository.named(*IGNORE_MARKERS))
+    found = (_manifest(repository, file, ignored) for file in files)
+    return tuple(sorted((manifest for manifest in found if manifest), key=lambda manifest: manifest.file))
+
+
+def _manifest(repository: Repository, file: File, ignored: frozenset[str]) -> PackageManifest | None:
+    text = repository.read(file)
+    # No entity is resolved, no DTD and no network read, no huge tree accepted: a manifest needs none of them
+    problem: str | None
+    parser = etree.XMLParser(
+        recover=True, resolve_entities=False, no_network=True, load_dtd=False, remove_comments=True, remove_pis=True
+    )
+    try:
+        root = etree.fromstring(text.encode(), parser)
+    except (etree.XMLSyntaxError, ValueError) as error:
+        root = None
+        problem = str(error)
+    else:
+        problem = next((f"line {entry.line}: {entry.message}" for entry in parser.error_log), "") or None
+    if root is None:
+        malformed = problem or ("it is empty" if not text.strip() else "no XML element")
+        return _empty(file, _below(file, ignored), malformed)
+    if root.tag != "package":
+        return None  # another program's package.xml: Node, Symfony, Joomla
+    return PackageManifest(
+        file=file.path,
+        line=root.sourceline or 1,
+        name=_text(root.find("name")),
+        format=int(value) if (value := (root.get("format") or "1").strip()) in {"1", "2", "3"} else 1,
+        build_types=_build_types(root),
+        dependencies=tuple(_dependencies(root, file.path)),
+        sources=tuple(_sources(root, file.path)),
+        metapackage=root.find("export/metapackage") is not None,
+        ignored=_below(file, ignored),
+        malformed=problem,
+    )
+
+
+def _empty(file: File, ignored: bool, malformed: str) -> PackageManifest:
+    return PackageManifest(
+        file=file.path,
+        line=1,
+        name=None,
+        format=1,
+        build_types=(),
+        dependencies=(),
+        ignored=ignored,
+        malformed=malformed,
+    )
+
+
+def _below(file: File, ignored: frozenset[str]) -> bool:
+    folder = file.folder
+    while ignored:
+        if folder in ignored:
+            return True
+        if not folder:
+            break
+        folder = folder.rpartition("/")[0]
+    return False
+
+
+def _text(element: etree._Element | None) -> str | None:
+    text = (element.text or "").strip() if element is not None else ""
+    return text or None
+
+
+def _build_types(root: etree._Element) -> tuple[tuple[str, str | None], ...]:
+    found = tuple(
+        (name, element.get("condition")) for element in root.iterfind("export/build_type") if (name := _text(element))
+    )
+    return found or (("catkin", None),)
+
+
+def _dependencies(root: etree._Element, path: str) -> Iterator[Dependency]:
+    for element in root:
+        if not isinstance(element.tag, str) or element.tag not in _ROLES:
+            continue
+        name = _text(element)
+        if name is None:
+            continue
+        version = next((f"{sign}{value}" for key, sign in _VERSIONS.items() if (value := element.get(key))), None)
+        for role in _ROLES[element.tag]:
+            yield Dependency(
+                namespace="rosdep",
+                name=name,
+                strength="declared",
+                file=path,
+                line=element.sourceline or 1,
+                version=version,
+                role=role,
+                condition=element.get("condition"),
+            )
+
+
+def _sources(root: etree._Element, path: str) -> Iterator[GitSource]:
+    """Read ``<git_url target="NAME" url="…" branch="…"/>``, catkin_tools_fetch's way to an unreleased package.
+
+    https://github.com/niosus/catkin_tools_fetch
+    """
+    for element in root.iter("git_url"):
+        url = (element.get("url") or _text(element) or "").strip()
+        name = (
+            element.get("target") or url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
+        ).strip()
+        if url and name:
+            yield GitSource(
+                name=name,
+                url=url,
+                ref=element.get("branch") or element.get("tag") or element.get("commit"),
+                strength="declared",
+                file=path,
+                line=element.sourceline or 1,
+                kind="git_url",
+            )

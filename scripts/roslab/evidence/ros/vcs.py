@@ -1,0 +1,161 @@
+"""Lists of sister repositories: .repos, .rosinstall, vcs files under any name, .gitmodules.
+
+https://github.com/dirk-thomas/vcstool (``repositories:``), https://docs.ros.org/en/independent/api/rosinstall/html/
+"""
+
+from __future__ import annotations
+
+import configparser
+import re
+from collections.abc import Iterator
+
+from roslab.evidence import places
+from roslab.evidence.facts import GitSource
+from roslab.evidence.lex.yaml import load
+from roslab.repository.checkout import File, Repository
+
+MAX_SIZE = 256 * 1024
+MAX_OTHERS = 300
+"""YAML files of other names that are opened, those nearest to the root first."""
+_SUFFIX = re.compile(r"\.(?:repos|rosinstall)$|^\.rosinstall$|[._]rosinstall$|\.repos\.ya?ml$")
+_LOOKS = re.compile(r"^repositories:[ \t]*(?:#.*)?$|^-[ \t]*(?:git|hg|svn|tar):", re.MULTILINE)
+_INLINE = re.compile(r"\b(?:url|uri)[ \t]*:", re.MULTILINE)
+_SSH = re.compile(r"^(?:ssh://)?(?:[\w.-]+@)([\w.-]+)(?::(?:\d+/)?|/)(.+)$")
+_PLAIN_URL = re.compile(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
+
+
+def read(repository: Repository) -> tuple[GitSource, ...]:
+    """Return every repository that a list names, URLs as https; the repository itself is left out by ``decide``."""
+    found = [source for file in _files(repository) for source in _listed(repository, file)]
+    for file in repository.named(".gitmodules"):
+        found += _submodules(repository, file)
+    return tuple(found)
+
+
+def lists(repository: Repository) -> tuple[str, ...]:
+    """Return the paths of the vcs files, also of those that list nothing."""
+    return tuple(file.path for file in _files(repository))
+
+
+def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
+    """Return ``(message, file, line)`` where submodules are not checked out: what is in them was not read."""
+    folders = {file.folder for file in repository.files}
+    for file in repository.named(".gitmodules"):
+        missing = [
+            source
+            for source in _submodules(repository, file)
+            if not any(folder == source.name or folder.startswith(f"{source.name}/") for folder in folders)
+        ]
+        if missing:
+            names = ", ".join(source.name for source in missing)
+            what = "a submodule is" if len(missing) == 1 else "submodules are"
+            message = f"{what} not checked out and could not be read: {names}; git submodule update --init --recursive"
+            return ((message, file.path, missing[0].line),)
+    return ()
+
+
+def https(url: str, origin: str | None = None) -> str:
+    """Return a URL that anybody can clone: https in place of ssh and git, relative ones resolved against ``origin``."""
+    url = url.strip()
+    if url.startswith(("./", "../")) and origin:
+        base = https(origin).rstrip("/").split("/")
+        for part in url.rstrip("/").split("/"):
+            if part == "..":
+                base.pop()
+            elif part != ".":
+                base.append(part)
+        return "/".join(base)
+    if url.startswith("git://"):
+        return "https://" + url[6:]
+    match = None if url.startswith(("http://", "https://")) else _SSH.match(url)
+    return f"https://{match[1]}/{match[2]}" if match else url
+
+
+def _files(repository: Repository) -> list[File]:
+    files = [f for f in repository.suffixed(".repos", ".rosinstall", ".yaml", ".yml") if 0 < f.size <= MAX_SIZE]
+    files += [f for f in repository.named(".rosinstall") if 0 < f.size <= MAX_SIZE]
+    found = {f.path: f for f in files if _SUFFIX.search(f.name.lower()) and not places.vendored(f.path)}
+    others = [f for f in files if f.path not in found and f.path.count("/") <= 2 and f.size <= 64 * 1024]
+    others.sort(key=lambda file: (file.path.count("/"), file.path))
+    for file in others[:MAX_OTHERS]:
+        if not file.path.startswith(".github/") and not places.vendored(file.path) and _is_list(repository, file):
+            found[file.path] = file
+    return [found[path] for path in sorted(found)]
+
+
+def _is_list(repository: Repository, file: File) -> bool:
+    """Tell whether a YAML file of any name lists repositories."""
+    text = repository.read(file)
+    named = _LOOKS.search(text) and _INLINE.search(text) and ("://" in text or "git@" in text)
+    return bool(named) and any(word in text for word in ("version", "type", "local-name"))
+
+
+def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
+    text = repository.read(file)
+    data = load(text)
+    entries = (
+        list(_vcstool(data)) if isinstance(data, dict) else list(_rosinstall(data)) if isinstance(data, list) else []
+    )
+    if any("${" in str(part) for entry in entries for part in entry):
+        return  # a template: a script of the author's fills it in and decides when it is for
+    for name, url, ref in entries:
+        if not isinstance(url, str) or not _PLAIN_URL.match(url.strip()):
+            continue
+        yield GitSource(
+            name=name,
+            url=https(url, repository.origin),
+            ref=str(ref) if ref not in (None, "") else None,
+            strength="declared",
+            file=file.path,
+            line=_line(text, url),
+            kind="vcs",
+        )
+
+
+def _vcstool(data: dict[object, object]) -> Iterator[tuple[str, object, object]]:
+    listed = data.get("repositories")
+    if isinstance(listed, dict):
+        for name, entry in listed.items():
+            if isinstance(entry, dict) and entry.get("type", "git") == "git":
+                yield str(name), entry.get("url"), entry.get("version")
+
+
+def _rosinstall(data: list[object]) -> Iterator[tuple[str, object, object]]:
+    for entry in data:
+        inner = entry.get("git") if isinstance(entry, dict) else None
+        if isinstance(inner, dict):
+            url = inner.get("uri")
+            yield (
+                str(inner.get("local-name") or str(url).rpartition("/")[2].removesuffix(".git")),
+                url,
+                inner.get("version"),
+            )
+
+
+def _line(text: str, needle: str) -> int:
+    index = text.find(needle)
+    return text.count("\n", 0, index) + 1 if index >= 0 else 1
+
+
+def _submodules(repository: Repository, file: File) -> Iterator[GitSource]:
+    """Nested .gitmodules are leftovers of a copied tree: only the root's has effect."""
+    if file.path != ".gitmodules":
+        return
+    text = repository.read(file)
+    parser = configparser.ConfigParser(strict=False, interpolation=None, allow_no_value=True)
+    try:
+        parser.read_string("\n".join(line.strip() for line in text.split("\n")))
+    except configparser.Error:
+        return
+    for section in parser.sections():
+        path, url = parser.get(section, "path", fallback=None), parser.get(section, "url", fallback=None)
+        if section.startswith("submodule") and path and url:
+            yield GitSource(
+                name=path.strip("/"),
+                url=https(url, repository.origin),
+                ref=parser.get(section, "branch", fallback=None),
+                strength="declared",
+                file=file.path,
+                line=_line(text, url),
+                kind="submodule",
+            )

@@ -1,0 +1,140 @@
+"""What is run inside an image before it gets a tag: the repository's own test, else a default one for its kind."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from dataclasses import dataclass
+
+from roslab.config.model import Config
+from roslab.decide.decision import Decision
+from roslab.knowledge.tools import SYSTEM_PYTHON
+from roslab.plan.packages import ROS_TOOLS
+
+LONGEST = 200
+"""Letters of a command that are shown."""
+IMPORT_SCRIPT = """\
+import importlib, importlib.metadata as metadata, sys
+names, failed = sys.argv[1:], {}
+for name in names:
+    try:
+        distribution = metadata.distribution(name)
+    except metadata.PackageNotFoundError:
+        failed[name] = "not installed"
+        continue
+    listed = (distribution.read_text("top_level.txt") or "").split()
+    packages = {str(f).split("/")[0] for f in distribution.files or () if str(f).endswith("/__init__.py")}
+    for module in listed or sorted(packages):
+        if not module.isidentifier() or module.startswith("_") or module in ("docs", "examples", "test", "tests"):
+            continue
+        try:
+            importlib.import_module(module)
+        except Exception as error:
+            failed[name] = f"import {module}: {type(error).__name__}: {error}"
+print("imported", len(names) - len(failed), "of", len(names), "packages")
+sys.exit("\\n".join(f"{name}: {why}" for name, why in failed.items()) or 0)
+"""
+"""A distribution's name is not its module's (``opencv-python`` is ``cv2``): its own record says what to import."""
+
+AMENT_SCRIPT = """\
+import os, sys
+prefixes = os.environ.get("AMENT_PREFIX_PATH", "").split(":")
+failed = 0
+for name in sys.argv[1:]:
+    marker = os.path.join("share", "ament_index", "resource_index", "packages", name)
+    found = [prefix for prefix in prefixes if os.path.exists(os.path.join(prefix, marker))]
+    print(name, "in", found[0] if found else "none of AMENT_PREFIX_PATH")
+    failed |= not found
+sys.exit(failed)
+"""
+"""The index that ``ros2 pkg`` and ament_index_python read; a base without ros2cli has it too.
+https://github.com/ament/ament_cmake/blob/rolling/ament_cmake_core/doc/resource_index.md"""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Proof:
+    """One thing that is run in a container of the image."""
+
+    name: str
+    command: tuple[str, ...]
+    """An argv, started through the image's entry point."""
+    required: bool = True
+    """A failure keeps the image from its tag; what was only guessed is tried and told: it breaks nothing."""
+    may_run_on: bool = False
+    """A program that has no end: still alive after the proof's seconds counts as passed, as ending with 0 does."""
+    display: bool = False
+    """It opens windows: it runs with a virtual display, and a picture of that is kept."""
+
+
+def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
+    """Return the proofs of an image, in the order in which they are run."""
+    windows = decision.gui if config.gui is None else config.gui
+    if config.test:
+        command = ("bash", "-c", config.test) if isinstance(config.test, str) else config.test
+        return (Proof(name="the repository's test", command=command, display=windows),)
+    found = []
+    if decision.dockerfile is None:
+        found += _workspace_proofs(decision)
+        distributions = _declared_distributions(decision)
+        if distributions:
+            version = decision.python.version or SYSTEM_PYTHON.get(decision.ubuntu or "")
+            found.append(_import_proof(version, distributions))
+        if beside := sorted({name for line in decision.python.python2 if (name := _distribution(line))}):
+            command = ("python2", "-m", "pip", "show", *beside)
+            found.append(Proof(name="declared packages of Python 2 are installed", command=command))
+    # An author's own recipe says itself what it starts: its CMD, which an empty command runs.
+    start: tuple[str, ...] | str = () if decision.dockerfile else decision.command
+    argv = ("bash", "-c", start) if isinstance(start, str) else start
+    said = bool(decision.dockerfile or config.command) or argv[:1] == ("bash",)
+    name = "the default command starts"
+    windows = windows and argv != ("bash",)  # a shell without a terminal ends at once and draws nothing
+    found.append(Proof(name=name, command=argv, required=said, may_run_on=True, display=windows))
+    return tuple(found)
+
+
+def _workspace_proofs(decision: Decision) -> list[Proof]:
+    if decision.kind not in ("ros1", "ros2") or not decision.package_names or decision.workspace == "none":
+        return []
+    if decision.build_tool not in ROS_TOOLS:  # the repository is no package of a workspace
+        return []
+    if decision.kind == "ros1":
+        script = 'failed=0; for package in "$@"; do rospack find "$package" || failed=1; done; exit $failed'
+        command = ("bash", "-c", script, "proof", *decision.package_names)
+    else:
+        command = ("python3", "-c", AMENT_SCRIPT, *decision.package_names)
+    return [Proof(name="the workspace's packages are found", command=command)]
+
+
+def _import_proof(version: str | None, distributions: list[str]) -> Proof:
+    if version and tuple(map(int, version.split(".")[:2])) < (3, 8):
+        # No importlib.metadata before 3.8: pip itself must know each of them
+        python = "python2" if version.startswith("2") else "python3"
+        return Proof(
+            name="declared Python packages are installed", command=(python, "-m", "pip", "show", *distributions)
+        )
+    return Proof(name="declared Python packages import", command=("python3", "-c", IMPORT_SCRIPT, *distributions))
+
+
+def _declared_distributions(decision: Decision) -> list[str]:
+    """Return what must be there: not what was guessed, and not what conda calls by names of its own."""
+    python = decision.python
+    lines = python.pip if python.manager == "conda" else decision.pip
+    others = {*python.pip_guessed, *python.python2} - {*python.pip}
+    return sorted({name for line in lines if line not in others and (name := _distribution(line))})
+
+
+def _distribution(line: str) -> str | None:
+    """Name of the distribution that a requirement line installs; ``None`` for a URL, an option, a marked line."""
+    requirement = line.partition("#")[0].strip()
+    match = re.match(r"([A-Za-z0-9][A-Za-z0-9._-]*)\s*(\[[^]]*\])?\s*([=<>!~].*)?$", requirement)
+    return match[1] if match else None
+
+
+def describe(proof: Proof) -> str:
+    """Return the command as a person would type it; of a script of several lines the first, of a long one its begin."""
+    words = [
+        f"{first} …" if (first := word.partition("\n")[0]) != (whole := word.rstrip("\n")) else whole
+        for word in proof.command
+    ]
+    text = shlex.join(words) or "(the image's own command)"
+    return text if len(text) <= LONGEST else text[: LONGEST - 1] + "…"

@@ -1,0 +1,181 @@
+"""Running an image before it gets a tag."""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+import time
+from collections.abc import Sequence
+from contextlib import ExitStack, suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from roslab.engine.docker import Say, last_line, output, say
+from roslab.errors import BuildError, Problem
+from roslab.knowledge.launches import dead_nodes
+from roslab.plan.proof import Proof, describe
+from roslab.prove.display import virtual_display
+from roslab.prove.screenshot import Camera, Screenshot, file_name
+from roslab.prove.verdict import End, verdict
+
+PROOF_SECONDS = 10.0
+"""How long a program without an end is watched before it counts as alive."""
+PROOF_LIMIT = 1800.0
+"""How long a test may take: emulated platforms are slow, but a hung one must not hold the job for hours."""
+START_LIMIT = 300.0
+"""How long a container may take to start; a large image is unpacked first."""
+DRAWING_SECONDS = 40.0
+"""How long a program without an end is watched where it has not drawn anything yet."""
+SETTLING_SECONDS = 3.0
+"""From the first thing drawn to the picture that is kept, at least."""
+LONGEST_PAUSE = 2.0
+"""Between two looks at a screen; a short program's is looked at more often."""
+KEPT_OUTPUT = 64 * 1024
+"""Bytes at the end of what a proof printed."""
+READ_OUTPUT = 64 * 1024 * 1024
+"""Bytes in which a launch's dead nodes are looked for: a program may print without end."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Outcome:
+    """What one proof came to."""
+
+    proof: Proof
+    platform: str
+    passed: bool
+    seconds: float
+    summary: str
+    output: str
+    screenshot: Screenshot | None = None
+    """Of a proof with a display; ``None`` of any other."""
+
+
+def prove(
+    reference: str,
+    platform: str,
+    proofs: Sequence[Proof],
+    *,
+    screenshots: Path,
+    pull: bool = False,
+    tell: Say = say,
+) -> tuple[Outcome, ...]:
+    """Run an image's proofs on one platform, in order, up to the first that fails; never raises for a failed proof.
+
+    ``pull`` fetches the image first: the proof then runs what the registry holds. ``screenshots`` is the folder for the
+    pictures of proofs with a display; it is made where there is one to keep.
+    """
+    if pull:
+        answer = output(["docker", "pull", "--quiet", "--platform", platform, reference], timeout=PROOF_LIMIT)
+        if answer.returncode:
+            raise BuildError(Problem(message=f"cannot pull {reference} for {platform}: {last_line(answer.stderr)}"))
+    outcomes: list[Outcome] = []
+    for proof in proofs:
+        tell(f"[{platform}] {proof.name}: {describe(proof)}")
+        outcome = _prove_once(reference, platform, proof, screenshots)
+        tell("".join(f"    {line}\n" for line in outcome.output.splitlines()[-40:]) + f"[{platform}] {outcome.summary}")
+        if outcome.screenshot:
+            tell(f"[{platform}] {outcome.screenshot}")
+        outcomes.append(outcome)
+        if not outcome.passed:
+            break
+    return tuple(outcomes)
+
+
+def _prove_once(reference: str, platform: str, proof: Proof, screenshots: Path) -> Outcome:
+    with ExitStack() as stack:
+        folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="roslab-")))
+        camera, without = _camera(stack, folder) if proof.display else (None, "")
+        picture = screenshots / file_name(platform, proof.name)
+        with suppress(OSError):
+            picture.unlink()  # an older proof's
+        options = ["--platform", platform, *(camera.display.options() if camera else ())]
+        # What a program holds back would be lost where the proof ends it
+        options += ["--env", "PYTHONUNBUFFERED=1"] if proof.may_run_on else []
+        start = time.monotonic()
+        log = folder / "log"
+        code, watched = _run([*options, reference, *proof.command], log, proof, camera)
+        seconds = time.monotonic() - start
+        with log.open("rb") as stream:
+            dead = dead_nodes(_text(stream.read(READ_OUTPUT))) if proof.may_run_on else ()
+            stream.seek(max(0, log.stat().st_size - KEPT_OUTPUT))
+            kept = _text(stream.read())
+        screenshot = camera.keep(picture) if camera else Screenshot(remark=without) if without else None
+    end = End(code=code, seconds=seconds if code is not None else watched, dead=dead)
+    passed, summary = verdict(proof, end, without=without)
+    return Outcome(
+        proof=proof,
+        platform=platform,
+        passed=passed,
+        seconds=seconds,
+        summary=summary,
+        output=kept,
+        screenshot=screenshot,
+    )
+
+
+def _camera(stack: ExitStack, folder: Path) -> tuple[Camera | None, str]:
+    """Start a display for as long as the stack lasts; return a camera in front of it, or why there is none."""
+    try:
+        return Camera(display=stack.enter_context(virtual_display(folder))), ""
+    except BuildError as error:
+        return None, str(error)
+
+
+def _text(data: bytes) -> str:
+    return data.decode("utf-8", errors="replace")
+
+
+def _run(arguments: Sequence[str], log: Path, proof: Proof, camera: Camera | None) -> tuple[int | None, float]:
+    """Run a container, its output to a file; return what ``_watch`` saw."""
+    identity = log.with_name("container")
+    command = ["docker", "run", "--rm", "--init", "--cidfile", str(identity), *arguments]
+    with (
+        log.open("wb") as stream,
+        subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=stream, stderr=subprocess.STDOUT) as process,
+    ):
+        try:
+            _wait_for_start(identity, process)
+            return _watch(process, proof, camera)
+        finally:
+            if process.poll() is None:
+                _end(identity, process)
+
+
+def _watch(process: subprocess.Popen[bytes], proof: Proof, camera: Camera | None) -> tuple[int | None, float]:
+    """Wait for the end of a proof, or of its time, and look at its screen meanwhile.
+
+    Returns the exit code, ``None`` where the time ended first, and the seconds that it took.
+    """
+    start = time.monotonic()
+    limit = PROOF_SECONDS if proof.may_run_on else PROOF_LIMIT
+    latest = DRAWING_SECONDS if proof.may_run_on else PROOF_LIMIT
+    drawn: float | None = None
+    while True:
+        if camera:
+            camera.look()
+            if drawn is None and (camera.drawn or camera.blind):
+                drawn = time.monotonic() - start
+        elapsed = time.monotonic() - start
+        # An emulated program, or a simulator, may need longer for its first window, and a moment for what is in it
+        end = limit if camera is None else latest if drawn is None else max(limit, drawn + SETTLING_SECONDS)
+        if elapsed >= end:
+            return None, elapsed
+        pause = end - elapsed if camera is None else min(end - elapsed, 0.25 + elapsed / 10, LONGEST_PAUSE)
+        with suppress(subprocess.TimeoutExpired):
+            return process.wait(pause), time.monotonic() - start
+
+
+def _wait_for_start(identity: Path, process: subprocess.Popen[bytes]) -> None:
+    """Wait until the container exists: unpacking a large image may take longer than a proof's seconds."""
+    deadline = time.monotonic() + START_LIMIT
+    while not identity.exists() and process.poll() is None and time.monotonic() < deadline:
+        time.sleep(0.05)
+
+
+def _end(identity: Path, process: subprocess.Popen[bytes]) -> None:
+    if identity.exists():
+        output(["docker", "rm", "--force", identity.read_text(encoding="utf-8").strip()])
+    try:
+        process.wait(30)
+    except subprocess.TimeoutExpired:
+        process.kill()

@@ -1,0 +1,51 @@
+"""What a proof came to, in a few words: from how its container ended and what it printed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from roslab.plan.proof import Proof
+
+MAX_NODES = 5
+"""Named in one line; a launch of thirty nodes may lose them all."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class End:
+    """How a proof's container ended."""
+
+    code: int | None
+    """Exit code, ``None`` where it was still running when the proof ended it."""
+    seconds: float
+    dead: tuple[str, ...] = ()
+    """What became of the nodes of a launch that died: ``talker-2 died with exit code 1``."""
+
+
+def verdict(proof: Proof, end: End, *, without: str = "") -> tuple[bool, str]:
+    """Return whether a proof passed, and why in one line.
+
+    A launch outlives its nodes: where one died, what the default command starts does not run.
+    ``without`` says why there was no display, which is told where that may be why it failed.
+    """
+    passed, summary = _judge(proof, end, end.dead)
+    if not passed and without:
+        summary += f"; it had no display: {without}"
+    if not passed and not proof.required:
+        # Only guessed: programs that want data or a robot are no reason to withhold an image that is whole
+        return True, f"not proved: the guessed command {summary}; name the right one as `command` in roslab.yaml"
+    return passed, summary
+
+
+def _judge(proof: Proof, end: End, dead: tuple[str, ...]) -> tuple[bool, str]:
+    nodes = ", ".join(dead[:MAX_NODES]) + (f" and {len(dead) - MAX_NODES} more" if len(dead) > MAX_NODES else "")
+    if end.code is None and not proof.may_run_on:
+        return False, f"failed: no end within {end.seconds:.0f} s"
+    if end.code:
+        return False, f"failed with exit code {end.code} after {end.seconds:.1f} s" + (f": {nodes}" if dead else "")
+    if dead:
+        launch = "ended with 0" if end.code == 0 else "still ran"
+        return False, f"failed: {nodes}, though the launch itself {launch} after {end.seconds:.1f} s"
+    return (
+        True,
+        f"passed in {end.seconds:.1f} s" if end.code == 0 else f"passed: still running after {end.seconds:.0f} s",
+    )

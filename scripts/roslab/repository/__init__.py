@@ -1,0 +1,1 @@
+"""The one reader of a checkout: its files, and its commit by git."""
