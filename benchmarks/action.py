@@ -23,7 +23,7 @@ OWN = (
     "Prepare the program",
     "Plan",
     "Check the engine and the registry",
-    "Write the recipe",
+    "Write the Dockerfile",
     "Put the tags on the proved image",
     "Write the summary",
 )

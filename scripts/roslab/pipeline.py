@@ -87,7 +87,7 @@ def plan_repository(
 
 
 def _without_own_files(repository: Repository) -> Repository:
-    """Leave out what ``create`` wrote: it is no evidence, and its Dockerfile no recipe of the author's."""
+    """Leave out what ``create`` wrote: it is no evidence, and its Dockerfile is not the author's."""
     candidates = repository.named(*OWN_NAMES)
     if not candidates:
         return repository
@@ -202,18 +202,18 @@ def rendered(planned: Planned, folder: Path) -> tuple[OutputFile, ...]:
     )
 
 
-def write_recipe(planned: Planned, folder: Path) -> tuple[Path, Path]:
+def write_dockerfile(planned: Planned, folder: Path) -> tuple[Path, Path]:
     """Write what a build needs to an empty folder; return the Dockerfile to use and its context.
 
-    The author's own recipe is used where it stands.
+    The author's own Dockerfile is used where it stands.
     """
     return write_plan(planned.plan, planned.repository.root, folder)
 
 
 def write_plan(plan: Plan, root: Path, folder: Path) -> tuple[Path, Path]:
     """Do what ``write_recipe`` does with a plan that came from elsewhere; ``root`` is the checkout it was made for."""
-    if recipe := plan.recipe:
-        return root / recipe.dockerfile, root / recipe.context
+    if authored := plan.author_dockerfile:
+        return root / authored.dockerfile, root / authored.context
     context = os.path.relpath(root, folder.resolve())
     for file in render_all(plan, readme=None, output_is_root=False, context=context):
         if file.path.startswith("Dockerfile"):

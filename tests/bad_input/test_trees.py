@@ -183,7 +183,7 @@ def test_configuration_that_is_a_link_out(roslab: Roslab, tmp_path: Path) -> Non
     )
 
 
-def test_recipe_that_is_a_link_out(roslab: Roslab, tmp_path: Path) -> None:
+def test_dockerfile_that_is_a_link_out(roslab: Roslab, tmp_path: Path) -> None:
     (tmp_path / "Dockerfile").write_text("FROM scratch\nCOPY . /everything\n")
     shutil.copytree(EXAMPLES / "python_filter", tmp_path / "robot")
     (tmp_path / "robot" / "roslab.yaml").write_text("format: 3\ndockerfile: docker/Dockerfile\n")

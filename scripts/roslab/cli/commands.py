@@ -124,7 +124,7 @@ def create(options: argparse.Namespace) -> int:
 def build(options: argparse.Namespace) -> int:
     """Build, prove, and only then name the image; the name stays with the old image where anything fails."""
     from roslab.engine import docker as engine  # noqa: PLC0415
-    from roslab.pipeline import write_recipe  # noqa: PLC0415
+    from roslab.pipeline import write_dockerfile  # noqa: PLC0415
 
     arguments = tuple(_argument(text) for text in options.build_arg)
     planned = _plan(options)
@@ -137,7 +137,7 @@ def build(options: argparse.Namespace) -> int:
     candidates: list[str] = []
     try:
         with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
-            dockerfile, context = write_recipe(planned, Path(folder))
+            dockerfile, context = write_dockerfile(planned, Path(folder))
             for platform in platforms:
                 candidates.append(f"{planned.plan.name}:roslab-candidate-{os.getpid()}-{platform.replace('/', '-')}")
                 job = engine.Build(

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from roslab.config.model import Config, Kind
-from roslab.decide.author_dockerfile import decide_recipe
-from roslab.decide.base import decide_base, of_recipe
+from roslab.decide.author_dockerfile import decide_dockerfile
+from roslab.decide.base import decide_base, of_dockerfile
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.command import decide_command
 from roslab.decide.cuda.version import CudaChoice, decide_cuda, of_image
@@ -48,9 +48,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         base = decide_base(evidence, config, kind.kind, chosen=ros, cuda=cuda, python=python.version)
     python = systems_python(python, config)
     build_tool, tool_reasons = decide_build_tool(evidence, config, kind.kind, python)
-    recipe = decide_recipe(evidence, config, kind.kind, distro)
-    base = of_recipe(base, evidence, config, recipe.dockerfile)
-    cuda = of_image(cuda, base.image) if recipe.dockerfile else cuda
+    authored = decide_dockerfile(evidence, config, kind.kind, distro)
+    base = of_dockerfile(base, evidence, config, authored.dockerfile)
+    cuda = of_image(cuda, base.image) if authored.dockerfile else cuda
     packages = packages_of(evidence)
     target = Target(ros_distro=distro, ubuntu=base.ubuntu)
     needed = (
@@ -84,7 +84,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     on_cuda = "nvidia" in base.image or kind.kind == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else CudaChoice()
     platforms = decide_platforms(evidence, config, kind.kind, base.image, distro, cuda.cuda, python)
-    command = decide_command(evidence, config, kind.kind, recipe.dockerfile)
+    command = decide_command(evidence, config, kind.kind, authored.dockerfile)
     return Decision(
         kind=kind.kind,
         ros_distro=distro,
@@ -103,8 +103,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         package_names=_names(packages, kind.kind),
         workspace=layout.workspace,
         cmake_folder=layout.cmake_folder,
-        dockerfile=recipe.dockerfile,
-        context=recipe.context,
+        dockerfile=authored.dockerfile,
+        context=authored.context,
         command=command.command,
         command_candidates=command.candidates,
         platforms=platforms.platforms,
@@ -123,7 +123,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             *ros.warnings,
             *python_warnings,
             *cuda.warnings,
-            *recipe.warnings,
+            *authored.warnings,
             *sources.warnings,
             *system.warnings,
         ),
@@ -133,10 +133,10 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             *base.reasons,
             *tool_reasons,
             *layout.reasons,
-            # An author's recipe brings a Python of its own
-            *(reason for reason in python_reasons if not (recipe.dockerfile and reason.question == "python")),
+            # An author's Dockerfile brings a Python of its own
+            *(reason for reason in python_reasons if not (authored.dockerfile and reason.question == "python")),
             *cuda.reasons,
-            *recipe.reasons,
+            *authored.reasons,
             *command.reasons,
             *platforms.reasons,
             *sources.reasons,
@@ -158,7 +158,7 @@ def _something(evidence: Evidence, config: Config) -> None:
     """Raise where the folder holds nothing to build an image around, and roslab.yaml says nothing either."""
     found = (
         *(evidence.manifests, evidence.cmake, evidence.python, evidence.requirements, evidence.conda),
-        *(evidence.recipes, evidence.scripts, evidence.sources, evidence.code, evidence.cuda_files),
+        *(evidence.dockerfiles, evidence.programs, evidence.sources, evidence.code, evidence.cuda_files),
     )
     if any(found) or config.file:
         return

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Reason, Warning_
-from roslab.evidence.facts import Evidence, Recipe
+from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.frameworks import cuda_image
 
@@ -33,7 +33,7 @@ _OLD_UBUNTU = re.compile(r"^(?:ubuntu|debian):(?:1[0-5]\.|17\.|19\.|2[13]\.|jess
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class RecipeChoice:
+class DockerfileChoice:
     """A Dockerfile of the tree and its build context, both relative to the root; ``None`` to generate one."""
 
     dockerfile: str | None = None
@@ -42,9 +42,9 @@ class RecipeChoice:
     warnings: tuple[Warning_, ...] = ()
 
 
-def decide_recipe(evidence: Evidence, config: Config, kind: Kind, ros_distro: str | None) -> RecipeChoice:
-    """Return the author's recipe where it can be believed: it is the project's, brings its source, can be built."""
-    by_path = {recipe.file: recipe for recipe in evidence.recipes}
+def decide_dockerfile(evidence: Evidence, config: Config, kind: Kind, ros_distro: str | None) -> DockerfileChoice:
+    """Return the author's Dockerfile where it can be believed: it is the project's, brings its source, can be built."""
+    by_path = {authored.file: authored for authored in evidence.dockerfiles}
     if config.dockerfile:
         place = config.place("dockerfile")
         said = Reason(
@@ -57,72 +57,72 @@ def decide_recipe(evidence: Evidence, config: Config, kind: Kind, ros_distro: st
         )
         found = by_path.get(config.dockerfile)
         context = config.context if config.context is not None else (found.context or "" if found else "")
-        return RecipeChoice(dockerfile=config.dockerfile, context=context, reasons=(said,))
+        return DockerfileChoice(dockerfile=config.dockerfile, context=context, reasons=(said,))
     reasons: list[Reason] = []
-    believed: list[Recipe] = []
-    for recipe in evidence.recipes:
-        against = doubt(recipe, kind, ros_distro) or _chained(recipe, evidence)
+    believed: list[AuthorDockerfile] = []
+    for authored in evidence.dockerfiles:
+        against = doubt(authored, kind, ros_distro) or _chained(authored, evidence)
         if against is None:
-            believed.append(recipe)
+            believed.append(authored)
         else:
             reasons.append(
                 Reason(
                     question="dockerfile",
-                    answer=recipe.file,
+                    answer=authored.file,
                     reason=against,
-                    file=recipe.file,
-                    line=recipe.base_line,
+                    file=authored.file,
+                    line=authored.base_line,
                     weight=-1,
                 )
             )
     if not believed:
-        return RecipeChoice(reasons=tuple(reasons[:20]))
-    best = min(believed, key=lambda recipe: _rank(recipe, kind, ros_distro))
+        return DockerfileChoice(reasons=tuple(reasons[:20]))
+    best = min(believed, key=lambda authored: _rank(authored, kind, ros_distro))
     reasons.insert(
         0,
         Reason(
             question="dockerfile",
             answer=best.file,
-            reason=f"the author's recipe: it copies the repository and starts from {best.base}",
+            reason=f"the author's Dockerfile: it copies the repository and starts from {best.base}",
             file=best.file,
             line=best.base_line,
             weight=60,
         ),
     )
-    return RecipeChoice(dockerfile=best.file, context=best.context or "", reasons=tuple(reasons[:20]))
+    return DockerfileChoice(dockerfile=best.file, context=best.context or "", reasons=tuple(reasons[:20]))
 
 
-def doubt(recipe: Recipe, kind: Kind, ros_distro: str | None) -> str | None:  # noqa: PLR0911 - one doubt a line
-    """Return why a recipe cannot be believed, ``None`` where it can."""
-    if recipe.purpose != "project":
+def doubt(authored: AuthorDockerfile, kind: Kind, ros_distro: str | None) -> str | None:  # noqa: PLR0911 - one doubt a line
+    """Return why a Dockerfile cannot be believed, ``None`` where it can."""
+    if authored.purpose != "project":
         return {
             "documentation": "it is for the documentation",
             "vendored": "it belongs to a copy of other people's code",
             "ci": "it is for CI, or an environment without the source",
             "deploy": "it is for one robot's or machine's deployment",
-            "broken": f"it does not parse: {recipe.problem}",
-        }[recipe.purpose]
-    if recipe.problem:
-        return recipe.problem
-    if recipe.clones_itself:
+            "broken": f"it does not parse: {authored.problem}",
+        }[authored.purpose]
+    if authored.problem:
+        return authored.problem
+    if authored.clones_itself:
         return "it clones the repository instead of copying this checkout"
-    if not recipe.copies_repository:
+    if not authored.copies_repository:
         return "it does not copy the repository into the image"
-    if recipe.context:
-        return f"it builds {recipe.context}, not the whole repository"
-    if recipe.base is None or "$" in recipe.base:
-        return f"its base is not known: {recipe.base or 'no FROM'}"
-    return _base_doubt(recipe.base, kind, ros_distro)
+    if authored.context:
+        return f"it builds {authored.context}, not the whole repository"
+    if authored.base is None or "$" in authored.base:
+        return f"its base is not known: {authored.base or 'no FROM'}"
+    return _base_doubt(authored.base, kind, ros_distro)
 
 
-def _chained(recipe: Recipe, evidence: Evidence) -> str | None:
-    """Doubt a link of a chain: its base is tagged like the folder of another recipe, which somebody built by hand."""
-    name, _, tag = (recipe.base or "").partition(":")
+def _chained(authored: AuthorDockerfile, evidence: Evidence) -> str | None:
+    """Doubt a link of a chain: its base is tagged like the folder of another Dockerfile, built by hand."""
+    name, _, tag = (authored.base or "").partition(":")
     if "/" not in name or name.startswith(_PUBLISHED) or not tag:
         return None
-    for other in evidence.recipes:
-        if other is not recipe and tag in other.file.split("/")[:-1] and tag not in distros():
-            return f"its base {recipe.base} is what {other.file} builds"
+    for other in evidence.dockerfiles:
+        if other is not authored and tag in other.file.split("/")[:-1] and tag not in distros():
+            return f"its base {authored.base} is what {other.file} builds"
     return None
 
 
@@ -145,13 +145,15 @@ def _base_doubt(base: str, kind: Kind, ros_distro: str | None) -> str | None:
     return None
 
 
-def _rank(recipe: Recipe, kind: Kind, ros_distro: str | None) -> tuple[bool, bool, bool, int, bool, int, int, str]:
-    """Order believable recipes by their paths and bases.
+def _rank(
+    authored: AuthorDockerfile, kind: Kind, ros_distro: str | None
+) -> tuple[bool, bool, bool, int, bool, int, int, str]:
+    """Order believable Dockerfiles by their paths and bases.
 
     The distro in the path, a base that everybody has and that suits the kind, few folders, the plain name, near the
     root, the newer Ubuntu.
     """
-    path, base = recipe.file.lower(), (recipe.base or "").lower()
+    path, base = authored.file.lower(), (authored.base or "").lower()
     mine = bool(ros_distro and ros_distro in path)
     other = any(name in path for name in distros() if name != ros_distro) and not mine
     private = "/" in base and not base.startswith(_PUBLISHED)
@@ -160,4 +162,4 @@ def _rank(recipe: Recipe, kind: Kind, ros_distro: str | None) -> tuple[bool, boo
     below = 0 if mine else max(0, path.count("/") - 1)  # docker/Dockerfile is as good as one at the root
     release = _UBUNTU_TAG.search(base) if kind not in {"ros1", "ros2"} else None
     newest = -int(release[1]) if release else 0
-    return (other, private, unlike, below, not (mine or plain), path.count("/"), newest, recipe.file)
+    return (other, private, unlike, below, not (mine or plain), path.count("/"), newest, authored.file)

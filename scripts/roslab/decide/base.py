@@ -11,7 +11,7 @@ from roslab.decide.python.base import base_for
 from roslab.decide.reasons import because, configured, ranked
 from roslab.decide.ros.distro import DistroChoice
 from roslab.decide.system.cmake_version import has_it, needed_cmake
-from roslab.evidence.facts import Dependency, Evidence, Recipe
+from roslab.evidence.facts import AuthorDockerfile, Dependency, Evidence
 from roslab.knowledge.distros import Distro, distros, ubuntus
 
 DEFAULT_UBUNTU = "jammy"
@@ -51,26 +51,28 @@ def decide_base(
     return BaseChoice(image=image, ubuntu=ubuntu, reasons=reasons)
 
 
-def of_recipe(choice: BaseChoice, evidence: Evidence, config: Config, dockerfile: str | None) -> BaseChoice:
-    """Return the FROM of the author's own recipe where that is built, with all that spoke for another base."""
-    recipe = next((r for r in evidence.recipes if r.file == dockerfile and r.base and "$" not in r.base), None)
-    if recipe is None or recipe.base is None or config.base.image:
+def of_dockerfile(choice: BaseChoice, evidence: Evidence, config: Config, dockerfile: str | None) -> BaseChoice:
+    """Return the FROM of the author's own Dockerfile where that is built, with all that spoke for another base."""
+    authored = next((r for r in evidence.dockerfiles if r.file == dockerfile and r.base and "$" not in r.base), None)
+    if authored is None or authored.base is None or config.base.image:
         return choice
-    why = because("base_image", recipe.base, "the author's recipe starts from it", recipe, weight=800)
+    why = because("base_image", authored.base, "the author's Dockerfile starts from it", authored, weight=800)
     others = (replace(r, decisive=r.question != "base_image" and r.decisive) for r in choice.reasons)
-    return replace(choice, image=recipe.base, ubuntu=_codename(recipe.base) or choice.ubuntu, reasons=(why, *others))
+    return replace(
+        choice, image=authored.base, ubuntu=_codename(authored.base) or choice.ubuntu, reasons=(why, *others)
+    )
 
 
 def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: CudaChoice) -> BaseChoice:
     variant = config.base.ros.partition("-")[2] if config.base.ros else ""
     on_top = (f"ros-{distro.name}-{variant}",) if variant in _ON_TOP else ()
-    recipe = _nvidia_recipe(evidence)
-    if cuda.cuda and (config.base.cuda or recipe):
+    authored = _nvidia_dockerfile(evidence)
+    if cuda.cuda and (config.base.cuda or authored):
         image, _, reasons = base_for("cuda", cuda.cuda, cuda.cudnn if cuda.cudnn_named else None, distro.ubuntu, None)
-        if config.base.cuda or recipe is None:
+        if config.base.cuda or authored is None:
             said = configured(config, "base_image", image, "base.cuda")
         else:
-            said = because("base_image", image, f"the author's image is FROM {recipe.base}", recipe, weight=700)
+            said = because("base_image", image, f"the author's image is FROM {authored.base}", authored, weight=700)
         packages = on_top or (f"ros-{distro.name}-{variant or 'ros-base'}",)
         return BaseChoice(image=image, ubuntu=distro.ubuntu, ros_packages=packages, reasons=(said, *reasons))
     image = f"ros:{distro.name}-{variant if variant in _OFFICIAL else 'ros-base'}"
@@ -81,16 +83,22 @@ def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: 
     return BaseChoice(image=image, ubuntu=distro.ubuntu, ros_packages=on_top, reasons=reasons)
 
 
-def _nvidia_recipe(evidence: Evidence) -> Recipe | None:
+def _nvidia_dockerfile(evidence: Evidence) -> AuthorDockerfile | None:
     """Return the project's own image where it is on CUDA: the plainest Dockerfile nearest to the root.
 
-    An image of the author's own making (``lab/robot:base``) says nothing: another recipe builds it.
+    An image of the author's own making (``lab/robot:base``) says nothing: another Dockerfile builds it.
     """
     own = [
-        recipe for recipe in evidence.recipes if recipe.purpose == "project" and (recipe.base or "").startswith(_ROOTS)
+        authored
+        for authored in evidence.dockerfiles
+        if authored.purpose == "project" and (authored.base or "").startswith(_ROOTS)
     ]
     own.sort(
-        key=lambda recipe: (recipe.file.count("/"), recipe.file.rpartition("/")[2].lower() != "dockerfile", recipe.file)
+        key=lambda authored: (
+            authored.file.count("/"),
+            authored.file.rpartition("/")[2].lower() != "dockerfile",
+            authored.file,
+        )
     )
     return own[0] if own and (own[0].base or "").startswith(_NVIDIA) else None
 
@@ -99,11 +107,11 @@ def _cpp(evidence: Evidence, config: Config) -> BaseChoice:
     reasons = [because("ubuntu", DEFAULT_UBUNTU, "nothing is said: the default", weight=1)]
     if config.base.ubuntu:
         reasons.append(configured(config, "ubuntu", config.base.ubuntu, "base.ubuntu"))
-    for recipe in evidence.recipes:
-        codename = _codename(recipe.base or "")
-        if codename and recipe.purpose in {"project", "ci"}:
-            why = f"the author's image is FROM {recipe.base}"
-            reasons.append(because("ubuntu", codename, why, recipe, weight=700))
+    for authored in evidence.dockerfiles:
+        codename = _codename(authored.base or "")
+        if codename and authored.purpose in {"project", "ci"}:
+            why = f"the author's image is FROM {authored.base}"
+            reasons.append(because("ubuntu", codename, why, authored, weight=700))
     for mention in evidence.mentions:
         codename = ubuntus().get(mention.value, mention.value)
         if mention.topic == "ubuntu" and codename in ubuntus().values():

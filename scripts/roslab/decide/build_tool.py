@@ -9,7 +9,7 @@ from roslab.decide.ros.workspace import packages_of, types
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 
-_SOURCES = {"readme": 400, "recipe": 420, "ci": 380, "script": 300}
+_SOURCES = {"readme": 400, "dockerfile": 420, "ci": 380, "script": 300}
 
 
 def decide_build_tool(
@@ -68,7 +68,7 @@ def _ros1(evidence: Evidence) -> tuple[BuildTool, tuple[Reason, ...]]:
 
 def _weight(mention: Mention) -> int:
     """Rank a build command by where it stands; an isolated build is what CI runs, hardly ever what people do."""
-    weight = _SOURCES.get(mention.source, 100) - (5 if mention.source == "recipe" else 30) * mention.file.count("/")
+    weight = _SOURCES.get(mention.source, 100) - (5 if mention.source == "dockerfile" else 30) * mention.file.count("/")
     if places.vendored(mention.file):
         weight -= 200
     if places.documentation(mention.file):

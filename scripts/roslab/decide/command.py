@@ -82,17 +82,17 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
         for c in list(found.values())[:MAX_CANDIDATES]
     ]
     if dockerfile:
-        recipe = next((recipe for recipe in evidence.recipes if recipe.file == dockerfile), None)
-        if recipe and recipe.command:
+        authored = next((authored for authored in evidence.dockerfiles if authored.file == dockerfile), None)
+        if authored and authored.command:
             own = Reason(
                 question="command",
-                answer=shlex.join(recipe.command),
-                reason="the author's recipe starts it",
-                file=recipe.file,
-                line=recipe.command_line,
+                answer=shlex.join(authored.command),
+                reason="the author's Dockerfile starts it",
+                file=authored.file,
+                line=authored.command_line,
                 weight=60,
             )
-            return CommandChoice(command=recipe.command, candidates=candidates, gui=gui, reasons=(own, *reasons))
+            return CommandChoice(command=authored.command, candidates=candidates, gui=gui, reasons=(own, *reasons))
     ours = [c for c in found.values() if _own(c.argv, evidence)]
     obvious = [c for c in ours if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
     obvious = obvious if dockerfile or any(c.strong for c in ours) else ours
@@ -122,7 +122,7 @@ def _own(argv: tuple[str, ...], evidence: Evidence) -> bool:
 
 def _others(evidence: Evidence, only: _Candidate) -> bool:
     """Tell whether the same page runs further Python files of the tree, which have no guard to be known by."""
-    programs = [script.file for script in evidence.scripts]
+    programs = [script.file for script in evidence.programs]
     folders = {file.rpartition("/")[0] for file in (*programs, *(d.file for d in evidence.code))} | {""}
     for mention in evidence.mentions:
         if mention.topic == "command" and mention.file == only.file and mention.value.startswith("python"):
@@ -153,7 +153,7 @@ def _candidates(evidence: Evidence, kind: Kind) -> Iterator[_Candidate]:
     yield from _written(evidence, ros=ros, compiled=compiled)
     if ros:
         yield from _launched(evidence)
-    elif compiled or not evidence.scripts:
+    elif compiled or not evidence.programs:
         yield from _compiled(evidence)
     else:
         yield from _installed(evidence)
@@ -169,7 +169,7 @@ def _only_compiled(evidence: Evidence) -> bool:
 
 def _written(evidence: Evidence, *, ros: bool, compiled: bool) -> Iterator[_Candidate]:
     """Yield what READMEs run; a page deeper in the tree tells of a part, and a compiled program's scripts serve it."""
-    programs = [script.file for script in evidence.scripts]
+    programs = [script.file for script in evidence.programs]
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
     said = [m for m in said if not places.vendored(m.file)]
     nearest = min((mention.file.count("/") for mention in said), default=0)
@@ -236,7 +236,7 @@ def _installed(evidence: Evidence) -> Iterator[_Candidate]:
             for script, line in project.scripts:
                 why = "a program that the project installs"
                 yield _Candidate(argv=(script,), why=why, file=project.file, line=line, strong=False)
-    for program in evidence.scripts:
+    for program in evidence.programs:
         path = program.file
         if program.kind == "main" and path.count("/") <= 1 and not places.vendored(path) and not places.example(path):
             why = "it has a __main__ guard"

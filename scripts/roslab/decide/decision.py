@@ -102,7 +102,7 @@ class Decision:
     """Folder of the top-level CMakeLists.txt of a plain CMake project, ``""`` for the root."""
     dockerfile: str | None = None
     context: str | None = None
-    """Build context of the author's recipe, relative to the root."""
+    """Build context of the author's Dockerfile, relative to the root."""
     command: tuple[str, ...] | str = ("bash",)
     command_candidates: tuple[tuple[str, ...], ...] = ()
     platforms: tuple[str, ...] = ("linux/amd64", "linux/arm64")

@@ -16,7 +16,7 @@ from roslab.knowledge.distros import distro, distros
 
 SMALL_WRAPPER = 3
 """A program in Python with at most so many ROS packages below its root has a ROS wrapper; it is no ROS repository."""
-_LEANING = {"branch": 60, "recipe": 12, "ci": 10, "readme": 6, "filename": 4}
+_LEANING = {"branch": 60, "dockerfile": 12, "ci": 10, "readme": 6, "filename": 4}
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -103,7 +103,7 @@ def _wrapper(evidence: Evidence, manifests: list[str]) -> bool:
     own += [r.file for r in evidence.requirements if r.purpose == "run"]
     if not any(f.count("/") <= depth and not _within(f, folders) and not places.vendored(f) for f in own):
         return False
-    code = {d.file for d in evidence.code if d.namespace == "import"} | {script.file for script in evidence.scripts}
+    code = {d.file for d in evidence.code if d.namespace == "import"} | {script.file for script in evidence.programs}
     inside = sum(_within(file, folders) for file in code)
     return 2 * inside < len(code)
 
@@ -165,8 +165,8 @@ def _python_place(evidence: Evidence) -> tuple[Placed, str, int] | None:
     for requirement in evidence.requirements:
         if requirement.purpose == "run":
             return requirement, "Python requirements", 230 if "/" in requirement.file else 350
-    if evidence.scripts:
-        return evidence.scripts[0], "a Python program", 120
+    if evidence.programs:
+        return evidence.programs[0], "a Python program", 120
     imported = next((d for d in evidence.code if d.namespace == "import"), None)
     return (imported, "Python code", 100) if imported else None
 

@@ -49,7 +49,7 @@ def narrowed(evidence: Evidence, config: Config) -> tuple[Evidence, Config]:
         python=(),
         requirements=tuple(file for file in evidence.requirements if file.file in files),
         conda=tuple(file for file in evidence.conda if file.file in files),
-        recipes=tuple(recipe for recipe in evidence.recipes if recipe.file in files),
+        dockerfiles=tuple(authored for authored in evidence.dockerfiles if authored.file in files),
         code=tuple(found for found in evidence.code if found.namespace != "import"),
         prose=tuple(found for found in evidence.prose if found.namespace == "apt"),
         sources=tuple(git for git in evidence.sources if git.file in files),

@@ -140,7 +140,7 @@ class CondaEnvironment:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Recipe:
+class AuthorDockerfile:
     """A Dockerfile of the author's."""
 
     file: str
@@ -174,7 +174,7 @@ class Mention:
     ]
     value: str
     source: Literal[
-        "branch", "recipe", "ci", "readme", "vcs", "filename", "manifest", "launch", "script", "code", "commit"
+        "branch", "dockerfile", "ci", "readme", "vcs", "filename", "manifest", "launch", "script", "code", "commit"
     ]
     file: str
     line: int
@@ -197,7 +197,7 @@ class LaunchFile:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Script:
+class Program:
     """A Python program that can be started: it has a ``__main__`` guard or lies where programs lie."""
 
     file: str
@@ -214,9 +214,9 @@ class Evidence:
     python: tuple[PythonProject, ...] = ()
     requirements: tuple[RequirementFile, ...] = ()
     conda: tuple[CondaEnvironment, ...] = ()
-    recipes: tuple[Recipe, ...] = ()
+    dockerfiles: tuple[AuthorDockerfile, ...] = ()
     launch: tuple[LaunchFile, ...] = ()
-    scripts: tuple[Script, ...] = ()
+    programs: tuple[Program, ...] = ()
     code: tuple[Dependency, ...] = ()
     """Includes and imports."""
     prose: tuple[Dependency, ...] = ()

@@ -6,23 +6,17 @@ import re
 
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import cmake, cpp
-from roslab.evidence.prose import author_dockerfile as dockerfile
-from roslab.evidence.prose import ci, readme
-from roslab.evidence.prose import install_scripts as scripts
+from roslab.evidence.prose import author_dockerfile, ci, install_scripts, readme
 from roslab.evidence.prose.installs import merge
-from roslab.evidence.python import conda, imports, removed, requirements
-from roslab.evidence.python import print_statement as python2
-from roslab.evidence.python import project as python_project
-from roslab.evidence.ros import commit_date as dates
-from roslab.evidence.ros import distro_names as names
-from roslab.evidence.ros import launch, package_xml, vcs
+from roslab.evidence.python import conda, imports, print_statement, project, removed, requirements
+from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, vcs
 from roslab.repository.checkout import Repository
 
 PROSE = (
-    dockerfile.prose,  # the author's own image: the nearest thing to the truth
+    author_dockerfile.prose,  # the author's own image: the nearest thing to the truth
     ci.read,  # another machine that had to make it work
     readme.read,  # what humans are told, perhaps years ago
-    scripts.read,  # install scripts, called by any of the three
+    install_scripts.read,  # install scripts, called by any of the three
 )
 
 
@@ -39,20 +33,20 @@ def gather(repository: Repository) -> Evidence:
     return Evidence(
         manifests=manifests,
         cmake=cmake_projects,
-        python=python_project.read(repository),
+        python=project.read(repository),
         requirements=requirements.read(repository),
         conda=conda.read(repository),
-        recipes=dockerfile.read(repository),
+        dockerfiles=author_dockerfile.read(repository),
         launch=launch.read(repository),
-        scripts=imports.scripts(repository),
+        programs=imports.programs(repository),
         code=(*cpp.read(repository), *imports.read(repository), *launch.plugins(repository)),
         prose=prose.dependencies,
         sources=sources,
         mentions=(
-            *names.read(repository),
+            *distro_names.read(repository),
             *prose.mentions,
-            *python2.read(repository),
-            *(dates.read(repository) if manifests else ()),
+            *print_statement.read(repository),
+            *(commit_date.read(repository) if manifests else ()),
         ),
         bounds=removed.read(repository),
         cuda_files=cpp.cuda_files(repository),

@@ -1,4 +1,4 @@
-"""What a checkout leaves in ``.git``, and how a build with the author's own recipe is kept from seeing it."""
+"""What a checkout leaves in ``.git``, and how a build with the author's own Dockerfile is kept from seeing it."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ MAX_CONFIG = 1_000_000
 
 
 def shielded(dockerfile: Path, context: Path, folder: Path) -> Path | None:
-    """Return a copy of the recipe in ``folder`` whose build does not see ``.git``, where that holds a credential.
+    """Return a copy of the Dockerfile in ``folder`` whose build does not see ``.git``, where that holds a credential.
 
-    ``None`` means that the recipe can be built where it stands. The lines of the author's ignore file are kept.
+    ``None`` means that the Dockerfile can be built where it stands. The lines of the author's ignore file are kept.
     """
     left = [path for path in _configurations(context) if _has_credential(context / path)]
     lines = _ignored(dockerfile, context)

@@ -16,7 +16,7 @@ STEPS: Mapping[str, tuple[str, Callable[[Mapping[str, str]], None]]] = {
         steps.plan,
     ),
     "ready": ("Check the engine and the registry before anything is built.", steps.ready),
-    "recipe": ("Write the Dockerfile and the settings of the build.", steps.recipe),
+    "dockerfile": ("Write the Dockerfile and the settings of the build.", steps.dockerfile),
     "explain": ("Say in plain words why the build failed.", steps.explain),
     "prove": ("Run the image on its platforms.", proving.prove),
     "tag": ("Put the tags on the proved images.", steps.tag),

@@ -96,9 +96,9 @@ class Folder:
         return from_line(self.read("run.json"))
 
     @property
-    def recipe(self) -> Path:
+    def dockerfile(self) -> Path:
         """Where a generated Dockerfile lies."""
-        return self.path / "recipe"
+        return self.path / "dockerfile"
 
     @property
     def artifact(self) -> Path:

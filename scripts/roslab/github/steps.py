@@ -97,14 +97,14 @@ def ready(environment: Environment) -> None:
     workflow.outputs({**builder.settings(environment), "emulate": ",".join(lacking)}, environment)
 
 
-def recipe(environment: Environment) -> None:
+def dockerfile(environment: Environment) -> None:
     """Write the Dockerfile and name everything that docker/build-push-action needs."""
     folder = Folder.of(environment)
     run, what = folder.run, event.read(environment)
     root = _workspace(environment)
-    folder.recipe.mkdir(exist_ok=True)
-    dockerfile, context = write_plan(run.plan, root, folder.recipe)
-    if run.plan.recipe and (copy := checkout.shielded(dockerfile, context, folder.recipe)):
+    folder.dockerfile.mkdir(exist_ok=True)
+    dockerfile, context = write_plan(run.plan, root, folder.dockerfile)
+    if run.plan.author_dockerfile and (copy := checkout.shielded(dockerfile, context, folder.dockerfile)):
         dockerfile = copy
         hint = "write `persist-credentials: false` below `with:` of actions/checkout"
         workflow.warn(Problem(message="the checkout left a token in .git, so the build does not see .git", hint=hint))

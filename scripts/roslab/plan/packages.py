@@ -28,7 +28,7 @@ class ImagePackages:
 def image_packages(decision: Decision, config: Config, in_workspace: tuple[Source, ...]) -> ImagePackages:
     """Return what the steps of the plan themselves need, then what the repository needs."""
     if decision.dockerfile:
-        return ImagePackages(named=decision.apt)  # the author's recipe has its own steps
+        return ImagePackages(named=decision.apt)  # the author's Dockerfile has its own steps
     needs = sorted({*_needs(decision, config)} | ({"ca-certificates", "git"} if in_workspace else set()))
     tools = _ros_tools(decision, in_workspace)
     if not config.compatible:

@@ -20,7 +20,7 @@ VERSION = 1
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Recipe:
+class AuthorDockerfile:
     """The author's own Dockerfile, built instead of a generated one; paths relative to the root."""
 
     dockerfile: str
@@ -85,7 +85,7 @@ class Plan:
     ros_source: bool
     """The base has no ROS: its packages come from ROS's own package source."""
     build_tool: BuildTool
-    recipe: Recipe | None
+    author_dockerfile: AuthorDockerfile | None
     repositories: tuple[str, ...]
     """PPAs, added before the packages."""
     apt_first: tuple[str, ...]
@@ -139,7 +139,11 @@ def make_plan(
 
     ``folder_name`` names the image where roslab.yaml does not; ``ignore`` are the lines of the author's .dockerignore.
     """
-    recipe = Recipe(dockerfile=decision.dockerfile, context=decision.context or ".") if decision.dockerfile else None
+    author_dockerfile = (
+        AuthorDockerfile(dockerfile=decision.dockerfile, context=decision.context or ".")
+        if decision.dockerfile
+        else None
+    )
     ros = decision.kind in ("ros1", "ros2")
     in_workspace = tuple(
         s for s in decision.source if ros and s.build in ("catkin_make", "catkin_tools", "colcon", "none")
@@ -167,7 +171,7 @@ def make_plan(
         base_image=decision.base_image,
         ros_source=ros and not decision.dockerfile and not _has_ros(decision.base_image),
         build_tool=decision.build_tool,
-        recipe=recipe,
+        author_dockerfile=author_dockerfile,
         repositories=config.repositories,
         apt_first=packages.first,
         apt_tools=packages.tools,

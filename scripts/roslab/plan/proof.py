@@ -82,7 +82,7 @@ def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
         if beside := sorted({name for line in decision.python.python2 if (name := _distribution(line))}):
             command = ("python2", "-m", "pip", "show", *beside)
             found.append(Proof(name="declared packages of Python 2 are installed", command=command))
-    # An author's own recipe says itself what it starts: its CMD, which an empty command runs.
+    # An author's own Dockerfile says itself what it starts: its CMD, which an empty command runs.
     start: tuple[str, ...] | str = () if decision.dockerfile else decision.command
     argv = ("bash", "-c", start) if isinstance(start, str) else start
     said = bool(decision.dockerfile or config.command) or argv[:1] == ("bash",)

@@ -19,19 +19,19 @@ def render_all(
     """Return every file of a plan, in the order in which they are shown.
 
     ``context`` is the repository, relative to the folder that the files are written to; ``readme`` is the text of the
-    file ``readme_name``. An author's own recipe is built where it stands: for it there is no Dockerfile.
+    file ``readme_name``. An author's own Dockerfile is built where it stands: for it there is no Dockerfile.
     """
     root = "." if output_is_root else context
-    recipe = (
+    authored = (
         ()
-        if plan.recipe
+        if plan.author_dockerfile
         else (
             OutputFile(path="Dockerfile", text=dockerfile(plan)),
             OutputFile(path="Dockerfile.dockerignore", text=ignore(plan)),
         )
     )
     return (
-        *recipe,
+        *authored,
         OutputFile(path="docker_build.sh", text=build_script(plan, context=root), executable=True),
         OutputFile(path="docker_run.sh", text=run_script(plan, context=root), executable=True),
         OutputFile(path="README.ipynb", text=notebook(plan, readme=readme, readme_name=readme_name)),

@@ -12,15 +12,15 @@ OLDEST_DOCKER = "23"
 def build_script(plan: Plan, *, context: str) -> str:
     """Return the script's text; ``context`` is the repository, relative to the folder the script is written to.
 
-    An author's own recipe is built as it stands, with whatever docker can.
+    An author's own Dockerfile is built as it stands, with whatever docker can.
     """
-    recipe = plan.recipe
+    authored = plan.author_dockerfile
     return script(
         "docker_build.sh",
         {
             "image": plan.name,
-            "dockerfile": f"{context}/{recipe.dockerfile}" if recipe else "Dockerfile",
-            "context": f"{context}/{recipe.context}" if recipe else context,
-            "oldest_docker": "0" if recipe else OLDEST_DOCKER,
+            "dockerfile": f"{context}/{authored.dockerfile}" if authored else "Dockerfile",
+            "context": f"{context}/{authored.context}" if authored else context,
+            "oldest_docker": "0" if authored else OLDEST_DOCKER,
         },
     )

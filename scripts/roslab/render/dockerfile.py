@@ -64,7 +64,7 @@ HEADER = """\
 
 
 def dockerfile(plan: Plan) -> str:
-    """Return the text of the Dockerfile for a plan without a recipe of the author's."""
+    """Return the text of the Dockerfile for a plan without a Dockerfile of the author's."""
     image = IMAGE_OLD_FORMATS if plan.compatible else IMAGE
     stages = [_join(blocks, plan) for blocks in STAGES_BEFORE]
     compile_blocks = _join(COMPILE, plan)

@@ -22,7 +22,7 @@ Parts = tuple[re.Pattern[str] | None, ...]
 def ignore(plan: Plan) -> str:
     """Return the text of the ignore file: the author's lines, what the plan needs all the same, what never goes in.
 
-    The last line that matches a path decides. An author's file was written for another recipe, so a file that this
+    The last line that matches a path decides. An author's file was written for another Dockerfile, so a file that this
     Dockerfile installs from is taken back in, right after the line that shut it out: the lines below still hold.
     ``.git`` comes last of all, so that no ``!`` of the author's publishes the history and the runner's credentials.
     """

@@ -60,7 +60,7 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
         ("built with", decision.build_tool, "build_tool"),
         ("Python", None if decision.dockerfile else _python(decision), "python"),
         ("CUDA", decision.cuda, "cuda"),
-        ("recipe", decision.dockerfile, "dockerfile"),
+        ("dockerfile", decision.dockerfile, "dockerfile"),
         (
             "command",
             decision.command if isinstance(decision.command, str) else shlex.join(decision.command),
@@ -92,13 +92,13 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
 
 
 def _packages(decision: Decision, plan: Plan) -> list[str]:
-    """Return what the image gets installed; of an author's recipe, which installs by itself, what is named."""
+    """Return what the image gets installed; of an author's Dockerfile, which installs by itself, what is named."""
     python = decision.python
     apt, apt_guessed = (*plan.apt_first, *plan.apt), (*plan.apt_tools, *plan.apt_guessed)
     pip = dict.fromkeys(line for line in (*decision.pip, *python.python2) if line not in python.pip_guessed)
     if decision.dockerfile:
         named = dict.fromkeys((*decision.rosdep, *apt, *apt_guessed, *pip, *python.pip_guessed))
-        return _section("named by the recipe and the code; what is installed, the recipe says", named)
+        return _section("named by the Dockerfile and the code; what is installed, the Dockerfile says", named)
     return [
         *_section("rosdep keys", decision.rosdep),
         *_section("apt packages", apt),

@@ -26,7 +26,7 @@ def run_script(plan: Plan, *, context: str) -> str:
     """
     run = plan.run
     command = run.command if isinstance(run.command, str) else quote.words(run.command)
-    if plan.recipe:
+    if plan.author_dockerfile:
         command = command or "(the command of its Dockerfile)"
     return script(
         "docker_run.sh",
@@ -34,10 +34,10 @@ def run_script(plan: Plan, *, context: str) -> str:
             "image": plan.name,
             "context": context,
             "default_command": command,
-            "image_user": "" if plan.recipe else IMAGE_USER,  # the author's recipe says itself who its user is
+            "image_user": "" if plan.author_dockerfile else IMAGE_USER,  # the author's says who its user is
             "gui": _word(run.gui),
             "gpu": _word(run.gpu),
-            "notebook": "unknown" if plan.recipe else _word(plan.notebook),
+            "notebook": "unknown" if plan.author_dockerfile else _word(plan.notebook),
             "volumes": [_volume(volume) for volume in run.volumes],
             "ports": [[_port(port)] for port in run.ports],
             "matlab": _place(run.matlab.host_path) if run.matlab else "",

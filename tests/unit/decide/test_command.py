@@ -15,11 +15,11 @@ from roslab.evidence.facts import (
     Evidence,
     LaunchFile,
     Mention,
+    Program,
     RequirementFile,
-    Script,
 )
 
-MAIN = Script(file="train.py", line=3, kind="main")
+MAIN = Program(file="train.py", line=3, kind="main")
 LAUNCH = LaunchFile(file="launch/a.launch", line=1, package="me", ros=1, dependencies=(), gui=True)
 
 
@@ -28,14 +28,14 @@ def run(value: str) -> Mention:
 
 
 def test_a_shell_where_several_could_be_meant() -> None:
-    evidence = Evidence(scripts=(MAIN, Script(file="eval.py", line=1, kind="main")))
+    evidence = Evidence(programs=(MAIN, Program(file="eval.py", line=1, kind="main")))
     choice = decide_command(evidence, Config(), "python", None)
     assert choice.command == ("bash",)
     assert choice.candidates == (("python3", "train.py"), ("python3", "eval.py"))
 
 
 def test_the_one_obvious_program() -> None:
-    assert decide_command(Evidence(scripts=(MAIN,)), Config(), "python", None).command == ("python3", "train.py")
+    assert decide_command(Evidence(programs=(MAIN,)), Config(), "python", None).command == ("python3", "train.py")
     choice = decide_command(Evidence(launch=(LAUNCH,)), Config(), "ros1", None)
     assert (choice.command, choice.gui) == (("roslaunch", "me", "a.launch"), True)
 
@@ -56,7 +56,7 @@ def test_what_cannot_be_run_here_is_no_candidate(value: str) -> None:
 
 def test_the_readme_comes_first_and_the_configuration_wins() -> None:
     evidence = Evidence(
-        scripts=(MAIN, Script(file="b.py", line=1, kind="main")), mentions=(run("python train.py --go"),)
+        programs=(MAIN, Program(file="b.py", line=1, kind="main")), mentions=(run("python train.py --go"),)
     )
     assert decide_command(evidence, Config(), "cuda", None).command == ("python", "train.py", "--go")
     assert decide_command(evidence, Config(command="ls", gui=False), "cuda", None).command == "ls"
@@ -109,7 +109,7 @@ def readme(value: str, line: int) -> Mention:
 
 def test_variants_of_one_call_leave_no_doubt_about_the_program() -> None:
     mentions = (readme("python3 train.py --epochs 3", 5), readme("python3 train.py", 9))
-    choice = decide_command(Evidence(scripts=(MAIN,), mentions=mentions), Config(), "python", None)
+    choice = decide_command(Evidence(programs=(MAIN,), mentions=mentions), Config(), "python", None)
     assert choice.command == ("python3", "train.py")
 
 

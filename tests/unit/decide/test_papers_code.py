@@ -63,7 +63,7 @@ def test_the_authors_own_image_has_its_own_cuda(tmp_path: Path) -> None:
     )
 
 
-RECIPE = "FROM {}\nCOPY . /app\n"
+AUTHORED = "FROM {}\nCOPY . /app\n"
 
 
 @pytest.mark.parametrize(
@@ -76,8 +76,8 @@ RECIPE = "FROM {}\nCOPY . /app\n"
         ({"docker/Dockerfile": "ubuntu:22.04", "Dockerfile.dev2": "ubuntu:22.04"}, "docker/Dockerfile"),
     ],
 )  # fmt: skip
-def test_of_several_recipes_the_one_for_everybody(tmp_path: Path, bases: dict[str, str], best: str) -> None:
-    files = {"CMakeLists.txt": "project(slam)\n"} | {name: RECIPE.format(base) for name, base in bases.items()}
+def test_of_several_dockerfiles_the_one_for_everybody(tmp_path: Path, bases: dict[str, str], best: str) -> None:
+    files = {"CMakeLists.txt": "project(slam)\n"} | {name: AUTHORED.format(base) for name, base in bases.items()}
     assert decided(tmp_path, files).dockerfile == best
 
 
@@ -163,8 +163,8 @@ def test_of_several_images_each_has_its_own_python(tmp_path: Path) -> None:
 
 
 def test_an_image_that_names_no_python_has_its_ubuntus(tmp_path: Path) -> None:
-    recipe = "FROM nvidia/cuda:11.6.2-devel-ubuntu20.04\nRUN pip3 install torch==1.13.1+cu116\n"
-    assert decided(tmp_path, {"main.py": MAIN, "docker/Dockerfile": recipe}).python.version == "3.8"
+    authored = "FROM nvidia/cuda:11.6.2-devel-ubuntu20.04\nRUN pip3 install torch==1.13.1+cu116\n"
+    assert decided(tmp_path, {"main.py": MAIN, "docker/Dockerfile": authored}).python.version == "3.8"
 
 
 def test_what_a_manifest_leaves_free_and_the_readme_pins(tmp_path: Path) -> None:
@@ -227,8 +227,8 @@ def test_condas_opencv_by_the_number_that_pip_has(tmp_path: Path) -> None:
 
 
 def test_one_build_of_a_package_for_the_cuda_of_the_image(tmp_path: Path) -> None:
-    recipe = "FROM nvidia/cuda:{}\nRUN pip install spconv-cu{}\n"
+    authored = "FROM nvidia/cuda:{}\nRUN pip install spconv-cu{}\n"
     files = {"main.py": MAIN, "requirements.txt": "torch==1.13.1+cu116\n"}
-    files["docker/Dockerfile"] = recipe.format("10.2-devel-ubuntu18.04", "102")
-    files["docker/cu116.Dockerfile"] = recipe.format("11.6.2-devel-ubuntu20.04", "116")
+    files["docker/Dockerfile"] = authored.format("10.2-devel-ubuntu18.04", "102")
+    files["docker/cu116.Dockerfile"] = authored.format("11.6.2-devel-ubuntu20.04", "116")
     assert decided(tmp_path, files).python.pip_guessed == ("spconv-cu116",)

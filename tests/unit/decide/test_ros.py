@@ -84,7 +84,7 @@ def test_where_a_distribution_is_written_ranks_it(
     assert reason.answer == distro
 
 
-def test_a_recipe_older_than_the_declared_keys_is_not_believed(tmp_path: Path) -> None:
+def test_a_dockerfile_older_than_the_declared_keys_is_not_believed(tmp_path: Path) -> None:
     xml = AMENT.replace("<depend>rclcpp</depend>", "<depend>rclcpp</depend><depend>ros_gz_bridge</depend>")
     found = decided(
         tmp_path, {**package(xml=xml), "Dockerfile": "FROM ros:eloquent\nCOPY . /ws/src\n", "README.md": "ROS 2 jazzy"}

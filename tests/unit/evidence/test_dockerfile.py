@@ -6,20 +6,20 @@ from pathlib import Path
 
 import pytest
 
-from roslab.evidence.facts import Recipe
+from roslab.evidence.facts import AuthorDockerfile
 from roslab.evidence.prose import author_dockerfile as dockerfile
 from roslab.repository.checkout import Repository
 
 
-def read(tmp_path: Path, files: dict[str, str]) -> dict[str, Recipe]:
+def read(tmp_path: Path, files: dict[str, str]) -> dict[str, AuthorDockerfile]:
     for name, text in files.items():
         path = tmp_path / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
-    return {recipe.file: recipe for recipe in dockerfile.read(Repository.open(tmp_path))}
+    return {authored.file: authored for authored in dockerfile.read(Repository.open(tmp_path))}
 
 
-RECIPE = """\
+AUTHORED = """\
 ARG DISTRO=noetic
 FROM ros:${DISTRO}-ros-base AS base
 RUN apt-get update && apt-get install -y --no-install-recommends \\
@@ -38,18 +38,18 @@ CMD ["roslaunch", "me", "it.launch"]
 """
 
 
-def test_a_recipe_of_the_project(tmp_path: Path) -> None:
-    recipe = read(tmp_path, {"docker/Dockerfile": RECIPE, "package.xml": "<package/>"})["docker/Dockerfile"]
-    assert (recipe.base, recipe.base_line, recipe.purpose) == ("ros:noetic-ros-base", 9, "project")
-    assert [(d.namespace, d.name, d.line) for d in recipe.dependencies] == [
+def test_a_dockerfile_of_the_project(tmp_path: Path) -> None:
+    authored = read(tmp_path, {"docker/Dockerfile": AUTHORED, "package.xml": "<package/>"})["docker/Dockerfile"]
+    assert (authored.base, authored.base_line, authored.purpose) == ("ros:noetic-ros-base", 9, "project")
+    assert [(d.namespace, d.name, d.line) for d in authored.dependencies] == [
         ("apt", "libone-dev", 4),
         ("apt", "ros-{distro}-two", 6),
         ("pip", "numpy==1.2", 7),
         ("apt", "libthree", 12),
     ]
-    assert (recipe.copies_repository, recipe.context, recipe.build_tool) == (True, "", "catkin_tools")
-    assert recipe.command == ("roslaunch", "me", "it.launch")
-    assert recipe.arguments == (("DISTRO", "noetic"),)
+    assert (authored.copies_repository, authored.context, authored.build_tool) == (True, "", "catkin_tools")
+    assert authored.command == ("roslaunch", "me", "it.launch")
+    assert authored.arguments == (("DISTRO", "noetic"),)
 
 
 @pytest.mark.parametrize(
@@ -85,22 +85,22 @@ def test_purposes(tmp_path: Path, path: str, text: str, purpose: str) -> None:
 def test_context_is_where_everything_copied_lies(tmp_path: Path) -> None:
     text = "FROM ubuntu:20.04\nCOPY requirements.txt /\nCOPY node /node\n"
     files = {"ros1/docker/Dockerfile": text, "ros1/requirements.txt": "", "ros1/node/a.py": "", "requirements.txt": ""}
-    recipe = read(tmp_path, files)["ros1/docker/Dockerfile"]
-    assert (recipe.context, recipe.copies_repository, recipe.problem) == ("ros1", True, None)
+    authored = read(tmp_path, files)["ros1/docker/Dockerfile"]
+    assert (authored.context, authored.copies_repository, authored.problem) == ("ros1", True, None)
 
 
 def test_what_it_copies_must_be_there(tmp_path: Path) -> None:
-    recipe = read(tmp_path, {"Dockerfile": "FROM ubuntu:20.04\nCOPY . /x\nCOPY key.pem /\n"})["Dockerfile"]
-    assert recipe.problem == "line 3 copies key.pem, which the repository does not hold"
-    assert recipe.purpose == "project"
+    authored = read(tmp_path, {"Dockerfile": "FROM ubuntu:20.04\nCOPY . /x\nCOPY key.pem /\n"})["Dockerfile"]
+    assert authored.problem == "line 3 copies key.pem, which the repository does not hold"
+    assert authored.purpose == "project"
 
 
-def test_a_recipe_that_clones_itself(tmp_path: Path) -> None:
+def test_a_dockerfile_that_clones_itself(tmp_path: Path) -> None:
     folder = tmp_path / "thing"
-    recipe = read(folder, {"Dockerfile": "FROM ubuntu:20.04\nRUN git clone https://github.com/me/thing.git\n"})[
+    authored = read(folder, {"Dockerfile": "FROM ubuntu:20.04\nRUN git clone https://github.com/me/thing.git\n"})[
         "Dockerfile"
     ]
-    assert (recipe.clones_itself, recipe.copies_repository) == (True, True)
+    assert (authored.clones_itself, authored.copies_repository) == (True, True)
 
 
 def test_private_tokens_are_noticed(tmp_path: Path) -> None:

@@ -63,5 +63,5 @@ def test_programs(tmp_path: Path) -> None:
             "setup.py": guard,
         },
     )
-    found = [(s.file, s.line, s.kind) for s in imports.scripts(repository)]
+    found = [(s.file, s.line, s.kind) for s in imports.programs(repository)]
     assert found == [("node.py", 2, "node"), ("pkg/__main__.py", 1, "main"), ("train.py", 2, "main")]

@@ -1,4 +1,4 @@
-"""A credential that a checkout left in the repository, and the recipe whose build does not see it."""
+"""A credential that a checkout left in the repository, and the Dockerfile whose build does not see it."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ def repository(root: Path, configuration: str, place: str = ".git/config", **ign
     for path, text in {**files, **ignores}.items():
         (root / path).parent.mkdir(parents=True, exist_ok=True)
         (root / path).write_text(text)
-    (root.parent / "recipe").mkdir()
-    return root / "Dockerfile", root.parent / "recipe"
+    (root.parent / "dockerfile").mkdir()
+    return root / "Dockerfile", root.parent / "dockerfile"
 
 
 @pytest.mark.parametrize("configuration", [HEADER, ADDRESS, CLEAN + HEADER.replace("extraheader", "extraHeader")])
@@ -33,7 +33,7 @@ def test_the_build_does_not_see_a_credential(tmp_path: Path, configuration: str,
     assert (folder / "Dockerfile.dockerignore").read_text() == "data\n!.git\n**/.git\n"
 
 
-def test_the_recipes_own_ignore_file_comes_before_the_contexts(tmp_path: Path) -> None:
+def test_the_dockerfiles_own_ignore_file_comes_before_the_contexts(tmp_path: Path) -> None:
     ignores = {"Dockerfile.dockerignore": "mine\n", ".dockerignore": ".git\n"}
     dockerfile, folder = repository(tmp_path / "r", HEADER, **ignores)
     assert checkout.shielded(dockerfile, tmp_path / "r", folder)
@@ -41,7 +41,7 @@ def test_the_recipes_own_ignore_file_comes_before_the_contexts(tmp_path: Path) -
 
 
 @pytest.mark.parametrize(("configuration", "ignored"), [(CLEAN, ""), (HEADER, ".git\n"), (ADDRESS, "**/.git\n")])
-def test_without_one_the_recipe_is_built_where_it_stands(tmp_path: Path, configuration: str, ignored: str) -> None:
+def test_without_one_the_dockerfile_is_built_where_it_stands(tmp_path: Path, configuration: str, ignored: str) -> None:
     dockerfile, folder = repository(tmp_path / "r", configuration, **{".dockerignore": ignored})
     assert checkout.shielded(dockerfile, tmp_path / "r", folder) is None
     assert not list(folder.iterdir())

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from roslab.plan.plan import Plan, Recipe
+from roslab.plan.plan import AuthorDockerfile, Plan
 from roslab.render.build_script import build_script
 
 Plans = Callable[..., Plan]
@@ -32,9 +32,11 @@ def test_arguments_are_passed_through(plan: Plans, call: Call) -> None:
     assert called.arguments[5:-1] == ["--platform", "linux/arm64", "--build-arg", "A=b c"]
 
 
-def test_the_authors_recipe_is_built_in_its_own_context(plan: Plans, call: Call, tmp_path: Path) -> None:
-    recipe = Recipe(dockerfile="docker/Dockerfile", context="docker")
-    called = call(build_script(plan(recipe=recipe), context=".."), name=NAME, env={"STAND_IN_VERSION": "19.03.1"})
+def test_the_authors_dockerfile_is_built_in_its_own_context(plan: Plans, call: Call, tmp_path: Path) -> None:
+    authored = AuthorDockerfile(dockerfile="docker/Dockerfile", context="docker")
+    called = call(
+        build_script(plan(author_dockerfile=authored), context=".."), name=NAME, env={"STAND_IN_VERSION": "19.03.1"}
+    )
     assert called.arguments[2] == f"{tmp_path}/../docker/Dockerfile"
     assert called.arguments[-1] == f"{tmp_path}/../docker"
 

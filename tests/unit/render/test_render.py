@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from roslab.files import generated
-from roslab.plan.plan import Plan, Recipe
+from roslab.plan.plan import AuthorDockerfile, Plan
 from roslab.render import render_all
 from roslab.render.script import script
 
@@ -33,9 +33,9 @@ def test_elsewhere_the_scripts_name_the_repository(plan: Plans) -> None:
     assert "context=../repo\n" in files[3].text
 
 
-def test_an_authors_recipe_gets_no_dockerfile(plan: Plans) -> None:
-    recipe = Recipe(dockerfile="docker/Dockerfile", context=".")
-    files = render_all(plan(recipe=recipe), readme=None, output_is_root=True, context=".")
+def test_an_authors_dockerfile_gets_no_dockerfile(plan: Plans) -> None:
+    authored = AuthorDockerfile(dockerfile="docker/Dockerfile", context=".")
+    files = render_all(plan(author_dockerfile=authored), readme=None, output_is_root=True, context=".")
     assert [file.path for file in files] == ["docker_build.sh", "docker_run.sh", "README.ipynb"]
     assert "dockerfile=./docker/Dockerfile\n" in files[0].text
 

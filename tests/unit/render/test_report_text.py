@@ -34,9 +34,12 @@ def test_other_commands_are_others(examples: Path, name: str) -> None:
     assert f"  {command}" not in others
 
 
-def test_nothing_is_said_to_be_installed_beside_an_authors_recipe(examples: Path) -> None:
+def test_nothing_is_said_to_be_installed_beside_an_authors_dockerfile(examples: Path) -> None:
     text = printed(examples, "own_dockerfile")
     assert "guessed" not in text
     assert "where this base knows them" not in text
-    assert "named by the recipe and the code; what is installed, the recipe says (3):\n  python3 python3-numpy" in text
-    assert "python3 pose_chain.py     the author's recipe starts it (docker/Dockerfile:11)" in text
+    assert (
+        "named by the Dockerfile and the code; what is installed, the Dockerfile says (3):\n  python3 python3-numpy"
+        in text
+    )
+    assert "python3 pose_chain.py     the author's Dockerfile starts it (docker/Dockerfile:11)" in text

@@ -15,7 +15,7 @@ import pytest
 
 from roslab.config.model import Matlab, Volume
 from roslab.errors import ConfigurationError
-from roslab.plan.plan import Plan, Recipe
+from roslab.plan.plan import AuthorDockerfile, Plan
 from roslab.render.run_script import run_script
 
 Plans = Callable[..., Plan]
@@ -317,8 +317,8 @@ def test_an_image_without_jupyterlab_says_so(plan: Plans, call: Call) -> None:
     called = call(run_script(plan(), context="."), "--notebook")
     assert (called.status, called.argv) == (2, None)
     assert "`notebook: true`" in called.err
-    recipe = Recipe(dockerfile="Dockerfile", context=".")
-    assert call(run_script(plan(recipe=recipe), context="."), "--notebook").status == 0, (
+    authored = AuthorDockerfile(dockerfile="Dockerfile", context=".")
+    assert call(run_script(plan(author_dockerfile=authored), context="."), "--notebook").status == 0, (
         "of the author's nothing is known"
     )
 

@@ -56,7 +56,7 @@ def _pip(evidence: Evidence) -> Iterator[Dependency]:
     for environment in evidence.conda:
         yield from environment.dependencies
     yield from (d for d in evidence.prose if d.namespace == "pip")
-    for recipe in evidence.recipes:
-        if recipe.purpose == "project":
-            yield from (d for d in recipe.dependencies if d.namespace == "pip")
+    for authored in evidence.dockerfiles:
+        if authored.purpose == "project":
+            yield from (d for d in authored.dependencies if d.namespace == "pip")
     yield from (d for d in evidence.code if d.namespace == "import" and d.strength == "used")

@@ -110,7 +110,7 @@ def _candidates(evidence: Evidence) -> Iterator[Candidate]:
             if match := _CONDA.match(package):
                 weight = 75 if "/" not in environment.file else 45
                 yield _reason(match[1], f"the conda environment has {package}", environment.file, 1, weight), ()
-    yield from _of_recipes(evidence)
+    yield from _of_dockerfiles(evidence)
     yield from _of_mentions(evidence)
     if evidence.cuda_files:
         why = "it has CUDA sources, and no version is said"
@@ -147,20 +147,20 @@ def _of_pin(pin: Pin) -> Iterator[Candidate]:
         yield _reason(row.cuda[0], f"{pin.name} is not pinned: its newest wheel", file, line, 4), row.cuda[1:]
 
 
-def _of_recipes(evidence: Evidence) -> Iterator[Candidate]:
-    for recipe in evidence.recipes:
-        match = _IMAGE.search(recipe.base or "")
-        if match and recipe.purpose in {"project", "deploy", "broken"}:
-            weight = (62 if recipe.purpose == "project" else 20) + (3 if recipe.copies_repository else 0)
-            why = f"the author's image starts from {recipe.base}"
-            yield _reason(match[1] or match[2], why, recipe.file, recipe.base_line, weight), ()
+def _of_dockerfiles(evidence: Evidence) -> Iterator[Candidate]:
+    for authored in evidence.dockerfiles:
+        match = _IMAGE.search(authored.base or "")
+        if match and authored.purpose in {"project", "deploy", "broken"}:
+            weight = (62 if authored.purpose == "project" else 20) + (3 if authored.copies_repository else 0)
+            why = f"the author's image starts from {authored.base}"
+            yield _reason(match[1] or match[2], why, authored.file, authored.base_line, weight), ()
 
 
 def _of_mentions(evidence: Evidence) -> Iterator[Candidate]:
     for mention in evidence.mentions:
         if mention.topic == "cuda" and version(mention.value) >= (8,):
             nearness = 6 - 2 * min(mention.file.count("/"), 3)
-            weight = {"readme": 30, "ci": 14, "recipe": 12, "script": 16}.get(mention.source, 8) + nearness
+            weight = {"readme": 30, "ci": 14, "dockerfile": 12, "script": 16}.get(mention.source, 8) + nearness
             if mention.source == "readme" and _LEAST.search(mention.text):
                 weight = 3  # a lower bound: what is pinned, or the newest wheel, lies above it
             yield _reason(mention.value, f"“{mention.text[:80]}”", mention.file, mention.line, weight), ()

@@ -43,7 +43,7 @@ def decide_python(
     plain = kind == "cpp" or (
         kind == "cuda" and not (chosen.files or chosen.projects or chosen.guessed or chosen.conda)
     )
-    plain = plain and not (config.base.python or config.pip or config.pip3 or evidence.scripts)
+    plain = plain and not (config.base.python or config.pip or config.pip3 or evidence.programs)
     if kind in {"ros1", "ros2"} or plain:
         manager, number = "system", _of_ros(ros_distro, wanted)
         ours = number or SYSTEM_PYTHON.get(ubuntu or "")

@@ -72,7 +72,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind) -> Chosen:
         d.name for d in evidence.prose if d.namespace == "pip" and d.role == "option" and not DEVELOPMENT.search(d.file)
     ]
     options += [
-        d.name for r in evidence.recipes for d in r.dependencies if d.role == "option" and r.purpose == "project"
+        d.name for r in evidence.dockerfiles for d in r.dependencies if d.role == "option" and r.purpose == "project"
     ]
     options = [o.replace("--index-url", "--extra-index-url") if o.startswith("--index-url") else o for o in options]
     return Chosen(files=files, projects=projects, guessed=guessed, options=tuple(dict.fromkeys(options)), conda=conda)
@@ -146,7 +146,7 @@ def _files(evidence: Evidence, kind: Kind, conda: str | None) -> tuple[Requireme
 
 
 def _prose(evidence: Evidence) -> Iterable[Dependency]:
-    """Return the pip lines of READMEs of the root, of scripts, and of the project's own recipes."""
+    """Return the pip lines of READMEs of the root, of scripts, and of the project's own Dockerfiles."""
     for dependency in evidence.prose:
         if (
             dependency.namespace == "pip"
@@ -154,9 +154,9 @@ def _prose(evidence: Evidence) -> Iterable[Dependency]:
             and not DEVELOPMENT.search(dependency.file)
         ):
             yield dependency
-    for recipe in evidence.recipes:
-        if recipe.purpose in {"project", "deploy"}:
-            yield from (dependency for dependency in recipe.dependencies if dependency.namespace == "pip")
+    for authored in evidence.dockerfiles:
+        if authored.purpose in {"project", "deploy"}:
+            yield from (dependency for dependency in authored.dependencies if dependency.namespace == "pip")
 
 
 def _resolve(dependency: Dependency, known: Iterable[str]) -> str | None:
@@ -240,7 +240,7 @@ def with_includes(evidence: Evidence, files: Iterable[RequirementFile]) -> list[
 
 
 def _guesses(evidence: Evidence, *, ros: bool, manifests: bool, known: set[str]) -> tuple[Dependency, ...]:
-    """Return what prose, recipes and imports name beyond the manifests, each package once, the best source first."""
+    """Return what prose, Dockerfiles and imports name beyond the manifests, each once, the best source first."""
     found: dict[str, Dependency] = {}
     urls = {_repository(pin.line) for pin in pins(evidence) if pin.trust >= 2} - {""}
     for pin in sorted((pin for pin in pins(evidence) if pin.trust == 1), key=_specific):
@@ -294,5 +294,5 @@ def _same(name: str, other: str) -> bool:
 
 def _specific(pin: Pin) -> tuple[int, int, int]:
     """Order mentions of one package: a pinned one first, the README nearest to the root first."""
-    recipe = pin.dependency.file.lower().rpartition("/")[2]
-    return (not pin.release, pin.dependency.file.count("/"), "docker" in recipe)
+    authored = pin.dependency.file.lower().rpartition("/")[2]
+    return (not pin.release, pin.dependency.file.count("/"), "docker" in authored)

@@ -33,7 +33,7 @@ class Pin(NamedTuple):
     """The requirement line."""
     dependency: Dependency
     trust: int
-    """3: a manifest of the project; 2: its conda environment; 1: README and recipes; 0: other files of the tree."""
+    """3: a manifest of the project; 2: its conda environment; 1: README and Dockerfiles; 0: other files of the tree."""
 
 
 def name_of(line: str) -> str:
@@ -82,7 +82,7 @@ def _of_conda(evidence: Evidence) -> Iterator[Pin]:
 
 def _of_prose(evidence: Evidence) -> Iterator[Pin]:
     known = {canonical(package) for package, _ in imports().values() if package}
-    said = [d for r in evidence.recipes if r.purpose not in _NOT_OURS for d in r.dependencies]
+    said = [d for r in evidence.dockerfiles if r.purpose not in _NOT_OURS for d in r.dependencies]
     said += [d for d in evidence.prose if not DEVELOPMENT.search(d.file)]
     for dependency in said:
         if dependency.namespace == "pip" and dependency.role in {"", "conda"}:

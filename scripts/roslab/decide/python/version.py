@@ -115,7 +115,7 @@ def _named(evidence: Evidence) -> Iterator[Reason]:
         depth = min(mention.file.count("/"), 3)
         created = "create" in mention.text and "python" in mention.text
         weight = (
-            {"readme": 40, "recipe": 24, "ci": 12, "script": 16}.get(mention.source, 8)
+            {"readme": 40, "dockerfile": 24, "ci": 12, "script": 16}.get(mention.source, 8)
             - 4 * depth
             + (12 if created else 0)
             - (8 if _at_least(mention.value, mention.text) else 0)
@@ -130,19 +130,23 @@ def _named(evidence: Evidence) -> Iterator[Reason]:
 
 
 def _telling(evidence: Evidence) -> set[str]:
-    """Return the recipes that name the Python they are for."""
-    return {m.file for m in evidence.mentions if m.topic == "python" and m.source == "recipe"}
+    """Return the Dockerfiles that name the Python they are for."""
+    return {m.file for m in evidence.mentions if m.topic == "python" and m.source == "dockerfile"}
 
 
 def _of_images(evidence: Evidence) -> Iterator[Reason]:
-    """Yield the Python of the Ubuntu that a recipe starts from, where the recipe installs packages and names none."""
+    """Yield the Python of the Ubuntu that a Dockerfile starts from, where it installs packages and names none."""
     telling = _telling(evidence)
-    for recipe in evidence.recipes:
-        tag = _UBUNTU.search(recipe.base or "") if recipe.purpose == "project" and recipe.file not in telling else None
+    for authored in evidence.dockerfiles:
+        tag = (
+            _UBUNTU.search(authored.base or "")
+            if authored.purpose == "project" and authored.file not in telling
+            else None
+        )
         number = SYSTEM_PYTHON.get(ubuntus().get(tag[1], "")) if tag else None
-        if number and any(d.namespace == "pip" for d in recipe.dependencies):
-            weight = 16 - 4 * min(recipe.file.count("/"), 3)
-            yield _reason(number, f"the Python of {recipe.base}", recipe.file, recipe.base_line, weight)
+        if number and any(d.namespace == "pip" for d in authored.dependencies):
+            weight = 16 - 4 * min(authored.file.count("/"), 3)
+            yield _reason(number, f"the Python of {authored.base}", authored.file, authored.base_line, weight)
 
 
 def _ranges(evidence: Evidence) -> Iterator[tuple[Version, Version, Reason]]:

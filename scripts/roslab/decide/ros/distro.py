@@ -17,7 +17,7 @@ from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
 
 UNFIT = 400
-"""What a distribution loses that lacks a declared key: more than a recipe outweighs a branch's convention."""
+"""What a distribution loses that lacks a declared key: more than a Dockerfile outweighs a branch's convention."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

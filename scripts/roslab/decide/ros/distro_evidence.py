@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence, Mention, Recipe
+from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.knowledge.distros import distros, distros_of, ubuntus
 
 FAMILY = 2
@@ -33,16 +33,16 @@ _RECOMMENDED = re.compile(r"\brecommend", re.IGNORECASE)
 _LIST = (".repos", ".rosinstall")
 """A list for one distribution holds what that one lacks: others may need no list."""
 _SENTENCE = re.compile(r"(?<=[.;!?])\s+|\s*\|\s*")
-_RECIPES = {"project": 700, "ci": 520, "deploy": 450, "documentation": 300, "vendored": 50, "broken": 200}
-_PLACES = {"filename": 420, "ci": 500, "recipe": 430, "script": 330}
-_WHAT = {"filename": "a file is named", "ci": "CI:", "recipe": "the author's image:", "script": "a script:"}
-_UBUNTU = {"recipe": 260, "ci": 240, "readme": 230}
+_DOCKERFILES = {"project": 700, "ci": 520, "deploy": 450, "documentation": 300, "vendored": 50, "broken": 200}
+_PLACES = {"filename": 420, "ci": 500, "dockerfile": 430, "script": 330}
+_WHAT = {"filename": "a file is named", "ci": "CI:", "dockerfile": "the author's image:", "script": "a script:"}
+_UBUNTU = {"dockerfile": 260, "ci": 240, "readme": 230}
 
 
 def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
     """Return the best reason for each distribution of a ROS version that anything names."""
     found: dict[str, Reason] = {}
-    for reason in (*_recipes(evidence), *_mentions(evidence, ros), *_branches(evidence, ros)):
+    for reason in (*_dockerfiles(evidence), *_mentions(evidence, ros), *_branches(evidence, ros)):
         known = distros().get(reason.answer)
         if known is None or known.ros != ros:
             continue
@@ -51,20 +51,25 @@ def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
     return list(found.values())
 
 
-def _recipes(evidence: Evidence) -> Iterator[Reason]:
+def _dockerfiles(evidence: Evidence) -> Iterator[Reason]:
     """Read the author's images: the project's own before CI's, near the root before deep ones; a family is a list."""
-    named = {name for recipe in evidence.recipes for name in _names(recipe.base or "")}
-    for recipe in evidence.recipes:
-        for name in _names(recipe.base or ""):
-            weight = _recipe_weight(recipe) if len(named) <= FAMILY else 440
-            why = f"the author's image is FROM {recipe.base}"
+    named = {name for authored in evidence.dockerfiles for name in _names(authored.base or "")}
+    for authored in evidence.dockerfiles:
+        for name in _names(authored.base or ""):
+            weight = _dockerfile_weight(authored) if len(named) <= FAMILY else 440
+            why = f"the author's image is FROM {authored.base}"
             yield Reason(
-                question="ros_distro", answer=name, reason=why, file=recipe.file, line=recipe.base_line, weight=weight
+                question="ros_distro",
+                answer=name,
+                reason=why,
+                file=authored.file,
+                line=authored.base_line,
+                weight=weight,
             )
 
 
-def _recipe_weight(recipe: Recipe) -> int:
-    return _RECIPES[recipe.purpose] - 5 * recipe.file.count("/") + (20 if recipe.copies_repository else 0)
+def _dockerfile_weight(authored: AuthorDockerfile) -> int:
+    return _DOCKERFILES[authored.purpose] - 5 * authored.file.count("/") + (20 if authored.copies_repository else 0)
 
 
 def _names(image: str) -> list[str]:

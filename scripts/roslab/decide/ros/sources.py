@@ -225,10 +225,10 @@ def _clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
 
     What an author's image for another distribution clones is for that one.
     """
-    recipes = {recipe.file: _distros(recipe.base or "") for recipe in evidence.recipes}
+    dockerfiles = {authored.file: _distros(authored.base or "") for authored in evidence.dockerfiles}
     found = [git for git in evidence.sources if git.kind in {"clone", "git_url"} and not places.vendored(git.file)]
-    found += [clone for recipe in evidence.recipes if recipe.purpose == "project" for clone in recipe.clones]
-    found = [git for git in found if not recipes.get(git.file) or ros_distro in recipes[git.file]]
+    found += [clone for authored in evidence.dockerfiles if authored.purpose == "project" for clone in authored.clones]
+    found = [git for git in found if not dockerfiles.get(git.file) or ros_distro in dockerfiles[git.file]]
     return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))
 
 

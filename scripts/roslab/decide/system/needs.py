@@ -89,6 +89,6 @@ def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependenc
     for dependency in written:
         if dependency.file not in ours or written_for(dependency.name) in {None, ros_distro, "{distro}"}:
             yield dependency
-    for recipe in evidence.recipes:
-        if recipe.purpose in {"project", "ci"}:
-            yield from (dependency for dependency in recipe.dependencies if dependency.namespace == "apt")
+    for authored in evidence.dockerfiles:
+        if authored.purpose in {"project", "ci"}:
+            yield from (dependency for dependency in authored.dependencies if dependency.namespace == "apt")

@@ -50,7 +50,7 @@ def _places(evidence: Evidence) -> dict[str, Dependency]:
         *(file.dependencies for file in evidence.requirements),
         *(project.dependencies for project in evidence.python),
         *(environment.dependencies for environment in evidence.conda),
-        *(recipe.dependencies for recipe in evidence.recipes),
+        *(authored.dependencies for authored in evidence.dockerfiles),
         evidence.prose,
     )
     for dependencies in sources:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from roslab.evidence import places
-from roslab.evidence.facts import GitSource, Mention, Prose, Recipe
+from roslab.evidence.facts import AuthorDockerfile, GitSource, Mention, Prose
 from roslab.evidence.lex.dockerfile import Instruction, argv, instructions, sources
 from roslab.evidence.lex.shell import expand
 from roslab.evidence.prose import mentions
@@ -25,7 +25,7 @@ _DOCKER_FOLDER = re.compile(
     r"images?/\w+)(?:/[^/]+)*$|^$",
     re.IGNORECASE,
 )
-"""Folders that only hold recipes: what they copy is the root."""
+"""Folders that only hold Dockerfiles: what they copy is the root."""
 _FROM = re.compile(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
 _PAIR = re.compile(r"(\w+)=(\"[^\"]*\"|'[^']*'|\S*)")
 _DEPLOY = re.compile(
@@ -45,15 +45,15 @@ _PRIVATE = re.compile(
 _REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
 
 
-def read(repository: Repository) -> tuple[Recipe, ...]:
+def read(repository: Repository) -> tuple[AuthorDockerfile, ...]:
     """Return every Dockerfile of the tree, sorted by path; what they mention is in ``mentions_of``."""
-    return tuple(_recipe(repository, file) for file in _files(repository))
+    return tuple(_dockerfile(repository, file) for file in _files(repository))
 
 
 def prose(repository: Repository) -> Prose:
-    """Return the versions and build commands that the recipes name."""
+    """Return the versions and build commands that the Dockerfiles name."""
     return merge(
-        Prose(mentions=(*mentions.read(_uncommented(text), file.path, "recipe"), *_built(text, file.path)))
+        Prose(mentions=(*mentions.read(_uncommented(text), file.path, "dockerfile"), *_built(text, file.path)))
         for file in _files(repository)
         if (text := repository.read(file, limit=MAX_SIZE))
     )
@@ -74,7 +74,7 @@ def _uncommented(text: str) -> str:
 
 
 def _built(text: str, path: str) -> tuple[Mention, ...]:
-    collector = Collector(path, "recipe")
+    collector = Collector(path, "dockerfile")
     for instruction in instructions(text):
         if instruction.name in {"RUN", "CMD"}:
             _collect(collector, instruction)
@@ -137,9 +137,9 @@ class _Reading:
             self.known[words[0]] = expand(words[1].strip(), self.known)
 
 
-def _recipe(repository: Repository, file: File) -> Recipe:
+def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     known: dict[str, str] = {}
-    reading = _Reading(collector=Collector(file.path, "recipe", known), known=known)
+    reading = _Reading(collector=Collector(file.path, "dockerfile", known), known=known)
     for instruction in instructions(repository.read(file, limit=MAX_SIZE)):
         reading.take(instruction)
     problem = reading.problem or ("no FROM" if reading.base is None else None)
@@ -148,7 +148,7 @@ def _recipe(repository: Repository, file: File) -> Recipe:
     clones = tuple(collector.sources)
     itself = any(_itself(repository, clone) for clone in clones)
     tools = [mention.value for mention in collector.mentions if mention.topic == "build_tool"]
-    return Recipe(
+    return AuthorDockerfile(
         file=file.path,
         line=1,
         base=reading.base,
@@ -182,9 +182,9 @@ def _itself(repository: Repository, clone: GitSource) -> bool:
 
 
 def _context(repository: Repository, file: File, copied: list[tuple[str, int]]) -> tuple[bool, str | None, str | None]:
-    """Tell whether the recipe brings the repository's own source, from which context, and what of it is missing.
+    """Tell whether the Dockerfile brings the repository's own source, from which context, and what of it is missing.
 
-    The context is the folder in which everything that is copied lies: the root, the folder above, the recipe's own.
+    The context is the folder in which everything that is copied lies: the root, the folder above, the Dockerfile's own.
     """
     if not copied:
         return False, None, None

@@ -12,7 +12,7 @@ from roslab.evidence.facts import Dependency, GitSource, Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Asked, conda_asks, pip_asks
 
-MentionSource = Literal["recipe", "ci", "readme", "script"]
+MentionSource = Literal["dockerfile", "ci", "readme", "script"]
 TRIGGER = re.compile(
     r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|"
     r"\s+build|\s+init)|"

@@ -75,7 +75,7 @@ _CONTEXT = re.compile(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon
 
 
 def read(
-    text: str, file: str, source: Literal["recipe", "ci", "readme", "script"], first: int = 1
+    text: str, file: str, source: Literal["dockerfile", "ci", "readme", "script"], first: int = 1
 ) -> Iterator[Mention]:
     """Yield the versions that a text names, with the line each stands on; ``first`` is the number of its first line."""
     for topic, pattern in _PATTERNS:

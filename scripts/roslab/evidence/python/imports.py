@@ -6,7 +6,7 @@ import re
 import sys
 
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency, Script
+from roslab.evidence.facts import Dependency, Program
 from roslab.repository.checkout import File, Repository
 
 MAX_READ = 128 * 1024
@@ -100,7 +100,7 @@ def _notebooks(repository: Repository) -> list[File]:
     return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:50]
 
 
-def scripts(repository: Repository) -> tuple[Script, ...]:
+def programs(repository: Repository) -> tuple[Program, ...]:
     """Return the Python files that are programs: a ``__main__`` guard, ``__main__.py``, a ROS node."""
     found = []
     for file in modules(repository):
@@ -108,11 +108,11 @@ def scripts(repository: Repository) -> tuple[Script, ...]:
             continue
         text = repository.read(file, limit=MAX_READ)
         if file.name == "__main__.py":
-            found.append(Script(file=file.path, line=1, kind="main"))
+            found.append(Program(file=file.path, line=1, kind="main"))
         elif "__main__" in text and (match := _MAIN.search(text)):
             node = bool(_NODE.search(text))
             found.append(
-                Script(
+                Program(
                     file=file.path,
                     line=text.count("\n", 0, match.start()) + 1,
                     kind="node" if node else "main",

@@ -17,7 +17,7 @@ _FILES = re.compile(
 
 
 def read(repository: Repository) -> tuple[Mention, ...]:
-    """Return the distros that the branch and the names of recipes, vcs files, CI files and scripts hold."""
+    """Return the distros that the branch and the names of Dockerfiles, vcs files, CI files and scripts hold."""
     return tuple(_branch(repository)) + tuple(_files(repository))
 
 

@@ -1,4 +1,4 @@
-"""Which of the author's recipes can be believed."""
+"""Which of the author's Dockerfiles can be believed."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from dataclasses import replace
 import pytest
 
 from roslab.config.model import Config
-from roslab.decide.author_dockerfile import decide_recipe, doubt
-from roslab.evidence.facts import Evidence, Recipe
+from roslab.decide.author_dockerfile import decide_dockerfile, doubt
+from roslab.evidence.facts import AuthorDockerfile, Evidence
 
-GOOD = Recipe(
+GOOD = AuthorDockerfile(
     file="docker/Dockerfile", line=1, base="ros:noetic-ros-base", base_line=1, copies_repository=True, clones=(),
     build_tool=None, dependencies=(), command=(), purpose="project", context="",
 )  # fmt: skip
 
 
 def test_a_good_one_is_believed() -> None:
-    choice = decide_recipe(Evidence(recipes=(GOOD,)), Config(), "ros1", "noetic")
+    choice = decide_dockerfile(Evidence(dockerfiles=(GOOD,)), Config(), "ros1", "noetic")
     assert (choice.dockerfile, choice.context) == ("docker/Dockerfile", "")
 
 
@@ -39,16 +39,19 @@ def test_a_good_one_is_believed() -> None:
     ],
 )
 def test_doubts(change: dict[str, object], why: str) -> None:
-    recipe = replace(GOOD, **change)  # type: ignore[arg-type]
-    assert why in (doubt(recipe, "ros1", "noetic") or "")
-    choice = decide_recipe(Evidence(recipes=(recipe,)), Config(), "ros1", "noetic")
+    authored = replace(GOOD, **change)  # type: ignore[arg-type]
+    assert why in (doubt(authored, "ros1", "noetic") or "")
+    choice = decide_dockerfile(Evidence(dockerfiles=(authored,)), Config(), "ros1", "noetic")
     assert choice.dockerfile is None
     assert why in choice.reasons[0].reason
 
 
 def test_the_distro_in_the_path_comes_first() -> None:
-    recipes = (replace(GOOD, file="docker/Dockerfile.melodic"), replace(GOOD, file="docker/Dockerfile.noetic"))
-    assert decide_recipe(Evidence(recipes=recipes), Config(), "ros1", "noetic").dockerfile == "docker/Dockerfile.noetic"
+    dockerfiles = (replace(GOOD, file="docker/Dockerfile.melodic"), replace(GOOD, file="docker/Dockerfile.noetic"))
+    assert (
+        decide_dockerfile(Evidence(dockerfiles=dockerfiles), Config(), "ros1", "noetic").dockerfile
+        == "docker/Dockerfile.noetic"
+    )
 
 
 def test_a_link_of_a_chain_is_doubted() -> None:
@@ -56,10 +59,12 @@ def test_a_link_of_a_chain_is_doubted() -> None:
         replace(GOOD, file="images/base/Dockerfile"),
         replace(GOOD, file="images/top/Dockerfile", base="me/img:base"),
     )
-    choice = decide_recipe(Evidence(recipes=chain), Config(), "ros1", "noetic")
+    choice = decide_dockerfile(Evidence(dockerfiles=chain), Config(), "ros1", "noetic")
     assert choice.dockerfile == "images/base/Dockerfile"
 
 
 def test_the_configuration_wins() -> None:
-    choice = decide_recipe(Evidence(recipes=(GOOD,)), Config(dockerfile="x/Dockerfile", context="x"), "ros1", "noetic")
+    choice = decide_dockerfile(
+        Evidence(dockerfiles=(GOOD,)), Config(dockerfile="x/Dockerfile", context="x"), "ros1", "noetic"
+    )
     assert (choice.dockerfile, choice.context) == ("x/Dockerfile", "x")
