@@ -18,8 +18,14 @@ from roslab.config.migrate import comparable, migrate
 from roslab.errors import ConfigurationError, Problem
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
+TIMES = int(os.environ.get("REPRO_MUTANTS", "800")) / 800
+"""How many more files a campaign tries than a run of the tests."""
 MUTANTS = settings(
-    max_examples=2000, derandomize=True, deadline=None, database=None, suppress_health_check=list(HealthCheck)
+    max_examples=int(600 * TIMES),
+    derandomize=True,
+    deadline=None,
+    database=None,
+    suppress_health_check=list(HealthCheck),
 )
 
 
@@ -159,20 +165,20 @@ def test_changed_data(text: str) -> None:
     survives(text)
 
 
-@settings(MUTANTS, max_examples=3000)
+@settings(MUTANTS, max_examples=int(800 * TIMES))
 @given(changed_text())
 def test_changed_text(text: str) -> None:
     survives(text)
 
 
-@settings(MUTANTS, max_examples=500)
+@settings(MUTANTS, max_examples=int(300 * TIMES))
 @given(st.one_of(st.text(max_size=200), st.binary(max_size=200)))
 def test_noise(noise: str | bytes) -> None:
     config, problems = answer(noise)
     assert (config is None) == bool(problems)
 
 
-@settings(MUTANTS, max_examples=500)
+@settings(MUTANTS, max_examples=int(300 * TIMES))
 @given(st.one_of(changed_data(), changed_text()))
 def test_what_is_read_is_migrated_to_the_same(text: str) -> None:
     config = survives(text)
