@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Generic, Literal, TypeVar
 
 from roslab.config.model import BuildTool, Kind
 from roslab.config.model import Source as SourceDependency
+
+Answer = TypeVar("Answer")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -33,6 +35,15 @@ class Warning_:  # noqa: N801 - the plain name is a built-in
     message: str
     file: str | None = None
     line: int | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Choice(Generic[Answer]):
+    """The answer to one question, what spoke for and against it, and what the author should know about it."""
+
+    answer: Answer
+    reasons: tuple[Reason, ...] = ()
+    warnings: tuple[Warning_, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
