@@ -1,10 +1,12 @@
-"""What one run decided, kept between the steps of a job as files and between jobs as one line of JSON."""
+"""What one run decided, kept between the steps of a job as files and between jobs as one packed line."""
 
 from __future__ import annotations
 
+import base64
 import dataclasses
 import json
 import tempfile
+import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,6 +19,8 @@ from roslab.render.summary import PlatformReport
 
 PORTABLE = 100_000
 """Bytes: Linux gives one environment variable 128 KiB, and a step reads another job's output from one."""
+LARGEST = 64 * 1024 * 1024
+"""Bytes of a run when it is unpacked."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -37,17 +41,22 @@ class Run:
         return self.image.partition("/")[0]
 
 
-def to_json(run: Run) -> str:
-    """Return one line of JSON that fits into an environment variable.
+def to_line(run: Run) -> str:
+    """Return a run as one line of text that fits into an environment variable.
 
     What only explains is left out as far as it must be: first the evidence that lost, then all of it.
+    Raises ``ConfigurationError`` where the rest does not fit either.
     """
-    text = _dump(run)
+    text = _packed(run)
     if len(text) > PORTABLE:
         reasons = tuple(reason for reason in run.plan.reasons if reason.decisive)
-        text = _dump(_thinner(run, reasons=reasons[:200], warnings=run.plan.warnings[:50]))
+        text = _packed(_thinner(run, reasons=reasons[:200], warnings=run.plan.warnings[:50]))
     if len(text) > PORTABLE:
-        text = _dump(_thinner(run, reasons=(), warnings=run.plan.warnings[:20]))
+        text = _packed(_thinner(run, reasons=(), warnings=run.plan.warnings[:20]))
+    if len(text) > PORTABLE:
+        problem = f"the plan has {len(text)} characters when it is packed, and one job hands {PORTABLE} to the next"
+        hint = "build a part of the repository: name its folder by the input path"
+        raise ConfigurationError(Problem(message=problem, hint=hint))
     return text
 
 
@@ -55,17 +64,18 @@ def _thinner(run: Run, **changes: Any) -> Run:
     return dataclasses.replace(run, plan=dataclasses.replace(run.plan, **changes))
 
 
-def _dump(run: Run) -> str:
-    return json.dumps(dataclasses.asdict(run), ensure_ascii=True, separators=(",", ":"))
+def _packed(run: Run) -> str:
+    text = json.dumps(dataclasses.asdict(run), ensure_ascii=True, separators=(",", ":"))
+    return base64.b64encode(zlib.compress(text.encode(), 9)).decode()
 
 
 def from_line(text: str) -> Run:
-    """Read a run back. Raises ``ConfigurationError`` for anything that ``to_json`` did not write."""
+    """Read a run back. Raises ``ConfigurationError`` for anything that ``to_line`` did not write."""
     try:
-        data = json.loads(text)
+        data = json.loads(zlib.decompressobj().decompress(base64.b64decode(text, validate=True), LARGEST))
         plan = from_json(json.dumps(data.pop("plan")))
         return Run(plan=plan, **data)
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, zlib.error) as error:
         raise ConfigurationError(Problem(message=f"not a run: {type(error).__name__}: {error}")) from None
 
 
@@ -84,7 +94,7 @@ class Folder:
     def of(cls, environment: Mapping[str, str]) -> Folder:
         """Return the folder that an earlier step made. Raises ``ConfigurationError`` where there is none."""
         path = Path(environment.get("ROSLAB_FOLDER") or "/nonexistent")
-        if not (path / "run.json").is_file():
+        if not (path / "run").is_file():
             raise ConfigurationError(
                 Problem(message="ROSLAB_FOLDER names no run", hint="`roslab github plan` must have run in this job")
             )
@@ -93,7 +103,7 @@ class Folder:
     @property
     def run(self) -> Run:
         """What the run decided."""
-        return from_line(self.read("run.json"))
+        return from_line(self.read("run"))
 
     @property
     def dockerfile(self) -> Path:

@@ -15,6 +15,7 @@ from roslab.github import run as runs
 from roslab.github.labels import labels
 from roslab.github.run import Folder, Run, slug
 from roslab.pipeline import plan_repository, write_plan
+from roslab.plan.answers import answers
 from roslab.plan.plan import to_json
 from roslab.render.markdown import prose
 from roslab.render.summary import platforms_of
@@ -53,15 +54,19 @@ def plan(environment: Environment) -> None:
     if publication.warning:
         workflow.warn(Problem(message=publication.warning))
     folder = Folder.new(environment)
-    line = runs.to_json(run)
-    folder.write("run.json", line)
+    line = runs.to_line(run)
+    folder.write("run", line)
+    folder.write("plan.json", to_json(run.plan))
+    owned = image.partition("/")[2].replace("/", "-")
     matrix = [
         {"platform": platform, "slug": slug(platform), "runner": inputs.runner(platform, asked.runners)}
         for platform in run.plan.platforms
     ]
     workflow.outputs(
         {
-            "plan": json.dumps(json.loads(to_json(run.plan)), separators=(",", ":")),
+            "plan": json.dumps(answers(run.plan), separators=(",", ":")),
+            "plan-file": str(folder.path / "plan.json"),
+            "plan-artifact": f"plan-{owned}",
             "run": line,
             "folder": str(folder.path),
             "image": image,
@@ -70,7 +75,7 @@ def plan(environment: Environment) -> None:
             "push": _flag(run.push),
             "platforms": ",".join(run.plan.platforms),
             "matrix": json.dumps({"include": matrix}),
-            "artifact": f"image-{image.partition('/')[2].replace('/', '-')}",
+            "artifact": f"image-{owned}",
         },
         environment,
     )
@@ -84,7 +89,7 @@ def ready(environment: Environment) -> None:
     """
     if environment.get("ROSLAB_RUN"):
         folder = Folder.new(environment)
-        folder.write("run.json", environment["ROSLAB_RUN"])
+        folder.write("run", environment["ROSLAB_RUN"])
     else:
         folder = Folder.of(environment)
     workflow.outputs({"folder": str(folder.path)}, environment)  # first, so that a failure finds its way to the summary

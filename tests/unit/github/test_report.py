@@ -9,7 +9,7 @@ import pytest
 
 from roslab.github import report
 from roslab.github.event import Event
-from roslab.github.run import Folder, Run, to_json
+from roslab.github.run import Folder, Run, to_line
 from roslab.pipeline import plan_repository
 from roslab.render.summary import PlatformReport, ProofReport, Report, summary
 
@@ -24,7 +24,7 @@ def folder(tmp_path: Path, examples: Path) -> Folder:
     plan = plan_repository(examples / "ros2_filter", folder_name="robot").plan
     run = Run(plan=plan, image="ghcr.io/lab/robot", username="lab", push=True, reason="it is a push", cache="auto")
     found = Folder(path=tmp_path)
-    found.write("run.json", to_json(run))
+    found.write("run", to_line(run))
     proof = ProofReport(name="test", command="true", passed=True, summary="passed", output="")
     for platform in ("linux/arm64", "linux/amd64"):
         found.write_report(
