@@ -130,10 +130,12 @@ def _what_is_there(repository: Repository) -> str:
     counts = sorted(
         ((len(files), suffix or "without a suffix") for suffix, files in repository.by_suffix.items()), reverse=True
     )
+    unread = "".join(f"; {message}" for message, _, _ in repository.problems)
     if not counts:
-        return "there is no file at all"
+        return f"there is no file at all{unread}"
     kinds = ", ".join(f"{count} {printable(suffix)}" for count, suffix in counts[:5])
-    return f"there is only {kinds}" + (f" and {len(counts) - 5} kinds more" if len(counts) > 5 else "")
+    more = f" and {len(counts) - 5} kinds more" if len(counts) > 5 else ""
+    return f"there is only {kinds}{more}{unread}"
 
 
 def _folder_name(repository: Repository) -> str:

@@ -245,7 +245,7 @@ def test_deep_folders(roslab: Roslab, tmp_path: Path) -> None:
     package(folder / "good", "good")
     here = os.open(folder, os.O_RDONLY)
     try:
-        for _ in range(1500):
+        for _ in range(2100):
             os.mkdir("d", dir_fd=here)
             deeper = os.open("d", os.O_RDONLY, dir_fd=here)
             os.close(here)
@@ -253,10 +253,12 @@ def test_deep_folders(roslab: Roslab, tmp_path: Path) -> None:
     finally:
         os.close(here)
     try:
-        answer = roslab("inspect", folder)
+        answers = [roslab("inspect", folder), roslab("plan", folder), roslab("check", folder)]
     finally:  # shutil.rmtree, with which pytest tidies up, is not able to
         subprocess.run(["rm", "-rf", str(folder / "d")], check=True)
-    assert answer.returncode == 0, answer.stderr
+    for answer in answers:
+        assert answer.returncode == 0, answer.stderr
+        assert "a folder could not be listed, and nothing in there was read: d/d" in answer.stdout
 
 
 @pytest.mark.parametrize("command", ["inspect", "plan", "create"])
@@ -312,9 +314,10 @@ def test_unreadable_folders(roslab: Roslab, tmp_path: Path) -> None:
     noetic(folder)
     package(folder / "good", "good")
     (folder / "locked").mkdir(mode=0)
-    answer = roslab("inspect", folder)
-    assert answer.returncode == 0, answer.stderr
-    assert "locked" in answer.stdout
+    for command in ("inspect", "plan"):
+        answer = roslab(command, folder)
+        assert answer.returncode == 0, answer.stderr
+        assert "a folder could not be listed, and nothing in there was read: locked" in answer.stdout
 
 
 def test_the_repository_is_not_executed(roslab: Roslab, tmp_path: Path) -> None:

@@ -226,8 +226,8 @@ class Evidence:
     bounds: tuple[Dependency, ...] = ()
     """How old a Python package must be, by what the code uses of it."""
     cuda_files: tuple[str, ...] = ()
-    problems: tuple[tuple[str, str, int], ...] = ()
-    """``(message, file, line)``: what was malformed and passed over."""
+    problems: tuple[tuple[str, str | None, int | None], ...] = ()
+    """``(message, file, line)``: what was malformed or could not be read, and so passed over; a place may be none."""
 
 
 class Prose(NamedTuple):

@@ -50,7 +50,7 @@ def gather(repository: Repository) -> Evidence:
         ),
         bounds=removed.read(repository),
         cuda_files=cpp.cuda_files(repository),
-        problems=(*(_malformed(m) for m in manifests if m.malformed), *vcs.absent(repository)),
+        problems=(*repository.problems, *(_malformed(m) for m in manifests if m.malformed), *vcs.absent(repository)),
     )
 
 

@@ -19,7 +19,9 @@ MAX_TEXT = 2 * 1024 * 1024
 MAX_KEPT = 256 * 1024
 """Bytes of a text that is kept for the next reader; longer ones are read anew."""
 MAX_FILES = 500_000
-"""Files listed; a larger tree is read as far as that, with a warning."""
+"""Files listed; a larger tree is read as far as that, with a warning (``Repository.problems``)."""
+MAX_NAMED = 80
+"""Characters of a folder's path that a message quotes."""
 SKIPPED_FOLDERS = frozenset(
     {".git", ".hg", ".svn", "__pycache__", "node_modules", ".venv", ".tox", ".mypy_cache", ".pytest_cache"}
 )
@@ -98,6 +100,20 @@ class Repository:
         kept = tuple(file for file in self.listing.files if file.path not in paths)
         other.__dict__["listing"] = replace(self.listing, files=kept)  # where the cached property looks first
         return other
+
+    @property
+    def problems(self) -> tuple[tuple[str, str | None, int | None], ...]:
+        """``(message, file, line)``: which parts of the tree nobody reads, and why; the place may be the whole tree."""
+        found: list[tuple[str, str | None, int | None]] = []
+        if self.listing.truncated:
+            message = f"the tree holds more than {MAX_FILES} files: what comes after them was not read"
+            found.append((message, None, None))
+        if folders := self.listing.unreadable:
+            named = ", ".join(_short(folder) for folder in folders[:3])
+            more = f" and {len(folders) - 3} more" if len(folders) > 3 else ""
+            what = "a folder" if len(folders) == 1 else "folders"
+            found.append((f"{what} could not be listed, and nothing in there was read: {named}{more}", None, None))
+        return tuple(found)
 
     @property
     def files(self) -> tuple[File, ...]:
@@ -227,7 +243,9 @@ class Listing:
     outside: tuple[str, ...]
     """Links that lead out of the tree or nowhere; never read."""
     unreadable: tuple[str, ...]
+    """Folders that could not be listed: no permission, or a path longer than the system takes."""
     truncated: bool
+    """There are more than ``MAX_FILES`` files: the rest is not in ``files``."""
 
 
 def _read_up_to(stream: io.RawIOBase | io.FileIO, size: int) -> bytes:
@@ -257,6 +275,9 @@ def _list(root: Path) -> Listing:
         try:
             with os.scandir(root / folder) as entries:
                 for entry in entries:
+                    if len(files) == MAX_FILES:
+                        pending.append(folder)  # not all of it was seen
+                        break
                     path = f"{folder}/{entry.name}" if folder else entry.name
                     if entry.is_symlink():
                         _follow(root, path, files, links, outside)
@@ -290,6 +311,11 @@ def _follow(root: Path, path: str, files: list[File], links: set[str], outside: 
     elif stat.S_ISREG(status.st_mode):
         files.append(File(path=path, size=status.st_size))
         links.add(path)
+
+
+def _short(folder: str) -> str:
+    named = printable(folder) or "the root"
+    return named if len(named) <= MAX_NAMED else f"{named[: MAX_NAMED - 1]}…"
 
 
 def printable(text: str) -> str:

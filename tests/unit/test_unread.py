@@ -1,0 +1,60 @@
+"""What of a tree was not read is told wherever its author looks: in inspect, in the plan, in the summary."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from roslab.errors import NothingToBuildError
+from roslab.pipeline import plan_repository
+from roslab.plan.plan import to_json
+from roslab.render.report import inspection_json, inspection_text
+from roslab.render.summary import Report, summary
+from roslab.repository import checkout
+from roslab.repository.checkout import Repository
+
+TOO_MANY = "the tree holds more than 3 files: what comes after them was not read"
+
+
+@pytest.fixture(autouse=True)
+def few(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a tree of four files be too large: half a million take a minute to make."""
+    monkeypatch.setattr(checkout, "MAX_FILES", 3)
+
+
+def tree(root: Path, *, files: int, folder: str = "data") -> Path:
+    (root / folder).mkdir(parents=True)
+    (root / "main.py").write_text("if __name__ == '__main__':\n    print(1)\n")
+    for number in range(files - 1):
+        (root / folder / f"{number}.txt").touch()
+    return root
+
+
+@pytest.mark.parametrize("folder", ["data", "a/b"])
+def test_a_tree_of_too_many_files(tmp_path: Path, folder: str) -> None:
+    found = plan_repository(tree(tmp_path, files=5, folder=folder), folder_name="robot")
+    assert len(found.repository.files) == 3
+    inspected = json.loads(inspection_json(found.decision, found.plan))
+    assert inspected["warnings"] == [{"message": TOO_MANY, "file": None, "line": None}]
+    assert TOO_MANY in inspection_text(found.decision, found.plan)
+    assert json.loads(to_json(found.plan))["warnings"][0]["message"] == TOO_MANY
+    report = Report(plan=found.plan, image="ghcr.io/lab/robot", published=False, reason="")
+    assert f"- {TOO_MANY}" in summary(report)
+
+
+def test_a_tree_of_just_as_many(tmp_path: Path) -> None:
+    repository = Repository.open(tree(tmp_path, files=3))
+    assert not repository.listing.truncated
+    assert repository.problems == ()
+
+
+def test_nothing_found_in_what_was_read(tmp_path: Path) -> None:
+    """The answer may lie in what nobody read: whoever is told that there is nothing is told that too."""
+    (tmp_path / "data").mkdir()
+    for number in range(5):
+        (tmp_path / "data" / f"{number}.txt").touch()
+    with pytest.raises(NothingToBuildError) as error:
+        plan_repository(tmp_path)
+    assert TOO_MANY in error.value.problems[0].message
