@@ -5,23 +5,34 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from roslab.values.origin import Origin
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Problem:
-    """One thing that is wrong, where it stands, and what to write instead.
-
-    ``line`` and ``column`` count from 1; ``None`` where the whole file or the command line is meant.
-    """
+    """One thing that is wrong, what to write instead, and where it was said; ``None`` where nobody said it."""
 
     message: str
     hint: str | None = None
-    file: str | None = None
-    line: int | None = None
-    column: int | None = None
+    origin: Origin | None = None
+
+    @property
+    def file(self) -> str | None:
+        """Path of the file that is wrong, ``None`` where it is no file."""
+        return self.origin.file if self.origin else None
+
+    @property
+    def line(self) -> int | None:
+        """Line in that file, from 1."""
+        return self.origin.line if self.origin else None
+
+    @property
+    def column(self) -> int | None:
+        """Column in that line, from 1."""
+        return self.origin.column if self.origin else None
 
     def __str__(self) -> str:
-        place = ":".join(str(part) for part in (self.file, self.line, self.column) if part is not None)
-        text = f"{place}: {self.message}" if place else self.message
+        text = f"{self.origin}: {self.message}" if self.origin else self.message
         return f"{text} ({self.hint})" if self.hint else text
 
 

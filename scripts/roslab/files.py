@@ -15,6 +15,7 @@ from typing import Literal
 from roslab.errors import ConfigurationError, Problem, RefusedError
 from roslab.render.output import MARKER, OutputFile
 from roslab.repository.checkout import printable
+from roslab.values.origin import Place
 
 MARKED_LINES = 6
 """The mark stands in the first lines of a file; further down it is a quotation."""
@@ -108,12 +109,13 @@ def _examine(
             raise ConfigurationError(Problem(message=f"{name} is a file, not a folder", hint="--output names a folder"))
         for file in files:
             if obstacle := _obstacle(folder, file.path):
-                problems.append(Problem(message=obstacle, hint=f"move it away, or {ELSEWHERE}", file=file.path))
+                hint = f"move it away, or {ELSEWHERE}"
+                problems.append(Problem(message=obstacle, hint=hint, origin=Place(file=file.path)))
                 continue
             actions[file.path] = _action(folder / file.path, file, contents[file.path])
             if actions[file.path] == "replaced" and not force:
                 message = "roslab wrote it earlier, and would now write another text"
-                problems.append(Problem(message=message, hint="--force replaces it", file=file.path))
+                problems.append(Problem(message=message, hint="--force replaces it", origin=Place(file=file.path)))
     except OSError as error:
         raise _unwritable(folder, error) from None
     if problems:

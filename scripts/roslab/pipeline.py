@@ -19,6 +19,7 @@ from roslab.knowledge.distros import rosdistro_tag
 from roslab.plan.plan import Plan, image_name, make_plan
 from roslab.render import OutputFile, quote, render_all
 from roslab.repository.checkout import Repository, printable
+from roslab.values.origin import Place
 
 MAX_CONFIG = 1024 * 1024
 """Bytes of a roslab.yaml: the longest of 78 real ones has two thousand."""
@@ -116,9 +117,7 @@ def _check_paths(config: Config, repository: Repository) -> None:
             Problem(
                 message=f"{key.partition('.')[0]}: {printable(path)} is {what}",
                 hint="give a path relative to the root of the repository",
-                file=place.file if place else config.file,
-                line=place.line if place else None,
-                column=place.column if place else None,
+                origin=place or (Place(file=config.file) if config.file else None),
             )
         )
     if problems:
@@ -174,14 +173,15 @@ def config_text(repository: Repository, file: str) -> str:
     """Return a configuration's text. Raises ``ConfigurationError`` where it is too large or not UTF-8."""
     size = next(entry.size for entry in repository.files if entry.path == file)
     if size > MAX_CONFIG:
-        raise ConfigurationError(Problem(message=f"{size} bytes, a configuration has at most {MAX_CONFIG}", file=file))
+        message = f"{size} bytes, a configuration has at most {MAX_CONFIG}"
+        raise ConfigurationError(Problem(message=message, origin=Place(file=file)))
     data = repository.read_bytes(file)
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data[: error.start].count(b"\n") + 1
         raise ConfigurationError(
-            Problem(message="not UTF-8 text", hint="save the file as UTF-8", file=file, line=line)
+            Problem(message="not UTF-8 text", hint="save the file as UTF-8", origin=Place(file=file, line=line))
         ) from None
 
 

@@ -185,9 +185,8 @@ def _report(error: RoslabError) -> None:
         return
     red, plain = ("\033[31m", "\033[0m") if _colour() else ("", "")
     for problem in error.problems:
-        place = ":".join(str(part) for part in (problem.file, problem.line, problem.column) if part is not None)
         hint = f"\n  {problem.hint}" if problem.hint else ""
-        sys.stderr.write(f"{place or 'roslab'}: {red}error{plain}: {problem.message}{hint}\n")
+        sys.stderr.write(f"{problem.origin or 'roslab'}: {red}error{plain}: {problem.message}{hint}\n")
 
 
 def _colour() -> bool:

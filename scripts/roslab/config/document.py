@@ -12,8 +12,9 @@ from typing import Any
 
 import yaml
 
-from roslab.config.node import Mapping, Mark, Node, Scalar, ScalarKind, Sequence
+from roslab.config.node import Mapping, Mark, Node, Scalar, ScalarKind, Sequence, in_file
 from roslab.errors import ConfigurationError, Problem
+from roslab.values.origin import Place
 
 MAX_CHARACTERS = 64 * 1024
 """The longest real file holds 17,000 characters, of another program; of ours 2,200."""
@@ -75,8 +76,8 @@ class Document:
 
     def complain(self, message: str, hint: str, mark: Mark | None) -> None:
         """Note a problem at a place."""
-        line, column = (mark.line, mark.column) if mark else (None, None)
-        self.problems.append(Problem(message=message, hint=hint, file=self.file, line=line, column=column))
+        origin = in_file(self.file)(mark) if mark else Place(file=self.file)
+        self.problems.append(Problem(message=message, hint=hint, origin=origin))
 
     def take(self, event: yaml.events.Event) -> None:
         """Add what one event of the parser says."""
@@ -176,7 +177,7 @@ def parse(text: str | bytes, *, file: str) -> Document:
     """
     if len(text) > MAX_CHARACTERS:
         hint = f"at most {MAX_CHARACTERS} are read: this is no configuration"
-        raise ConfigurationError(Problem(message=f"holds {len(text)} characters", hint=hint, file=file))
+        raise ConfigurationError(Problem(message=f"holds {len(text)} characters", hint=hint, origin=Place(file=file)))
     if isinstance(text, bytes):
         text = text.decode("utf-8", errors="replace")
     text = text.removeprefix("\ufeff")

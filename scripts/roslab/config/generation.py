@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from roslab.config import vocabulary
 from roslab.config.model import Generation
-from roslab.config.node import Mapping
+from roslab.config.node import Mapping, in_file
 from roslab.errors import ConfigurationError, Problem
+from roslab.values.origin import Place
 
 NAMES: dict[Generation, str] = {
     "paper": "the 2019 paper's format",
@@ -55,9 +56,7 @@ def tell(root: Mapping, *, file: str) -> Generation:
             Problem(
                 message=f"this file is of the ROS code generator also called roslab: it has {', '.join(foreign)}",
                 hint="leave it to that program, and give this one a file of another name (`config`), or none at all",
-                file=file,
-                line=key.start.line if key else None,
-                column=key.start.column if key else None,
+                origin=in_file(file)(key.start) if key else Place(file=file),
             )
         )
     if "format" in names:
@@ -92,9 +91,7 @@ def mixture(root: Mapping, generation: Generation, *, file: str) -> Problem | No
     return Problem(
         message=f"the keys of two formats stand in one file: {told}",
         hint=f"keep those of {NAMES[generation]} and take the others out",
-        file=file,
-        line=first.start.line if first else None,
-        column=first.start.column if first else None,
+        origin=in_file(file)(first.start) if first else Place(file=file),
     )
 
 

@@ -14,7 +14,7 @@ from roslab.config.document import parse
 from roslab.config.edit import Edits, flow_list, is_text, quoted
 from roslab.config.generation import NAMES
 from roslab.config.model import Config, Generation
-from roslab.config.node import Mapping, Node, Scalar, Sequence
+from roslab.config.node import Mapping, Node, Scalar, Sequence, in_file
 from roslab.config.reader import mapping_of, read
 from roslab.config.reading import Reading, Text
 from roslab.config.source import clone
@@ -66,7 +66,7 @@ def migrate(text: str | bytes, *, file: str = "roslab.yaml") -> Migration:
 def comparable(config: Config) -> Config:
     """Return a configuration without what does not change its image: the format, the places and the warnings."""
     sources = tuple(replace(source, place=None) for source in config.source)
-    return replace(config, generation="today", file=None, places=(), warnings=(), source=sources)
+    return replace(config, generation="today", file=None, origins=(), warnings=(), source=sources)
 
 
 def _edit(edits: Edits, root: Mapping, config: Config) -> None:
@@ -161,7 +161,7 @@ def _sources(edits: Edits, node: Node | None) -> None:
         repo, key = item.get("repo"), item.key("repo")
         if not isinstance(repo, Scalar) or key is None:
             continue
-        url, branch = clone(Reading(file=""), Text(value=repo.text.strip(), node=repo))
+        url, branch = clone(Reading(where=in_file("")), Text(value=repo.text.strip(), node=repo))
         if url == repo.text.strip():
             continue
         words = [f"repo: {url}"]

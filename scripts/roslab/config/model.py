@@ -10,19 +10,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
+from roslab.values.origin import Origin, Place
+
 Kind = Literal["ros1", "ros2", "cuda", "python", "cpp"]
 BuildTool = Literal["catkin_make", "catkin_tools", "colcon", "cmake", "pip", "conda", "none"]
 Generation = Literal["paper", "later", "interim", "today"]
 Compatible = Literal["paper", "later"]
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Place:
-    """Where a value stands: a path relative to the repository, line and column from 1."""
-
-    file: str
-    line: int
-    column: int = 1
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -157,11 +150,16 @@ class Config:
     """``linux/amd64`` …"""
     notebook: bool | None = None
     matlab: Matlab | None = None
-    places: tuple[tuple[str, Place], ...] = ()
-    """Where each key stands, by dotted path (``base.ros``, ``apt.2``), for messages and reasons."""
-    warnings: tuple[tuple[str, Place | None], ...] = ()
+    origins: tuple[tuple[str, Origin], ...] = ()
+    """Where each key was said, by dotted path (``base.ros``, ``apt.2``), for messages and reasons."""
+    warnings: tuple[tuple[str, Origin | None], ...] = ()
     """What is outdated or was mapped, with the reason."""
 
+    def origin(self, path: str) -> Origin | None:
+        """Return where the key at a dotted path was said, or ``None``."""
+        return dict(self.origins).get(path)
+
     def place(self, path: str) -> Place | None:
-        """Return where the key at a dotted path stands, or ``None``."""
-        return dict(self.places).get(path)
+        """Return where the key at a dotted path stands in roslab.yaml, or ``None``."""
+        origin = self.origin(path)
+        return origin if isinstance(origin, Place) else None

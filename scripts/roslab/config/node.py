@@ -7,8 +7,11 @@ stands for.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
+
+from roslab.values.origin import Origin, Place
 
 ScalarKind = Literal["string", "integer", "number", "boolean", "null", "date"]
 
@@ -20,6 +23,15 @@ class Mark:
     line: int
     column: int
     index: int
+
+
+Where = Callable[[Mark], Origin]
+"""Tells where what stands at a mark was said: a file's reader knows its file, an input has its name alone."""
+
+
+def in_file(file: str) -> Where:
+    """Return what tells the places of one file."""
+    return lambda mark: Place(file=file, line=mark.line, column=mark.column)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -9,11 +9,12 @@ from roslab.config import generation as generations
 from roslab.config import packages, running, vocabulary
 from roslab.config.document import Document, parse
 from roslab.config.model import Base, BuildTool, Compatible, Config, Generation, Kind
-from roslab.config.node import Mapping, Scalar, Sequence
+from roslab.config.node import Mapping, Scalar, Sequence, in_file
 from roslab.config.reading import Reading
 from roslab.config.shape import Shape
 from roslab.config.source import OLD_TOOLS, sources
 from roslab.errors import ConfigurationError, Problem
+from roslab.values.origin import Place
 
 _KEYS: dict[Generation, dict[str, str]] = {
     "paper": {"repo": "repos", "apt": "packages", "pip": "python-packages"},
@@ -33,13 +34,13 @@ def read(text: str | bytes, *, file: str = "roslab.yaml") -> Config:
     root = mapping_of(document)
     generation = generations.tell(root, file=file)
     strange = generations.rivals(root, generation)
-    shape = Shape(file=file, unknown=lambda name: _elsewhere(generation, name, strange))
+    shape = Shape(where=in_file(file), unknown=lambda name: _elsewhere(generation, name, strange))
     shape.problems += document.problems
     if mixed := generations.mixture(root, generation, file=file):
         shape.problems.append(mixed)
     checked = shape.check(root, vocabulary.definition(generation))
-    reading = Reading(file=file)
-    config = _config(reading, checked, generation) if isinstance(checked, Mapping) else Config()
+    reading = Reading(where=in_file(file))
+    config = _config(reading, checked, generation, file) if isinstance(checked, Mapping) else Config()
     problems = [*shape.problems, *reading.problems]
     problems = [problem for problem in problems if problem.hint != ""]  # see _elsewhere
     if problems:
@@ -60,8 +61,8 @@ def mapping_of(document: Document) -> Mapping:
     else:
         was = "a list" if isinstance(root, Sequence) else "text"
         message, hint = f"the file is {was}, not a mapping", "write KEY: VALUE lines, `format: 3` first"
-    place = (root.start.line, root.start.column) if root else (None, None)
-    problem = Problem(message=message, hint=hint, file=document.file, line=place[0], column=place[1])
+    origin = in_file(document.file)(root.start) if root else Place(file=document.file)
+    problem = Problem(message=message, hint=hint, origin=origin)
     raise ConfigurationError(*document.problems, problem)
 
 
@@ -74,7 +75,7 @@ def _by_place(problem: Problem) -> tuple[int, int]:
     return problem.line or 0, problem.column or 0
 
 
-def _config(reading: Reading, root: Mapping, generation: Generation) -> Config:
+def _config(reading: Reading, root: Mapping, generation: Generation, file: str | None) -> Config:
     old = generation != "today"
     key = {name: name for name in ("repo", "apt", "pip", "pip3", "source")} | _KEYS[generation]
     base = bases.base(reading, root, generation)
@@ -87,7 +88,7 @@ def _config(reading: Reading, root: Mapping, generation: Generation) -> Config:
     pip3, pip3_options = packages.pip(reading, root, key["pip3"], "pip3")
     _advise(reading, root, generation)
     return Config(
-        file=reading.file,
+        file=file,
         generation=generation,
         compatible=compatible,
         name=_name(reading, root),
@@ -121,7 +122,7 @@ def _config(reading: Reading, root: Mapping, generation: Generation) -> Config:
         platforms=reading.values(root, "platforms", "platforms"),
         notebook=True if notebook is None and old else notebook,
         matlab=running.matlab(reading, root),
-        places=tuple(reading.places.items()),
+        origins=tuple(reading.origins.items()),
         warnings=tuple(reading.warnings),
     )
 

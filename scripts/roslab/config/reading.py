@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from roslab.config.model import Place
-from roslab.config.node import Mapping, Mark, Node, Scalar, Sequence
+from roslab.config.node import Mapping, Node, Scalar, Sequence, Where
 from roslab.errors import Problem
+from roslab.values.origin import Origin
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -19,31 +19,25 @@ class Text:
 
 @dataclass(kw_only=True, slots=True)
 class Reading:
-    """One reading of one file."""
+    """One reading of one file, or of what inputs and options say."""
 
-    file: str
-    places: dict[str, Place] = field(default_factory=dict)
-    warnings: list[tuple[str, Place | None]] = field(default_factory=list)
+    where: Where
+    origins: dict[str, Origin] = field(default_factory=dict)
+    warnings: list[tuple[str, Origin | None]] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)
 
-    def place(self, mark: Mark) -> Place:
-        """Return a mark as a place in the repository."""
-        return Place(file=self.file, line=mark.line, column=mark.column)
-
     def note(self, path: str, node: Node | None) -> None:
-        """Remember where the key at a dotted path of the model stands."""
+        """Remember where the key at a dotted path of the model was said."""
         if node is not None:
-            self.places.setdefault(path, self.place(node.start))
+            self.origins.setdefault(path, self.where(node.start))
 
     def warn(self, message: str, node: Node | None) -> None:
         """Say what is outdated, or was read as something else, and why."""
-        self.warnings.append((message, self.place(node.start) if node else None))
+        self.warnings.append((message, self.where(node.start) if node else None))
 
     def complain(self, message: str, hint: str, node: Node) -> None:
         """Say what is wrong."""
-        mark = node.start
-        problem = Problem(message=message, hint=hint, file=self.file, line=mark.line, column=mark.column)
-        self.problems.append(problem)
+        self.problems.append(Problem(message=message, hint=hint, origin=self.where(node.start)))
 
     def mapping(self, root: Mapping, key: str) -> Mapping | None:
         """Return a mapping, ``None`` where nothing or nothing usable is said."""

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from roslab.config import vocabulary
 from roslab.config.advice import advice
 from roslab.config.document import MAX_PROBLEMS, printable
-from roslab.config.node import Mapping, Mark, Node, Scalar, Sequence, kind
+from roslab.config.node import Mapping, Mark, Node, Scalar, Sequence, Where, kind
 from roslab.config.vocabulary import Schema
 from roslab.errors import Problem
 
@@ -36,7 +36,7 @@ _ABOUT = ("title", "description", "examples")
 class Shape:
     """Collects what is wrong with a tree."""
 
-    file: str
+    where: Where
     problems: list[Problem] = field(default_factory=list)
     unknown: Callable[[str], str | None] = lambda _: None
     """Says of an unknown top-level key what it was elsewhere and what to write."""
@@ -61,8 +61,7 @@ class Shape:
     def complain(self, mark: Mark, message: str, hint: str | None = None) -> None:
         """Note a problem, unless there are too many already to be read."""
         if len(self.problems) < MAX_PROBLEMS:
-            problem = Problem(message=message, hint=hint, file=self.file, line=mark.line, column=mark.column)
-            self.problems.append(problem)
+            self.problems.append(Problem(message=message, hint=hint, origin=self.where(mark)))
 
     def _wrong_type(self, node: Node, schema: Schema, path: str) -> Node | None:
         values = dict.fromkeys(str(value) for value in schema.get("enum", ()))

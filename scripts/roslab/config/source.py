@@ -9,6 +9,7 @@ from roslab.config import packages
 from roslab.config.model import Source
 from roslab.config.node import Mapping, Sequence
 from roslab.config.reading import Reading, Text
+from roslab.values.origin import Place
 
 Build = Literal["cmake", "catkin_make", "catkin_tools", "colcon", "pip", "none"]
 OLD_TOOLS = {"catkin_build": "catkin_tools"}
@@ -49,6 +50,7 @@ def _source(reading: Reading, item: Mapping, path: str) -> Source | None:
     if archive and archive.value.startswith("http://"):
         reading.warn("fetched without encryption: write https://", archive.node)
     tool = reading.value(item, "build", f"{path}.build") or "cmake"
+    place = reading.where(item.start)
     return Source(
         name=name,
         repo=url,
@@ -60,7 +62,7 @@ def _source(reading: Reading, item: Mapping, path: str) -> Source | None:
         cmake_folder=reading.value(item, "cmake_folder", f"{path}.cmake_folder"),
         make_command=reading.value(item, "make_command", f"{path}.make_command"),
         keep_source=reading.truth(item, "keep_source", f"{path}.keep_source") or False,
-        place=reading.place(item.start),
+        place=place if isinstance(place, Place) else None,
     )
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from roslab.config.model import Config, Kind, Place, Source
+from roslab.config.model import Config, Kind, Source
 from roslab.decide.decision import Python
 from roslab.decide.ros.layout import LayoutChoice
 from roslab.decide.ros.sources import SourceChoice
@@ -18,6 +18,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence, GitSource
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.on_request import packages
+from roslab.values.origin import Origin, Place
 
 _ROS_TOOLS = frozenset({"catkin_make", "catkin_tools", "colcon"})
 _KEPT_TOPICS = frozenset({"command", "distro", "ubuntu", "build_tool"})
@@ -30,7 +31,7 @@ def narrowed(evidence: Evidence, config: Config) -> tuple[Evidence, Config]:
     files = {*(config.requirements or ()), *(config.vcs or ()), config.conda, config.dockerfile}
     left = [file.file for file in evidence.requirements if file.purpose == "run" and "/" not in file.file]
     left += [project.file for project in evidence.python if project.installable and not project.folder]
-    warnings: list[tuple[str, Place | None]] = [
+    warnings: list[tuple[str, Origin | None]] = [
         (f"{name} is not installed: the old format installs only what roslab.yaml names", Place(file=name, line=1))
         for name in sorted(set(left) - files)
     ]

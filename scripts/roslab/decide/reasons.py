@@ -19,7 +19,7 @@ class Placed(Protocol):
     @property
     def file(self) -> str: ...  # noqa: D102
     @property
-    def line(self) -> int: ...  # noqa: D102
+    def line(self) -> int | None: ...  # noqa: D102
 
 
 def because(

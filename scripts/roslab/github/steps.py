@@ -21,6 +21,7 @@ from roslab.render.markdown import prose
 from roslab.render.summary import platforms_of
 from roslab.render.summary import summary as render_summary
 from roslab.repository import git as commits
+from roslab.values.origin import Place
 
 Environment = Mapping[str, str]
 
@@ -50,7 +51,8 @@ def plan(environment: Environment) -> None:
         cache=asked.cache,
     )
     for warning in planned.plan.warnings:
-        workflow.warn(Problem(message=warning.message, file=warning.file, line=warning.line))
+        origin = Place(file=warning.file, line=warning.line) if warning.file else None
+        workflow.warn(Problem(message=warning.message, origin=origin))
     if publication.warning:
         workflow.warn(Problem(message=publication.warning))
     folder = Folder.new(environment)

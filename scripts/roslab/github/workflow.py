@@ -10,6 +10,7 @@ import secrets
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 from roslab.errors import Problem, RoslabError
@@ -34,7 +35,9 @@ def _property(text: str) -> str:
 
 def annotation(level: str, problem: Problem) -> str:
     """Return a problem as an annotation (``error``, ``warning`` or ``notice``) at its place in the repository."""
-    text = f"{problem.message} ({problem.hint})" if problem.hint else problem.message
+    if problem.file is None:
+        return command(level, str(problem))
+    text = str(replace(problem, origin=None))
     return command(level, text, {"file": problem.file, "line": problem.line, "col": problem.column})
 
 

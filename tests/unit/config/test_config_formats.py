@@ -148,7 +148,7 @@ def test_todays_format(good: pathlib.Path) -> None:
 
 def test_a_file_of_today_says_only_what_it_says(good: pathlib.Path) -> None:
     config = load(good, "today-least")
-    assert config == Config(file="roslab.yaml", places=config.places)
+    assert config == Config(file="roslab.yaml", origins=config.origins)
 
 
 def test_custom_of_today_runs_in_the_source_folder(good: pathlib.Path) -> None:
@@ -159,7 +159,7 @@ def test_custom_of_today_runs_in_the_source_folder(good: pathlib.Path) -> None:
 
 def test_places_follow_the_model(good: pathlib.Path) -> None:
     config = load(good, "paper")
-    places = {path: place.line for path, place in config.places}
+    places = {path: place.line for path, place in config.origins}
     assert places["base.ros"] == 3
     assert (places["apt.0"], places["apt.1"], places["apt.2"]) == (9, 10, 10)
     assert places["source.0.repo"] == 15

@@ -67,7 +67,7 @@ def survives(text: str) -> Config | None:
         assert problems
         assert all(p.hint and p.file == "roslab.yaml" and len(str(p).splitlines()) == 1 for p in problems)
         return None
-    said = dataclasses.replace(config, places=(), warnings=())
+    said = dataclasses.replace(config, origins=(), warnings=())
     assert not [c for found in strings(said) for c in found if unicodedata.category(c) in UNSEEN or c in BIDI]
     assert all(len(message.splitlines()) == 1 for message, _ in config.warnings)
     return config

@@ -7,12 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from roslab.config.model import Base, Config, Place, Source
+from roslab.config.model import Base, Config, Source
 from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.errors import NothingToBuildError
 from roslab.evidence.gather import gather
 from roslab.repository.checkout import Repository
+from roslab.values.origin import Place
 
 CATKIN = (
     "<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend>"
@@ -110,7 +111,7 @@ def test_configuration_wins_and_names_its_place(tmp_path: Path) -> None:
         file="roslab.yaml",
         base=Base(ros="melodic-desktop-full"),
         build="catkin_tools",
-        places=(("base.ros", Place(file="roslab.yaml", line=3)),),
+        origins=(("base.ros", Place(file="roslab.yaml", line=3)),),
     )
     found = decided(tmp_path, package(), config, branch="noetic-devel")
     assert (found.ros_distro, found.base_image, found.build_tool) == ("melodic", "ros:melodic-ros-base", "catkin_tools")

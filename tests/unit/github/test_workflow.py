@@ -8,11 +8,12 @@ import pytest
 
 from roslab.errors import ConfigurationError, Problem
 from roslab.github import workflow
+from roslab.values.origin import Place
 
 
 def test_an_error_at_its_place() -> None:
     error = ConfigurationError(
-        Problem(message="100% wrong", hint="write x", file="a,b:c.yaml", line=3, column=5), "second"
+        Problem(message="100% wrong", hint="write x", origin=Place(file="a,b:c.yaml", line=3, column=5)), "second"
     )
     assert workflow.error_commands(error) == (
         "::error file=a%2Cb%3Ac.yaml,line=3,col=5::100%25 wrong (write x)\n::error::second\n"

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
-from roslab.config.model import BuildTool, Config, Kind, Place, Source
+from roslab.config.model import BuildTool, Config, Kind, Source
 from roslab.decide.decision import Reason, Warning_
 from roslab.decide.reasons import because, configured
 from roslab.evidence import places
@@ -16,6 +16,7 @@ from roslab.evidence.ros.vcs import https
 from roslab.knowledge.distros import distros
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.knowledge.ros_sources import RosSource, ros_sources
+from roslab.values.origin import Place
 
 _EXTRA = re.compile(
     r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
