@@ -82,6 +82,48 @@ def test_version(tmp_path: Path, files: dict[str, str], version: str) -> None:
     assert decide(tmp_path, files).version == version
 
 
+def requires_python(requires: str) -> dict[str, str]:
+    return {"pyproject.toml": f"[project]\nname = 'a'\nrequires-python = '{requires}'\n"}
+
+
+@pytest.mark.parametrize(
+    ("files", "version"),
+    [
+        (requires_python("~=3.8.2"), "3.8"),
+        (requires_python(">=3.9,!=3.10.*"), "3.12"),
+        (requires_python(">=3.6,<3.8.10"), "3.8"),
+        (requires_python(">=3.8.2,<3.9"), "3.8"),
+        (requires_python("==3.8.*"), "3.8"),
+        (requires_python("<3.8.1,>3.7.99"), "3.8"),
+        (requires_python("3.9"), "3.9"),
+        (requires_python(">=3.11.*"), "3.12"),
+        (
+            {
+                "pyproject.toml": "[tool.poetry]\nname = 'a'\n[tool.poetry.dependencies]\npython = '~3.8'\n"
+                "[build-system]\nbuild-backend = 'poetry'\n"
+            },
+            "3.8",
+        ),
+        (
+            {
+                "pyproject.toml": "[tool.poetry]\nname = 'a'\n[tool.poetry.dependencies]\npython = '^3.11.2'\n"
+                "[build-system]\nbuild-backend = 'poetry'\n"
+            },
+            "3.12",
+        ),
+        (
+            {"setup.py": "from setuptools import setup\nsetup(name='a', python_requires='>=3.6,!=3.10.*,<3.11')\n"},
+            "3.8",
+        ),
+        ({"setup.cfg": "[metadata]\nname = a\n[options]\npython_requires = ~=3.6.1\n"}, "3.6"),
+    ],
+)
+def test_a_minor_version_fits_where_any_of_its_patches_does(
+    tmp_path: Path, files: dict[str, str], version: str
+) -> None:
+    assert decide(tmp_path, files).version == version
+
+
 def test_the_configuration_wins(tmp_path: Path) -> None:
     config = Config(base=Base(python="3.9"), requirements=("b.txt",), pip3=("six",))
     python = decide(tmp_path, {"requirements.txt": "numpy\n", "requirements-b.txt": "scipy\n"}, config=config)
