@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from roslab.config.model import Config, Kind
 from roslab.decide.author_dockerfile import decide_dockerfile
 from roslab.decide.base import decide_base, of_dockerfile
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.command import decide_command
 from roslab.decide.cuda.version import CudaChoice, decide_cuda, of_image
-from roslab.decide.decision import Decision, Warning_
+from roslab.decide.decision import Choice, Decision, Python, Warning_
 from roslab.decide.kind import decide_kind
-from roslab.decide.old_formats import folder_of_workspace, in_order, named_only, narrowed, requested, systems_python
+from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.python.environment import decide_python, specifiers
+from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.layout import decide_layout
@@ -37,112 +40,101 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     _something(evidence, config)
     evidence, config = narrowed(evidence, config)
     kind = decide_kind(evidence, config)
-    ros = decide_distro(evidence, config, kind.kind)
-    distro = ros.distro.name if ros.distro else None
+    release = decide_distro(evidence, config, kind.answer)
+    distro = release.answer.name if release.answer else None
     cuda = decide_cuda(evidence, config)
-    if kind.kind in _ROS or kind.kind == "cpp" or distro:
-        base = decide_base(evidence, config, kind.kind, chosen=ros, cuda=cuda, python=None)
-        python, python_reasons, python_warnings = decide_python(evidence, config, kind.kind, base.ubuntu, distro)
+    if kind.answer in _ROS or kind.answer == "cpp" or distro:
+        base = decide_base(evidence, config, kind.answer, chosen=release, cuda=cuda, python=None)
+        python = _python(evidence, config, kind.answer, base.ubuntu, distro)
     else:
-        python, python_reasons, python_warnings = decide_python(evidence, config, kind.kind, config.base.ubuntu, distro)
-        base = decide_base(evidence, config, kind.kind, chosen=ros, cuda=cuda, python=python.version)
-    python = systems_python(python, config)
-    build_tool, tool_reasons = decide_build_tool(evidence, config, kind.kind, python)
-    authored = decide_dockerfile(evidence, config, kind.kind, distro)
-    base = of_dockerfile(base, evidence, config, authored.dockerfile)
-    cuda = of_image(cuda, base.image) if authored.dockerfile else cuda
+        python = _python(evidence, config, kind.answer, config.base.ubuntu, distro)
+        base = decide_base(evidence, config, kind.answer, chosen=release, cuda=cuda, python=python.answer.version)
+    own = decide_dockerfile(evidence, config, kind.answer, distro)
+    if own.answer:
+        base = of_dockerfile(base, evidence, config, own.answer.file)
+        cuda = of_image(cuda, base.image)
+        # An author's Dockerfile brings a Python of its own
+        python = replace(python, reasons=tuple(r for r in python.reasons if r.question != "python"))
+    build_tool = decide_build_tool(evidence, config, kind.answer, python.answer)
+
     packages = packages_of(evidence)
+    layout = decide_layout(evidence, kind.answer, packages)
     target = Target(ros_distro=distro, ubuntu=base.ubuntu)
-    needed = (
-        *declared_keys(packages, target, kind.kind),
-        *code_needs(evidence, packages),
-        *started(evidence, kind.kind),
-    )
     sources = decide_sources(
         evidence,
         config,
-        kind.kind,
+        kind.answer,
         ros_distro=distro,
-        build_tool=build_tool,
-        needed=needed,
+        build_tool=build_tool.answer,
+        needed=(
+            *declared_keys(packages, target, kind.answer),
+            *code_needs(evidence, packages),
+            *started(evidence, kind.answer),
+        ),
         own=packages.names,
         folder_name=folder_name,
     )
     system = decide_system(
         evidence,
         config,
-        kind.kind,
+        kind.answer,
         target=target,
         packages=packages,
-        python=python,
+        python=python.answer,
         base_packages=base.ros_packages,
-        sisters=sources.names,
+        sisters=sources.answer.names,
     )
-    system = requested(named_only(system, base.ros_packages, config), config, base.ubuntu)
-    sources = in_order(with_recipes(sources, recipes_for((*sources.libraries, *system.recipes), base.ubuntu)), config)
-    layout = folder_of_workspace(decide_layout(evidence, kind.kind, packages), config)
-    on_cuda = "nvidia" in base.image or kind.kind == "cuda" or bool(config.base.cuda)
+    python, system, sources, layout = as_it_was(
+        config, base_packages=base.ros_packages, python=python, system=system, sources=sources, layout=layout
+    )
+    recipes = (*sources.answer.libraries, *system.answer.recipes)
+    sources = with_recipes(sources, recipes_for(recipes, base.ubuntu))
+
+    on_cuda = "nvidia" in base.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else CudaChoice()
-    platforms = decide_platforms(evidence, config, kind.kind, base.image, distro, cuda.cuda, python)
-    command = decide_command(evidence, config, kind.kind, authored.dockerfile)
+    command = decide_command(evidence, config, kind.answer, own.answer.file if own.answer else None)
+    platforms = decide_platforms(evidence, config, kind.answer, base.image, distro, cuda.cuda, python.answer)
+    choices = (kind, release, base, build_tool, layout, python, cuda, own, command, platforms, sources, system)
     return Decision(
-        kind=kind.kind,
+        kind=kind.answer,
         ros_distro=distro,
         ubuntu=base.ubuntu,
         base_image=base.image,
-        build_tool=build_tool,
-        rosdep=system.rosdep,
-        skip_keys=system.skip_keys,
-        apt=system.apt,
-        apt_guessed=system.apt_guessed,
-        python=python,
-        pip=specifiers(evidence, python),
-        source=sources.sources,
-        vcs=sources.vcs,
-        packages=tuple(manifest.file for manifest in packages.built) if kind.kind in _ROS else (),
-        package_names=_names(packages, kind.kind),
-        workspace=layout.workspace,
-        cmake_folder=layout.cmake_folder,
-        dockerfile=authored.dockerfile,
-        context=authored.context,
-        command=command.command,
-        command_candidates=command.candidates,
+        build_tool=build_tool.answer,
+        rosdep=system.answer.rosdep,
+        skip_keys=system.answer.skip_keys,
+        apt=system.answer.apt,
+        apt_guessed=system.answer.apt_guessed,
+        python=python.answer,
+        pip=specifiers(evidence, python.answer),
+        source=sources.answer.sources,
+        vcs=sources.answer.vcs,
+        packages=tuple(manifest.file for manifest in packages.built) if kind.answer in _ROS else (),
+        package_names=_names(packages, kind.answer),
+        workspace=layout.answer.workspace,
+        cmake_folder=layout.answer.cmake_folder,
+        dockerfile=own.answer.file if own.answer else None,
+        context=own.answer.context if own.answer else None,
+        command=command.answer.command,
+        command_candidates=command.answer.candidates,
         platforms=platforms.platforms,
         platforms_refused=platforms.refused,
         cuda=cuda.cuda,
         cudnn=cuda.cudnn,
         gpu=on_cuda if config.gpu is None else config.gpu,
-        gui=command.gui if config.gui is None else config.gui,
+        gui=command.answer.gui,
         warnings=(
             *(Warning_(message=message, file=file, line=line) for message, file, line in evidence.problems),
-            *(
-                Warning_(message=message, file=place.file if place else None, line=place.line if place else None)
-                for message, place in config.warnings
-            ),
-            *kind.warnings,
-            *ros.warnings,
-            *python_warnings,
-            *cuda.warnings,
-            *authored.warnings,
-            *sources.warnings,
-            *system.warnings,
+            *(warn(message, place) for message, place in config.warnings),
+            *(warning for choice in choices for warning in getattr(choice, "warnings", ())),
         ),
-        reasons=(
-            *kind.reasons,
-            *ros.reasons,
-            *base.reasons,
-            *tool_reasons,
-            *layout.reasons,
-            # An author's Dockerfile brings a Python of its own
-            *(reason for reason in python_reasons if not (authored.dockerfile and reason.question == "python")),
-            *cuda.reasons,
-            *authored.reasons,
-            *command.reasons,
-            *platforms.reasons,
-            *sources.reasons,
-            *system.reasons,
-        ),
+        reasons=tuple(reason for choice in choices for reason in choice.reasons),
     )
+
+
+def _python(evidence: Evidence, config: Config, kind: Kind, ubuntu: str | None, distro: str | None) -> Choice[Python]:
+    answer, reasons, warnings = decide_python(evidence, config, kind, ubuntu, distro)
+    return Choice(answer=answer, reasons=reasons, warnings=warnings)
 
 
 def _names(packages: Packages, kind: Kind) -> tuple[str, ...]:

@@ -6,11 +6,15 @@ import re
 from dataclasses import dataclass
 
 from roslab.config.model import Config, Kind
-from roslab.decide.decision import Reason, Warning_
+from roslab.decide.decision import Choice, Reason
+from roslab.decide.reasons import because, configured
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.frameworks import cuda_image
+from roslab.values.origin import Place
 
+MOST_REASONS = 20
+"""Dockerfiles that are spoken of; a collection of robots has hundreds."""
 _CUDA = re.compile(r"(?:^|/)nvidia/cuda:(\d+\.\d+)(\.\d+)?")
 _ROS = re.compile(r"(?:^|/)ros:([a-z]+)")
 _GONE = {"nvidia/cudagl": "nvidia/cudagl is no longer built", "nvidia/opengl": "nvidia/opengl is no longer built"}
@@ -32,32 +36,34 @@ _UBUNTU_TAG = re.compile(r"ubuntu[:_-]?(\d\d)\.\d\d")
 _OLD_UBUNTU = re.compile(r"^(?:ubuntu|debian):(?:1[0-5]\.|17\.|19\.|2[13]\.|jessie|stretch|buster)")
 
 
+class Weight:
+    """What speaks for a Dockerfile of the author's."""
+
+    BELIEVED = 60  # it passed every doubt, and comes first among those that did
+    DOUBTED = -1  # why it is not built
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
-class DockerfileChoice:
-    """A Dockerfile of the tree and its build context, both relative to the root; ``None`` to generate one."""
+class Dockerfile:
+    """A Dockerfile of the tree and its build context, both relative to the root."""
 
-    dockerfile: str | None = None
-    context: str | None = None
-    reasons: tuple[Reason, ...] = ()
-    warnings: tuple[Warning_, ...] = ()
+    file: str
+    context: str
 
 
-def decide_dockerfile(evidence: Evidence, config: Config, kind: Kind, ros_distro: str | None) -> DockerfileChoice:
-    """Return the author's Dockerfile where it can be believed: it is the project's, brings its source, can be built."""
-    by_path = {authored.file: authored for authored in evidence.dockerfiles}
+def decide_dockerfile(
+    evidence: Evidence, config: Config, kind: Kind, ros_distro: str | None
+) -> Choice[Dockerfile | None]:
+    """Return the author's Dockerfile where it can be believed, ``None`` to generate one.
+
+    It can be where it is the project's, brings its source and can be built.
+    """
     if config.dockerfile:
-        place = config.place("dockerfile")
-        said = Reason(
-            question="dockerfile",
-            answer=config.dockerfile,
-            reason="dockerfile says so",
-            file=place.file if place else config.file,
-            line=place.line if place else None,
-            weight=100,
-        )
-        found = by_path.get(config.dockerfile)
-        context = config.context if config.context is not None else (found.context or "" if found else "")
-        return DockerfileChoice(dockerfile=config.dockerfile, context=context, reasons=(said,))
+        said = configured(config, "dockerfile", config.dockerfile, "dockerfile")
+        context = config.context
+        if context is None:
+            context = next((each.context or "" for each in evidence.dockerfiles if each.file == config.dockerfile), "")
+        return Choice(answer=Dockerfile(file=config.dockerfile, context=context), reasons=(said,))
     reasons: list[Reason] = []
     believed: list[AuthorDockerfile] = []
     for authored in evidence.dockerfiles:
@@ -65,31 +71,20 @@ def decide_dockerfile(evidence: Evidence, config: Config, kind: Kind, ros_distro
         if against is None:
             believed.append(authored)
         else:
-            reasons.append(
-                Reason(
-                    question="dockerfile",
-                    answer=authored.file,
-                    reason=against,
-                    file=authored.file,
-                    line=authored.base_line,
-                    weight=-1,
-                )
-            )
+            reasons.append(_about(authored, against, Weight.DOUBTED))
     if not believed:
-        return DockerfileChoice(reasons=tuple(reasons[:20]))
+        return Choice(answer=None, reasons=tuple(reasons[:MOST_REASONS]))
     best = min(believed, key=lambda authored: _rank(authored, kind, ros_distro))
-    reasons.insert(
-        0,
-        Reason(
-            question="dockerfile",
-            answer=best.file,
-            reason=f"the author's Dockerfile: it copies the repository and starts from {best.base}",
-            file=best.file,
-            line=best.base_line,
-            weight=60,
-        ),
+    why = f"the author's Dockerfile: it copies the repository and starts from {best.base}"
+    return Choice(
+        answer=Dockerfile(file=best.file, context=best.context or ""),
+        reasons=(_about(best, why, Weight.BELIEVED), *reasons[: MOST_REASONS - 1]),
     )
-    return DockerfileChoice(dockerfile=best.file, context=best.context or "", reasons=tuple(reasons[:20]))
+
+
+def _about(authored: AuthorDockerfile, why: str, weight: int) -> Reason:
+    place = Place(file=authored.file, line=authored.base_line)
+    return because("dockerfile", authored.file, why, place, weight=weight)
 
 
 def doubt(authored: AuthorDockerfile, kind: Kind, ros_distro: str | None) -> str | None:  # noqa: PLR0911 - one doubt a line

@@ -6,10 +6,9 @@ from dataclasses import dataclass, replace
 
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.version import CudaChoice
-from roslab.decide.decision import Reason
+from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.base import base_for
 from roslab.decide.reasons import because, configured, ranked
-from roslab.decide.ros.distro import DistroChoice
 from roslab.decide.system.cmake_version import has_it, needed_cmake
 from roslab.evidence.facts import AuthorDockerfile, Dependency, Evidence
 from roslab.knowledge.distros import Distro, distros, ubuntus
@@ -36,15 +35,21 @@ class BaseChoice:
 
 
 def decide_base(
-    evidence: Evidence, config: Config, kind: Kind, *, chosen: DistroChoice, cuda: CudaChoice, python: str | None
+    evidence: Evidence,
+    config: Config,
+    kind: Kind,
+    *,
+    chosen: Choice[Distro | None],
+    cuda: CudaChoice,
+    python: str | None,
 ) -> BaseChoice:
     """Return the image to start from."""
     base = config.base
     if base.image:
         said = configured(config, "base_image", base.image, "base.image")
         return BaseChoice(image=base.image, ubuntu=base.ubuntu or _codename(base.image), reasons=(said,))
-    if chosen.distro:
-        return _ros(evidence, config, chosen.distro, chosen.reasons[0], cuda)
+    if chosen.answer:
+        return _ros(evidence, config, chosen.answer, chosen.reasons[0], cuda)
     if kind == "cpp" and not cuda.cuda:
         return _cpp(evidence, config)
     image, ubuntu, reasons = base_for(kind, cuda.cuda, cuda.cudnn if cuda.cudnn_named else None, base.ubuntu, python)

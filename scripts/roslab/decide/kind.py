@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import cast
 
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.signs import framework
-from roslab.decide.decision import Reason, Warning_
-from roslab.decide.reasons import Placed, because, configured, ranked
+from roslab.decide.decision import Choice, Reason, Warning_
+from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
 from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
@@ -16,19 +15,44 @@ from roslab.knowledge.distros import distro, distros
 
 SMALL_WRAPPER = 3
 """A program in Python with at most so many ROS packages below its root has a ROS wrapper; it is no ROS repository."""
-_LEANING = {"branch": 60, "dockerfile": 12, "ci": 10, "readme": 6, "filename": 4}
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class KindChoice:
-    """The kind, with what speaks for and against."""
+class Weight:
+    """What speaks for a kind: what only one kind has before what several have, the root before what lies deeper."""
 
-    kind: Kind
-    reasons: tuple[Reason, ...]
-    warnings: tuple[Warning_, ...] = ()
+    PACKAGES = 500  # only ROS's tools build them
+    BINDINGS = 450  # a C++ project with a setup.py that only wraps it: more than that setup.py
+    INSTALLABLE = 400  # pip installs the repository itself
+    CONDA = 380  # made for this code, but perhaps only to develop it
+    OWN_LIST = 370  # a list that only ROS's tools read: more than requirements, which a collection may have too
+    ROSBUILD = 365  # more than CMake, by which rosbuild works
+    CMAKE = 360  # more than requirements, which a C++ project has for its scripts
+    REQUIREMENTS = 350
+    LIST = 300  # of repositories, in a folder, or as submodules
+    INSTALLABLE_BELOW = 250  # what lies in a folder may be a part or a tool
+    CONDA_BELOW = 240
+    REQUIREMENTS_BELOW = 230
+    WRAPPER = 200  # ROS packages that only wrap a Python program: less than any manifest of that
+    CMAKE_BELOW = 150  # where most of the code is C++
+    CUDA_SIGN = 130  # code or CUDA sources without any manifest
+    PROGRAM = 120
+    CODE = 100  # it may be a library, or a script of something else
+    ROSBUILD_PART = 90  # one such folder in a program is an example
+    CMAKE_PART = 90
+    DEFAULT = 1
+    DESCRIPTION = -10  # a robot's description is read by programs of every kind
+    OF_FRAMEWORK = 5  # on top of the same manifest's weight for Python: with a framework it is CUDA's
 
 
-def decide_kind(evidence: Evidence, config: Config) -> KindChoice:
+class Lean:
+    """What tells the side of a repository that is made for both versions of ROS; each outweighs all below it."""
+
+    BY_SOURCE = (("branch", 60), ("dockerfile", 12), ("ci", 10), ("readme", 6), ("filename", 4))
+    MORE_PACKAGES = 5
+    NEWER = 2  # ROS 2, where nothing else tells
+
+
+def decide_kind(evidence: Evidence, config: Config) -> Choice[Kind]:
     """Return what kind of repository it is."""
     reasons: list[Reason] = []
     if config.kind:
@@ -39,10 +63,9 @@ def decide_kind(evidence: Evidence, config: Config) -> KindChoice:
         reasons.append(configured(config, "kind", "cuda", "base.cuda"))
     reasons += [*_ros(evidence), *_python(evidence), *_cpp(evidence)]
     if not reasons:
-        reasons.append(because("kind", "python", "nothing says what it is", weight=1))
-    best = max(reasons, key=lambda reason: reason.weight)
-    kind = cast("Kind", best.answer)
-    return KindChoice(kind=kind, reasons=ranked(reasons, kind), warnings=_warnings(evidence, kind))
+        reasons.append(because("kind", "python", "nothing says what it is", weight=Weight.DEFAULT))
+    kind = cast("Kind", strongest(reasons).answer)
+    return Choice(answer=kind, reasons=ranked(reasons, kind), warnings=_warnings(evidence, kind))
 
 
 def _ros(evidence: Evidence) -> list[Reason]:
@@ -58,7 +81,8 @@ def _ros(evidence: Evidence) -> list[Reason]:
         if not made:
             continue
         others = len(by_version[3 - version])
-        weight = (200 if wrapper else 500) + (_leaning(evidence, version, len(made) - others) if others else 0)
+        weight = Weight.WRAPPER if wrapper else Weight.PACKAGES
+        weight += _leaning(evidence, version, len(made) - others) if others else 0
         number = "a package" if len(made) == 1 else f"{len(made)} packages"
         why = f"{number} built by {'catkin' if version == 1 else 'ament'}"
         why += ", a wrapper beside a Python project" if wrapper else ""
@@ -67,11 +91,11 @@ def _ros(evidence: Evidence) -> list[Reason]:
         reasons += _meta(evidence)
     rosbuild = [project for project in evidence.cmake if "rosbuild" in project.macros]
     if rosbuild:
-        weight = 365 if _all_rosbuild(evidence) else 90
+        weight = Weight.ROSBUILD if _all_rosbuild(evidence) else Weight.ROSBUILD_PART
         reasons.append(because("kind", "ros1", "it is built by rosbuild", rosbuild[0], weight=weight))
     for manifest in packages.assets[:1]:
         why = "a package.xml with nothing to build beside it: a robot's description"
-        reasons.append(because("kind", "ros1", why, manifest, weight=-10))
+        reasons.append(because("kind", "ros1", why, manifest, weight=Weight.DESCRIPTION))
     return reasons
 
 
@@ -89,7 +113,7 @@ def _warnings(evidence: Evidence, kind: Kind) -> tuple[Warning_, ...]:
         return ()
     message = "rosbuild's packages (manifest.xml) are not built: catkin and colcon do not know them"
     hint = "the image has what they need; build them under `custom` in roslab.yaml, by rosmake"
-    return (Warning_(message=f"{message}; {hint}", file=old.file, line=old.line),)
+    return (warn(f"{message}; {hint}", old),)
 
 
 def _wrapper(evidence: Evidence, manifests: list[str]) -> bool:
@@ -115,8 +139,8 @@ def _within(file: str, folders: set[str]) -> bool:
 def _leaning(evidence: Evidence, version: int, majority: int) -> int:
     """Break the tie of a repository made for both: the branch, then images, CI and README, then the packages."""
     sides_of = {name: found.ros for name, found in distros().items()} | {"ros1": 1, "ros2": 2}
-    score = 5 * (majority > 0) + 2 * (version == 2)
-    for source, rank in _LEANING.items():
+    score = Lean.MORE_PACKAGES * (majority > 0) + Lean.NEWER * (version == 2)
+    for source, rank in Lean.BY_SOURCE:
         named = (m.value for m in evidence.mentions if m.topic == "distro" and m.source == source)
         if {sides_of[value] for value in named if value in sides_of} == {version}:
             score += rank
@@ -140,7 +164,8 @@ def _meta(evidence: Evidence) -> list[Reason]:
     lead = sides.count(2) - sides.count(1)
     version = 2 if lead > 0 or (lead == 0 and listed[0].file.endswith(".repos")) else 1
     why = f"{len(listed)} repositories to import" + (f" and a ROS {version} distribution to do it for" if sides else "")
-    return [because("kind", f"ros{version}", why, (own or listed)[0], weight=370 if own else 300)]
+    weight = Weight.OWN_LIST if own else Weight.LIST
+    return [because("kind", f"ros{version}", why, (own or listed)[0], weight=weight)]
 
 
 def _python(evidence: Evidence) -> list[Reason]:
@@ -151,24 +176,29 @@ def _python(evidence: Evidence) -> list[Reason]:
         at, why, weight = place
         reasons.append(because("kind", "cuda" if found else "python", why, at, weight=weight))
     if found:
-        reasons.append(because("kind", "cuda", found.why, found, weight=place[2] + 5 if place else 130))
+        weight = place[2] + Weight.OF_FRAMEWORK if place else Weight.CUDA_SIGN
+        reasons.append(because("kind", "cuda", found.why, found, weight=weight))
     return reasons
 
 
 def _python_place(evidence: Evidence) -> tuple[Placed, str, int] | None:
+    """Return the best place that speaks for Python, with why and its weight."""
     for project in evidence.python:
         if project.installable and not places.vendored(project.file):
-            return project, "pip can install it", 250 if project.folder else 400
+            weight = Weight.INSTALLABLE_BELOW if project.folder else Weight.INSTALLABLE
+            return project, "pip can install it", weight
     for environment in evidence.conda:
         if not places.vendored(environment.file):
-            return environment, "a conda environment", 240 if "/" in environment.file else 380
+            weight = Weight.CONDA_BELOW if "/" in environment.file else Weight.CONDA
+            return environment, "a conda environment", weight
     for requirement in evidence.requirements:
         if requirement.purpose == "run":
-            return requirement, "Python requirements", 230 if "/" in requirement.file else 350
+            weight = Weight.REQUIREMENTS_BELOW if "/" in requirement.file else Weight.REQUIREMENTS
+            return requirement, "Python requirements", weight
     if evidence.programs:
-        return evidence.programs[0], "a Python program", 120
+        return evidence.programs[0], "a Python program", Weight.PROGRAM
     imported = next((d for d in evidence.code if d.namespace == "import"), None)
-    return (imported, "Python code", 100) if imported else None
+    return (imported, "Python code", Weight.CODE) if imported else None
 
 
 def _cpp(evidence: Evidence) -> list[Reason]:
@@ -181,8 +211,9 @@ def _cpp(evidence: Evidence) -> list[Reason]:
     answer = "cuda" if "cuda" in top.macros and compiled else "cpp"
     bindings = any(not project.folder and "cmake" in project.extensions for project in evidence.python)
     if root and bindings and _mostly_cpp(evidence):
-        return [because("kind", answer, "a CMake project; Python only binds it", top, weight=450)]
-    weight = 360 if root else 150 if _mostly_cpp(evidence) else 90
+        return [because("kind", answer, "a CMake project; Python only binds it", top, weight=Weight.BINDINGS)]
+    below = Weight.CMAKE_BELOW if _mostly_cpp(evidence) else Weight.CMAKE_PART
+    weight = Weight.CMAKE if root else below
     return [because("kind", answer, "a CMake project", top, weight=weight)]
 
 

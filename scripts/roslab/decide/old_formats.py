@@ -10,14 +10,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from roslab.config.model import Config, Kind, Source
-from roslab.decide.decision import Python
-from roslab.decide.ros.layout import LayoutChoice
-from roslab.decide.ros.sources import SourceChoice
-from roslab.decide.system.packages import SystemChoice
+from roslab.decide.decision import Choice, Python
+from roslab.decide.ros.layout import Layout
+from roslab.decide.ros.sources import Sources
+from roslab.decide.system.packages import SystemPackages
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, GitSource
 from roslab.evidence.ros.vcs import https
-from roslab.knowledge.on_request import packages
 from roslab.values.origin import Origin, Place
 
 _ROS_TOOLS = frozenset({"catkin_make", "catkin_tools", "colcon"})
@@ -94,41 +93,52 @@ def _plain(url: str) -> str:
     return https(url).removesuffix(".git").rstrip("/").lower()
 
 
-def systems_python(python: Python, config: Config) -> Python:
-    """Return the Python of an old image: the distribution's own, where ``python`` and ``pip`` are what they were."""
-    if not config.compatible or config.conda or config.base.python:
+def as_it_was(
+    config: Config,
+    *,
+    base_packages: tuple[str, ...],
+    python: Choice[Python],
+    system: Choice[SystemPackages],
+    sources: Choice[Sources],
+    layout: Choice[Layout],
+) -> tuple[Choice[Python], Choice[SystemPackages], Choice[Sources], Choice[Layout]]:
+    """Return what an image installs and where its source lies, as the old format had it.
+
+    ``base_packages`` are those of ROS that the base image lacks.
+    """
+    if not config.compatible:
+        return python, system, sources, layout
+    return (
+        replace(python, answer=_python(python.answer, config)),
+        replace(system, answer=_system(system.answer, {*config.apt, *base_packages})),
+        replace(sources, answer=_sources(sources.answer, config)),
+        replace(layout, answer=_layout(layout.answer)),
+    )
+
+
+def _python(python: Python, config: Config) -> Python:
+    """Take the distribution's own Python, where ``python`` and ``pip`` were what they are there."""
+    if config.conda or config.base.python:
         return python
     return replace(python, manager="system", version=None, projects=(), pip_guessed=())
 
 
-def named_only(system: SystemChoice, base_packages: tuple[str, ...], config: Config) -> SystemChoice:
-    """Return the system packages with those that only CMake files ask for as guesses: they stop no build."""
-    if not config.compatible:
-        return system
-    named = {*config.apt, *base_packages}
-    guessed = {*system.apt_guessed, *(name for name in system.apt if name not in named)}
+def _system(system: SystemPackages, named: set[str]) -> SystemPackages:
+    """Take as certain only what the file names: what CMake files ask for besides must not stop a build."""
+    others = (name for name in system.apt if name not in named)
     return replace(
         system,
         apt=tuple(name for name in system.apt if name in named),
-        apt_guessed=tuple(sorted(guessed)),
+        apt_guessed=tuple(sorted({*system.apt_guessed, *others})),
         recipes=(),
     )
 
 
-def in_order(sources: SourceChoice, config: Config) -> SourceChoice:
-    """Return the sources of the file alone, in its order."""
-    return replace(sources, sources=config.source) if config.compatible and not config.vcs else sources
+def _sources(sources: Sources, config: Config) -> Sources:
+    """Take the sources of the file alone, in its order, unless it names files that list more."""
+    return sources if config.vcs else replace(sources, sources=config.source, libraries=())
 
 
-def folder_of_workspace(layout: LayoutChoice, config: Config) -> LayoutChoice:
-    """Return the layout of an old image: the repository was always a folder of the workspace."""
-    return replace(layout, workspace="overlay") if config.compatible and layout.workspace == "root" else layout
-
-
-def requested(system: SystemChoice, config: Config, ubuntu: str | None) -> SystemChoice:
-    """Add what ``base.opengl`` and ``matlab`` stand for: whatever of it this Ubuntu has."""
-    keys = ["opengl-runtime"] if config.base.opengl else []
-    keys += ["opengl-devel"] if config.base.opengl == "devel" else []
-    keys += ["matlab"] if config.matlab else []
-    wanted = {name for key in keys for name in packages(key, ubuntu)} - set(system.apt)
-    return replace(system, apt_guessed=tuple(sorted({*system.apt_guessed, *wanted}))) if wanted else system
+def _layout(layout: Layout) -> Layout:
+    """Make the repository a folder of the workspace, which it always was."""
+    return replace(layout, workspace="overlay") if layout.workspace == "root" else layout

@@ -14,10 +14,10 @@ CONFIGURED = 1000
 
 
 class Placed(Protocol):
-    """Anything that says where it stands: a fact of the evidence, or a bare ``config.model.Place``."""
+    """Anything that says where it stands: a fact of the evidence, or an origin (``values.origin``)."""
 
     @property
-    def file(self) -> str: ...  # noqa: D102
+    def file(self) -> str | None: ...  # noqa: D102
     @property
     def line(self) -> int | None: ...  # noqa: D102
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from roslab.config.model import Config
-from roslab.decide.author_dockerfile import decide_dockerfile, doubt
+from roslab.decide.author_dockerfile import Dockerfile, decide_dockerfile, doubt
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 
 GOOD = AuthorDockerfile(
@@ -18,7 +18,7 @@ GOOD = AuthorDockerfile(
 
 def test_a_good_one_is_believed() -> None:
     choice = decide_dockerfile(Evidence(dockerfiles=(GOOD,)), Config(), "ros1", "noetic")
-    assert (choice.dockerfile, choice.context) == ("docker/Dockerfile", "")
+    assert choice.answer == Dockerfile(file="docker/Dockerfile", context="")
 
 
 @pytest.mark.parametrize(
@@ -42,16 +42,14 @@ def test_doubts(change: dict[str, object], why: str) -> None:
     authored = replace(GOOD, **change)  # type: ignore[arg-type]
     assert why in (doubt(authored, "ros1", "noetic") or "")
     choice = decide_dockerfile(Evidence(dockerfiles=(authored,)), Config(), "ros1", "noetic")
-    assert choice.dockerfile is None
+    assert choice.answer is None
     assert why in choice.reasons[0].reason
 
 
 def test_the_distro_in_the_path_comes_first() -> None:
     dockerfiles = (replace(GOOD, file="docker/Dockerfile.melodic"), replace(GOOD, file="docker/Dockerfile.noetic"))
-    assert (
-        decide_dockerfile(Evidence(dockerfiles=dockerfiles), Config(), "ros1", "noetic").dockerfile
-        == "docker/Dockerfile.noetic"
-    )
+    choice = decide_dockerfile(Evidence(dockerfiles=dockerfiles), Config(), "ros1", "noetic")
+    assert choice.answer == Dockerfile(file="docker/Dockerfile.noetic", context="")
 
 
 def test_a_link_of_a_chain_is_doubted() -> None:
@@ -60,11 +58,11 @@ def test_a_link_of_a_chain_is_doubted() -> None:
         replace(GOOD, file="images/top/Dockerfile", base="me/img:base"),
     )
     choice = decide_dockerfile(Evidence(dockerfiles=chain), Config(), "ros1", "noetic")
-    assert choice.dockerfile == "images/base/Dockerfile"
+    assert choice.answer == Dockerfile(file="images/base/Dockerfile", context="")
 
 
 def test_the_configuration_wins() -> None:
     choice = decide_dockerfile(
         Evidence(dockerfiles=(GOOD,)), Config(dockerfile="x/Dockerfile", context="x"), "ros1", "noetic"
     )
-    assert (choice.dockerfile, choice.context) == ("x/Dockerfile", "x")
+    assert choice.answer == Dockerfile(file="x/Dockerfile", context="x")

@@ -30,14 +30,15 @@ def run(value: str) -> Mention:
 def test_a_shell_where_several_could_be_meant() -> None:
     evidence = Evidence(programs=(MAIN, Program(file="eval.py", line=1, kind="main")))
     choice = decide_command(evidence, Config(), "python", None)
-    assert choice.command == ("bash",)
-    assert choice.candidates == (("python3", "train.py"), ("python3", "eval.py"))
+    assert choice.answer.command == ("bash",)
+    assert choice.answer.candidates == (("python3", "train.py"), ("python3", "eval.py"))
 
 
 def test_the_one_obvious_program() -> None:
-    assert decide_command(Evidence(programs=(MAIN,)), Config(), "python", None).command == ("python3", "train.py")
+    choice = decide_command(Evidence(programs=(MAIN,)), Config(), "python", None)
+    assert choice.answer.command == ("python3", "train.py")
     choice = decide_command(Evidence(launch=(LAUNCH,)), Config(), "ros1", None)
-    assert (choice.command, choice.gui) == (("roslaunch", "me", "a.launch"), True)
+    assert (choice.answer.command, choice.answer.gui) == (("roslaunch", "me", "a.launch"), True)
 
 
 @pytest.mark.parametrize(
@@ -51,15 +52,15 @@ def test_the_one_obvious_program() -> None:
     ],
 )
 def test_what_cannot_be_run_here_is_no_candidate(value: str) -> None:
-    assert decide_command(Evidence(mentions=(run(value),)), Config(), "python", None).candidates == ()
+    assert decide_command(Evidence(mentions=(run(value),)), Config(), "python", None).answer.candidates == ()
 
 
 def test_the_readme_comes_first_and_the_configuration_wins() -> None:
     evidence = Evidence(
         programs=(MAIN, Program(file="b.py", line=1, kind="main")), mentions=(run("python train.py --go"),)
     )
-    assert decide_command(evidence, Config(), "cuda", None).command == ("python", "train.py", "--go")
-    assert decide_command(evidence, Config(command="ls", gui=False), "cuda", None).command == "ls"
+    assert decide_command(evidence, Config(), "cuda", None).answer.command == ("python", "train.py", "--go")
+    assert decide_command(evidence, Config(command="ls", gui=False), "cuda", None).answer.command == "ls"
 
 
 def platforms(
@@ -110,7 +111,7 @@ def readme(value: str, line: int) -> Mention:
 def test_variants_of_one_call_leave_no_doubt_about_the_program() -> None:
     mentions = (readme("python3 train.py --epochs 3", 5), readme("python3 train.py", 9))
     choice = decide_command(Evidence(programs=(MAIN,), mentions=mentions), Config(), "python", None)
-    assert choice.command == ("python3", "train.py")
+    assert choice.answer.command == ("python3", "train.py")
 
 
 def test_the_only_program_that_cmake_compiles() -> None:
@@ -119,5 +120,5 @@ def test_the_only_program_that_cmake_compiles() -> None:
         executables=(("align", 7), ("test_align", 9)), dependencies=(),
     )  # fmt: skip
     choice = decide_command(Evidence(cmake=(project,)), Config(), "cpp", None)
-    assert choice.command == ("align",)
+    assert choice.answer.command == ("align",)
     assert (choice.reasons[0].file, choice.reasons[0].line) == ("CMakeLists.txt", 7)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from roslab.config.model import Config, Kind
-from roslab.decide.decision import Reason, Warning_
-from roslab.decide.reasons import because, configured, ranked
+from roslab.decide.decision import Choice, Reason
+from roslab.decide.reasons import because, configured, ranked, warn
 from roslab.decide.ros.distro_dates import DEFAULT, dated, of_its_time
-from roslab.decide.ros.distro_evidence import reasons_for
+from roslab.decide.ros.distro_evidence import Weight, reasons_for
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.conditions import holds
@@ -16,26 +16,14 @@ from roslab.knowledge.distros import Distro, distro, distros, distros_of
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
 
-UNFIT = 400
-"""What a distribution loses that lacks a declared key: more than a Dockerfile outweighs a branch's convention."""
 
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class DistroChoice:
-    """The distribution (``None`` where the repository is not ROS), with what speaks for and against."""
-
-    distro: Distro | None = None
-    reasons: tuple[Reason, ...] = ()
-    warnings: tuple[Warning_, ...] = ()
-
-
-def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> DistroChoice:
-    """Return the ROS distribution that the repository is made for."""
+def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Distro | None]:
+    """Return the ROS distribution that the repository is made for, ``None`` where it is not ROS."""
     if config.base.ros and (known := distro(config.base.ros.partition("-")[0])):
         said = configured(config, "ros_distro", known.name, "base.ros")
-        return DistroChoice(distro=known, reasons=ranked([said, *reasons_for(evidence, known.ros)], known.name))
+        return Choice(answer=known, reasons=ranked([said, *reasons_for(evidence, known.ros)], known.name))
     if kind not in {"ros1", "ros2"}:
-        return DistroChoice()
+        return Choice(answer=None)
     ros = 1 if kind == "ros1" else 2
     unknown = _unknown_keys(evidence, ros)
     reasons = [_fitted(reason, unknown) for reason in reasons_for(evidence, ros)]
@@ -43,12 +31,12 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> DistroChoic
         inside = [reason for reason in reasons if reason.answer in fitting]
         answer = max(inside, key=_order).answer if inside else fitting[0]
         said = configured(config, "ros_distro", answer, "base.ubuntu")
-        return DistroChoice(distro=distros()[answer], reasons=ranked([said, *reasons], answer))
+        return Choice(answer=distros()[answer], reasons=ranked([said, *reasons], answer))
     reasons += _fitting(reasons, unknown)
     if not reasons:
         return _default(evidence, kind, unknown)
     best = max(reasons, key=_order)
-    return DistroChoice(distro=distros()[best.answer], reasons=ranked(reasons, best.answer))
+    return Choice(answer=distros()[best.answer], reasons=ranked(reasons, best.answer))
 
 
 def _order(reason: Reason) -> tuple[int, int]:
@@ -85,7 +73,7 @@ def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
     if not missing:
         return reason
     text = f"{reason.reason}; but {reason.answer} has no {', '.join(missing[:3])}"
-    return replace(reason, reason=text, weight=max(1, reason.weight - UNFIT))
+    return replace(reason, reason=text, weight=max(Weight.DEFAULT, reason.weight - Weight.LACKS_A_KEY))
 
 
 def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[Reason]:
@@ -93,10 +81,10 @@ def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[
     if not any(unknown.get(reason.answer) for reason in reasons):
         return []
     best = max((name for name, missing in unknown.items() if not missing), key=_preference)
-    return [because("ros_distro", best, "it has every key that the packages declare", weight=100)]
+    return [because("ros_distro", best, "it has every key that the packages declare", weight=Weight.HAS_EVERY_KEY)]
 
 
-def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]]) -> DistroChoice:
+def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]]) -> Choice[Distro | None]:
     """Return the distribution of the last commit's time, else the default; where it lacks a key, one that has all."""
     date = dated(evidence)
     answer = of_its_time(kind, date.value if date else None)
@@ -108,5 +96,5 @@ def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]])
         answer = max((name for name, missing in unknown.items() if not missing), key=_preference)
         why = "nothing is said: the default of those with every key that the packages declare"
     message = f"nothing says which ROS distribution this is for: {answer} is taken; name it as base.ros in roslab.yaml"
-    reason = because("ros_distro", answer, why, date, weight=1)
-    return DistroChoice(distro=distros()[answer], reasons=(reason,), warnings=(Warning_(message=message),))
+    reason = because("ros_distro", answer, why, date, weight=Weight.DEFAULT)
+    return Choice(answer=distros()[answer], reasons=(reason,), warnings=(warn(message),))

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import ClassVar
 
 from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.knowledge.distros import distros, distros_of, ubuntus
+from roslab.values.origin import Place
 
 FAMILY = 2
 """Images of more distributions than this are a family, one for each: none of them says which is meant."""
@@ -31,12 +33,45 @@ _FOR = re.compile(
 """The sentence tells what to have."""
 _RECOMMENDED = re.compile(r"\brecommend", re.IGNORECASE)
 _LIST = (".repos", ".rosinstall")
-"""A list for one distribution holds what that one lacks: others may need no list."""
 _SENTENCE = re.compile(r"(?<=[.;!?])\s+|\s*\|\s*")
-_DOCKERFILES = {"project": 700, "ci": 520, "deploy": 450, "documentation": 300, "vendored": 50, "broken": 200}
-_PLACES = {"filename": 420, "ci": 500, "dockerfile": 430, "script": 330}
 _WHAT = {"filename": "a file is named", "ci": "CI:", "dockerfile": "the author's image:", "script": "a script:"}
-_UBUNTU = {"dockerfile": 260, "ci": 240, "readme": 230}
+
+
+class Weight:
+    """What speaks for a distribution, the strongest first: what is run before what is said, the newest word first."""
+
+    BRANCH = 900  # a branch of that name is for that distribution, whatever its files still say
+    DOCKERFILE: ClassVar = {
+        "project": 700,  # it was built with this code
+        "ci": 520,  # of the environment in which the code is tried
+        "deploy": 450,  # one robot's or machine's own
+        "documentation": 300,
+        "broken": 200,
+        "vendored": 50,
+    }
+    COPIES = 20  # on top for a Dockerfile that brings this very source
+    CI_IMAGE = 520
+    FAMILY = 440  # one of several images, one for each distribution
+    PLACE: ClassVar = {
+        "ci": 500,  # it is tried there at every push
+        "dockerfile": 430,  # a line of it, not its base
+        "filename": 420,
+        "script": 330,
+    }
+    RECOMMENDED = 420  # where a page names several
+    TELLS_TO_HAVE = 400  # "tested on", "install", "requires"
+    SPEAKS_OF_IT = 300
+    AGAINST = 180  # what a sentence loses that speaks of another time or branch
+    ROS2_BRANCH = 410  # development follows rolling: more than any sentence but a recommendation
+    LIST = 390  # a list for one distribution holds what that one lacks: others may need no list
+    UBUNTU: ClassVar = {"dockerfile": 260, "ci": 240, "readme": 230}  # it only has that distribution
+    HAS_EVERY_KEY = 100  # nothing names it
+    VENDORED = 20  # others wrote it
+    DEFAULT = 1
+    LACKS_A_KEY = 400  # what a distribution loses: a Dockerfile older than the packages falls below a page
+    DEEPER = 5  # a folder deeper in the tree: nearer to a part than to the whole
+    DEEPER_PAGE = 15
+    DOCUMENTATION = 60  # what a page among the documentation loses against the README
 
 
 def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
@@ -56,20 +91,15 @@ def _dockerfiles(evidence: Evidence) -> Iterator[Reason]:
     named = {name for authored in evidence.dockerfiles for name in _names(authored.base or "")}
     for authored in evidence.dockerfiles:
         for name in _names(authored.base or ""):
-            weight = _dockerfile_weight(authored) if len(named) <= FAMILY else 440
+            weight = _dockerfile_weight(authored) if len(named) <= FAMILY else Weight.FAMILY
             why = f"the author's image is FROM {authored.base}"
-            yield Reason(
-                question="ros_distro",
-                answer=name,
-                reason=why,
-                file=authored.file,
-                line=authored.base_line,
-                weight=weight,
-            )
+            place = Place(file=authored.file, line=authored.base_line)
+            yield because("ros_distro", name, why, place, weight=weight)
 
 
 def _dockerfile_weight(authored: AuthorDockerfile) -> int:
-    return _DOCKERFILES[authored.purpose] - 5 * authored.file.count("/") + (20 if authored.copies_repository else 0)
+    weight = Weight.DOCKERFILE[authored.purpose] + (Weight.COPIES if authored.copies_repository else 0)
+    return weight - Weight.DEEPER * authored.file.count("/")
 
 
 def _names(image: str) -> list[str]:
@@ -82,11 +112,11 @@ def _mentions(evidence: Evidence, ros: int) -> Iterator[Reason]:
         if mention.topic == "distro" and mention.value in distros():
             why, weight = _weighed(mention)
             yield because("ros_distro", mention.value, why, mention, weight=weight)
-        elif mention.topic == "ubuntu" and mention.source in _UBUNTU:
+        elif mention.topic == "ubuntu" and mention.source in Weight.UBUNTU:
             yield from _ubuntu(mention, ros)
         elif mention.topic == "base":
             for name in _names(mention.value):
-                yield because("ros_distro", name, f"CI runs in {mention.value}", mention, weight=520)
+                yield because("ros_distro", name, f"CI runs in {mention.value}", mention, weight=Weight.CI_IMAGE)
 
 
 def _ubuntu(mention: Mention, ros: int) -> Iterator[Reason]:
@@ -94,26 +124,26 @@ def _ubuntu(mention: Mention, ros: int) -> Iterator[Reason]:
     codename = ubuntus().get(mention.value, mention.value)
     if codename == mention.value and mention.source == "readme" and "ubuntu" not in mention.text.lower():
         return  # "bionic" is also an arm, "focal" a length
-    weight = _UBUNTU[mention.source] - 5 * mention.file.count("/")
+    weight = Weight.UBUNTU[mention.source] - Weight.DEEPER * mention.file.count("/")
     for name in distros_of(codename, 1 if ros == 1 else 2)[:1]:
         yield because("ros_distro", name, f"Ubuntu {mention.value}: {mention.text[:120]}", mention, weight=weight)
 
 
 def _weighed(mention: Mention) -> tuple[str, int]:
     """Return why a distribution's name counts, and how much."""
-    depth = 5 * mention.file.count("/") * (not mention.file.startswith("."))  # .github is a root's, as Jenkinsfile is
+    depth = mention.file.count("/") * (not mention.file.startswith("."))  # .github is a root's, as Jenkinsfile is
+    deeper = Weight.DEEPER * depth
     if mention.source == "branch":
-        return f"the branch is {mention.text}", 900
+        return f"the branch is {mention.text}", Weight.BRANCH
     if places.vendored(mention.file):
-        return "a copied file names it", 20
+        return "a copied file names it", Weight.VENDORED
     if mention.source == "filename" and mention.file.endswith(_LIST):
-        return f"a list is named {mention.text}", 390 - depth
-    if mention.source in _PLACES:
-        return f"{_WHAT[mention.source]} {mention.text[:120]}", _PLACES[mention.source] - depth
+        return f"a list is named {mention.text}", Weight.LIST - deeper
+    if mention.source in Weight.PLACE:
+        return f"{_WHAT[mention.source]} {mention.text[:120]}", Weight.PLACE[mention.source] - deeper
     weight = max(_spoken(sentence) for sentence in _sentences(mention.text, mention.value))
-    if places.documentation(mention.file):
-        weight -= 60
-    return f"“{_quoted(mention)}”", weight - 3 * depth
+    weight -= Weight.DOCUMENTATION if places.documentation(mention.file) else 0
+    return f"“{_quoted(mention)}”", weight - Weight.DEEPER_PAGE * depth
 
 
 def _quoted(mention: Mention) -> str:
@@ -128,8 +158,9 @@ def _sentences(text: str, value: str) -> list[str]:
 
 
 def _spoken(sentence: str) -> int:
-    against = 180 if _AGAINST.search(sentence) else 0
-    return (420 if _RECOMMENDED.search(sentence) else 400 if _FOR.search(sentence) else 300) - against
+    weight = Weight.TELLS_TO_HAVE if _FOR.search(sentence) else Weight.SPEAKS_OF_IT
+    weight = Weight.RECOMMENDED if _RECOMMENDED.search(sentence) else weight
+    return weight - (Weight.AGAINST if _AGAINST.search(sentence) else 0)
 
 
 def _branches(evidence: Evidence, ros: int) -> Iterator[Reason]:
@@ -137,4 +168,4 @@ def _branches(evidence: Evidence, ros: int) -> Iterator[Reason]:
     for mention in evidence.mentions:
         if ros == 2 and mention.source == "branch" and mention.text == "ros2":
             why = "the branch is ros2: where ROS 2 development goes on"
-            yield because("ros_distro", "rolling", why, mention, weight=410)
+            yield because("ros_distro", "rolling", why, mention, weight=Weight.ROS2_BRANCH)

@@ -7,6 +7,7 @@ from difflib import get_close_matches
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
+from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
 from roslab.evidence.facts import Dependency
@@ -59,14 +60,14 @@ def translate(key: Dependency, target: Target, *, cloned: bool, submodules: tupl
     if found is None or not (found.apt or found.recipe):
         message = f"rosdep knows no {name} for ROS {target.ros_distro}"
         hint = _hint(name, target, cloned=cloned, submodules=submodules)
-        return Translated(warning=Warning_(message=f"{message}: {hint}", file=key.file, line=key.line))
+        return Translated(warning=warn(f"{message}: {hint}", key))
     instead = " ".join(found.apt) or f"{found.recipe}, from its source,"
     message = f"{name} is no key of rosdep but a library's name: {instead} is installed for it"
     return Translated(
         apt=found.apt,
         recipe="" if found.apt else found.recipe,
         skip=True,
-        warning=Warning_(message=message, file=key.file, line=key.line),
+        warning=warn(message, key),
     )
 
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from roslab.config.model import BuildTool, Config, Kind, Source
-from roslab.decide.decision import Reason, Warning_
-from roslab.decide.reasons import because, configured
+from roslab.decide.decision import Choice, Reason, Warning_
+from roslab.decide.reasons import because, configured, warn
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency, Evidence, GitSource
 from roslab.evidence.ros.vcs import https
@@ -33,8 +33,16 @@ _IN_WORKSPACE: dict[BuildTool, Literal["catkin_make", "catkin_tools", "colcon"]]
 }
 
 
+class Weight:
+    """What speaks for a source; none speaks against another, so that this only orders them for the reader."""
+
+    LISTED = 500  # a vcs file or a clone line
+    RECIPE = 400  # the program's own table
+    SUBMODULE = 10  # it comes with the checkout, not with the image
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
-class SourceChoice:
+class Sources:
     """What is built from source, in this order, and the vcs files it came from."""
 
     sources: tuple[Source, ...] = ()
@@ -43,8 +51,6 @@ class SourceChoice:
     """Rows of the table of recipes that they link, with what asks for each."""
     names: frozenset[str] = frozenset()
     """Names that these sources answer for: no key and no package is needed for them."""
-    reasons: tuple[Reason, ...] = ()
-    warnings: tuple[Warning_, ...] = ()
 
 
 def decide_sources(
@@ -57,7 +63,7 @@ def decide_sources(
     needed: tuple[Dependency, ...],
     own: frozenset[str],
     folder_name: str,
-) -> SourceChoice:
+) -> Choice[Sources]:
     """Return the sources; ``needed`` are the names that a manifest or CMake asks for, ``own`` the repository's own."""
     chosen = _Chosen(build_tool=build_tool)
     chosen.configure(config)
@@ -81,7 +87,7 @@ def decide_sources(
         if new and asked.namespace == "rosdep" and asked.name in elsewhere:
             message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
             more = "the package of that name that rosdep knows may be another one: the clone is used"
-            chosen.warnings.append(Warning_(message=f"{message}; {more}", file=asked.file, line=asked.line))
+            chosen.warnings.append(warn(f"{message}; {more}", asked))
     chosen.known(needed, elsewhere, 1 if kind == "ros1" else 2, ros_distro or "")
     return chosen.choice(files)
 
@@ -109,7 +115,7 @@ class _Chosen:
             build=_IN_WORKSPACE.get(self.build_tool, "none"),
             place=Place(file=git.file, line=git.line),
         )
-        self.reasons.append(because("source", name, why, git, weight=500))
+        self.reasons.append(because("source", name, why, git, weight=Weight.LISTED))
         return True
 
     def configure(self, config: Config) -> None:
@@ -123,7 +129,7 @@ class _Chosen:
         for git in evidence.sources:
             if git.kind == "submodule":
                 why = f"a submodule, {git.url}: check it out with the repository"
-                self.reasons.append(replace(because("source", git.name, why, git, weight=10), decisive=False))
+                self.reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
 
     def known(self, needed: Iterable[Dependency], elsewhere: frozenset[str], ros: int, distro: str) -> None:
         """Take what the table of unreleased packages holds for the names that nothing else answers for.
@@ -162,15 +168,17 @@ class _Chosen:
         if not names:
             return ()
         message = f"cloned without a fixed ref: {', '.join(names)}; another day gives another image"
-        return (Warning_(message=f"{message}: name a tag or a commit where they are listed, or under source"),)
+        return (warn(f"{message}: name a tag or a commit where they are listed, or under source"),)
 
-    def choice(self, files: tuple[str, ...]) -> SourceChoice:
+    def choice(self, files: tuple[str, ...]) -> Choice[Sources]:
         """Return all of it."""
-        return SourceChoice(
-            sources=tuple(self.sources.values()),
-            vcs=files,
-            libraries=tuple(self.libraries.items()),
-            names=frozenset(self.sources) | {_plain(name) for name in self.sources},
+        return Choice(
+            answer=Sources(
+                sources=tuple(self.sources.values()),
+                vcs=files,
+                libraries=tuple(self.libraries.items()),
+                names=frozenset(self.sources) | {_plain(name) for name in self.sources},
+            ),
             reasons=tuple(self.reasons),
             warnings=(*self.warnings, *self.loose()),
         )
@@ -259,14 +267,18 @@ def _vcs_files(evidence: Evidence, config: Config, ros_distro: str | None) -> tu
     return tuple(nearest)
 
 
-def with_recipes(choice: SourceChoice, recipes: Iterable[tuple[Source, Dependency]]) -> SourceChoice:
+def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]]) -> Choice[Sources]:
     """Put libraries of the table of recipes before the sister packages that link them."""
     added: dict[str, Source] = {}
     reasons = list(choice.reasons)
     for source, asked in recipes:
-        if source.name not in choice.names and source.name not in added:
+        if source.name not in choice.answer.names and source.name not in added:
             added[source.name] = source
             why = f"{asked.name} is needed and no package of this Ubuntu holds it"
-            reasons.append(because("source", source.name, why, asked, weight=400))
-    names = choice.names | added.keys()
-    return replace(choice, sources=(*added.values(), *choice.sources), names=names, reasons=tuple(reasons))
+            reasons.append(because("source", source.name, why, asked, weight=Weight.RECIPE))
+    answer = replace(
+        choice.answer,
+        sources=(*added.values(), *choice.answer.sources),
+        names=choice.answer.names | added.keys(),
+    )
+    return replace(choice, answer=answer, reasons=tuple(reasons))

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from roslab.config.model import Config, Kind
-from roslab.decide.decision import Python, Reason, Warning_
+from roslab.decide.decision import Choice, Python, Reason, Warning_
 from roslab.decide.reasons import because, configured
 from roslab.decide.ros.keys import declared_keys, translate
 from roslab.decide.ros.workspace import Packages
@@ -15,6 +15,7 @@ from roslab.decide.system.needs import needs
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.facts import Dependency, Evidence
 from roslab.knowledge.never import never
+from roslab.knowledge.on_request import packages as on_request
 
 _PYTHON_2 = frozenset({None, "trusty", "xenial", "bionic"})
 """Where `python` is Python 2. https://wiki.ubuntu.com/FocalFossa/ReleaseNotes#Python3_by_default"""
@@ -33,8 +34,16 @@ _HOW = {
 }
 
 
+class Weight:
+    """What speaks for a package; none speaks against another, so that this only orders them for the reader."""
+
+    KEY = 500  # of a package.xml
+    DECLARED = 400  # must install
+    GUESSED = 100
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
-class SystemChoice:
+class SystemPackages:
     """Keys, packages in two levels of trust, and the libraries that no package holds."""
 
     rosdep: tuple[str, ...] = ()
@@ -43,8 +52,6 @@ class SystemChoice:
     apt_guessed: tuple[str, ...] = ()
     recipes: tuple[tuple[str, Dependency], ...] = ()
     """``(row of the table of recipes, what asks for it)``."""
-    reasons: tuple[Reason, ...] = ()
-    warnings: tuple[Warning_, ...] = ()
 
 
 @dataclass
@@ -68,7 +75,7 @@ def decide_system(
     python: Python,
     base_packages: tuple[str, ...],
     sisters: frozenset[str],
-) -> SystemChoice:
+) -> Choice[SystemPackages]:
     """Return the system packages; ``sisters`` are the names that sources in the workspace answer for."""
     keys = declared_keys(packages, target, kind) if target.ros_distro else ()
     found = _Found(declared=dict.fromkeys((*config.apt, *base_packages)))
@@ -87,16 +94,28 @@ def decide_system(
         found.guessed.setdefault(apt, dependency)
     refused = never()
     kept = {n: d for n, d in found.guessed.items() if n not in found.declared and not refused.match(n)}
+    wanted = [name for name in _requested(config, target.ubuntu) if name not in found.declared]
     said = (configured(config, "dependencies", name, f"apt.{index}") for index, name in enumerate(config.apt))
-    return SystemChoice(
-        rosdep=tuple(key.name for key in keys if key.name not in found.skip),
-        skip_keys=tuple(found.skip),
-        apt=tuple(found.declared),
-        apt_guessed=tuple(sorted(kept)),
-        recipes=tuple(found.recipes.items()),
+    return Choice(
+        answer=SystemPackages(
+            rosdep=tuple(key.name for key in keys if key.name not in found.skip),
+            skip_keys=tuple(found.skip),
+            apt=tuple(found.declared),
+            apt_guessed=tuple(sorted({*kept, *wanted})),
+            recipes=tuple(found.recipes.items()),
+        ),
         reasons=(*said, *_explained(found.declared, kept, keys)),
         warnings=tuple(found.warnings),
     )
+
+
+def _requested(config: Config, ubuntu: str | None) -> Iterator[str]:
+    """Yield the packages that ``base.opengl`` and ``matlab`` stand for on this Ubuntu."""
+    keys = ["opengl-runtime"] if config.base.opengl else []
+    keys += ["opengl-devel"] if config.base.opengl == "devel" else []
+    keys += ["matlab"] if config.matlab else []
+    for key in keys:
+        yield from on_request(key, ubuntu)
 
 
 def _translate(key: Dependency, target: Target, found: _Found, *, cloned: bool, submodules: tuple[str, ...]) -> None:
@@ -139,9 +158,10 @@ def _explained(
     declared: dict[str, Dependency | None], guessed: dict[str, Dependency], keys: tuple[Dependency, ...]
 ) -> Iterator[Reason]:
     for key in keys:
-        yield because("dependencies", key.name, f"a package.xml asks for it ({key.role})", key, weight=500)
+        yield because("dependencies", key.name, f"a package.xml asks for it ({key.role})", key, weight=Weight.KEY)
     for name, dependency in (*declared.items(), *guessed.items()):
         if dependency is not None:
             how = _HOW.get(dependency.role) or _HOW.get(dependency.namespace, "{} is named")
             why = how.format(dependency.name) + (", but need not be there" if dependency.strength == "optional" else "")
-            yield because("dependencies", name, why, dependency, weight=400 if name in declared else 100)
+            weight = Weight.DECLARED if name in declared else Weight.GUESSED
+            yield because("dependencies", name, why, dependency, weight=weight)

@@ -1,0 +1,132 @@
+"""The commands that could be the default: what the pages run, launch files, what is compiled or installed."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from roslab.config.model import Kind
+from roslab.evidence import places
+from roslab.evidence.facts import Evidence
+
+_PLACEHOLDER = re.compile(
+    r"YOUR|your[_-]|path[/_-]to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])",
+    re.IGNORECASE,
+)
+"""``yyy-yy`` too: one letter repeated stands for a value of the reader's."""
+_TEST = re.compile(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
+_WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
+"""Words of the shortest command that starts something."""
+TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
+"""Files that serve a project; none of them is what it is for."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Candidate:
+    """A command that starts something, and where it stands."""
+
+    argv: tuple[str, ...]
+    why: str
+    file: str
+    line: int
+    strong: bool
+    """Somebody wrote that this is what one runs."""
+
+
+def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
+    """Yield what could be run, what the README runs first."""
+    ros = kind in {"ros1", "ros2"}
+    compiled = kind == "cpp" or (kind == "cuda" and _only_compiled(evidence))
+    yield from _written(evidence, ros=ros, compiled=compiled)
+    if ros:
+        yield from _launched(evidence)
+    elif compiled or not evidence.programs:
+        yield from _compiled(evidence)
+    else:
+        yield from _installed(evidence)
+
+
+def _only_compiled(evidence: Evidence) -> bool:
+    """Tell whether the root is a CMake project that no tool of Python's knows."""
+    manifests = [p.file for p in evidence.python] + [r.file for r in evidence.requirements]
+    manifests += [environment.file for environment in evidence.conda]
+    root = any(project.top_level and "/" not in project.file for project in evidence.cmake)
+    return root and all("/" in file for file in manifests)
+
+
+def _written(evidence: Evidence, *, ros: bool, compiled: bool) -> Iterator[Candidate]:
+    """Yield what READMEs run; a page deeper in the tree tells of a part, and a compiled program's scripts serve it."""
+    programs = [script.file for script in evidence.programs]
+    said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
+    said = [m for m in said if not places.vendored(m.file)]
+    nearest = min((mention.file.count("/") for mention in said), default=0)
+    for mention in said:
+        argv = tuple(mention.value.split())
+        if _PLACEHOLDER.search(mention.value) or any(part.rpartition("/")[2] in TOOLS for part in argv):
+            continue
+        if len(argv) < _WORDS.get(argv[0], 1) or argv[-1].endswith(":="):
+            continue  # a page's prose about the command, or an argument whose value it leaves to the reader
+        if argv[0].startswith("python"):
+            here = _here(argv, programs)
+            if here is None:
+                continue
+            argv = ("python3" if ros else argv[0], *here)
+            if compiled and _tests(here):
+                continue
+        elif not ros:
+            continue
+        strong = not any(places.example(part) for part in argv) and not (compiled and argv[0].startswith("python"))
+        strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)
+        yield Candidate(argv=argv, why="the README runs it", file=mention.file, line=mention.line, strong=strong)
+
+
+def _tests(argv: tuple[str, ...]) -> bool:
+    """Tell whether a Python program only tests others."""
+    programs = [part for part in argv if part.endswith(".py")]
+    return any(part.endswith("_test.py") or places.test(part) for part in programs)
+
+
+def _here(argv: tuple[str, ...], programs: list[str]) -> tuple[str, ...] | None:
+    """Return the arguments of a Python that runs a program of the tree, its path from the root; else ``None``."""
+    if argv[1:2] == ("-m",):
+        module = argv[2].replace(".", "/") if len(argv) > 2 else ""
+        return argv[1:] if {f"{module}.py", f"{module}/__main__.py"} & set(programs) else None
+    for position, part in enumerate(argv[1:], 1):
+        if part.endswith(".py"):
+            path = posixpath.normpath(part)
+            ends = [path] if path in programs else [program for program in programs if program.endswith("/" + path)]
+            return (*argv[1:position], ends[0], *argv[position + 1 :]) if len(ends) == 1 else None
+    return None
+
+
+def _launched(evidence: Evidence) -> Iterator[Candidate]:
+    for launch in evidence.launch:
+        if launch.package and not places.test(launch.file):
+            start = ("roslaunch",) if launch.ros == 1 else ("ros2", "launch")
+            argv = (*start, launch.package, launch.file.rpartition("/")[2])
+            yield Candidate(argv=argv, why="a launch file", file=launch.file, line=launch.line, strong=False)
+
+
+def _compiled(evidence: Evidence) -> Iterator[Candidate]:
+    """Yield the programs of the top-level CMake project; its build folder is on the image's PATH."""
+    for project in evidence.cmake:
+        if project.top_level and not places.vendored(project.file) and project.file.count("/") <= 1:
+            for target, line in project.executables:
+                if re.fullmatch(r"[A-Za-z0-9_.+-]+", target) and not _TEST.search(target):
+                    why = "a program that CMake compiles"
+                    yield Candidate(argv=(target,), why=why, file=project.file, line=line, strong=False)
+
+
+def _installed(evidence: Evidence) -> Iterator[Candidate]:
+    for project in evidence.python:
+        if not project.folder:
+            for script, line in project.scripts:
+                why = "a program that the project installs"
+                yield Candidate(argv=(script,), why=why, file=project.file, line=line, strong=False)
+    for program in evidence.programs:
+        path = program.file
+        if program.kind == "main" and path.count("/") <= 1 and not places.vendored(path) and not places.example(path):
+            why = "it has a __main__ guard"
+            yield Candidate(argv=("python3", path), why=why, file=path, line=program.line, strong=False)
