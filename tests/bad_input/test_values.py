@@ -99,11 +99,19 @@ def test_name_with_capitals(roslab: Roslab, robot: Path) -> None:
     assert json.loads(roslab("plan", robot).stdout)["name"] == "myrobot"
 
 
-@pytest.mark.parametrize("name", ["MyRobot", "my robot", "../robot", "robot:latest", "", "-x", "$(id)"])
+@pytest.mark.parametrize("name", ["my robot", "../robot", "robot:latest", "", "-x", "$(id)"])
 def test_name_on_the_command_line(roslab: Roslab, robot: Path, name: str) -> None:
     answer = roslab("plan", robot, f"--name={name}")
     assert answer.returncode == 2
-    assert f"{name!r} is no image name" in answer.stderr
+    assert answer.stderr.startswith(f'roslab: error: --name: "{name}" is no image name\n')
+
+
+def test_name_with_capitals_on_the_command_line(roslab: Roslab, robot: Path) -> None:
+    answer = roslab("inspect", robot, "--name", "MyRobot", "--format", "json")
+    assert answer.returncode == 0, answer.stderr
+    assert json.loads(answer.stdout)["warnings"] == [
+        {"message": "--name: image names are in lower case: `MyRobot` becomes `myrobot`", "file": None, "line": None}
+    ]
 
 
 def test_paths_that_are_not_there(roslab: Roslab, robot: Path) -> None:
@@ -141,8 +149,9 @@ def test_configuration_outside(roslab: Roslab, robot: Path, name: str) -> None:
         (["--platform", "linux/amd65"], "linux/amd65"),
         (["--platform", "windows"], "windows"),
         (["--platform", "linux/amd64,$(id)"], "$(id)"),
-        (["--command", "a\nb"], "newline"),
-        (["--test", "a\x01b"], "U+0001"),
+        (["--platform", " , "], "--platform: it is empty"),
+        (["--command", "a\nb"], '--command: "a\\nb" is no shell command'),
+        (["--test", "a\x01b"], "--test: the character U+0001 is no text"),
     ],
 )
 def test_options(roslab: Roslab, robot: Path, arguments: list[str], message: str) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from roslab.config.model import Config
 from roslab.decide.decision import Decision, Python
 from roslab.plan.proof import LONGEST, Proof, describe, proofs
 
@@ -40,4 +39,4 @@ def test_a_shell_by_default_draws_nothing(command: tuple[str, ...] | str, displa
         command=command,
         gui=True,
     )
-    assert [proof.display for proof in proofs(decision, Config())] == [display]
+    assert [proof.display for proof in proofs(decision)] == [display]

@@ -11,18 +11,20 @@ import sys
 import tempfile
 from pathlib import Path
 
+from roslab.cli.arguments import OVERRIDING
+from roslab.config import Override
 from roslab.errors import BuildError, ConfigurationError, Problem
-from roslab.pipeline import Overrides, Planned, plan_repository
+from roslab.pipeline import Planned, plan_repository
 from roslab.render import report
+from roslab.values.origin import Option
 
 
 def _plan(options: argparse.Namespace) -> Planned:
-    platforms = getattr(options, "platform", None)
-    overrides = Overrides(
-        name=options.name,
-        platforms=tuple(part.strip() for part in platforms.split(",") if part.strip()) if platforms else None,
-        command=getattr(options, "default_command", None),
-        test=getattr(options, "test", None),
+    said = {option: getattr(options, key, None) for option, key in OVERRIDING.items()}
+    overrides = tuple(
+        Override(key=OVERRIDING[option], text=text, origin=Option(name=option))
+        for option, text in said.items()
+        if text is not None
     )
     return plan_repository(options.path, branch=options.branch, config_file=options.config, overrides=overrides)
 
@@ -87,15 +89,15 @@ def check(options: argparse.Namespace) -> int:
 
 def migrate(options: argparse.Namespace) -> int:
     """Print today's form of an old roslab.yaml."""
+    from roslab.config import locate  # noqa: PLC0415
     from roslab.config.migrate import migrate as migrated  # noqa: PLC0415
-    from roslab.pipeline import config_path, config_text  # noqa: PLC0415
     from roslab.repository.checkout import Repository  # noqa: PLC0415
 
     repository = Repository.open(options.path, branch=options.branch)
-    file = config_path(repository, options.config)
+    file = locate.find(repository, options.config)
     if file is None:
         raise ConfigurationError(Problem(message="there is no roslab.yaml to migrate", hint="name it with --config"))
-    migration = migrated(config_text(repository, file), file=file)
+    migration = migrated(locate.text(repository, file), file=file)
     for change in migration.changes:
         sys.stderr.write(f"{change}\n")
     if options.write:
@@ -131,7 +133,7 @@ def build(options: argparse.Namespace) -> int:
     _warn(planned)
     version = engine.check()
     screenshots = _screenshots(options, planned)
-    platforms = planned.plan.platforms if options.platform else (engine.native_platform(),)
+    platforms = planned.plan.platforms if options.platforms else (engine.native_platform(),)
     name = f"{planned.plan.name}:{options.tag}"
     engine.say(f"roslab: building {name} for {', '.join(platforms)} with Docker {version}")
     candidates: list[str] = []

@@ -24,7 +24,8 @@ MAX_NODES = 20_000
 MAX_PROBLEMS = 50
 
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-_FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
+FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
+"""Characters that no YAML file holds: controls, halves of surrogate pairs, what is no character."""
 _TAG = "tag:yaml.org,2002:"
 _KINDS: dict[str, ScalarKind] = {
     "str": "string",
@@ -182,7 +183,7 @@ def parse(text: str | bytes, *, file: str) -> Document:
         text = text.decode("utf-8", errors="replace")
     text = text.removeprefix("\ufeff")
     document = Document(file=file)
-    for match in _FORBIDDEN.finditer(text):
+    for match in FORBIDDEN.finditer(text):
         before = text[: match.start()]
         mark = Mark(line=before.count("\n") + 1, column=match.start() - before.rfind("\n"), index=match.start())
         document.complain(f"the character U+{ord(match[0]):04X} is no text", "save the file as UTF-8 text", mark)

@@ -40,7 +40,7 @@ def read(text: str | bytes, *, file: str = "roslab.yaml") -> Config:
         shape.problems.append(mixed)
     checked = shape.check(root, vocabulary.definition(generation))
     reading = Reading(where=in_file(file))
-    config = _config(reading, checked, generation, file) if isinstance(checked, Mapping) else Config()
+    config = config_of(reading, checked, generation, file) if isinstance(checked, Mapping) else Config()
     problems = [*shape.problems, *reading.problems]
     problems = [problem for problem in problems if problem.hint != ""]  # see _elsewhere
     if problems:
@@ -75,7 +75,8 @@ def _by_place(problem: Problem) -> tuple[int, int]:
     return problem.line or 0, problem.column or 0
 
 
-def _config(reading: Reading, root: Mapping, generation: Generation, file: str | None) -> Config:
+def config_of(reading: Reading, root: Mapping, generation: Generation, file: str | None = None) -> Config:
+    """Return a checked tree as the model; what is wrong in it beyond the schema goes to ``reading``."""
     old = generation != "today"
     key = {name: name for name in ("repo", "apt", "pip", "pip3", "source")} | _KEYS[generation]
     base = bases.base(reading, root, generation)

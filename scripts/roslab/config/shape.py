@@ -37,6 +37,8 @@ class Shape:
     """Collects what is wrong with a tree."""
 
     where: Where
+    whole: str = "the file"
+    """What messages call the root of the tree."""
     problems: list[Problem] = field(default_factory=list)
     unknown: Callable[[str], str | None] = lambda _: None
     """Says of an unknown top-level key what it was elsewhere and what to write."""
@@ -73,7 +75,7 @@ class Shape:
             hint = quoted if _takes(schema, node.text) else f"{schema['description']} {_sentence(schema)}"
         else:
             was, hint = _FOUND[kind(node)], _example(schema)
-        self.complain(node.start, f"{path or 'the file'} is {was}, not {_article(schema['title'])}", hint)
+        self.complain(node.start, f"{path or self.whole} is {was}, not {_article(schema['title'])}", hint)
         return None
 
     def _mapping(self, node: Mapping, schema: Schema, path: str) -> Mapping:
@@ -113,7 +115,7 @@ class Shape:
 
     def _relations(self, node: Mapping, schema: Schema, path: str) -> None:
         """Check which keys need, or exclude, each other."""
-        names, where = set(node.names), path or "the file"
+        names, where = set(node.names), path or self.whole
         for name in schema.get("required", ()):
             if name not in names:
                 self.complain(node.start, f"{where} has no `{name}`", _example(schema))
@@ -133,9 +135,12 @@ class Shape:
 
     def _sequence(self, node: Sequence, schema: Schema, path: str) -> Sequence | None:
         if len(node.items) < schema.get("minItems", 0):
-            self.complain(node.start, f"{path} is empty, not {_article(schema['title'])}", _example(schema))
+            self.complain(
+                node.start, f"{path or self.whole} is empty, not {_article(schema['title'])}", _example(schema)
+            )
             return None
-        checked = (self.check(item, schema["items"], f"{path}[{i}]") for i, item in enumerate(node.items))
+        below = (f"{path}[{i}]" if path else "" for i in range(len(node.items)))
+        checked = (self.check(item, schema["items"], at) for item, at in zip(node.items, below, strict=True))
         return replace(node, items=tuple(item for item in checked if item is not None))
 
     def _scalar(self, node: Scalar, schema: Schema, path: str) -> Scalar | None:
@@ -156,7 +161,7 @@ class Shape:
             hint += "allowed: " + ", ".join(dict.fromkeys(allowed))
         elif hint is None:
             hint = f"{schema['description']} {_sentence(schema)}"
-        self.complain(node.start, f'{path}: "{shown}" is no {title}', hint)
+        self.complain(node.start, f'{path}: "{shown}" is no {title}'.removeprefix(": "), hint)
         return None
 
 

@@ -14,6 +14,7 @@ from roslab.decide.decision import Choice, Decision, Python, Warning_
 from roslab.decide.kind import decide_kind
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
+from roslab.decide.proof import decide_test
 from roslab.decide.python.environment import decide_python, specifiers
 from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
@@ -93,8 +94,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     on_cuda = "nvidia" in base.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else CudaChoice()
     command = decide_command(evidence, config, kind.answer, own.answer.file if own.answer else None)
+    test = decide_test(config)
     platforms = decide_platforms(evidence, config, kind.answer, base.image, distro, cuda.cuda, python.answer)
-    choices = (kind, release, base, build_tool, layout, python, cuda, own, command, platforms, sources, system)
+    choices = (kind, release, base, build_tool, layout, python, cuda, own, command, test, platforms, sources, system)
     return Decision(
         kind=kind.answer,
         ros_distro=distro,
@@ -116,7 +118,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         dockerfile=own.answer.file if own.answer else None,
         context=own.answer.context if own.answer else None,
         command=command.answer.command,
+        command_named=config.command is not None,
         command_candidates=command.answer.candidates,
+        test=test.answer,
         platforms=platforms.platforms,
         platforms_refused=platforms.refused,
         cuda=cuda.cuda,
@@ -125,7 +129,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         gui=command.answer.gui,
         warnings=(
             *(Warning_(message=message, file=file, line=line) for message, file, line in evidence.problems),
-            *(warn(message, place) for message, place in config.warnings),
+            *(warn(message, origin) for message, origin in config.warnings),
             *(warning for choice in choices for warning in getattr(choice, "warnings", ())),
         ),
         reasons=tuple(reason for choice in choices for reason in choice.reasons),

@@ -115,7 +115,11 @@ class Decision:
     context: str | None = None
     """Build context of the author's Dockerfile, relative to the root."""
     command: tuple[str, ...] | str = ("bash",)
+    command_named: bool = False
+    """roslab.yaml, an input or an option names the command: it must start."""
     command_candidates: tuple[tuple[str, ...], ...] = ()
+    test: tuple[str, ...] | str | None = None
+    """What proves the image in place of the default proofs; a string runs in ``bash -c``."""
     platforms: tuple[str, ...] = ("linux/amd64", "linux/arm64")
     platforms_refused: tuple[tuple[str, str], ...] = ()
     cuda: str | None = None

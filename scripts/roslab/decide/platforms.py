@@ -9,6 +9,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.decision import Python, Reason
 from roslab.decide.python.environment import specifiers
 from roslab.decide.python.pins import name_of
+from roslab.decide.reasons import configured
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import distro
 from roslab.knowledge.frameworks import arm64_wheels, framework, version
@@ -46,16 +47,7 @@ def decide_platforms(  # noqa: PLR0917 - the order in which the questions are an
 ) -> PlatformChoice:
     """Return the platforms that can exist: amd64 always, arm64 where the base, CUDA and every pinned wheel have it."""
     if config.platforms is not None:
-        answer = ", ".join(config.platforms)
-        place = config.place("platforms")
-        said = Reason(
-            question="platforms",
-            answer=answer,
-            reason="platforms says so",
-            file=place.file if place else config.file,
-            line=place.line if place else None,
-            weight=100,
-        )
+        said = configured(config, "platforms", ", ".join(config.platforms), "platforms")
         return PlatformChoice(platforms=config.platforms, reasons=(said,))
     against = _against(evidence, kind, base_image, ros_distro, cuda, python)
     if against is None:

@@ -8,13 +8,14 @@ from typing import Protocol
 
 from roslab.config.model import Config
 from roslab.decide.decision import Reason, Warning_
+from roslab.values.origin import Input, Option, Place
 
 CONFIGURED = 1000
-"""The weight of what roslab.yaml or an action's input says: it outweighs all evidence."""
+"""The weight of what roslab.yaml, an input or an option says."""
 
 
 class Placed(Protocol):
-    """Anything that says where it stands: a fact of the evidence, or an origin (``values.origin``)."""
+    """Anything that says where it stands: a fact of the evidence, or an origin; an input or an option has no file."""
 
     @property
     def file(self) -> str | None: ...  # noqa: D102
@@ -38,17 +39,19 @@ def because(
 
 
 def warn(message: str, at: Placed | None = None) -> Warning_:
-    """Return a warning, with its place where it has one."""
+    """Return a warning, with its place where it has one; that of an input or an option begins with its name."""
+    message = f"{at}: {message}" if isinstance(at, Input | Option) else message
     return Warning_(message=message, file=at.file if at else None, line=at.line if at else None)
 
 
 def configured(config: Config, question: str, answer: str, path: str) -> Reason:
-    """Return the reason of an answer that roslab.yaml (or an action's input) gives; it outweighs everything."""
-    place = config.place(path)
-    file = place.file if place else config.file
-    said = f"{path} says so" if file else f"the input {path.rpartition('.')[2]} says so"
-    line = place.line if place else None
-    return Reason(question=question, answer=answer, reason=said, file=file, line=line, weight=CONFIGURED)
+    """Return the reason of an answer that roslab.yaml, an input or an option gives; it outweighs all evidence.
+
+    ``path`` is the key's, with dots. An input or an option has no place: the reason itself names it.
+    """
+    origin = config.origin(path) or (Place(file=config.file) if config.file else None)
+    named = origin if isinstance(origin, Input | Option) else path
+    return because(question, answer, f"{named} says so", origin, weight=CONFIGURED)
 
 
 def strongest(reasons: Iterable[Reason]) -> Reason:

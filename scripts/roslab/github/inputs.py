@@ -1,19 +1,19 @@
-"""The inputs of the action and of the workflows, read from the environment and validated, every mistake at once."""
+"""The inputs of the action and of the workflows, read from the environment."""
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Literal, cast
+from typing import Literal, cast
 
-from roslab import config as configuration
+from roslab.config import Override
+from roslab.config.overrides import problems_of
 from roslab.errors import ConfigurationError, Problem
 from roslab.github.event import Push
-from roslab.pipeline import Overrides
 from roslab.plan.plan import image_name
 from roslab.repository.checkout import printable
+from roslab.values.origin import Input
 
 Cache = Literal["auto", "registry", "none"]
 PUSH = ("auto", "true", "false")
@@ -25,11 +25,10 @@ SETTINGS = {
     "kind": "kind",
     "build-tool": "build",
     "distro": "base.ros",
-    "ubuntu": "base.ubuntu",
     "cuda": "base.cuda",
     "python": "base.python",
 }
-"""Inputs that say what a key of roslab.yaml says, and that key: one parser validates both."""
+"""Inputs that say what a key of roslab.yaml says, and that key."""
 RUNNERS = "linux/amd64=ubuntu-24.04\nlinux/arm64=ubuntu-24.04-arm\nlinux/arm=ubuntu-24.04-arm"
 """Free for public repositories: https://docs.github.com/en/actions/reference/runners/github-hosted-runners"""
 HOST = re.compile(r"(?:[a-z0-9](?:[a-z0-9.-]*[a-z0-9])?|\[[0-9a-f:]+\])(?::\d{1,5})?", re.IGNORECASE)
@@ -48,13 +47,18 @@ class Inputs:
     registry: str = "ghcr.io"
     username: str = ""
     cache: Cache = "auto"
-    overrides: Overrides
+    overrides: tuple[Override, ...] = ()
+    """What the inputs say for keys of roslab.yaml: validated with it, so that every mistake of both is told at once."""
     runners: tuple[tuple[str, str], ...] = ()
     """Platforms (or the beginning of their names) and the label of the runner that builds them."""
 
 
 def read(environment: Mapping[str, str]) -> Inputs:
-    """Read ``INPUT_*``. Raises ``ConfigurationError`` with one problem for each wrong input."""
+    """Read ``INPUT_*``; one that is empty says nothing.
+
+    Raises ``ConfigurationError`` with one problem for each wrong input, where an input is wrong that roslab.yaml has no
+    key for; ``overrides`` are left to be validated with roslab.yaml.
+    """
     said = {
         name[6:].lower().replace("_", "-"): value.strip()
         for name, value in environment.items()
@@ -70,12 +74,16 @@ def read(environment: Mapping[str, str]) -> Inputs:
         problems.append(_one_of("cache", cache, CACHE))
     if not HOST.fullmatch(registry):
         hint = "write a host such as ghcr.io or registry.example.org:5000, without https://"
-        problems.append(Problem(message=f"input registry: {printable(registry)!r} is no registry", hint=hint))
-    overrides, wrong = _overrides(said)
-    runners, bad_runners = _runners(said.get("runners") or RUNNERS)
-    problems += [*wrong, *bad_runners]
+        problems.append(_wrong("registry", f"{printable(registry)!r} is no registry", hint))
+    runners, wrong = _runners(said.get("runners") or RUNNERS)
+    problems += wrong
+    overrides = tuple(
+        Override(key=key, text=text, origin=Input(name=name))
+        for name, key in SETTINGS.items()
+        if (text := said.get(name))
+    )
     if problems:
-        raise ConfigurationError(*problems)
+        raise ConfigurationError(*problems, *problems_of(overrides))
     return Inputs(
         config=said.get("config") or None,
         image=said.get("image") or None,
@@ -89,46 +97,11 @@ def read(environment: Mapping[str, str]) -> Inputs:
 
 
 def _one_of(name: str, value: str, allowed: tuple[str, ...]) -> Problem:
-    return Problem(
-        message=f"input {name}: {printable(value)!r} is not known",
-        hint=f"write {', '.join(allowed[:-1])} or {allowed[-1]}",
-    )
+    return _wrong(name, f"{printable(value)!r} is not known", f"write {', '.join(allowed[:-1])} or {allowed[-1]}")
 
 
-def _overrides(said: Mapping[str, str]) -> tuple[Overrides, list[Problem]]:
-    """Read the inputs that stand for keys of roslab.yaml with roslab.yaml's own parser."""
-    document: dict[str, Any] = {"format": 3}
-    for name, key in SETTINGS.items():
-        if not (value := said.get(name)):
-            continue
-        if name == "platforms":
-            document[key] = [part for part in re.split(r"[\s,]+", value) if part]
-        elif key.startswith("base."):
-            document.setdefault("base", {})[key.removeprefix("base.")] = value
-        else:
-            document[key] = value
-    try:
-        config = configuration.read(json.dumps(document), file="inputs")
-    except ConfigurationError as error:
-        return Overrides(), [Problem(message=_named(problem.message), hint=problem.hint) for problem in error.problems]
-    base = config.base if "base" in document else None
-    overrides = Overrides(
-        platforms=config.platforms,
-        command=config.command,
-        test=config.test,
-        kind=config.kind,
-        build=config.build,
-        base=base,
-    )
-    return overrides, []
-
-
-def _named(message: str) -> str:
-    """Call a key of roslab.yaml by the input that said it."""
-    for name, key in SETTINGS.items():
-        if re.match(rf"{re.escape(key)}(?:\[\d+\])?: ", message):
-            return f"input {name}: {message.partition(': ')[2]}"
-    return f"inputs: {message}"
+def _wrong(name: str, message: str, hint: str) -> Problem:
+    return Problem(message=message, hint=hint, origin=Input(name=name))
 
 
 def _runners(text: str) -> tuple[tuple[tuple[str, str], ...], list[Problem]]:
@@ -137,9 +110,7 @@ def _runners(text: str) -> tuple[tuple[tuple[str, str], ...], list[Problem]]:
         platform, separator, label = (part.strip() for part in line.partition("="))
         if not separator or not re.fullmatch(r"linux(/[a-z0-9]+){0,2}", platform) or not LABEL.fullmatch(label):
             hint = "write PLATFORM=LABEL, one a line: linux/arm64=ubuntu-24.04-arm"
-            problems.append(
-                Problem(message=f"input runners: {printable(line)!r} names no platform and runner", hint=hint)
-            )
+            problems.append(_wrong("runners", f"{printable(line)!r} names no platform and runner", hint))
         else:
             found.append((platform, label))
     return tuple(found), problems
@@ -164,14 +135,10 @@ def image(inputs: Inputs, *, owner: str, name: str) -> str:
     if slash and ("." in host or ":" in host or host == "localhost"):
         if host != inputs.registry:
             hint = f"set the input registry to {host}, or leave the host out of the image"
-            raise ConfigurationError(
-                Problem(message=f"input image: {printable(path)!r} is not on {inputs.registry}", hint=hint)
-            )
+            raise ConfigurationError(_wrong("image", f"{printable(path)!r} is not on {inputs.registry}", hint))
         path = rest
     path = path if "/" in path else f"{owner}/{path}"
     if not all(COMPONENT.fullmatch(part) for part in path.split("/")):
         hint = "write NAME or OWNER/NAME without a tag: the tags follow from the event"
-        raise ConfigurationError(
-            Problem(message=f"input image: {printable(inputs.image)!r} is no image name", hint=hint)
-        )
+        raise ConfigurationError(_wrong("image", f"{printable(inputs.image)!r} is no image name", hint))
     return f"{inputs.registry}/{path}"

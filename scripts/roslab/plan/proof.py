@@ -6,7 +6,6 @@ import re
 import shlex
 from dataclasses import dataclass
 
-from roslab.config.model import Config
 from roslab.decide.decision import Decision
 from roslab.knowledge.tools import SYSTEM_PYTHON
 from roslab.plan.packages import ROS_TOOLS
@@ -66,11 +65,11 @@ class Proof:
     """It opens windows: it runs with a virtual display, and a picture of that is kept."""
 
 
-def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
+def proofs(decision: Decision) -> tuple[Proof, ...]:
     """Return the proofs of an image, in the order in which they are run."""
-    windows = decision.gui if config.gui is None else config.gui
-    if config.test:
-        command = ("bash", "-c", config.test) if isinstance(config.test, str) else config.test
+    windows = decision.gui
+    if decision.test:
+        command = ("bash", "-c", decision.test) if isinstance(decision.test, str) else decision.test
         return (Proof(name="the repository's test", command=command, display=windows),)
     found = []
     if decision.dockerfile is None:
@@ -85,7 +84,7 @@ def proofs(decision: Decision, config: Config) -> tuple[Proof, ...]:
     # An author's own Dockerfile says itself what it starts: its CMD, which an empty command runs.
     start: tuple[str, ...] | str = () if decision.dockerfile else decision.command
     argv = ("bash", "-c", start) if isinstance(start, str) else start
-    said = bool(decision.dockerfile or config.command) or argv[:1] == ("bash",)
+    said = bool(decision.dockerfile or decision.command_named) or argv[:1] == ("bash",)
     name = "the default command starts"
     windows = windows and argv != ("bash",)  # a shell without a terminal ends at once and draws nothing
     found.append(Proof(name=name, command=argv, required=said, may_run_on=True, display=windows))

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from roslab.config import configure
 from roslab.errors import ConfigurationError
 from roslab.github import inputs
-from roslab.pipeline import Overrides
+from roslab.values.origin import Input
 
 
 def read(**said: str) -> inputs.Inputs:
@@ -16,19 +17,19 @@ def read(**said: str) -> inputs.Inputs:
 def test_nothing_said() -> None:
     found = read(config="", image="", platforms="", push="", registry="")
     assert (found.push, found.cache, found.registry) == ("auto", "auto", "ghcr.io")
-    assert found.overrides == Overrides()
+    assert found.overrides == ()
 
 
 def test_what_roslab_yaml_could_say() -> None:
     found = read(
         platforms="linux/amd64, linux/arm64\n", command="ros2 run a b", test="true", kind="ros2", build_tool="colcon"
     )
-    assert found.overrides.platforms == ("linux/amd64", "linux/arm64")
-    assert (found.overrides.command, found.overrides.test) == ("ros2 run a b", "true")
-    assert (found.overrides.kind, found.overrides.build) == ("ros2", "colcon")
-    distro = read(distro="humble").overrides.base
-    assert distro is not None
-    assert distro.ros == "humble"
+    config = configure(None, found.overrides)
+    assert config.platforms == ("linux/amd64", "linux/arm64")
+    assert (config.command, config.test) == ("ros2 run a b", "true")
+    assert (config.kind, config.build) == ("ros2", "colcon")
+    assert config.origin("build") == Input(name="build-tool")
+    assert configure(None, read(distro="humble").overrides).base.ros == "humble"
 
 
 def test_every_mistake_at_once() -> None:

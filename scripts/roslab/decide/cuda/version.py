@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from roslab.config.model import Config
 from roslab.decide.decision import Reason, Warning_
 from roslab.decide.python.pins import Pin, pins
+from roslab.decide.reasons import configured
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import CudaImage, cuda_image, framework, nearest_cuda_image, version
@@ -50,15 +51,7 @@ class CudaChoice:
 def decide_cuda(evidence: Evidence, config: Config) -> CudaChoice:
     """Return the CUDA and cuDNN that the repository's frameworks need; the image row of that CUDA exists."""
     if config.base.cuda:
-        place = config.place("base.cuda")
-        said = Reason(
-            question="cuda",
-            answer=config.base.cuda,
-            reason="base.cuda says so",
-            file=place.file if place else config.file,
-            line=place.line if place else None,
-            weight=100,
-        )
+        said = configured(config, "cuda", config.base.cuda, "base.cuda")
         return _fitted(config.base.cuda, config.base.cudnn, (said,), others=())
     found = sorted(_candidates(evidence), key=lambda item: -item[0].weight)
     if not found:

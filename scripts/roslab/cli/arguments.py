@@ -1,0 +1,133 @@
+"""The arguments of the ``roslab`` command: every command and option with its help."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TypeAlias
+
+from roslab import __version__
+
+EXIT_CODES = """\
+exit codes:
+  0  done
+  2  wrong arguments or a wrong roslab.yaml
+  3  nothing to build was found
+  4  refused for safety: a file of yours would be overwritten, a link leads out of the tree
+  5  the engine, the registry, the build or the image failed
+  1  a bug of roslab's own
+"""
+OVERRIDING = {"--name": "name", "--platform": "platforms", "--command": "command", "--test": "test"}
+"""Options that say what a key of roslab.yaml says, and that key, which is also their name among the parsed options."""
+_HELP = {
+    "--name": ("NAME", "the image's name (default: roslab.yaml's, else the repository's)"),
+    "--platform": ("LIST", "platforms to build for, such as linux/amd64,linux/arm64; they win over roslab.yaml's"),
+    "--command": ("TEXT", "default command of the image, run by bash; it wins over roslab.yaml's"),
+    "--test": ("TEXT", "command that proves the image, run by bash; it wins over roslab.yaml's"),
+}
+Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
+
+
+def parser(*, github: bool = False) -> argparse.ArgumentParser:
+    """Return the whole command line.
+
+    ``github`` adds the steps of a workflow: nobody else calls them, and a laptop need not load their modules.
+    """
+    top = argparse.ArgumentParser(
+        prog="roslab",
+        description="Work out, build and run a container image for a robotics repository.",
+        epilog=EXIT_CODES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    top.add_argument("--version", action="version", version=f"roslab {__version__}", help="print the version and exit")
+    commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    _reading_commands(commands)
+    _building_commands(commands)
+    if github:
+        from roslab.github.commands import add_parser  # noqa: PLC0415
+
+        add_parser(commands)
+    return top
+
+
+def _reading_commands(commands: Commands) -> None:
+    inspect = _command(commands, "inspect", "Show what was found in a repository and what follows from it.")
+    _repository(inspect, *OVERRIDING)
+    _format(inspect)
+    inspect.add_argument(
+        "--explain",
+        metavar="QUESTION",
+        help="show all evidence for and against one answer: kind, ros_distro, base_image …",
+    )
+    plan = _command(commands, "plan", "Print the plan of the image as JSON, for workflows.")
+    _repository(plan, *OVERRIDING)
+    check = _command(commands, "check", "Validate roslab.yaml and say which format it has.")
+    _repository(check, *OVERRIDING)
+    _format(check)
+    migrate = _command(commands, "migrate", "Print today's form of an old roslab.yaml, with a line per change.")
+    _repository(migrate)
+    migrate.add_argument("--write", action="store_true", help="replace the file; the old one is kept as FILE.old")
+    create = _command(commands, "create", "Write Dockerfile, docker_build.sh, docker_run.sh and README.ipynb.")
+    _repository(create, *OVERRIDING)
+    create.add_argument("--output", metavar="DIR", help="folder to write to (default: the repository)")
+    create.add_argument(
+        "--force", action="store_true", help="replace files that roslab wrote before; never one of yours"
+    )
+    explain = _command(commands, "explain", "Say in plain words why a build failed.")
+    explain.add_argument("log", metavar="LOG", help="the saved log of a build, - for standard input")
+
+
+def _building_commands(commands: Commands) -> None:
+    build = _command(commands, "build", "Build the image, run it once, and only then give it its name.")
+    _repository(build, *OVERRIDING)
+    _tag(build)
+    build.add_argument("--no-proof", action="store_true", help="do not run the image before it gets its name")
+    build.add_argument(
+        "--screenshots",
+        metavar="DIR",
+        help="folder for the screenshot of a program with windows (default: roslab/NAME in your cache folder)",
+    )
+    build.add_argument("--no-cache", action="store_true", help="build every layer anew")
+    build.add_argument(
+        "--build-arg",
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="pass a build argument; may be repeated",
+    )
+    run = _command(commands, "run", "Run the image that `roslab build` made, with its volumes, ports, display and GPU.")
+    _repository(run, "--name")
+    run.add_argument("--notebook", action="store_true", help="open JupyterLab instead of the default command")
+    _tag(run)
+    run.add_argument("arguments", nargs="*", metavar="-- COMMAND", help="a command to run instead of the default one")
+
+
+def _command(commands: Commands, name: str, summary: str) -> argparse.ArgumentParser:
+    command = commands.add_parser(
+        name,
+        help=summary,
+        description=summary,
+        epilog=EXIT_CODES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    command.set_defaults(handler=name)
+    return command
+
+
+def _repository(command: argparse.ArgumentParser, *overriding: str) -> None:
+    """Add what a command needs that reads a repository, and the options among ``OVERRIDING`` that it takes."""
+    command.add_argument("path", nargs="?", default=".", metavar="PATH", help="the repository (default: this folder)")
+    command.add_argument("--config", metavar="FILE", help="roslab.yaml to read, relative to the repository")
+    command.add_argument("--branch", metavar="NAME", help="the branch's name, where there is no .git to read it from")
+    for option in overriding:
+        metavar, text = _HELP[option]
+        command.add_argument(option, dest=OVERRIDING[option], metavar=metavar, help=text)
+
+
+def _format(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--format", choices=("text", "json"), default="text", help="json is for programs (default: text)"
+    )
+
+
+def _tag(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--tag", metavar="TAG", default="latest", help="tag of the image (default: latest)")

@@ -1,0 +1,79 @@
+"""Finds roslab.yaml in a checkout, and the files that it names."""
+
+from __future__ import annotations
+
+import posixpath
+
+from roslab.config.model import Config
+from roslab.errors import ConfigurationError, Problem, RefusedError
+from roslab.repository.checkout import Repository, printable
+from roslab.values.origin import Place
+
+NAMES = ("roslab.yaml", "roslab.yml", ".roslab.yaml", "repolab.yaml")
+"""Where a configuration is looked for, at the root: the first one counts."""
+MAX_BYTES = 1024 * 1024
+"""The longest of 78 real files has two thousand."""
+
+
+def find(repository: Repository, named: str | None) -> str | None:
+    """Return the configuration's path, relative to the repository, ``None`` where there is none.
+
+    ``named`` is the path that the user gives, in place of the usual names. Raises ``ConfigurationError`` where that
+    file is missing, ``RefusedError`` where it is a link out of the tree.
+    """
+    for name in (named,) if named else NAMES:
+        if name in repository.listing.outside:
+            raise RefusedError(
+                Problem(
+                    message=f"{printable(name)} is a link that leads out of the repository",
+                    hint="make it a file of the repository",
+                )
+            )
+        if repository.has(name):
+            return name
+    if named:
+        raise ConfigurationError(
+            Problem(message=f"no file {printable(named)} in the repository", hint="give a path relative to its root")
+        )
+    return None
+
+
+def text(repository: Repository, file: str) -> str:
+    """Return a configuration's text. Raises ``ConfigurationError`` where it is too large or not UTF-8."""
+    size = next(entry.size for entry in repository.files if entry.path == file)
+    if size > MAX_BYTES:
+        message = f"{size} bytes, a configuration has at most {MAX_BYTES}"
+        raise ConfigurationError(Problem(message=message, origin=Place(file=file)))
+    data = repository.read_bytes(file)
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data[: error.start].count(b"\n") + 1
+        raise ConfigurationError(
+            Problem(message="not UTF-8 text", hint="save the file as UTF-8", origin=Place(file=file, line=line))
+        ) from None
+
+
+def check_paths(config: Config, repository: Repository) -> None:
+    """Raise ``ConfigurationError`` where roslab.yaml names a file or folder that is not there, all of them at once."""
+    files = [("dockerfile", config.dockerfile), ("conda", config.conda)]
+    for key, paths in (("requirements", config.requirements), ("vcs", config.vcs)):
+        files += [(f"{key}.{index}", path) for index, path in enumerate(paths or ())]
+    missing = [(key, path) for key, path in files if path and not repository.has(posixpath.normpath(path))]
+    context = posixpath.normpath(config.context or ".")
+    if context != "." and context not in repository.folders:
+        missing.append(("context", context))
+    problems = []
+    for key, path in missing:
+        outside = path in repository.listing.outside
+        what = "a link that leads out of the repository" if outside else "not there"
+        name = key.partition(".")[0]
+        problems.append(
+            Problem(
+                message=f"{name}: {printable(path)} is {what}",
+                hint="give a path relative to the root of the repository",
+                origin=config.origin(key) or config.origin(name),
+            )
+        )
+    if problems:
+        raise ConfigurationError(*problems)

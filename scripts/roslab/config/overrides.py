@@ -1,0 +1,136 @@
+"""What inputs and options lay over roslab.yaml, read by roslab.yaml's own schema and readers.
+
+Together they are one document of today's format, in which line N is the Nth value that somebody gave: so every
+problem, warning and reason finds the name of the input or option that it is about.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence as Several
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+from roslab.config import reader, vocabulary
+from roslab.config.document import FORBIDDEN
+from roslab.config.model import Base, Config
+from roslab.config.node import Mapping, Mark, Node, Scalar, Sequence
+from roslab.config.reading import Reading
+from roslab.config.shape import Shape
+from roslab.config.vocabulary import Schema
+from roslab.errors import ConfigurationError, Problem
+from roslab.values.origin import Input, Option, Origin
+
+_SEPARATOR = re.compile(r"[\s,]+")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Override:
+    """One value that an input or an option gives for a key of roslab.yaml."""
+
+    key: str
+    """The key in today's format, with a dot before what stands below ``base``: ``platforms``, ``base.ros``."""
+    text: str
+    """The value as it was given; where the key takes a list, commas, blanks and line breaks part its entries."""
+    origin: Input | Option
+
+
+def configure(text: str | None, overrides: Several[Override] = (), *, file: str | None = None) -> Config:
+    """Return what roslab.yaml says with the overrides laid over it; ``text`` is ``None`` where there is no such file.
+
+    Raises ``ConfigurationError`` with every problem of both.
+    """
+    if not overrides:
+        return Config() if text is None else reader.read(text, file=file or "roslab.yaml")
+    said, problems = _read(overrides)
+    try:
+        config = configure(text, file=file)
+    except ConfigurationError as error:
+        raise ConfigurationError(*error.problems, *problems) from None
+    if problems:
+        raise ConfigurationError(*problems)
+    return laid_over(config, said)
+
+
+def problems_of(overrides: Several[Override]) -> tuple[Problem, ...]:
+    """Return what is wrong with the overrides alone."""
+    return _read(overrides)[1]
+
+
+def _read(overrides: Several[Override]) -> tuple[Config, tuple[Problem, ...]]:
+    """Return what the overrides alone say, and what is wrong with them."""
+
+    def where(mark: Mark) -> Origin:
+        return overrides[mark.line - 1].origin
+
+    shape = Shape(where=where, whole="it")
+    pairs: list[tuple[str, Scalar, Node]] = []
+    for line, override in enumerate(overrides, 1):
+        mark = Mark(line=line, column=1, index=0)
+        schema = _schema(override.key)
+        if strange := FORBIDDEN.search(override.text):
+            hint = "write plain text, without control characters, in UTF-8"
+            shape.complain(mark, f"the character U+{ord(strange[0]):04X} is no text", hint)
+        elif node := shape.check(_node(override.text.strip(), schema, mark), schema):
+            pairs.append((override.key, _scalar(override.key.rpartition(".")[2], mark), node))
+    reading = Reading(where=where)
+    config = reader.config_of(reading, _document(pairs), "today")
+    return config, (*shape.problems, *reading.problems)
+
+
+def laid_over(config: Config, said: Config) -> Config:
+    """Return a configuration in which what was said beside the file wins over what the file says.
+
+    The one place of this precedence: an action's input or a command's option > roslab.yaml > evidence > default. The
+    last two are up to ``decide``, which looks at the evidence only where the configuration says nothing.
+    """
+    base = replace(config.base, **_changed(said.base, Base()))
+    changed = {**_changed(said, Config()), "base": base, "warnings": (*config.warnings, *said.warnings)}
+    new = dict(said.origins)
+    kept = ((path, origin) for path, origin in config.origins if not _replaced(path, new))
+    return replace(config, **{**changed, "origins": (*kept, *said.origins)})
+
+
+def _changed(said: Config | Base, nothing: Config | Base) -> dict[str, Any]:
+    """Return the fields that say something."""
+    return {f.name: value for f in fields(said) if (value := getattr(said, f.name)) != getattr(nothing, f.name)}
+
+
+def _replaced(path: str, by: dict[str, Origin]) -> bool:
+    """Tell whether a key, or the list that it is an entry of, was said anew."""
+    return path in by or (path.rpartition(".")[0] in by and not path.startswith("base."))
+
+
+def _schema(key: str) -> Schema:
+    schema = vocabulary.definition("today")
+    for name in key.split("."):
+        schema = vocabulary.resolve(vocabulary.resolve(schema)["properties"][name])
+    return schema
+
+
+def _node(text: str, schema: Schema, mark: Mark) -> Node:
+    if not _takes_list(schema):
+        return _scalar(text, mark)
+    items = tuple(_scalar(part, mark) for part in _SEPARATOR.split(text) if part)
+    return Sequence(start=mark, end=mark, items=items, flow=True)
+
+
+def _takes_list(schema: Schema) -> bool:
+    """Tell whether a key is a list of words; that of a command is a line of shell all the same."""
+    branches = [vocabulary.resolve(branch) for branch in schema.get("anyOf", (schema,))]
+    return branches[0].get("type") == "array"
+
+
+def _scalar(text: str, mark: Mark) -> Scalar:
+    return Scalar(start=mark, end=mark, text=text, kind="string", plain=False)
+
+
+def _document(pairs: Several[tuple[str, Scalar, Node]]) -> Mapping:
+    """Return the values as the tree that a file with them would be."""
+    start = Mark(line=1, column=1, index=0)
+    top = tuple((name, node) for key, name, node in pairs if "." not in key)
+    base = tuple((name, node) for key, name, node in pairs if key.startswith("base."))
+    if base:
+        below = Mapping(start=base[0][0].start, end=start, pairs=base, flow=False)
+        top = (*top, (_scalar("base", below.start), below))
+    return Mapping(start=start, end=start, pairs=top, flow=False)

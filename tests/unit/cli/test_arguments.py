@@ -1,0 +1,46 @@
+"""The command line reads what it is handed, and tells everything about itself."""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+
+import pytest
+
+from roslab.cli.arguments import EXIT_CODES, parser
+from roslab.cli.main import main
+
+
+def commands(top: argparse.ArgumentParser) -> dict[str, argparse.ArgumentParser]:
+    action = next(action for action in top._actions if isinstance(action, argparse._SubParsersAction))
+    return dict(action.choices)
+
+
+def test_the_arguments_it_is_handed_count(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "argv", ["something", "else"])
+    with pytest.raises(SystemExit) as stopped:
+        main(["github", "--help"])
+    assert stopped.value.code == 0
+    assert "Steps of a workflow" in capsys.readouterr().out
+
+
+def test_those_of_the_process_do_not(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "argv", ["roslab", "github"])
+    with pytest.raises(SystemExit):
+        main(["--help"])
+    assert "steps of a workflow" not in capsys.readouterr().out
+
+
+def test_a_laptop_loads_nothing_of_github() -> None:
+    code = "import sys; from roslab.cli.main import main\ntry: main(['--help'])\nexcept SystemExit: pass\n"
+    code += "sys.exit(any(name.startswith('roslab.github') for name in sys.modules))"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, check=False).returncode == 0
+
+
+@pytest.mark.parametrize("name", commands(parser()))
+def test_every_command_says_what_it_does(name: str) -> None:
+    command = commands(parser())[name]
+    assert command.description
+    assert EXIT_CODES in command.format_help()
+    assert [action.dest for action in command._actions if not action.help] == []
