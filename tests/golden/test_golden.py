@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -10,14 +11,9 @@ from subprocess import CompletedProcess
 
 import pytest
 
-HERE = Path(__file__).resolve().parent
-EXAMPLES = HERE.parent.parent / "examples"
-NAMES = sorted(path.name for path in EXAMPLES.iterdir() if path.is_dir())
+from golden_files import CONSTANT, EXAMPLES, GOLDEN, MARK, contents, names, refresh, whole
 
-
-def contents(folder: Path) -> dict[str, str]:
-    """Return the text of every file below a folder by its relative path."""
-    return {str(path.relative_to(folder)): path.read_text() for path in sorted(folder.rglob("*")) if path.is_file()}
+NAMES = names()
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -35,21 +31,43 @@ def test_files(roslab: Callable[..., CompletedProcess[str]], name: str, tmp_path
     made = {path: text for path, text in after.items() if path not in before} | {"plan.json": plan.stdout}
     assert str(tmp_path) not in "".join(made.values()), "a path of this machine"
 
-    golden = HERE / name
     if os.environ.get("REPRO_REFRESH") == "1":
-        shutil.rmtree(golden, ignore_errors=True)
-        for path, text in made.items():
-            (golden / path).parent.mkdir(parents=True, exist_ok=True)
-            (golden / path).write_text(text)
-    wanted = contents(golden)
+        refresh(name, made)
+    wanted = whole(name)
     assert sorted(made) == sorted(wanted)
     for path, text in made.items():
         assert text == wanted[path], f"{name}/{path} changed: if that is right, REPRO_REFRESH=1 and read the diff"
 
 
 def test_no_golden_files_without_their_example() -> None:
-    folders = sorted(path.name for path in HERE.iterdir() if path.is_dir() and path.name != "__pycache__")
-    assert folders == NAMES
+    folders = {path.name for path in GOLDEN.iterdir() if path.is_dir()} - {"__pycache__", CONSTANT}
+    assert sorted(folders) == NAMES
+
+
+def test_no_constant_part_that_no_example_has() -> None:
+    marked = {mark for name in NAMES for text in contents(GOLDEN / name).values() for mark in MARK.findall(text)}
+    assert sorted(contents(GOLDEN / CONSTANT)) == sorted(marked)
+
+
+def test_a_changed_constant_part_is_seen(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """The marks hide nothing: a byte more in a constant part is a byte more in every file that has it."""
+    before = {name: whole(name) for name in NAMES}
+    shutil.copytree(GOLDEN, tmp_path / "golden")
+    monkeypatch.setattr("golden_files.GOLDEN", tmp_path / "golden")
+    for part in (tmp_path / "golden" / CONSTANT).iterdir():
+        part.write_text(part.read_text() + "# more\n")
+    for name in NAMES:
+        changed = {path for path, text in whole(name).items() if text != before[name][path]}
+        assert changed == {"Dockerfile", "docker_build.sh", "docker_run.sh"} & before[name].keys()
+
+
+def test_what_belongs_to_the_ros_1_example_fits_on_a_screen() -> None:
+    """Everything but what the file carries as heredocs, comments and blank lines included."""
+    text = whole("ros1_talker")["Dockerfile"]
+    own = re.sub(r"^COPY [^\n]*<<'EOF' .*?^EOF\n\n?", "", text, flags=re.MULTILINE | re.DOTALL)
+    assert "roslaunch ros1_talker" in own
+    assert "rosdep update" not in own
+    assert len(own.splitlines()) <= 45, own
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -9,9 +9,11 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parent.parent.parent
-SCRIPTS = sorted(ROOT.glob("tests/golden/*/*.sh"))
-DOCKERFILES = sorted(ROOT.glob("tests/golden/*/Dockerfile"))
+from golden_files import names, whole
+
+CARRIED = Path(__file__).resolve().parents[2] / "scripts" / "roslab" / "render" / "image_scripts"
+SCRIPTS = [(name, path) for name in names() for path in whole(name) if path.endswith(".sh")]
+HEREDOC = re.compile(r"^COPY .*<<'EOF' .*\n((?:.*\n)*?)EOF$", re.MULTILINE)
 
 
 def shellcheck(text: str, program: str) -> None:
@@ -26,20 +28,28 @@ def shellcheck(text: str, program: str) -> None:
     assert answer.returncode == 0, answer.stdout + answer.stderr
 
 
-@pytest.mark.parametrize("file", SCRIPTS, ids=lambda path: f"{path.parent.name}/{path.name}")
-def test_script(file: Path, tool: Callable[[str], str]) -> None:
-    text = file.read_text()
+@pytest.mark.parametrize(("name", "path"), SCRIPTS)
+def test_script(name: str, path: str, tool: Callable[[str], str]) -> None:
+    text = whole(name)[path]
     assert text.startswith("#!/usr/bin/env bash\n")
     assert "set -euo pipefail" in text
     shellcheck(text, tool("shellcheck"))
 
 
-@pytest.mark.parametrize("file", DOCKERFILES, ids=lambda path: path.parent.name)
-def test_files_inside_a_dockerfile(file: Path, tool: Callable[[str], str]) -> None:
-    for text in re.findall(r"^COPY .*<<'ROSLAB' .*\n((?:.*\n)*?)ROSLAB$", file.read_text(), re.MULTILINE):
+@pytest.mark.parametrize("name", names())
+def test_files_inside_a_dockerfile(name: str, tool: Callable[[str], str]) -> None:
+    for text in HEREDOC.findall(whole(name).get("Dockerfile", "")):
         shellcheck(text, tool("shellcheck"))
 
 
+@pytest.mark.parametrize("file", sorted(CARRIED.glob("*.sh")), ids=lambda path: path.stem)
+def test_script_that_dockerfiles_carry(file: Path, tool: Callable[[str], str]) -> None:
+    text = file.read_text()
+    assert re.match(r"#!/bin/bash\n# [A-Zu]", text), "it begins with what it does"
+    assert "\nset -e" in text
+    assert "\nEOF\n" not in text, "the heredoc that carries it would end there"
+    shellcheck(text, tool("shellcheck"))
+
+
 def test_there_are_scripts_of_every_example() -> None:
-    examples = sorted(path.name for path in (ROOT / "examples").iterdir() if path.is_dir())
-    assert sorted({path.parent.name for path in SCRIPTS}) == examples
+    assert {name for name, _ in SCRIPTS} == {*names()}

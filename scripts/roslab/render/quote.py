@@ -87,7 +87,12 @@ def docker_path(text: str) -> str:
 
 
 def copy(sources: Sequence[str], target: str) -> str:
-    """Return the paths of a COPY in JSON form: any path can be named, wildcards in it are plain characters."""
+    """Return the paths of a COPY: any path can be named, wildcards in it are plain characters.
+
+    Plain words where they are enough, else the JSON form.
+    """
+    if all(_BARE.fullmatch(checked(item)) and not item.startswith("-") for item in (*sources, target)):
+        return " ".join((*sources, target))
     plain = [re.sub(r"([*?\[])", r"[\1]", source.replace("\\", "\\\\")) for source in sources]
     return json.dumps([docker_path(item) for item in (*plain, target)], ensure_ascii=False)
 

@@ -17,10 +17,13 @@ COLOURS = ("#57606a", "#0969da", "#1a7f37", "#bc4c00", "#8250df", "#bf3989", "#9
 PARTS: tuple[tuple[str, re.Pattern[str]], ...] = (
     ("Ubuntu", re.compile(r"^(?:ADD|COPY) \S+ (?:in )?/$")),
     ("files", re.compile(r"^(?:ADD|COPY)\b")),
-    ("rosdep", re.compile(r"\brosdep install\b")),
+    ("rosdep", re.compile(r"\brosdep install\b|\binstall-rosdep-keys\b")),
     ("conda", re.compile(r"\b(?:conda|mamba|micromamba)\s+(?:install|create|env)\b")),
-    ("pip", re.compile(r"\b(?:pip[\d.]*|poetry|pdm|pipenv|uv)\s+(?:install|sync)\b|-m venv\b")),
-    ("apt", re.compile(r"\bapt(?:-get)?\s+(?:-\S+\s+)*install\b")),
+    (
+        "pip",
+        re.compile(r"\b(?:pip[\d.]*|poetry|pdm|pipenv|uv)\s+(?:install|sync)\b|-m venv\b|\binstall-optional-pip\b"),
+    ),
+    ("apt", re.compile(r"\bapt(?:-get)?\s+(?:-\S+\s+)*install\b|\binstall-(?:optional-apt|icub)\b")),
     ("compiled", re.compile(r"\b(?:colcon|catkin_make\w*|catkin|cmake|make|ninja|nvcc|cargo)\b")),
 )
 """What made a layer, by its instruction; the first that fits counts. https://docs.docker.com/reference/dockerfile/"""

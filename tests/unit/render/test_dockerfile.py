@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import re
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -12,6 +14,7 @@ from roslab.config.model import Base, Config, Custom, Source
 from roslab.decide.decision import Decision, Python
 from roslab.errors import ConfigurationError
 from roslab.plan.plan import Plan, from_json, image_name, make_plan, to_json
+from roslab.render import image_scripts
 from roslab.render.dockerfile import dockerfile
 
 
@@ -35,6 +38,14 @@ def plan(config: Config | None = None, **changes: Any) -> Plan:
     return make_plan(decision(**changes), config or Config(), folder_name="Paper")
 
 
+def written(found: Plan) -> str:
+    """Return the Dockerfile without the stage of scripts that are the same in every image."""
+    text = dockerfile(found)
+    carried = re.search(r"^FROM scratch AS scripts\n(?:.|\n)*?\n(?=FROM )", text, re.MULTILINE)
+    assert carried
+    return text.replace(carried[0], "")
+
+
 def positions(text: str, *parts: str) -> list[int]:
     missing = [part for part in parts if part not in text]
     assert not missing, f"{missing} not in\n{text}"
@@ -47,21 +58,21 @@ SISTER = Source(name="sister", repo="https://example.org/sister.git", ref="v1", 
 
 def test_layers_go_from_rarely_to_often_changing() -> None:
     python = Python(version="3.8", manager="system", pip=("numpy==1.17",))
-    text = dockerfile(plan(apt=("libeigen3-dev",), apt_guessed=("libglew-dev",), source=(CERES, SISTER), python=python))
+    text = written(plan(apt=("libeigen3-dev",), apt_guessed=("libglew-dev",), source=(CERES, SISTER), python=python))
     order = positions(
         text,
         "FROM ros:noetic-ros-base AS base",
-        "useradd",
+        "RUN create-user",
         "FROM base AS library-1-ceres",
-        "FROM base AS manifests",
-        "FROM base AS image",
+        "FROM base\n",
         "libeigen3-dev",
         "libglew-dev",
         "COPY --from=library-1-ceres",
         "sister.git",
-        "rosdep install --default-yes",
+        "COPY talker/package.xml /tmp/manifests/talker/",
+        "RUN install-rosdep-keys",
         "numpy==1.17",
-        "COPY --chown=${NB_UID}:${NB_UID} . /home/${NB_USER}/ws/src/paper",
+        "USER ${NB_USER}\nWORKDIR /home/${NB_USER}/ws/src/paper\nCOPY --chown=${NB_UID}:${NB_UID} . .",
         "catkin_make -j",
         "ENTRYPOINT",
         "CMD",
@@ -78,11 +89,63 @@ def test_a_new_system_package_rebuilds_no_library() -> None:
 
 
 def test_declared_packages_stop_the_build_and_guessed_ones_are_named() -> None:
-    text = dockerfile(plan(apt=("libeigen3-dev",), apt_guessed=("libglew-dev",)))
+    text = written(plan(apt=("libeigen3-dev",), apt_guessed=("libglew-dev",)))
     declared, guessed = text.split("# Read in code or prose")
-    assert "libeigen3-dev" in declared
+    assert "apt-get install --yes --no-install-recommends libeigen3-dev" in declared
     assert "libglew-dev" not in declared
-    assert "left-out.txt" in guessed
+    assert "RUN install-optional-apt libglew-dev\n" in guessed
+
+
+def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> None:
+    carried = re.compile(r"<<'EOF' /([\w-]+)$", re.MULTILINE)
+    python = Python(version="3.8", manager="system", pip_guessed=("numpy",))
+    plain = dockerfile(plan(build_tool="none", packages=(), kind="python", ros_distro=None))
+    assert carried.findall(plain) == ["create-user"]
+    full = plan(Config(base=Base(cmake_update="3.18.4")), apt_guessed=("libglew-dev",), python=python, source=(CERES,))
+    text = dockerfile(full)
+    names = ["create-user", "compile-jobs", "install-optional-apt", "install-rosdep-keys", "install-optional-pip"]
+    assert carried.findall(text) == [*names, "roslab-entrypoint"]
+    library, image = text.split("\nFROM base AS library-1-ceres\n")[1].split("\nFROM base\n")
+    for stage in (library, image):
+        assert stage.count("COPY --from=scripts /compile-jobs") == 1
+        assert stage.index("COPY --from=scripts /compile-jobs") < stage.index("$(compile-jobs)")
+
+
+def test_every_script_is_called_by_some_dockerfile() -> None:
+    folder = Path(image_scripts.__path__[0])
+    calls = "".join(path.read_text() for path in (folder.parent / "layers").glob("*.py"))
+    names = sorted(path.stem for path in folder.glob("*.sh"))
+    assert len(names) == 9
+    assert [name for name in names if f'"{name}"' not in calls] == []
+
+
+def test_a_new_script_repeats_no_step_before_its_first_use() -> None:
+    """BuildKit compares what `COPY --from` brings by content: all before the first use must be the same text."""
+    before, after = (written(plan(apt=("git",), apt_guessed=guessed)) for guessed in ((), ("libglew-dev",)))
+    first = "COPY --from=scripts /install-optional-apt"
+    assert before.startswith(
+        after.partition(f"# Read in code or prose, declared nowhere: none of them stops the build\n{first}")[0]
+    )
+
+
+def test_manifests_are_copied_by_name_each_step_its_own() -> None:
+    python = Python(version="3.8", manager="system", requirements=("a b/req.txt",), manifests=("a b/more.txt",))
+    text = written(plan(packages=("package.xml", "b/package.xml"), python=python))
+    rosdep, pip = text.split("RUN install-rosdep-keys /tmp/manifests")
+    assert "COPY package.xml /tmp/manifests/\nCOPY b/package.xml /tmp/manifests/b/\n" in rosdep
+    assert "req.txt" not in rosdep, "an edit of the requirements repeats nothing of rosdep's"
+    assert 'COPY ["a b/more.txt", "a b/req.txt", "/tmp/manifests/a b/"]\n' in pip
+    assert "--requirement '/tmp/manifests/a b/req.txt'" in pip
+    assert "manifests AS" not in text
+
+
+def test_many_manifests_are_one_layer() -> None:
+    names = tuple(f"part_{number}/package.xml" for number in range(40))
+    text = written(plan(packages=names))
+    stage, image = text.split("\nFROM base AS manifests\n")[1].split("\nFROM base\n")
+    assert all(name in stage for name in names)
+    assert "package.xml" not in image.replace("# What the package.xml files name", "")
+    assert "COPY --from=manifests /manifests/ /tmp/manifests/\n" in image
 
 
 @pytest.mark.parametrize(
@@ -117,7 +180,9 @@ def test_a_command_given_as_text_runs_in_bash() -> None:
 def test_the_papers_custom_runs_one_by_one_as_the_user_at_home() -> None:
     custom = Custom(commands=("make a", "make b"), as_root=False, chained=False, workdir="home")
     text = dockerfile(plan(Config(file="roslab.yaml", generation="paper", compatible="paper", name="x", custom=custom)))
-    assert "USER ${NB_USER}\nWORKDIR /home/${NB_USER}\nRUN make a\nRUN make b" in text
+    before, after = text.split("\nWORKDIR /home/${NB_USER}\nRUN make a\nRUN make b")
+    assert re.findall(r"^USER .*", before, re.MULTILINE)[-1] == "USER ${NB_USER}"
+    assert "\nWORKDIR /home/${NB_USER}/ws/src/x\n" in after
 
 
 def test_the_later_custom_is_one_chain_as_root() -> None:
@@ -138,8 +203,9 @@ def test_old_formats_build_libraries_in_place_after_pythons_packages() -> None:
         name="x",
         base=Base(cmake_update="3.18.4"),
     )
-    text = dockerfile(plan(config, source=(CERES,), python=python))
-    order = positions(text, "/opt/jupyter", "cmake-3.18.4.tar.gz", "scipy", "example.org/ceres.git", "rosdep install")
+    text = written(plan(config, source=(CERES,), python=python))
+    jupyter, libraries = ("/opt/jupyter", "cmake-3.18.4.tar.gz"), ("example.org/ceres.git", "RUN install-rosdep-keys")
+    order = positions(text, *jupyter, "scipy", *libraries)
     assert order == sorted(order)
     assert "AS library-" not in text
     assert "CMAKE_BUILD_TYPE" not in text
@@ -161,7 +227,7 @@ HOSTILE = 'x\'; rm -rf ~; $(touch /pwned) `id` "${HOME}" #'
         {"apt": (HOSTILE,)},
         {"apt_guessed": (HOSTILE,)},
         {"skip_keys": (HOSTILE,)},
-        {"packages": (HOSTILE,)},
+        {"packages": (HOSTILE, "a/x", "b/x", "c/x", "d/x")},
         {"source": (Source(name="x", repo=HOSTILE, ref=HOSTILE),)},
         {"python": Python(version="3.8", manager="venv", pip=(HOSTILE,), requirements=(HOSTILE,), projects=(HOSTILE,))},
     ],
@@ -172,6 +238,14 @@ def test_no_value_leaves_its_quotes(changes: dict[str, Any]) -> None:
     quoted = HOSTILE.replace("'", "'\"'\"'")
     assert quoted in text
     assert HOSTILE not in text
+
+
+def test_no_manifest_leaves_its_copy() -> None:
+    text = dockerfile(plan(packages=(HOSTILE,)))
+    (line,) = [line for line in text.splitlines() if "rm -rf ~" in line]
+    assert line.startswith('COPY ["')
+    source, _ = json.loads(line.removeprefix("COPY "))
+    assert re.sub(r"\\(.)", r"\1", source) == HOSTILE
 
 
 @pytest.mark.parametrize(

@@ -190,6 +190,13 @@ def test_a_fence_is_longer_than_what_it_holds() -> None:
         ("RUN /bin/sh -c apt-get update  && apt-get install --yes cmake # buildkit", "apt"),
         ("RUN /bin/sh -c apt-get --quiet install cmake && pip3 install numpy", "pip"),
         ("RUN /bin/bash -c apt-get update; rosdep update; rosdep install --from-paths /tmp/manifests", "rosdep"),
+        (
+            "RUN |2 NB_USER=a NB_UID=1000 /bin/bash -c install-rosdep-keys --tables noetic/final /tmp/manifests",
+            "rosdep",
+        ),
+        ("RUN /bin/bash -c install-optional-apt python3-numpy # buildkit", "apt"),
+        ("RUN /bin/bash -c install-optional-pip python3 -- numpy # buildkit", "pip"),
+        ("RUN /bin/bash -c create-user # buildkit", "set-up"),
         ("RUN /bin/bash -c conda env create --file environment.yml", "conda"),
         ("/bin/sh -c #(nop) ADD file:1 in / ", "Ubuntu"),
         ("ADD amd64.tar / # buildkit", "Ubuntu"),

@@ -5,16 +5,10 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
-from roslab.render.layers.workspace import WS, build_folder, compiles_workspace, overlay, own_home, source_folder
+from roslab.render.layers.workspace import WS, build_folder, compiles_workspace, give_home, overlay, source_folder
 
+ENTRY_POINT = "roslab-entrypoint"
 ENVIRONMENT = "/usr/local/share/roslab/environment.bash"
-ENTRY_POINT = """\
-#!/bin/bash
-# Makes the workspace known, then becomes the command
-set -e
-source /usr/local/share/roslab/environment.bash
-exec "$@"
-"""
 
 
 def custom(plan: Plan) -> str:
@@ -34,7 +28,7 @@ def custom(plan: Plan) -> str:
     set_home = "ENV HOME=/home/${NB_USER}\n" if plan.custom.as_root else ""
     lines = [f"# Commands of roslab.yaml\n{set_home}USER {user}", f"WORKDIR {quote.docker_path(workdir)}", *runs]
     if plan.custom.as_root:
-        lines.append(own_home(plan))  # what they made in the source is the user's, who can make it again
+        lines.append(give_home(plan))  # what they made in the source is the user's, who can make it again
     return "\n".join(lines)
 
 
@@ -48,16 +42,20 @@ def environment(plan: Plan) -> str:
         setups.append(f'source "{WS}/{overlay(plan)}/setup.bash" --')
     return "\n".join(
         (
+            "# ROS and the workspace, for every command and every shell in the container",
             "USER root",
-            shell.heredoc(ENVIRONMENT, "\n".join(setups)),
-            shell.heredoc("/usr/local/bin/roslab-entrypoint", ENTRY_POINT, executable=True),
-            "# The same for every further shell in the container",
             f"RUN echo 'source {ENVIRONMENT}' >>/etc/bash.bashrc",
+            shell.copy_script(ENTRY_POINT) + shell.heredoc(ENVIRONMENT, "\n".join(setups)).rstrip(),
         )
     )
 
 
-def variables(plan: Plan) -> str:
+def start(plan: Plan) -> str:
+    """Set what a container starts with: its variables, user and folder, the entry point and the default command."""
+    return f"{_variables(plan)}\n{_command(plan)}"
+
+
+def _variables(plan: Plan) -> str:
     """Set the environment variables of roslab.yaml and those that a GPU needs."""
     home = "ENV HOME=/home/${NB_USER}"
     pairs: list[tuple[str, str, bool]] = []
@@ -75,11 +73,11 @@ def variables(plan: Plan) -> str:
     return f"{home}\nENV {body}" if pairs else home
 
 
-def command(plan: Plan) -> str:
+def _command(plan: Plan) -> str:
     """Set the user, the folder it starts in, the entry point and the default command."""
     lines = ["USER ${NB_USER}", f"WORKDIR {quote.docker_path(source_folder(plan))}"]
     if plan.kind in ("ros1", "ros2"):
-        lines.append(f"ENTRYPOINT {quote.json_form(['roslab-entrypoint'])}")
+        lines.append(f"ENTRYPOINT {quote.json_form([ENTRY_POINT])}")
     argv = ["bash", "-c", plan.run.command] if isinstance(plan.run.command, str) else list(plan.run.command)
     lines.append(f"CMD {quote.json_form(argv)}")
     return "\n".join(lines)

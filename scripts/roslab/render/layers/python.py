@@ -6,14 +6,13 @@ from collections.abc import Sequence
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import shell
+from roslab.render.layers import manifests, shell
 
 MICROMAMBA = "mambaorg/micromamba:2.3.2"
 """Statically linked, amd64 and arm64. https://hub.docker.com/r/mambaorg/micromamba, 2026-08-22."""
 PYTHON2_TOOLS = ("pip<21", "setuptools<45", "wheel<0.38")
 """The last that run on Python 2.7. https://pip.pypa.io/en/stable/news/#v21-0, 2026-08-22."""
 GET_PIP = "https://bootstrap.pypa.io/pip/2.7/get-pip.py"
-MANIFESTS = "/tmp/manifests"  # noqa: S108 - a folder of the image while it is built
 
 
 def environment(plan: Plan) -> str:
@@ -83,8 +82,8 @@ def _conda(plan: Plan) -> str:
     python = plan.python
     copy, source = "", f"--channel conda-forge {quote.shell(f'python={python.version}')} pip"
     if python.conda_file:
-        copy = f"COPY --from=manifests /manifests/ {MANIFESTS}/\n"
-        source = f"--file {quote.shell(f'{MANIFESTS}/{python.conda_file}')}"
+        copy = manifests.copy(plan, manifests.of_conda(plan))
+        source = f"--file {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}"
     create = f"micromamba create --yes --quiet --prefix /opt/conda {source}"
     return (
         "# A conda environment: the author's own, or for a Python that the base does not have\n"
@@ -105,10 +104,9 @@ def packages(plan: Plan) -> str:
     if commands:
         blocks.append(shell.run(*commands, comment="Python packages that are declared"))
     if python.requirements:
-        files = "".join(f" --requirement {quote.shell(f'{MANIFESTS}/{name}')}" for name in python.requirements)
-        blocks.append(
-            f"# Requirement files\nCOPY --from=manifests /manifests/ {MANIFESTS}/\n" + shell.run(f"{pip}{files}")
-        )
+        files = "".join(f" --requirement {quote.shell(f'{manifests.FOLDER}/{name}')}" for name in python.requirements)
+        copy = manifests.copy(plan, manifests.of_pip(plan))
+        blocks.append(f"# Requirement files\n{copy}{shell.run(f'{pip}{files}')}")
     if python.python2:
         options = _options(python.python2_options)
         blocks.append(
@@ -127,13 +125,11 @@ def guessed_packages(plan: Plan) -> str:
     """Install what is imported but declared nowhere, one by one: a wrong guess is named and breaks nothing."""
     if not plan.python.pip_guessed:
         return ""
-    options = _options(plan.python.options)
-    return f"""\
-# Imported but declared nowhere: installed where pip finds them, named where it does not
-RUN for package in{shell.words(plan.python.pip_guessed)}; do \\
-      {interpreter(plan)} -m pip install --no-cache-dir{options} "${{package}}" \\
-        || echo "pip ${{package}}" | tee --append {shell.REPORT}; \\
-    done"""
+    return shell.call(
+        "install-optional-pip",
+        f" {interpreter(plan)}{_options(plan.python.options)} --{shell.words(plan.python.pip_guessed)}",
+        comment="Imported but declared nowhere: none of them stops the build",
+    )
 
 
 def projects(plan: Plan) -> str:
@@ -147,7 +143,8 @@ def projects(plan: Plan) -> str:
     alone = [folder for folder in folders if folder in plan.python.alone]
     commands = [f"{pip}{_editable(whole)}"] if whole else []
     commands += [f"{pip} --no-deps{_editable(alone)}"] if alone else []
-    return shell.run(*commands, comment="The repository's own Python packages")
+    run = shell.run(*commands)
+    return f"# The repository's own Python packages, editable\nUSER root\n{run}"
 
 
 def _editable(folders: Sequence[str]) -> str:

@@ -6,20 +6,29 @@ from collections.abc import Iterable, Sequence
 
 from roslab.render import quote
 
-JOBS = (
-    """jobs="$(awk -v cores="$(nproc)" '/^MemAvailable/ {n = int($2 / 2000000); """
-    """print (n < 1) ? 1 : (n > cores) ? cores : n}' /proc/meminfo)\""""
-)
+JOBS = '"$(compile-jobs)"'
 """As many compilers as there are cores, but 2 GB of memory for each: a template-heavy file needs that much."""
-
-REPORT = "/usr/local/share/roslab/left-out.txt"
-"""Inside the image: what was guessed or named and could not be installed, one ``KIND NAME`` a line."""
+SET_JOBS = f"jobs={JOBS}"
 
 
 def run(*commands: str, comment: str = "") -> str:
     """Return one RUN in which each command must succeed before the next."""
     body = " \\\n && ".join(commands)
-    return f"{comment_lines(comment)}RUN {body}"
+    script = copy_script("compile-jobs") if any(JOBS in command for command in commands) else ""
+    return f"{comment_lines(comment)}{script}RUN {body}"
+
+
+def call(script: str, arguments: str = "", *, comment: str, before: str = "") -> str:
+    """Return a RUN of a script that the Dockerfile carries.
+
+    ``arguments`` are quoted, each after a space; ``before`` are instructions that it needs, each with its line's end.
+    """
+    return f"{comment_lines(comment)}{copy_script(script)}{before}RUN {script}{arguments}"
+
+
+def copy_script(name: str) -> str:
+    """Return the line that brings a script into a stage."""
+    return f"COPY --from=scripts /{name} /usr/local/bin/\n"
 
 
 def comment_lines(text: str) -> str:
@@ -28,9 +37,10 @@ def comment_lines(text: str) -> str:
 
 
 def words(items: Iterable[str], *, indent: int = 6) -> str:
-    """Return quoted words, one a line, ready to end a command inside a RUN."""
-    pad = " " * indent
-    return "".join(f" \\\n{pad}{quote.shell(item)}" for item in items)
+    """Return quoted words ready to end a command inside a RUN: one on the command's line, several on a line each."""
+    quoted = [quote.shell(item) for item in items]
+    between = " " if len(quoted) == 1 else " \\\n" + " " * indent
+    return "".join(between + word for word in quoted)
 
 
 def apt_install(packages: Sequence[str]) -> str:
@@ -46,4 +56,4 @@ def heredoc(path: str, text: str, *, executable: bool = False) -> str:
     """Return a COPY of a small text file that stands in the Dockerfile itself."""
     mode = "--chmod=755 " if executable else ""
     # The blank line after its end is for hadolint, which reads no instruction right below one
-    return f"COPY {mode}<<'ROSLAB' {path}\n{text.rstrip()}\nROSLAB\n"
+    return f"COPY {mode}<<'EOF' {path}\n{text.rstrip()}\nEOF\n"

@@ -10,9 +10,6 @@ from roslab.render import quote
 from roslab.render.layers import shell
 
 SOURCES = "/tmp/sources"  # noqa: S108 - a folder of the image while it is built
-ICUB_URL = "http://www.icub.org/ubuntu"
-ICUB_KEY = "https://keyserver.ubuntu.com/pks/lookup?op=get&search=0x57A5ACB6110576A6"
-"""Of components/icub.py of the original ROSLab."""
 CMAKE_URL = "https://cmake.org/files"
 """Kitware's own archive of every release, ``vX.Y/cmake-X.Y.Z.tar.gz``."""
 
@@ -29,61 +26,29 @@ def packages(plan: Plan) -> str:
 
 def tools(plan: Plan) -> str:
     """Install the tools of the workspace, and the pip of Python 2 that old images had."""
-    return _where_known(plan.apt_tools, "Tools, where this base's apt knows them") if plan.apt_tools else ""
+    return _where_known(plan.apt_tools, "Tools, where this base's apt knows them")
 
 
 def guessed_packages(plan: Plan) -> str:
     """Install what was only read in code or prose, where the base's apt knows it; name what it does not."""
-    comment = (
-        "Read in code or prose, declared nowhere: installed where this base's apt knows them, named where it does not"
-    )
-    return _where_known(plan.apt_guessed, comment) if plan.apt_guessed else ""
+    return _where_known(plan.apt_guessed, "Read in code or prose, declared nowhere: none of them stops the build")
 
 
 def _where_known(packages: tuple[str, ...], comment: str) -> str:
-    names = shell.words(packages)
-    install = "apt-get install --yes --no-remove --no-install-recommends"
-    return f"""\
-# {comment}
-RUN apt-get update; \\
-    known=(); \\
-    for package in{names}; do \\
-      if {install} --simulate "${{package}}" >/dev/null 2>&1; then \\
-        known+=("${{package}}"); \\
-      else \\
-        echo "apt ${{package}}" >>{shell.REPORT}; \\
-      fi; \\
-    done; \\
-    if [ "${{#known[@]}}" -gt 0 ] && ! {install} "${{known[@]}}"; then \\
-      for package in "${{known[@]}}"; do \\
-        {install} "${{package}}" || echo "apt ${{package}}" >>{shell.REPORT}; \\
-      done; \\
-    fi; \\
-    if [ -s {shell.REPORT} ]; then sed 's/^/roslab: left out: /' {shell.REPORT}; fi; \\
-    rm -rf /var/lib/apt/lists/*"""
+    if not packages:
+        return ""
+    return shell.call("install-optional-apt", shell.words(packages), comment=comment)
 
 
 def icub(plan: Plan) -> str:
     """Install the iCub's packages where their source still answers: they were given up in 2023.
 
-    https://github.com/orgs/robotology/discussions/612
+    https://github.com/orgs/robotology/discussions/612, and components/icub.py of the original ROSLab.
     """
     if not plan.icub or not plan.ubuntu:
         return ""
-    keyring = "/usr/share/keyrings/icub.gpg"
-    line = f"deb [signed-by={keyring}] {ICUB_URL} {plan.ubuntu} contrib/science"
-    return f"""\
-# The iCub's packages, where they are still served
-RUN apt-get update; \\
-    apt-get install --yes --no-install-recommends curl gnupg; \\
-    if ! {{ curl --fail --silent --show-error --location {quote.shell(ICUB_KEY)} \\
-          | gpg --dearmor --output {keyring} \\
-        && echo {quote.shell(line)} >/etc/apt/sources.list.d/icub.list \\
-        && apt-get update && apt-get install --yes --no-install-recommends icub; }}; then \\
-      rm --force /etc/apt/sources.list.d/icub.list; \\
-      echo "apt icub" | tee --append {shell.REPORT}; \\
-    fi; \\
-    rm -rf /var/lib/apt/lists/*"""
+    comment = "The iCub's packages, where they are still served"
+    return shell.call("install-icub", f" {quote.shell(plan.ubuntu)}", comment=comment)
 
 
 def newer_cmake(plan: Plan) -> str:
@@ -96,7 +61,7 @@ def newer_cmake(plan: Plan) -> str:
     return shell.run(
         f"curl --fail --silent --show-error --location {quote.shell(url)} | tar --extract --gzip --directory /tmp",
         f"cd /tmp/{quote.shell(name)}",
-        shell.JOBS,
+        shell.SET_JOBS,
         './bootstrap --parallel="${jobs}" -- -DCMAKE_USE_OPENSSL=OFF',
         'make --jobs="${jobs}" install',
         f"rm -rf /tmp/{quote.shell(name)}",
@@ -198,12 +163,11 @@ def _compile(library: Source, *first: str) -> list[str]:
     if staged and not any("CMAKE_BUILD_TYPE" in word for word in words):
         words.insert(0, "-DCMAKE_BUILD_TYPE=Release")  # the old formats gave none: there it stays as it was
     options = "".join(f" {quote.shell(word)}" for word in words)
-    make = library.make_command or 'make --jobs="${jobs}" install'
+    make = library.make_command or f"make --jobs={shell.JOBS} install"
     return [
         f"mkdir --parents {folder}/build",
         f"cd {folder}/build",
         f"cmake{options} {quote.shell(library.cmake_folder or '../')}",
-        shell.JOBS,
         *first,
         f"{{ {make}; }}" if library.make_command else make,
     ]

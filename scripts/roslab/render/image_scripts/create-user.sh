@@ -1,0 +1,13 @@
+#!/bin/bash
+# Makes the image's user, ${NB_USER} with the number ${NB_UID}: Binder's names.
+# Ubuntu 24.04 and newer come with a user of that number, which is renamed.
+set -euo pipefail
+
+present="$(getent passwd "${NB_UID}" | cut -d: -f1)" || true
+if [ -z "${present}" ]; then
+  useradd --create-home --user-group --uid "${NB_UID}" --shell /bin/bash "${NB_USER}"
+elif [ "${present}" != "${NB_USER}" ]; then
+  usermod --login "${NB_USER}" --home "/home/${NB_USER}" --move-home --shell /bin/bash "${present}"
+  groupmod --new-name "${NB_USER}" "$(id --group --name "${NB_UID}")"
+fi
+mkdir --parents /usr/local/share/roslab

@@ -1,0 +1,64 @@
+#!/bin/bash
+# usage: install-rosdep-keys [--tables TAG] [--skip KEYS] FOLDER...
+# Installs what the package.xml files below the folders name. Keys that rosdep does not know are named and left out.
+#   --tables TAG  use the tables of ros/rosdistro at this tag: newer ones forget a distro some years after its end;
+#                 where they do not answer, the base's own are used
+#   --skip KEYS   keys to install nothing for, separated by spaces
+set -euo pipefail
+
+left_out=/usr/local/share/roslab/left-out.txt
+sources=/etc/ros/rosdep/sources.list.d
+tag='' skip='' folders=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --tables) tag="$2" && shift ;;
+    --skip) skip="$2" && shift ;;
+    *) folders+=("$1") ;;
+  esac
+  shift
+done
+
+update() { rosdep update --rosdistro "${ROS_DISTRO}"; }
+
+use_tables() {
+  local tables="https://raw.githubusercontent.com/ros/rosdistro/${tag}" kept_index="${ROSDISTRO_INDEX_URL:-}"
+  mkdir --parents "${sources}" /tmp/own-tables
+  find "${sources}" -name '*.list' -exec mv --target-directory=/tmp/own-tables {} +
+  printf 'yaml %s\n' "${tables}/rosdep/"{base,python,ruby}.yaml >"${sources}/20-default.list"
+  export ROSDISTRO_INDEX_URL="${tables}/index-v4.yaml"
+  if update; then return; fi
+  echo "roslab: the tables of rosdistro ${tag} do not answer: the base's own are used"
+  rm "${sources}/20-default.list"
+  find /tmp/own-tables -name '*.list' -exec mv --target-directory="${sources}" {} +
+  if [ -n "${kept_index}" ]; then export ROSDISTRO_INDEX_URL="${kept_index}"; else unset ROSDISTRO_INDEX_URL; fi
+  update
+}
+
+install_keys() {
+  rosdep install "$@" --ignore-src --rosdistro "${ROS_DISTRO}" --from-paths "${folders[@]}" --skip-keys "${skip}"
+}
+
+unknown_keys() {
+  { install_keys --simulate --reinstall 2>&1 || true; } |
+    sed --quiet --regexp-extended 's/.*definition (for|of) \[([^]]+)\].*/\2/p' | sort --unique
+}
+
+apt-get update
+if [ -n "${tag}" ]; then
+  use_tables
+else
+  if ! ls "${sources}"/*.list >/dev/null 2>&1; then rosdep init; fi
+  update
+fi
+# rosdep tells of one unknown key a package at a time: ask until there is none that was not told before
+before=''
+while unknown="$(unknown_keys)" && [ "${unknown}" != "${before}" ]; do
+  before="${unknown}"
+  for key in ${unknown}; do
+    echo "rosdep ${key}" >>"${left_out}"
+    skip="${skip} ${key}"
+  done
+done
+if [ -s "${left_out}" ]; then sed 's/^/roslab: left out: /' "${left_out}"; fi
+install_keys --default-yes
+rm -rf /var/lib/apt/lists/*
