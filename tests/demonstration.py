@@ -34,6 +34,7 @@ jobs:
         with:
           registry: REGISTRY
           username: USERNAME
+          token: ${{{{ secrets.REGISTRY_PASSWORD }}}}
           platforms: {",".join(PLATFORMS)}
 """
 

@@ -39,6 +39,9 @@ PASSED = (
     "no_proxy",
 )
 
+RUN_TOKEN = "the-token-of-the-run"  # noqa: S105 - of no use anywhere
+"""What stands for GITHUB_TOKEN: no registry of the lab takes it."""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Result:
@@ -121,7 +124,7 @@ def run_workflow(
             command += ["-W", str(copy / caller.moved(workflow))]
         for pair, target in caller.mappings(copy, actions_dir).items():
             command += ["--local-repository", f"{pair}={target}"]
-        hidden = {"GITHUB_TOKEN": lab.password, **(secrets or {})}
+        hidden = {"GITHUB_TOKEN": RUN_TOKEN, "REGISTRY_PASSWORD": lab.password, **(secrets or {})}
         for option, values in (("--env", steps), ("--secret", hidden), ("--input", inputs or {})):
             for key, value in values.items():
                 command += [option, f"{key}={value}"]

@@ -43,10 +43,23 @@ def settings(values: Mapping[str, str]) -> str:
     return "".join(f"          {name}: {json.dumps(value)}\n" for name, value in values.items())
 
 
+SECRET = "REGISTRY_PASSWORD"
+"""Of the repository, with the password of the registry: the run's own token is for ghcr.io alone."""
+
+
 def through_action(
-    folder: Path, inputs: Mapping[str, str], files: Mapping[str, str] | None = None, *, base: Mapping[str, str] = FILES
+    folder: Path,
+    inputs: Mapping[str, str],
+    files: Mapping[str, str] | None = None,
+    *,
+    base: Mapping[str, str] = FILES,
+    secret: str | None = SECRET,
 ) -> Path:
-    """Write a repository, ``base`` and ``files`` over it, whose one job uses the action."""
+    """Write a repository, ``base`` and ``files`` over it, whose one job uses the action.
+
+    ``secret`` is the name of the one that the action gets as its token, ``None`` for none.
+    """
+    inputs = {**({"token": f"${{{{ secrets.{secret} }}}}"} if secret else {}), **inputs}
     workflow = f"""
 on: [push, pull_request, pull_request_target, schedule, workflow_dispatch]
 jobs:
@@ -63,10 +76,17 @@ jobs:
 
 
 def through_workflow(
-    folder: Path, inputs: Mapping[str, str], files: Mapping[str, str] | None = None, *, door: str = "image"
+    folder: Path,
+    inputs: Mapping[str, str],
+    files: Mapping[str, str] | None = None,
+    *,
+    door: str = "image",
+    secret: str | None = SECRET,
 ) -> Path:
-    """Write a repository whose one job calls a workflow, as a researcher would."""
+    """Write a repository whose one job calls a workflow, as a researcher would; ``secret`` as for the action."""
     lines = settings(inputs).replace("          ", "      ")
+    if secret:
+        lines += f"    secrets:\n      registry-token: ${{{{ secrets.{secret} }}}}\n"
     workflow = f"""
 on: [push, pull_request, schedule, workflow_dispatch]
 jobs:

@@ -23,7 +23,7 @@ def run(
     lab: Laboratory, caller: Path, repository: str, event: str = "push", *, token: str | None = None, **event_of: str
 ) -> Result:
     payload = doors.payload(repository.partition("/")[2], **event_of)
-    secrets = {"GITHUB_TOKEN": lab.password if token is None else token}
+    secrets = {} if token is None else {"REGISTRY_PASSWORD": token}
     return run_workflow(lab, caller, event, payload, env=doors.builder(lab), secrets=secrets)
 
 

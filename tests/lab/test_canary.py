@@ -135,14 +135,6 @@ jobs:
     return doors.write(folder, {**doors.FILES, **files, ".github/workflows/caller.yml": workflow})
 
 
-def through_workflow(folder: Path, given: Mapping[str, str], files: Mapping[str, str]) -> Path:
-    """Write a repository that hands the registry's password to the workflow."""
-    caller = doors.through_workflow(folder, given, files)
-    file = caller / ".github/workflows/caller.yml"
-    file.write_text(file.read_text() + "    secrets:\n      token: ${{ secrets.REGISTRY_PASSWORD }}\n")
-    return caller
-
-
 def plant(lab: Laboratory, caller: Path, place: Path, repository: str, canaries: Mapping[str, str]) -> Planted:
     """Push with the planted values and gather everything that is left."""
     names = ("GITHUB_TOKEN", "REGISTRY_PASSWORD", "DEPLOY_KEY")
@@ -173,7 +165,7 @@ def repository(lab: Laboratory, scanner: None) -> str:
     return lab.fresh_repository(f"{doors.OWNER}/canary").partition("/")[2]
 
 
-@pytest.mark.parametrize("door", [through_action, through_workflow], ids=["action", "image"])
+@pytest.mark.parametrize("door", [through_action, doors.through_workflow], ids=["action", "image"])
 def test_no_token_is_left_anywhere(
     lab: Laboratory, tmp_path: Path, repository: str, canaries: dict[str, str], door: type
 ) -> None:

@@ -116,7 +116,7 @@ def artifacts(place: Path) -> dict[str, bytes]:
 def through(lab: Laboratory, caller: Path, name: str, place: Path, event: str = "push") -> Result:
     head = "stranger/robot" if event == "pull_request" else None
     payload = doors.payload(name, head=head) if head else doors.payload(name)
-    secrets = {"GITHUB_TOKEN": "" if head else lab.password}
+    secrets = {"REGISTRY_PASSWORD": ""} if head else {}
     return run_workflow(lab, caller, event, payload, env=doors.builder(lab), secrets=secrets, place=place)
 
 

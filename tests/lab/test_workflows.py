@@ -25,7 +25,7 @@ def run(
     payload = doors.payload(repository.partition("/")[2], **event_of)
     if event == "schedule":
         payload["schedule"] = "17 4 * * 1"
-    secrets = {"GITHUB_TOKEN": lab.password if token is None else token}
+    secrets = {} if token is None else {"REGISTRY_PASSWORD": token}
     return run_workflow(lab, caller, event, payload, env=doors.builder(lab), secrets=secrets)
 
 

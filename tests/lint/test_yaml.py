@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 from collections.abc import Callable
@@ -71,6 +72,70 @@ def test_both_doors_do_the_same() -> None:
             assert small[name].get(key) == wide[name].get(key), f"{name}: {key}"
     assert small["Name the tags"]["with"]["tags"] == wide["Name the tags"]["with"]["tags"]
     assert small["Name the tags"]["with"]["flavor"] == wide["Name the tags"]["with"]["flavor"]
+
+
+ROOM, PROGRAM, READY, TREE = (
+    "Make room for the program",
+    "Check out the program",
+    "Prepare the program, out of the workspace",
+    "Check out the repository",
+)
+
+
+def _jobs() -> dict[str, list[dict[str, Any]]]:
+    return {name: job["steps"] for name, job in load(ROOT / ".github/workflows/image.yml")["jobs"].items()}
+
+
+def test_the_program_is_out_of_the_workspace_before_the_repository_comes() -> None:
+    """A link of the repository's at the program's place would lead what is checked out there, and run, elsewhere."""
+    first = [ROOM, PROGRAM, READY]
+    for name, steps in _jobs().items():
+        names = [step["name"] for step in steps]
+        assert names[:3] == first, name
+        assert names[3] == TREE or TREE not in names, name
+    prepared = [[{**step, "if": None} for step in steps[:3]] for steps in _jobs().values()]
+    assert all(steps == prepared[0] for steps in prepared)
+
+
+@pytest.mark.parametrize(
+    ("repository", "commit", "act", "code"),
+    [
+        ("org/repro-action", "0" * 40, "", 0),
+        ("", "", "", 4),
+        ("org/repro-action", "", "", 4),
+        ("", "0" * 40, "", 4),
+        ("", "", "true", 0),
+    ],
+)
+def test_a_runner_that_does_not_say_what_it_runs_is_told_so(  # noqa: PLR0917 - a row of the table
+    tmp_path: Path, repository: str, commit: str, act: str, code: int
+) -> None:
+    """With nothing to check out by, actions/checkout would take the caller's repository for the program."""
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "elsewhere/kept").touch()
+    (tmp_path / ".repro-action").symlink_to("elsewhere")
+    script = _jobs()["plan"][0]["run"]
+    environment = {
+        "PATH": os.environ["PATH"], "RUNNER_TEMP": str(tmp_path), "REPOSITORY": repository, "COMMIT": commit, "ACT": act
+    }  # fmt: skip
+    answer = subprocess.run(
+        ["bash", "-e", "-c", script], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
+    assert answer.returncode == code
+    assert answer.stdout.count("::error::") == (1 if code else 0)
+    assert (tmp_path / ".repro-action").is_symlink() == bool(code)
+    assert (tmp_path / "elsewhere/kept").exists()
+
+
+TOKEN = re.compile(r"github\.token|secrets\.GITHUB_TOKEN")
+
+
+@pytest.mark.parametrize("path", [ROOT / "action.yml", *CALLABLE], ids=lambda path: path.name)
+def test_the_runs_own_token_goes_to_ghcr_alone(path: Path) -> None:
+    """Where an expression can yield the run's token, it does so for ghcr.io only; GitHub's own API is no registry."""
+    for line in path.read_text().splitlines():
+        if TOKEN.search(line) and "_GIVEN:" not in line and "GITHUB_API_TOKEN:" not in line:
+            assert re.search(r"outputs\.registry == 'ghcr\.io' && github\.token\) \|\| '' \}\}$", line), line
 
 
 def test_the_action_has_at_most_ten_inputs_and_each_has_a_sentence() -> None:

@@ -55,8 +55,9 @@ def may_push(image: str, username: str, password: str, *, pause: Callable[[float
         return refused
     upload = _ask("POST", f"{url}/blobs/uploads/", headers, pause)
     if upload.status == 202:
-        if location := upload.headers.get("Location"):
-            _ask("DELETE", urljoin(url, location), headers, pause)
+        location = urljoin(url, upload.headers.get("Location") or "")
+        if location != url and same_host(location, url):
+            _ask("DELETE", location, headers, pause)
         return Access(verdict="granted")
     # With a token in hand the password was right: what is missing is the right to write
     bearer = headers.get("Authorization", "").startswith("Bearer ")
@@ -95,7 +96,7 @@ def _authorise(
     if kind == "basic":
         return ({"Authorization": secret}, None) if secret else ({}, Access(verdict="wrong password"))
     realm = fields.get("realm", "")
-    if kind != "bearer" or not _trusted(realm, image):
+    if kind != "bearer" or not trusted(realm, _url(image)):
         return {}, Access(verdict="unknown", detail=f"HTTP {answer.status}, {kind or 'no'} authentication")
     scope = f"repository:{image.partition('/')[2]}:{'pull,push' if secret else 'pull'}"
     query = urlencode({"service": fields.get("service", ""), "scope": scope})
@@ -109,9 +110,18 @@ def _authorise(
         return {}, Access(verdict="unknown", detail="the token server gave no token")
 
 
-def _trusted(realm: str, image: str) -> bool:
-    """Tell whether a password may go to a token server: never in the clear, except to this machine."""
-    return realm.startswith("https://") or urlsplit(realm).hostname == urlsplit(_url(image)).hostname
+def trusted(realm: str, url: str) -> bool:
+    """Tell whether the password of a registry at ``url`` may go to a token server.
+
+    It goes by https alone; a registry of this machine, which has no https itself, may name itself.
+    """
+    return realm.startswith("https://") or (url.startswith("http://") and same_host(realm, url))
+
+
+def same_host(address: str, url: str) -> bool:
+    """Tell whether an address, which a registry named, is of the registry's own scheme, host and port."""
+    asked, own = urlsplit(address), urlsplit(url)
+    return (asked.scheme, asked.netloc) == (own.scheme, own.netloc)
 
 
 def _judged(answer: _Answer, denial: Verdict) -> Access:

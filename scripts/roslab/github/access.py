@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 
 from roslab.engine.credentials import Access, Verdict
-from roslab.errors import BuildError, Problem
+from roslab.errors import BuildError, Problem, RefusedError
 from roslab.github.event import Event
 
 OWN = "ghcr.io"
-"""The registry that takes the run's own token."""
+"""The one registry that the run's own token may be sent to: any other could keep it and write to the repository."""
 REFUSALS: tuple[tuple[re.Pattern[str], Verdict], ...] = (
     (
         re.compile(
@@ -31,9 +31,10 @@ def problem(access: Access, *, image: str, event: Event) -> Problem | None:
     said = f": {access.detail}" if access.detail else ""
     if access.verdict == "wrong password":
         hint = (
-            "leave the input token out: the run's own token is then used"
+            "leave the secret registry-token (the action's input token) out: the run's own token is then used"
             if host == OWN
-            else f"set the inputs username and token; keep the token for {host} in a secret of the repository"
+            else f"set the input username and the password for {host}: a workflow's secret registry-token, the action's "
+            "input token"
         )
         return Problem(message=f"{host} refuses the username or the token{said}", hint=hint)
     if access.verdict == "forbidden":
@@ -52,6 +53,22 @@ def _right(host: str, image: str, event: Event) -> str:
     return (
         f"{line}; if it stands there, the package is another repository's: open the settings of the package {name} and "
         f"give {event.repository} the role Write under Manage Actions access"
+    )
+
+
+def require_secret(registry: str, *, name: str, given: bool) -> None:
+    """Raise ``RefusedError`` where a push to a registry would have to use the run's own token, which is for ghcr.io.
+
+    ``name`` is what the caller can set, ``given`` whether it holds something else than the run's own token.
+    """
+    if registry == OWN or given:
+        return
+    raise RefusedError(
+        Problem(
+            message=f"refused: {registry} needs a password of its own, and `{name}` holds none: the run's own token is "
+            f"sent to {OWN} alone",
+            hint=f"set `{name}` from a secret of the repository, or `push: false`",
+        )
     )
 
 

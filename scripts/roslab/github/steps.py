@@ -42,6 +42,9 @@ def plan(environment: Environment) -> None:
     )
     publication = event.publication(what, asked.push)
     image = inputs.image(asked, owner=what.owner, name=planned.plan.name)
+    if publication.push:
+        given = environment.get("ROSLAB_SECRET_GIVEN") == "true"
+        access.require_secret(asked.registry, name=environment.get("ROSLAB_SECRET") or "token", given=given)
     run = Run(
         plan=planned.plan,
         image=image,

@@ -10,8 +10,8 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 
-from roslab.engine.credentials import Access, is_public, may_push
-from roslab.errors import BuildError
+from roslab.engine.credentials import Access, is_public, may_push, same_host, trusted
+from roslab.errors import BuildError, RefusedError
 from roslab.github import access
 from roslab.github.event import Event
 
@@ -122,6 +122,47 @@ def test_a_password_never_goes_to_a_token_server_in_the_clear() -> None:
     assert registry.asked == ["/v2/"]
 
 
+@pytest.mark.parametrize(
+    ("realm", "registry", "fine"),
+    [
+        ("https://auth.docker.io/token", "https://registry-1.docker.io/v2/a/b", True),
+        ("http://quay.io/token", "https://quay.io/v2/a/b", False),  # the same host, in the clear
+        ("http://127.0.0.1:5000/token", "http://127.0.0.1:5000/v2/a/b", True),
+        ("http://127.0.0.1:6000/token", "http://127.0.0.1:5000/v2/a/b", False),
+        ("http://127.0.0.1:5000@evil.example/token", "http://127.0.0.1:5000/v2/a/b", False),
+        ("", "https://quay.io/v2/a/b", False),
+    ],
+)
+def test_a_token_server_is_trusted_by_https(realm: str, registry: str, *, fine: bool) -> None:
+    assert trusted(realm, registry) is fine
+
+
+@pytest.mark.parametrize(
+    "location", ["http://elsewhere.example/upload/1", "//elsewhere.example/upload/1", "https://127.0.0.1/upload/1", ""]
+)
+def test_what_a_registry_names_elsewhere_is_not_asked(location: str) -> None:
+    """The header with the password would go along."""
+    registry = StandInRegistry()
+    answered = registry.answer
+
+    def answer(request: BaseHTTPRequestHandler) -> tuple[int, dict[str, str], str]:
+        status, headers, body = answered(request)
+        return status, {**headers, **({"Location": location} if "Location" in headers else {})}, body
+
+    registry.answer = answer  # type: ignore[method-assign]
+    assert ask(registry).verdict == "granted"
+    assert [line for line in registry.asked if not line.startswith(("GET", "POST"))] == []
+    assert not same_host("https://a.example.evil/", "https://a.example/")
+
+
+@pytest.mark.parametrize("registry", ["quay.io", "ghrc.io", "ghcr.io.evil.example", "ghcr.io:443", "docker.io"])
+def test_the_runs_own_token_is_for_one_registry(registry: str) -> None:
+    with pytest.raises(RefusedError, match=f"refused: {registry} needs a password of its own, and `registry-token`"):
+        access.require_secret(registry, name="registry-token", given=False)
+    access.require_secret(registry, name="registry-token", given=True)
+    access.require_secret("ghcr.io", name="registry-token", given=False)
+
+
 def test_public() -> None:
     with served(StandInRegistry(bearer=True)) as image:
         assert is_public(image, "sha256:0", pause=lambda _: None) is False
@@ -139,8 +180,8 @@ def test_what_to_do_about_it() -> None:
 
     assert "add `packages: write` to the `permissions:`" in told("forbidden", "ghcr.io/lab/robot")
     assert "packages: write" not in told("forbidden", "quay.io/lab/robot")
-    assert "leave the input token out" in told("wrong password", "ghcr.io/lab/robot")
-    assert "username and token" in told("wrong password", "quay.io/lab/robot")
+    assert "leave the secret registry-token (the action's input token) out" in told("wrong password", "ghcr.io/lab/robot")
+    assert "a workflow's secret registry-token, the action's input token" in told("wrong password", "quay.io/lab/robot")
     assert "does not answer" in told("unreachable", "quay.io/lab/robot")
     access.require(Access(verdict="unknown"), image="quay.io/lab/robot", event=EVENT)
 
