@@ -1,0 +1,67 @@
+"""What a repository, a registry's name or another job may try, through both doors: nothing of it reaches the runner."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from lab import doors, registry
+from lab.act import RUN_TOKEN, run_workflow
+from lab.faulty_registry import Faults, faulty_registry
+from lab.laboratory import Laboratory
+
+RAN = "print('::error::the repository ran on the runner'); raise SystemExit(1)\n"
+PROGRAM = ("scripts/__main__.py", "scripts/environment.py", "scripts/yaml.py", "scripts/roslab/__init__.py")
+DOORS = pytest.mark.parametrize("door", [doors.through_action, doors.through_workflow], ids=["action", "image"])
+
+
+@pytest.fixture
+def name(lab: Laboratory) -> str:
+    """Return the name of a repository that nothing was pushed to yet, without its owner."""
+    return lab.fresh_repository(f"{doors.OWNER}/robot").rpartition("/")[2]
+
+
+@DOORS
+@pytest.mark.parametrize("what", ["link", "link out", "file", "folder"])
+def test_a_repository_at_the_programs_place_changes_nothing(  # noqa: PLR0917 - fixtures
+    lab: Laboratory, tmp_path: Path, name: str, door: type, what: str
+) -> None:
+    """Its own modules, below ``scripts/`` and where the program is checked out, are neither run nor imported."""
+    files = {path: RAN for path in PROGRAM} | {f"evil/{path}": RAN for path in PROGRAM}
+    if what == "file":
+        files |= {".repro-action": "a file\n"}
+    if what == "folder":
+        files |= {f".repro-action/{path}": RAN for path in PROGRAM}
+    caller = door(tmp_path / "caller", {"push": "false", "platforms": "linux/amd64"}, files, secret=None)
+    outside = tmp_path / "outside"
+    outside.mkdir()
+    (outside / "kept").touch()
+    if what.startswith("link"):
+        (caller / ".repro-action").symlink_to("evil" if what == "link" else outside)
+    ran = run_workflow(lab, caller, "push", doors.payload(name), env=doors.builder(lab))
+    assert ran.exit_code == 0, ran.log
+    assert doors.errors(ran) == []
+    assert "Built and proved, not published" in ran.summary
+    assert os.listdir(outside) == ["kept"]
+
+
+@DOORS
+@pytest.mark.parametrize("secret", [None, "GITHUB_TOKEN"])
+def test_the_runs_own_token_is_sent_to_no_other_registry(  # noqa: PLR0917 - fixtures
+    lab: Laboratory, tmp_path: Path, name: str, door: type, secret: str | None
+) -> None:
+    """Neither of itself nor where the caller hands it over: the registry is not even asked."""
+    asked = Faults(matches=lambda *_: True, times=10**9)
+    with faulty_registry(lab.registry, asked) as address:
+        caller = door(tmp_path / "caller", {"registry": address}, secret=secret)
+        ran = run_workflow(lab, caller, "push", doors.payload(name), env=doors.builder(lab))
+    assert asked.seen == 0
+    assert ran.exit_code != 0
+    (error,) = doors.errors(ran)
+    setting = "token" if door is doors.through_action else "registry-token"
+    assert f"refused: {address} needs a password of its own, and `{setting}` holds none" in error
+    assert "Main Log in" not in ran.log
+    assert RUN_TOKEN not in ran.log
+    assert f"{doors.OWNER}/{name}" not in registry.repositories()
