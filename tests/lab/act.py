@@ -39,7 +39,7 @@ PASSED = (
     "no_proxy",
 )
 
-RUN_TOKEN = "the-token-of-the-run"  # noqa: S105 - of no use anywhere
+RUN_TOKEN = "the-token-of-the-run"
 """What stands for GITHUB_TOKEN: no registry of the lab takes it."""
 
 

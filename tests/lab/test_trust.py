@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import pytest
@@ -25,11 +24,11 @@ def name(lab: Laboratory) -> str:
 
 @DOORS
 @pytest.mark.parametrize("what", ["link", "link out", "file", "folder"])
-def test_a_repository_at_the_programs_place_changes_nothing(  # noqa: PLR0917 - fixtures
+def test_a_repository_at_the_programs_place_changes_nothing(
     lab: Laboratory, tmp_path: Path, name: str, door: type, what: str
 ) -> None:
     """Its own modules, below ``scripts/`` and where the program is checked out, are neither run nor imported."""
-    files = {path: RAN for path in PROGRAM} | {f"evil/{path}": RAN for path in PROGRAM}
+    files = dict.fromkeys(PROGRAM, RAN) | {f"evil/{path}": RAN for path in PROGRAM}
     if what == "file":
         files |= {".repro-action": "a file\n"}
     if what == "folder":
@@ -44,12 +43,12 @@ def test_a_repository_at_the_programs_place_changes_nothing(  # noqa: PLR0917 - 
     assert ran.exit_code == 0, ran.log
     assert doors.errors(ran) == []
     assert "Built and proved, not published" in ran.summary
-    assert os.listdir(outside) == ["kept"]
+    assert list(outside.iterdir()) == [outside / "kept"]
 
 
 @DOORS
 @pytest.mark.parametrize("secret", [None, "GITHUB_TOKEN"])
-def test_the_runs_own_token_is_sent_to_no_other_registry(  # noqa: PLR0917 - fixtures
+def test_the_runs_own_token_is_sent_to_no_other_registry(
     lab: Laboratory, tmp_path: Path, name: str, door: type, secret: str | None
 ) -> None:
     """Neither of itself nor where the caller hands it over: the registry is not even asked."""

@@ -107,7 +107,7 @@ def test_the_program_is_out_of_the_workspace_before_the_repository_comes() -> No
         ("", "", "true", 0),
     ],
 )
-def test_a_runner_that_does_not_say_what_it_runs_is_told_so(  # noqa: PLR0917 - a row of the table
+def test_a_runner_that_does_not_say_what_it_runs_is_told_so(
     tmp_path: Path, repository: str, commit: str, act: str, code: int
 ) -> None:
     """With nothing to check out by, actions/checkout would take the caller's repository for the program."""

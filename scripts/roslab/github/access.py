@@ -33,8 +33,8 @@ def problem(access: Access, *, image: str, event: Event) -> Problem | None:
         hint = (
             "leave the secret registry-token (the action's input token) out: the run's own token is then used"
             if host == OWN
-            else f"set the input username and the password for {host}: a workflow's secret registry-token, the action's "
-            "input token"
+            else f"set the input username and the password for {host}: a workflow's secret registry-token, "
+            "the action's input token"
         )
         return Problem(message=f"{host} refuses the username or the token{said}", hint=hint)
     if access.verdict == "forbidden":

@@ -180,7 +180,9 @@ def test_what_to_do_about_it() -> None:
 
     assert "add `packages: write` to the `permissions:`" in told("forbidden", "ghcr.io/lab/robot")
     assert "packages: write" not in told("forbidden", "quay.io/lab/robot")
-    assert "leave the secret registry-token (the action's input token) out" in told("wrong password", "ghcr.io/lab/robot")
+    assert "leave the secret registry-token (the action's input token) out" in told(
+        "wrong password", "ghcr.io/lab/robot"
+    )
     assert "a workflow's secret registry-token, the action's input token" in told("wrong password", "quay.io/lab/robot")
     assert "does not answer" in told("unreachable", "quay.io/lab/robot")
     access.require(Access(verdict="unknown"), image="quay.io/lab/robot", event=EVENT)
