@@ -46,21 +46,21 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     cuda = decide_cuda(evidence, config)
     if kind.answer in _ROS or kind.answer == "cpp" or distro:
         base = decide_base(evidence, config, kind.answer, chosen=release, cuda=cuda, python=None)
-        python = _python(evidence, config, kind.answer, base.ubuntu, distro)
+        python = _python(evidence, config, kind.answer, base.answer.ubuntu, distro)
     else:
         python = _python(evidence, config, kind.answer, config.base.ubuntu, distro)
         base = decide_base(evidence, config, kind.answer, chosen=release, cuda=cuda, python=python.answer.version)
     own = decide_dockerfile(evidence, config, kind.answer, distro)
     if own.answer:
         base = of_dockerfile(base, evidence, config, own.answer.file)
-        cuda = of_image(cuda, base.image)
+        cuda = of_image(cuda, base.answer.image)
         # An author's Dockerfile brings a Python of its own
         python = replace(python, reasons=tuple(r for r in python.reasons if r.question != "python"))
     build_tool = decide_build_tool(evidence, config, kind.answer, python.answer)
 
     packages = packages_of(evidence)
     layout = decide_layout(evidence, kind.answer, packages)
-    target = Target(ros_distro=distro, ubuntu=base.ubuntu)
+    target = Target(ros_distro=distro, ubuntu=base.answer.ubuntu)
     sources = decide_sources(
         evidence,
         config,
@@ -82,26 +82,26 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         target=target,
         packages=packages,
         python=python.answer,
-        base_packages=base.ros_packages,
+        base_packages=base.answer.ros_packages,
         sisters=sources.answer.names,
     )
     python, system, sources, layout = as_it_was(
-        config, base_packages=base.ros_packages, python=python, system=system, sources=sources, layout=layout
+        config, base_packages=base.answer.ros_packages, python=python, system=system, sources=sources, layout=layout
     )
     recipes = (*sources.answer.libraries, *system.answer.recipes)
-    sources = with_recipes(sources, recipes_for(recipes, base.ubuntu))
+    sources = with_recipes(sources, recipes_for(recipes, base.answer.ubuntu))
 
-    on_cuda = "nvidia" in base.image or kind.answer == "cuda" or bool(config.base.cuda)
+    on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else CudaChoice()
     command = decide_command(evidence, config, kind.answer, own.answer.file if own.answer else None)
     test = decide_test(config)
-    platforms = decide_platforms(evidence, config, kind.answer, base.image, distro, cuda.cuda, python.answer)
+    platforms = decide_platforms(evidence, config, kind.answer, base.answer.image, distro, cuda.cuda, python.answer)
     choices = (kind, release, base, build_tool, layout, python, cuda, own, command, test, platforms, sources, system)
     return Decision(
         kind=kind.answer,
         ros_distro=distro,
-        ubuntu=base.ubuntu,
-        base_image=base.image,
+        ubuntu=base.answer.ubuntu,
+        base_image=base.answer.image,
         build_tool=build_tool.answer,
         rosdep=system.answer.rosdep,
         skip_keys=system.answer.skip_keys,
@@ -121,8 +121,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         command_named=config.command is not None,
         command_candidates=command.answer.candidates,
         test=test.answer,
-        platforms=platforms.platforms,
-        platforms_refused=platforms.refused,
+        platforms=platforms.answer.built,
+        platforms_refused=platforms.answer.refused,
         cuda=cuda.cuda,
         cudnn=cuda.cudnn,
         gpu=on_cuda if config.gpu is None else config.gpu,

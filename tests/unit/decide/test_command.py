@@ -72,8 +72,8 @@ def platforms(
     )
     python = Python(version="3.10", manager="venv", requirements=("r.txt",))
     choice = decide_platforms(Evidence(requirements=(file,)), Config(), kind, base, ros, cuda, python)
-    assert len(choice.platforms) + len(choice.refused) == 2
-    return choice.platforms
+    assert len(choice.answer.built) + len(choice.answer.refused) == 2
+    return choice.answer.built
 
 
 BOTH = ("linux/amd64", "linux/arm64")
@@ -95,13 +95,15 @@ def test_conda_builds_of_one_platform() -> None:
     )
     python = Python(version="3.9", manager="conda", conda_file="e.yml")
     choice = decide_platforms(Evidence(conda=(environment,)), Config(), "python", "ubuntu:22.04", None, None, python)
-    assert choice.refused[0][0] == "linux/arm64"
+    assert choice.answer.refused[0][0] == "linux/arm64"
 
 
 def test_configured_platforms() -> None:
     config = Config(platforms=("linux/arm64",))
     python = Python(version=None, manager="system")
-    assert decide_platforms(Evidence(), config, "ros1", "osrf/ros:x", None, None, python).platforms == ("linux/arm64",)
+    assert decide_platforms(Evidence(), config, "ros1", "osrf/ros:x", None, None, python).answer.built == (
+        "linux/arm64",
+    )
 
 
 def readme(value: str, line: int) -> Mention:
