@@ -6,8 +6,9 @@ It is read by the runner's Python, whatever its age: hence no syntax newer than 
 """
 
 # The same reason for what the linter would rather see:
-# ruff: noqa: PTH100, PTH110, PTH118, PTH120, PTH123, UP031, UP036
+# ruff: noqa: PTH100, PTH110, PTH118, PTH120, PTH123, PTH207, UP031
 
+import glob
 import hashlib
 import os
 import subprocess
@@ -16,12 +17,30 @@ import sys
 LOCK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "requirements.txt")
 DISTURBING = ("PIP_TARGET", "PIP_PREFIX", "PIP_USER", "PIP_REQUIRE_VIRTUALENV", "PYTHONPATH", "PYTHONHOME")
 """Settings that would install elsewhere; a mirror that the runner's owner set stays, the hashes guard what it gives."""
+OLDEST = (3, 10)
+NEWER = ["python3.%d" % minor for minor in range(14, OLDEST[1] - 1, -1)]
+PROBE = """
+import sys, venv
+try:
+    import ensurepip
+except ImportError:
+    import pip
+sys.exit(sys.version_info < (%d, %d))
+"""
+"""Ends with 0 in an interpreter that can make the environment."""
 
 
 def main() -> int:
     """Return the exit code: 0, or 5 where the environment cannot be made."""
-    if sys.version_info < (3, 10):
-        return fail("Python %d.%d is too old: the runner needs python3 of version 3.10 or newer" % sys.version_info[:2])
+    if sys.version_info < OLDEST:
+        newer = newer_python()
+        if newer:
+            return subprocess.call([newer, "-I", os.path.abspath(__file__)])
+        return fail(
+            "python3 is %s of version %d.%d, and no python3 of version %d.%d or newer is on this runner: give "
+            "actions/setup-python a newer python-version, or put that step after this one"
+            % (sys.executable, *sys.version_info[:2], *OLDEST)
+        )
     with open(LOCK, "rb") as stream:
         content = stream.read() + sys.version.encode()
     folder = os.path.join(
@@ -52,6 +71,26 @@ def main() -> int:
     with open(os.environ.get("GITHUB_OUTPUT") or os.devnull, "a", encoding="utf-8") as stream:
         stream.write("python=" + python + "\n")
     return 0
+
+
+def newer_python() -> str:
+    """Return an interpreter that is new enough, "" where the runner has none.
+
+    The first ``python3`` on PATH may be what an earlier step installed for the caller's own code. The runner's own is
+    behind it, and others lie in its tool cache:
+    https://docs.github.com/en/actions/reference/workflows-and-actions/variables#default-environment-variables
+    """
+    folders = (os.environ.get("PATH") or "").split(os.pathsep)
+    found = [os.path.join(folder, name) for name in ["python3", *NEWER] for folder in folders if folder]
+    cache = os.environ.get("RUNNER_TOOL_CACHE") or "/opt/hostedtoolcache"
+    found += sorted(glob.glob(os.path.join(cache, "Python", "3.*", "*", "bin", "python3")), reverse=True)
+    for python in found:
+        if os.access(python, os.X_OK):
+            with open(os.devnull, "w") as nothing:
+                command = [python, "-I", "-c", PROBE % OLDEST]
+                if not subprocess.call(command, stdout=nothing, stderr=nothing):
+                    return python
+    return ""
 
 
 def lends_pip() -> bool:
