@@ -9,13 +9,15 @@ from pathlib import Path
 
 from roslab.config import Config, Override, configure, locate
 from roslab.decide import decide
-from roslab.decide.decision import Decision
+from roslab.decide.decision import Decision, Warning_
 from roslab.errors import NothingToBuildError
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
 from roslab.knowledge.distros import rosdistro_tag
 from roslab.plan.plan import Plan, make_plan
+from roslab.plan.version import SourceVersion, of_projects, source_version
 from roslab.render import OutputFile, render_all
+from roslab.repository import git as commits
 from roslab.repository.checkout import Repository, printable
 
 READMES = ("README.md", "Readme.md", "readme.md", "README.markdown", "README.rst", "README.txt", "README")
@@ -57,11 +59,32 @@ def plan_repository(
     except NothingToBuildError as error:
         found = _what_is_there(repository)
         raise NothingToBuildError(*(replace(p, message=f"{p.message}; {found}") for p in error.problems)) from None
-    ignore = tuple(repository.read(".dockerignore").splitlines())
+    decision, version = _with_version(decision, evidence, repository)
     plan = make_plan(
-        decision, config, folder_name=name, ignore=ignore, rosdistro_tag=rosdistro_tag(decision.ros_distro)
+        decision,
+        config,
+        folder_name=name,
+        ignore=tuple(repository.read(".dockerignore").splitlines()),
+        rosdistro_tag=rosdistro_tag(decision.ros_distro),
+        source_version=version,
     )
     return Planned(repository=repository, evidence=evidence, config=config, decision=decision, plan=plan)
+
+
+def _with_version(
+    decision: Decision, evidence: Evidence, repository: Repository
+) -> tuple[Decision, SourceVersion | None]:
+    """Read the tags where a project takes its version from git; a checkout without any is a warning."""
+    if decision.dockerfile:
+        return decision, None
+    asking = of_projects(evidence.python, decision.python.projects)
+    version = source_version(asking, commits.describe(repository.root) if asking else None)
+    if version and not version.tag:
+        first = next(iter(asking))
+        message = f"its version is git's, and no tag of the checkout names one: it is installed as {version.version}"
+        warning = Warning_(message=message, file=first.file, line=first.line)
+        decision = replace(decision, warnings=(*decision.warnings, warning))
+    return decision, version
 
 
 def _without_own_files(repository: Repository) -> Repository:

@@ -14,6 +14,7 @@ from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.tools import PythonTools, python_tools
 from roslab.plan.packages import ROS_TOOLS, image_packages
 from roslab.plan.proof import Proof, proofs
+from roslab.plan.version import SourceVersion
 
 VERSION = 1
 """Of the plan's JSON; a reader refuses another."""
@@ -100,6 +101,8 @@ class Plan:
     rosdep_keys: tuple[str, ...]
     python: Python
     python_tools: PythonTools
+    source_version: SourceVersion | None
+    """Of projects that take their version from git; ``None`` where none does."""
     workspace: Workspace
     custom: Custom | None
     env: tuple[tuple[str, str], ...]
@@ -134,6 +137,7 @@ def make_plan(
     folder_name: str,
     ignore: tuple[str, ...] = (),
     rosdistro_tag: str | None = None,
+    source_version: SourceVersion | None = None,
 ) -> Plan:
     """Turn one decision into the plan of an image.
 
@@ -186,6 +190,7 @@ def make_plan(
         rosdep_keys=decision.rosdep,
         python=decision.python,
         python_tools=python_tools(decision.python.version, decision.ubuntu),
+        source_version=source_version,
         workspace=_workspace(decision, config, in_workspace),
         custom=config.custom,
         env=config.env,

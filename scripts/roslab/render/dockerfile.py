@@ -32,6 +32,7 @@ IMAGE: tuple[Block, ...] = (
     python.packages,
     python.guessed_packages,
     workspace.copy_source,  # 5. everything below is repeated when a file changes
+    python.versions,
     python.projects,
     workspace.own_home,
 )
@@ -53,6 +54,7 @@ IMAGE_OLD_FORMATS: tuple[Block, ...] = (  # the order of the old generators, in 
     workspace.rosdep,
     workspace.copy_source,
     workspace.old_paths,
+    python.versions,
     python.projects,
     workspace.own_home,
 )

@@ -16,11 +16,24 @@ _ENVIRONMENT = {"GIT_ALLOW_PROTOCOL": "none", "GIT_NO_LAZY_FETCH": "1", "GIT_TER
 
 def head(root: Path) -> tuple[str, int | None]:
     """Return the commit of a checkout and its time in seconds since 1970, ``("", None)`` where there is none."""
+    answer = _read(root, "log", "-1", "--format=%H %ct")
+    match = re.fullmatch(r"([0-9a-f]{40,64}) (\d+)", answer)
+    return (match[1], int(match[2])) if match else ("", None)
+
+
+def describe(root: Path) -> tuple[str, int] | None:
+    """Return the nearest tag with a number in it and the commits since then, ``None`` where the checkout has none."""
+    answer = _read(root, "describe", "--tags", "--long", "--match", "*[0-9]*")
+    match = re.fullmatch(r"(.+)-(\d+)-g[0-9a-f]+", answer)
+    return (match[1], int(match[2])) if match else None
+
+
+def _read(root: Path, *command: str) -> str:
+    """Return what git says of a checkout, ``""`` where it says nothing."""
     settings = [word for setting in (f"safe.directory={root}", *_SETTINGS) for word in ("-c", setting)]
-    command = ["git", "--no-pager", "-C", str(root), *settings, "log", "-1", "--format=%H %ct"]
     try:
         answer = subprocess.run(
-            command,
+            ["git", "--no-pager", "-C", str(root), *settings, *command],
             capture_output=True,
             stdin=subprocess.DEVNULL,
             env={**os.environ, **_ENVIRONMENT},
@@ -30,6 +43,5 @@ def head(root: Path) -> tuple[str, int | None]:
             check=False,
         )
     except (OSError, subprocess.TimeoutExpired):  # no git on this machine
-        return "", None
-    match = re.fullmatch(r"([0-9a-f]{40,64}) (\d+)", answer.stdout.strip())
-    return (match[1], int(match[2])) if match else ("", None)
+        return ""
+    return answer.stdout.strip()

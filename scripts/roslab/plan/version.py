@@ -1,0 +1,89 @@
+"""The version of projects that take it from git, which an image's build does not see."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from packaging.utils import canonicalize_name
+from packaging.version import InvalidVersion, Version
+
+from roslab.evidence.facts import PythonProject
+from roslab.knowledge.version_tools import version_tools
+
+UNKNOWN = "0.1.dev0"
+"""Where no tag says a version: what setuptools_scm begins with."""
+PLAIN = re.compile(r"[A-Za-z0-9_./+-]+")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class SourceVersion:
+    """What the tags of the checkout say, and the projects that ask for it."""
+
+    version: str
+    """As PEP 440 writes it."""
+    tag: str
+    """The nearest tag, ``""`` where there is none that has a version."""
+    distributions: tuple[tuple[str, str], ...] = ()
+    """Folder and name of each project that reads a source distribution's PKG-INFO."""
+    archives: tuple[str, ...] = ()
+    """Folders of projects that read the keywords which ``git archive`` fills in."""
+
+
+def of_projects(projects: Iterable[PythonProject], folders: Iterable[str]) -> dict[PythonProject, str]:
+    """Return the projects in ``folders`` (``.`` for the root) that take their version from git, and what they read."""
+    wanted = {"" if folder == "." else folder for folder in folders}
+    found = {}
+    for project in projects:
+        reads = next((way for name in _tools(project) if (way := version_tools().get(name))), None)
+        if reads and project.folder in wanted:
+            found[project] = reads
+    return found
+
+
+def _tools(project: PythonProject) -> list[str]:
+    """Return canonical names of what its build needs."""
+    names = [match[0] for line in project.build_requires if (match := re.match(r"[A-Za-z0-9._-]+", line))]
+    return [canonicalize_name(name) for name in (*names, *project.setup_imports)]
+
+
+def source_version(asking: dict[PythonProject, str], description: tuple[str, int] | None) -> SourceVersion | None:
+    """Return the version for the projects that ask, ``None`` where none does.
+
+    ``description`` is the nearest tag and the number of commits since then.
+    """
+    if not asking:
+        return None
+    tag, distance = description or ("", 0)
+    version = from_tag(tag, distance)
+    return SourceVersion(
+        version=version or UNKNOWN,
+        tag=tag if version and PLAIN.fullmatch(tag) else "",
+        distributions=tuple(
+            (project.folder, project.name or project.folder.rpartition("/")[2] or "source")
+            for project, reads in asking.items()
+            if reads == "PKG-INFO"
+        ),
+        archives=tuple(project.folder for project, reads in asking.items() if reads == "git_refnames"),
+    )
+
+
+def from_tag(tag: str, distance: int) -> str | None:
+    """Return the version that a tag names, after it the next one's development version; ``None`` for no version.
+
+    The rule is setuptools_scm's default: https://setuptools-scm.readthedocs.io/en/latest/extending/#version-scheme
+    """
+    match = re.fullmatch(r"(?:.*?[-_/])?[vV]?(\d[^+]*)(?:\+.*)?", tag)
+    try:
+        version = Version(match[1]) if match else None
+    except InvalidVersion:
+        version = None
+    if version is None or not distance:
+        return str(version) if version else None
+    epoch = f"{version.epoch}!" if version.epoch else ""
+    if version.pre:
+        release = ".".join(map(str, version.release)) + f"{version.pre[0]}{version.pre[1] + 1}"
+    else:
+        release = ".".join(map(str, (*version.release[:-1], version.release[-1] + 1)))
+    return f"{epoch}{release}.dev{distance}"
