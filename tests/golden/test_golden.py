@@ -71,6 +71,16 @@ def test_what_belongs_to_the_ros_1_example_fits_on_a_screen() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
+def test_what_verifies_an_example_is_no_evidence(
+    roslab: Callable[..., CompletedProcess[str]], name: str, tmp_path: Path
+) -> None:
+    """The file `verify` belongs to the tests: an example shows what is read from a repository that has none."""
+    copy = tmp_path / name
+    shutil.copytree(EXAMPLES / name, copy, ignore=shutil.ignore_patterns("__pycache__", "verify"))
+    assert roslab("plan", copy).stdout == whole(name)["plan.json"]
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_plan_again_after_create(roslab: Callable[..., CompletedProcess[str]], name: str, tmp_path: Path) -> None:
     """What `create` wrote is no evidence: the next plan is the same, and `--force` writes the same files again."""
     copy = tmp_path / name

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 from collections.abc import Callable
@@ -9,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from golden_files import names, whole
+from golden_files import EXAMPLES, names, whole
 
 CARRIED = Path(__file__).resolve().parents[2] / "scripts" / "roslab" / "render" / "image_scripts"
 SCRIPTS = [(name, path) for name in names() for path in whole(name) if path.endswith(".sh")]
@@ -49,6 +50,15 @@ def test_script_that_dockerfiles_carry(file: Path, tool: Callable[[str], str]) -
     assert "\nset -e" in text
     assert "\nEOF\n" not in text, "the heredoc that carries it would end there"
     shellcheck(text, tool("shellcheck"))
+
+
+@pytest.mark.parametrize("name", names())
+def test_what_verifies_an_example(name: str, tool: Callable[[str], str]) -> None:
+    verify = EXAMPLES / name / "verify"
+    assert os.access(verify, os.X_OK)
+    assert verify.read_text().startswith("#!/bin/bash\n# Runs inside the image")
+    assert "\nset -euo pipefail\n" in verify.read_text()
+    shellcheck(verify.read_text(), tool("shellcheck"))
 
 
 def test_there_are_scripts_of_every_example() -> None:
