@@ -151,7 +151,7 @@ def test_configuration_outside(roslab: Roslab, robot: Path, name: str) -> None:
         (["--platform", "linux/amd64,$(id)"], "$(id)"),
         (["--platform", " , "], "--platform: it is empty"),
         (["--command", "a\nb"], '--command: "a\\nb" is no shell command'),
-        (["--test", "a\x01b"], "--test: the character U+0001 is no text"),
+        (["--test", "a\x01b"], "--test: the character U+0001 is not allowed"),
     ],
 )
 def test_options(roslab: Roslab, robot: Path, arguments: list[str], message: str) -> None:

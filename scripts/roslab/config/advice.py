@@ -1,4 +1,4 @@
-"""What to write instead of a bad value, where more can be said than what is allowed."""
+"""Advice on what to write in place of a bad value, where there is more to say than which values are allowed."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def advice(title: str, text: str) -> str | None:
     if "\n" in text and title == "shell command":
         return "one line each: join them with ` && `, or write an entry for each"
     if any(not c.isprintable() for c in text):
-        return "one line of plain text: no line break, no control character, none that cannot be seen"
+        return "write one line of plain text, without line breaks, control characters or invisible ones"
     find = _BY_TITLE.get(title)
     return find(text) if find else None
 
@@ -55,7 +55,7 @@ def _pip(text: str) -> str | None:
     if re.search(r"//[^/\s]*@", text):
         return "take the user and password out: everyone can read roslab.yaml"
     if re.match(r"\s*-", text):
-        return "this option is not allowed: -U, --pre, --no-deps, --extra-index-url https://… and a few more are"
+        return "this option is not allowed; -U, --pre, --no-deps, --extra-index-url https://… and a few more are"
     return None
 
 
@@ -99,7 +99,7 @@ def _path(text: str) -> str | None:
 
 
 def _system(_: str) -> str:
-    return "only Ubuntu can be built any more: write `system: ubuntu` and its `version`"
+    return "only Ubuntu can still be built: write `system: ubuntu` and its `version`"
 
 
 def _format(text: str) -> str | None:

@@ -110,5 +110,5 @@ def _icub(reading: Reading, mapping: Mapping | None) -> bool:
     text = reading.text(mapping, "icub", "base.icub")
     if text is None or (isinstance(text.node, Scalar) and text.value.lower() in {"false", "no", "off"}):
         return False
-    reading.warn("the iCub packages come from icub.org: the build fails where it does not answer any more", text.node)
+    reading.warn("the iCub packages come from icub.org: the build fails once that site no longer answers", text.node)
     return True

@@ -108,7 +108,7 @@ class Document:
         name, mark = event.anchor or "", _mark(event.start_mark)
         target = self._anchors.get(name)
         if target is None:
-            why = "stands for itself" if name in self._anchors else "has no anchor above it"
+            why = "contains itself" if name in self._anchors else "is not defined above"
             raise _Stop(f"the alias *{name} {why}", "write the value out", mark)
         self._add(target, mark)
 
@@ -186,7 +186,7 @@ def parse(text: str | bytes, *, file: str) -> Document:
     for match in FORBIDDEN.finditer(text):
         before = text[: match.start()]
         mark = Mark(line=before.count("\n") + 1, column=match.start() - before.rfind("\n"), index=match.start())
-        document.complain(f"the character U+{ord(match[0]):04X} is no text", "save the file as UTF-8 text", mark)
+        document.complain(f"the character U+{ord(match[0]):04X} is not allowed", "save the file as UTF-8 text", mark)
         if len(document.problems) == MAX_PROBLEMS:
             break
     if document.problems:

@@ -10,7 +10,7 @@ from roslab.config.node import Mapping, Node, Scalar
 
 @dataclass(kw_only=True, slots=True)
 class Edits:
-    """What to put in place of which parts of a text, and the words that tell of it."""
+    """The replacements for parts of a text, and one line about each for the user."""
 
     text: str
     changes: list[str] = field(default_factory=list)

@@ -1,4 +1,4 @@
-"""Tells the formats of roslab.yaml apart by their own marks, and says which line belongs to which where they mix.
+"""Tells the formats of roslab.yaml apart, and which line belongs to which where a file mixes them.
 
 The marks: ``format: 3`` is today's; ``distro`` (or another key that only the 2019 paper's has) is the paper's;
 ``base.system`` is the interim one's; everything else is the later old format, which today's keys may complete.
@@ -19,7 +19,7 @@ NAMES: dict[Generation, str] = {
     "today": "today's format (`format: 3`)",
 }
 _ENOUGH = 2
-"""Keys of the foreign program from which on a file is taken for its."""
+"""A file with this many keys of the other program is taken to be that program's."""
 
 
 def keys(generation: Generation) -> frozenset[str]:
@@ -28,7 +28,7 @@ def keys(generation: Generation) -> frozenset[str]:
 
 
 def news() -> frozenset[str]:
-    """Return the keys that no old generator knew; the old formats may use them all the same."""
+    """Return today's additions: keys that no old generator knew, and that the old formats may use too."""
     return keys("today") & keys("later") & keys("paper") - {"name", "build", "volume", "custom", "source"}
 
 
@@ -72,7 +72,7 @@ def tell(root: Mapping, *, file: str) -> Generation:
 
 
 def rivals(root: Mapping, generation: Generation) -> tuple[str, ...]:
-    """Return the keys of the 2019 paper's format in a file that is marked as another: two formats in one file."""
+    """Return the keys of the 2019 paper's format that stand in a file of another format."""
     if generation == "paper" or "distro" not in root.names:
         return ()
     return tuple(name for name in root.names if name in own("paper"))

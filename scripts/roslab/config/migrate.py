@@ -35,7 +35,7 @@ _RENAMED: dict[Generation, dict[str, str]] = {
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Migration:
-    """The text of a file of today, and one line for each thing that changed; none where it was of today already."""
+    """The text of a file of today, and one line for each change; no line where it was in today's format already."""
 
     text: str
     changes: tuple[str, ...]
@@ -44,7 +44,7 @@ class Migration:
 def migrate(text: str | bytes, *, file: str = "roslab.yaml") -> Migration:
     """Return a file of any format as one of today.
 
-    Raises ``ConfigurationError`` where the file is wrong: only what was understood can be written anew.
+    Raises ``ConfigurationError`` where the file is wrong: only what was understood can be rewritten.
     """
     config = read(text, file=file)
     text = (text.decode("utf-8", errors="replace") if isinstance(text, bytes) else text).removeprefix("\ufeff")

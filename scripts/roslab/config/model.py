@@ -86,9 +86,9 @@ class Matlab:
 class Custom:
     """Shell commands of the author.
 
-    ``paper``: one RUN each, as the image's user, in the home folder, which held the source where that was no ROS
-    workspace. ``later`` and today: one chained RUN as root (``cd`` carries over), in ``/`` for the later old format and
-    in the source folder today.
+    In the 2019 paper's format each is a RUN of its own, as the image's user, in the home folder. In the later format
+    and today's they are one chained RUN as root (``cd`` carries over): in ``/`` for the later format, in the source
+    folder for today's.
     """
 
     commands: tuple[str, ...]
@@ -105,8 +105,8 @@ class Config:
     """The file it was read from, relative to the repository; ``None`` where there is none."""
     generation: Generation = "today"
     compatible: Compatible | None = None
-    """Whose ways the image keeps, so that what the file says still works: the old generators installed nothing that
-    the file does not name, built libraries in place and had paths of their own. ``migrate`` writes it."""
+    """Which old generator's ways the image keeps, so that what the file says still works: the old generators installed
+    nothing that the file does not name, built libraries in place and had paths of their own. ``migrate`` writes it."""
     name: str | None = None
     kind: Kind | None = None
     base: Base = field(default_factory=Base)
@@ -158,8 +158,3 @@ class Config:
     def origin(self, path: str) -> Origin | None:
         """Return where the key at a dotted path was said, or ``None``."""
         return dict(self.origins).get(path)
-
-    def place(self, path: str) -> Place | None:
-        """Return where the key at a dotted path stands in roslab.yaml, or ``None``."""
-        origin = self.origin(path)
-        return origin if isinstance(origin, Place) else None

@@ -26,11 +26,11 @@ class Mark:
 
 
 Where = Callable[[Mark], Origin]
-"""Tells where what stands at a mark was said: a file's reader knows its file, an input has its name alone."""
+"""Returns the origin of what stands at a mark: a place in a file, or the input or option that the text came from."""
 
 
 def in_file(file: str) -> Where:
-    """Return what tells the places of one file."""
+    """Return the function that turns marks of one file into places."""
     return lambda mark: Place(file=file, line=mark.line, column=mark.column)
 
 

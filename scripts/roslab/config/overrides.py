@@ -31,7 +31,7 @@ class Override:
     key: str
     """The key in today's format, with a dot before what stands below ``base``: ``platforms``, ``base.ros``."""
     text: str
-    """The value as it was given; where the key takes a list, commas, blanks and line breaks part its entries."""
+    """The value as it was given; where the key takes a list, commas, blanks and line breaks separate its entries."""
     origin: Input | Option
 
 
@@ -70,7 +70,7 @@ def _read(overrides: Several[Override]) -> tuple[Config, tuple[Problem, ...]]:
         schema = _schema(override.key)
         if strange := FORBIDDEN.search(override.text):
             hint = "write plain text, without control characters, in UTF-8"
-            shape.complain(mark, f"the character U+{ord(strange[0]):04X} is no text", hint)
+            shape.complain(mark, f"the character U+{ord(strange[0]):04X} is not allowed", hint)
         elif node := shape.check(_node(override.text.strip(), schema, mark), schema):
             pairs.append((override.key, _scalar(override.key.rpartition(".")[2], mark), node))
     reading = Reading(where=where)
@@ -97,7 +97,7 @@ def _changed(said: Config | Base, nothing: Config | Base) -> dict[str, Any]:
 
 
 def _replaced(path: str, by: dict[str, Origin]) -> bool:
-    """Tell whether a key, or the list that it is an entry of, was said anew."""
+    """Tell whether the overrides give a key, or the list that it is an entry of."""
     return path in by or (path.rpartition(".")[0] in by and not path.startswith("base."))
 
 
@@ -116,7 +116,7 @@ def _node(text: str, schema: Schema, mark: Mark) -> Node:
 
 
 def _takes_list(schema: Schema) -> bool:
-    """Tell whether a key is a list of words; that of a command is a line of shell all the same."""
+    """Tell whether a key takes a list first of all; a command, which may be a list too, is a line of shell here."""
     branches = [vocabulary.resolve(branch) for branch in schema.get("anyOf", (schema,))]
     return branches[0].get("type") == "array"
 

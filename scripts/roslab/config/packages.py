@@ -1,4 +1,4 @@
-"""Lists of packages: several in one entry are taken apart, options of pip are told from requirements."""
+"""Lists of packages: entries that hold several are split, options of pip are kept apart from requirements."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _LONG = {
 }
 _EDITABLE = frozenset({"-e", "--editable"})
 _SPACED = re.compile(r";| @ | [<>=!~]|[<>=!~] |, ")
-"""A requirement with spaces in it: such an entry holds that one alone, says the grammar."""
+"""A requirement with spaces in it; by the grammar such an entry holds one requirement only."""
 
 
 def apt(reading: Reading, root: Mapping, key: str, path: str = "apt") -> tuple[str, ...]:
@@ -33,7 +33,7 @@ def apt(reading: Reading, root: Mapping, key: str, path: str = "apt") -> tuple[s
 
 
 def pip(reading: Reading, root: Mapping, key: str, path: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return requirement lines and the options that stood between them.
+    """Return the requirement lines of a list, and the options among them.
 
     The options hold for the whole list, as they did when one ``pip install`` took it all.
     """
@@ -50,7 +50,7 @@ def pip(reading: Reading, root: Mapping, key: str, path: str) -> tuple[tuple[str
 
 
 def _split(entry: str, options: list[str]) -> list[str]:
-    """Take an entry that fits the grammar apart; its options go where those of the list are gathered."""
+    """Split an entry that fits the grammar into its requirements; its options are added to ``options``."""
     words = entry.split()
     lines: list[str] = []
     while words:

@@ -1,4 +1,4 @@
-"""roslab.yaml, of whatever format, as one ``Config``, or every problem it has at once."""
+"""Reads roslab.yaml of any format into one ``Config``, or reports every problem in it at once."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def mapping_of(document: Document) -> Mapping:
 
 
 def _elsewhere(generation: Generation, name: str, strange: tuple[str, ...]) -> str | None:
-    """Say what an unknown key is; nothing of the keys that the problem about mixed formats names already."""
+    """Return a hint about an unknown key, ``""`` where the problem about mixed formats already names that key."""
     return "" if name in strange else generations.elsewhere(generation, name)
 
 
@@ -129,14 +129,14 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
 
 
 def _advise(reading: Reading, root: Mapping, generation: Generation) -> None:
-    """Warn where a file uses today's keys but lacks today's mark: it is probably not meant as an old one."""
+    """Warn where a file uses today's keys without ``format: 3``: it is probably not meant as an old one."""
     if generation == "today":
         return
     used = [name for name in root.names if name in generations.news()]
     if used:
         reading.warn(
-            f"`{used[0]}` is of today, but without `format: 3` the file is read as {generations.NAMES[generation]}: "
-            "JupyterLab comes into the image, `custom` keeps its old meaning",
+            f"`{used[0]}` is a key of today's format, but without `format: 3` the file is read as "
+            f"{generations.NAMES[generation]}: JupyterLab is installed, and `custom` keeps its old meaning",
             root.key(used[0]),
         )
 
@@ -151,11 +151,11 @@ def _name(reading: Reading, root: Mapping) -> str | None:
 
 
 _OLD_UBUNTU = frozenset({"xenial", "bionic"})
-"""What the generator of the later old format built on: every working file of its names one of them."""
+"""The releases that the later format's generator could build on: every file that worked names one of them."""
 
 
 def _compatible(reading: Reading, root: Mapping, generation: Generation, base: Base) -> Compatible | None:
-    """Return whose ways the image keeps; a file that no old generator could build is read by its words alone."""
+    """Return which old generator's ways the image keeps; ``None`` too where none of them could build such a file."""
     if generation == "today":
         return cast(Compatible | None, reading.value(root, "compatible", "compatible"))
     if generation == "later":

@@ -34,7 +34,7 @@ def custom(reading: Reading, root: Mapping, generation: Generation) -> Custom | 
 
 
 def volumes(reading: Reading, root: Mapping) -> tuple[Volume, ...]:
-    """Read ``volume``; three entries of one key each, as wild files have, are one volume."""
+    """Read ``volume``; three entries of one key each, which some real files have, are one volume."""
     node = root.get("volume")
     reading.note("volume", root.key("volume"))
     found: list[dict[str, str]] = []
@@ -70,7 +70,7 @@ def matlab(reading: Reading, root: Mapping) -> Matlab | None:
     host_path = reading.value(mapping, "host_path", "matlab.host_path")
     if host_path is None:
         return None
-    message = "MATLAB is mounted from the host and never in the image: who has no licence cannot reproduce this"
+    message = "MATLAB is mounted from the host and never part of the image: nobody without a licence can reproduce this"
     reading.warn(message, root.key("matlab"))
     return Matlab(host_path=host_path, mac_address=reading.value(mapping, "mac_address", "matlab.mac_address"))
 
@@ -87,7 +87,7 @@ def environment(reading: Reading, root: Mapping) -> tuple[tuple[str, str], ...]:
 
 
 def command(reading: Reading, root: Mapping, key: str) -> tuple[str, ...] | str | None:
-    """Read ``command`` or ``test``: a line of shell or a list of words, kept apart."""
+    """Read ``command`` or ``test``: a line of shell stays a string, a list of words a tuple."""
     node = root.get(key)
     reading.note(key, root.key(key))
     if isinstance(node, Sequence):

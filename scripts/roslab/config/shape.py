@@ -1,7 +1,7 @@
-"""Holds a tree against the schema: unknown keys, wrong types, bad values, each with its place and what to write.
+"""Checks a tree against the schema: unknown keys, wrong types, bad values, each with its place and what to write.
 
-This is the small part of JSON Schema that ``schema.json`` uses. A validator of somebody else's would not do: it knows
-neither lines nor the text that a number was written as, and its messages speak of schemas. Everything wrong is told
+This is the small part of JSON Schema that ``schema.json`` uses. No library's validator would do: they know neither
+lines nor the text that a number was written as, and their messages speak of schemas. Everything that is wrong is told
 at once, and what is right is handed on, so that later checks see it too.
 """
 
@@ -41,10 +41,10 @@ class Shape:
     """What messages call the root of the tree."""
     problems: list[Problem] = field(default_factory=list)
     unknown: Callable[[str], str | None] = lambda _: None
-    """Says of an unknown top-level key what it was elsewhere and what to write."""
+    """Returns a hint about an unknown top-level key: which format has it, and what to write."""
 
     def check(self, node: Node, schema: Schema, path: str = "") -> Node | None:
-        """Return the tree with nothing in place of what is wrong, ``None`` where all of it is."""
+        """Return the tree without the parts that are wrong, ``None`` where nothing is left."""
         schema = vocabulary.resolve(schema)
         if "anyOf" in schema:
             branch = next((b for b in map(vocabulary.resolve, schema["anyOf"]) if _admits(b, node)), None)
@@ -191,7 +191,7 @@ def _admits(schema: Schema, node: Node) -> bool:
 
 
 def _takes(schema: Schema, text: str) -> bool:
-    """Whether a text would do."""
+    """Tell whether a text would be accepted."""
     branches = [vocabulary.resolve(branch) for branch in schema.get("anyOf", ())] or [schema]
     return any("string" in _types(branch) and _matches(branch, text) for branch in branches)
 

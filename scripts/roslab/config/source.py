@@ -1,4 +1,4 @@
-"""Libraries that are built from source, and what wild files write where a URL should stand."""
+"""Libraries that are built from source, and what real files have in place of a URL."""
 
 from __future__ import annotations
 

@@ -163,8 +163,8 @@ def test_places_follow_the_model(good: pathlib.Path) -> None:
     assert places["base.ros"] == 3
     assert (places["apt.0"], places["apt.1"], places["apt.2"]) == (9, 10, 10)
     assert places["source.0.repo"] == 15
-    assert config.place("custom.1") is not None
-    assert config.place("nothing") is None
+    assert config.origin("custom.1") is not None
+    assert config.origin("nothing") is None
 
 
 def test_mixed_formats_name_the_lines_of_each() -> None:

@@ -24,7 +24,7 @@ ONLY_THE_READER = {
     "has no `container_path`": "the same",
     "has no packages for Ubuntu": "a table of ROS and Ubuntu releases would have to be unfolded into branches",
     "stands here a second time": "a duplicate key is gone once a file is data",
-    "is no text": "a control character is no YAML",
+    "is not allowed": "a control character is no YAML",
 }
 """Words of the reader's message: why the schema cannot say the same."""
 VALUES: list[Any] = [

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from roslab.config.model import Config
 from roslab.decide.decision import Warning_
+from roslab.decide.reasons import warn
 from roslab.knowledge.on_request import packages
 
 
@@ -35,12 +36,10 @@ def pip_lists(config: Config, ubuntu: str | None, number: str | None) -> PipList
             python2=config.pip,
             python2_options=config.pip_options,
         )
-    place = config.place("pip.0")
     where = f"Ubuntu {ubuntu}" if ubuntu else "the base"
-    warning = Warning_(
-        message=f"{where} has no Python 2: these packages go to its Python 3 ({', '.join(config.pip[:3])} …); "
+    warning = warn(
+        f"{where} has no Python 2: these packages go to its Python 3 ({', '.join(config.pip[:3])} …); "
         "write `pip3`, or a `base.ubuntu` up to jammy",
-        file=place.file if place else config.file,
-        line=place.line if place else None,
+        config.origin("pip.0"),
     )
     return PipLists(lines=together.lines, options=together.options, warnings=(warning,))
