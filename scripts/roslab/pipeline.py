@@ -40,14 +40,14 @@ def plan_repository(
     path: str | Path,
     *,
     branch: str | None = None,
-    config_file: str | None = None,
+    config_file: locate.Named | None = None,
     overrides: Sequence[Override] = (),
     folder_name: str | None = None,
 ) -> Planned:
     """Read a repository and plan its image; nothing of it is executed and no network is used.
 
-    ``config_file`` is relative to the repository; ``overrides`` win over what it says; ``folder_name`` names the image
-    where nothing else does.
+    ``config_file`` is read in place of the roslab.yaml at the root; ``overrides`` win over what it says;
+    ``folder_name`` names the image where nothing else does.
     Raises ``ConfigurationError``, ``NothingToBuildError`` or ``RefusedError``.
     """
     repository = _without_own_files(Repository.open(path, branch=branch))
@@ -119,7 +119,7 @@ def _folder_name(repository: Repository) -> str:
     return repository.root.name
 
 
-def _configuration(repository: Repository, named: str | None, overrides: Sequence[Override]) -> Config:
+def _configuration(repository: Repository, named: locate.Named | None, overrides: Sequence[Override]) -> Config:
     file = locate.find(repository, named)
     config = configure(locate.text(repository, file) if file else None, overrides, file=file)
     locate.check_paths(config, repository)

@@ -131,7 +131,7 @@ def test_configuration_that_is_not_there(roslab: Roslab, robot: Path) -> None:
     answer = roslab("plan", robot, "--config", "rosalb.yaml")
     assert answer.returncode == 2
     assert answer.stderr == (
-        "roslab: error: no file rosalb.yaml in the repository\n  give a path relative to its root\n"
+        "roslab: error: --config: no file rosalb.yaml in the repository\n  give a path relative to its root\n"
     )
 
 
@@ -140,7 +140,7 @@ def test_configuration_outside(roslab: Roslab, robot: Path, name: str) -> None:
     (robot.parent / "roslab.yaml").write_text("format: 3\n")
     answer = roslab("plan", robot, "--config", name)
     assert answer.returncode == 2
-    assert answer.stderr.startswith(f"roslab: error: no file {name} in the repository\n")
+    assert answer.stderr.startswith(f"roslab: error: --config: no file {name} in the repository\n")
 
 
 @pytest.mark.parametrize(
@@ -170,7 +170,7 @@ def test_unknown_command(roslab: Roslab) -> None:
 def test_build_arguments(roslab: Roslab, robot: Path, value: str) -> None:
     answer = roslab("build", robot, "--build-arg", value)
     assert answer.returncode == 2
-    assert answer.stderr == f"roslab: error: --build-arg {value!r} is no NAME=VALUE\n"
+    assert answer.stderr == f"roslab: error: --build-arg: {value!r} is not NAME=VALUE\n"
 
 
 def test_explain_a_log_that_is_not_there(roslab: Roslab, tmp_path: Path) -> None:

@@ -12,11 +12,12 @@ import tempfile
 from pathlib import Path
 
 from roslab.cli.arguments import OVERRIDING
-from roslab.config import Override
+from roslab.config import Override, locate
+from roslab.config.generation import NAMES
 from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.pipeline import Planned, plan_repository
 from roslab.render import report
-from roslab.values.origin import Option
+from roslab.values.origin import Option, Place
 
 
 def _plan(options: argparse.Namespace) -> Planned:
@@ -26,7 +27,11 @@ def _plan(options: argparse.Namespace) -> Planned:
         for option, text in said.items()
         if text is not None
     )
-    return plan_repository(options.path, branch=options.branch, config_file=options.config, overrides=overrides)
+    return plan_repository(options.path, branch=options.branch, config_file=_named(options), overrides=overrides)
+
+
+def _named(options: argparse.Namespace) -> locate.Named | None:
+    return locate.Named(path=options.config, origin=Option(name="--config")) if options.config else None
 
 
 def inspect(options: argparse.Namespace) -> int:
@@ -58,12 +63,6 @@ def check(options: argparse.Namespace) -> int:
     """Validate roslab.yaml, and that the repository can be planned with it."""
     planned = _plan(options)
     config = planned.config
-    formats = {
-        "paper": "the 2019 paper's",
-        "later": "the later old",
-        "interim": "the interim (repolab)",
-        "today": "today's",
-    }
     if options.format == "json":
         warnings = [{"message": w.message, "file": w.file, "line": w.line} for w in planned.decision.warnings]
         sys.stdout.write(
@@ -71,30 +70,21 @@ def check(options: argparse.Namespace) -> int:
         )
         return 0
     sys.stdout.write(
-        f"{config.file}: valid, {formats[config.generation]} format\n"
+        f"{config.file}: valid, in {NAMES[config.generation]}\n"
         if config.file
         else "no roslab.yaml: everything comes from the repository\n"
     )
-    for warning in planned.decision.warnings:
-        place = (
-            f"{warning.file}:{warning.line}: "
-            if warning.file and warning.line
-            else f"{warning.file}: "
-            if warning.file
-            else ""
-        )
-        sys.stdout.write(f"{place}warning: {warning.message}\n")
+    sys.stdout.write(_warnings(planned))
     return 0
 
 
 def migrate(options: argparse.Namespace) -> int:
     """Print today's form of an old roslab.yaml."""
-    from roslab.config import locate  # noqa: PLC0415
     from roslab.config.migrate import migrate as migrated  # noqa: PLC0415
     from roslab.repository.checkout import Repository  # noqa: PLC0415
 
     repository = Repository.open(options.path, branch=options.branch)
-    file = locate.find(repository, options.config)
+    file = locate.find(repository, _named(options))
     if file is None:
         raise ConfigurationError(Problem(message="there is no roslab.yaml to migrate", hint="name it with --config"))
     migration = migrated(locate.text(repository, file), file=file)
@@ -119,7 +109,7 @@ def create(options: argparse.Namespace) -> int:
     written = write_all(rendered(planned, folder), folder, force=options.force)
     for entry in written:
         sys.stdout.write(f"{entry}\n")
-    _warn(planned)
+    sys.stderr.write(_warnings(planned))
     return 0
 
 
@@ -130,7 +120,7 @@ def build(options: argparse.Namespace) -> int:
 
     arguments = tuple(_argument(text) for text in options.build_arg)
     planned = _plan(options)
-    _warn(planned)
+    sys.stderr.write(_warnings(planned))
     version = engine.check()
     screenshots = _screenshots(options, planned)
     platforms = planned.plan.platforms if options.platforms else (engine.native_platform(),)
@@ -241,11 +231,14 @@ def explain(options: argparse.Namespace) -> int:
 def _argument(text: str) -> tuple[str, str]:
     name, separator, value = text.partition("=")
     if not separator or not name.isidentifier():
-        raise ConfigurationError(Problem(message=f"--build-arg {text!r} is no NAME=VALUE"))
+        raise ConfigurationError(Problem(message=f"{text!r} is not NAME=VALUE", origin=Option(name="--build-arg")))
     return name, value
 
 
-def _warn(planned: Planned) -> None:
+def _warnings(planned: Planned) -> str:
+    """Return the warnings, one a line, each with its place."""
+    lines = []
     for warning in planned.decision.warnings:
-        place = f"{warning.file}:{warning.line}: " if warning.file and warning.line else ""
-        sys.stderr.write(f"{place}warning: {warning.message}\n")
+        place = f"{Place(file=warning.file, line=warning.line)}: " if warning.file else ""
+        lines.append(f"{place}warning: {warning.message}\n")
+    return "".join(lines)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import posixpath
+from dataclasses import dataclass
 
 from roslab.config.model import Config
 from roslab.errors import ConfigurationError, Problem, RefusedError
 from roslab.repository.checkout import Repository, printable
-from roslab.values.origin import Place
+from roslab.values.origin import Origin, Place
 
 NAMES = ("roslab.yaml", "roslab.yml", ".roslab.yaml", "repolab.yaml")
 """Where a configuration is looked for, at the root: the first one counts."""
@@ -15,26 +16,30 @@ MAX_BYTES = 1024 * 1024
 """The longest of 78 real files has two thousand."""
 
 
-def find(repository: Repository, named: str | None) -> str | None:
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Named:
+    """A configuration that the user names, in place of those that are looked for."""
+
+    path: str
+    """Relative to the repository."""
+    origin: Origin
+
+
+def find(repository: Repository, named: Named | None = None) -> str | None:
     """Return the configuration's path, relative to the repository, ``None`` where there is none.
 
-    ``named`` is the path that the user gives, in place of the usual names. Raises ``ConfigurationError`` where that
-    file is missing, ``RefusedError`` where it is a link out of the tree.
+    Raises ``ConfigurationError`` where the named one is missing, ``RefusedError`` where it is a link out of the tree.
     """
-    for name in (named,) if named else NAMES:
+    origin = named.origin if named else None
+    for name in (named.path,) if named else NAMES:
         if name in repository.listing.outside:
-            raise RefusedError(
-                Problem(
-                    message=f"{printable(name)} is a link that leads out of the repository",
-                    hint="make it a file of the repository",
-                )
-            )
+            message = f"{printable(name)} is a link that leads out of the repository"
+            raise RefusedError(Problem(message=message, hint="make it a file of the repository", origin=origin))
         if repository.has(name):
             return name
     if named:
-        raise ConfigurationError(
-            Problem(message=f"no file {printable(named)} in the repository", hint="give a path relative to its root")
-        )
+        message = f"no file {printable(named.path)} in the repository"
+        raise ConfigurationError(Problem(message=message, hint="give a path relative to its root", origin=origin))
     return None
 
 

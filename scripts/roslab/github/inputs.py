@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Literal, cast
 
 from roslab.config import Override
+from roslab.config.locate import Named
 from roslab.config.overrides import problems_of
 from roslab.errors import ConfigurationError, Problem
 from roslab.github.event import Push
@@ -41,7 +42,7 @@ LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}")
 class Inputs:
     """What the caller asked for."""
 
-    config: str | None = None
+    config: Named | None = None
     image: str | None = None
     push: Push = "auto"
     registry: str = "ghcr.io"
@@ -85,7 +86,7 @@ def read(environment: Mapping[str, str]) -> Inputs:
     if problems:
         raise ConfigurationError(*problems, *problems_of(overrides))
     return Inputs(
-        config=said.get("config") or None,
+        config=Named(path=path, origin=Input(name="config")) if (path := said.get("config")) else None,
         image=said.get("image") or None,
         push=cast("Push", push),
         registry=registry,

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from roslab.config import configure
 from roslab.errors import ConfigurationError
 from roslab.github import inputs
+from roslab.pipeline import plan_repository
 from roslab.values.origin import Input
 
 
@@ -75,3 +78,9 @@ def test_runner_of_the_most_specific_platform() -> None:
     ]  # fmt: skip
     assert inputs.runner("linux/arm64", read().runners) == "ubuntu-24.04-arm"
     assert inputs.runner("linux/riscv64", read().runners) == "ubuntu-24.04"
+
+
+def test_a_configuration_that_is_not_there_is_told_by_its_input(examples: Path) -> None:
+    with pytest.raises(ConfigurationError) as caught:
+        plan_repository(examples / "python_filter", config_file=read(config="paper.yaml").config)
+    assert str(caught.value) == "input config: no file paper.yaml in the repository (give a path relative to its root)"
