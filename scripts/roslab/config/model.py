@@ -98,6 +98,14 @@ class Custom:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class TagParts:
+    """What stands before and after every tag of the image."""
+
+    prefix: str = ""
+    suffix: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Config:
     """roslab.yaml as one value; ``Config()`` is what a repository without the file has."""
 
@@ -141,6 +149,12 @@ class Config:
     test: tuple[str, ...] | str | None = None
     dockerfile: str | None = None
     context: str | None = None
+    args: tuple[tuple[str, str], ...] = ()
+    """Build arguments of the author's own Dockerfile."""
+    target: str | None = None
+    """Stage of the author's own Dockerfile."""
+    submodules: Literal["optional", "required"] | None = None
+    tags: TagParts = field(default_factory=TagParts)
     gui: bool | None = None
     gpu: bool | None = None
     volume: tuple[Volume, ...] = ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import cast
+from typing import Literal, cast
 
 from roslab.config import base as bases
 from roslab.config import generation as generations
@@ -116,6 +116,10 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
         test=running.command(reading, root, "test"),
         dockerfile=reading.value(root, "dockerfile", "dockerfile"),
         context=reading.value(root, "context", "context"),
+        args=running.environment(reading, root, "args"),
+        target=reading.value(root, "target", "target"),
+        submodules=cast(Literal["optional", "required"] | None, reading.value(root, "submodules", "submodules")),
+        tags=running.tag_parts(reading, root),
         gui=shared if gui is None else gui,
         gpu=shared if gpu is None else gpu,
         volume=running.volumes(reading, root),

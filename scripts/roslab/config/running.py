@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shlex
 
-from roslab.config.model import Custom, Generation, Matlab, Volume
+from roslab.config.model import Custom, Generation, Matlab, TagParts, Volume
 from roslab.config.node import Mapping, Node, Scalar, Sequence
 from roslab.config.reading import Reading
 
@@ -75,15 +75,23 @@ def matlab(reading: Reading, root: Mapping) -> Matlab | None:
     return Matlab(host_path=host_path, mac_address=reading.value(mapping, "mac_address", "matlab.mac_address"))
 
 
-def environment(reading: Reading, root: Mapping) -> tuple[tuple[str, str], ...]:
-    """Read ``env``: names and values in the order of the file."""
-    mapping = reading.mapping(root, "env")
-    reading.note("env", root.key("env"))
+def environment(reading: Reading, root: Mapping, key: str = "env") -> tuple[tuple[str, str], ...]:
+    """Read ``env`` or ``args``: names and values in the order of the file."""
+    mapping = reading.mapping(root, key)
+    reading.note(key, root.key(key))
     if mapping is None:
         return ()
-    for key, _ in mapping.pairs:
-        reading.note(f"env.{key.text}", key)
-    return tuple((key.text, value.text) for key, value in mapping.pairs if isinstance(value, Scalar))
+    for name, _ in mapping.pairs:
+        reading.note(f"{key}.{name.text}", name)
+    return tuple((name.text, value.text) for name, value in mapping.pairs if isinstance(value, Scalar))
+
+
+def tag_parts(reading: Reading, root: Mapping) -> TagParts:
+    """Read ``tags``."""
+    mapping = reading.mapping(root, "tags")
+    reading.note("tags", root.key("tags"))
+    prefix, suffix = (reading.value(mapping, part, f"tags.{part}") or "" for part in ("prefix", "suffix"))
+    return TagParts(prefix=prefix, suffix=suffix)
 
 
 def command(reading: Reading, root: Mapping, key: str) -> tuple[str, ...] | str | None:
