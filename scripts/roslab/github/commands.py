@@ -11,6 +11,7 @@ from roslab.github import proving, steps, workflow
 from roslab.github.run import Folder
 
 STEPS: Mapping[str, tuple[str, Callable[[Mapping[str, str]], None]]] = {
+    "source": ("Fetch the submodules, large files and tags that the checkout lacks.", steps.source),
     "plan": (
         "Read the event, the inputs and the repository; decide what is built and whether it is published.",
         steps.plan,

@@ -12,6 +12,7 @@ from roslab.engine import docker as engine
 from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.github import access, builder, cache, checkout, event, inputs, report, workflow
 from roslab.github import run as runs
+from roslab.github import source as completion
 from roslab.github.labels import labels
 from roslab.github.run import Folder, Run, slug
 from roslab.pipeline import plan_repository, write_plan
@@ -24,6 +25,11 @@ from roslab.repository import git as commits
 from roslab.values.origin import Place
 
 Environment = Mapping[str, str]
+
+
+def source(environment: Environment) -> None:
+    """Complete the checkout."""
+    completion.complete(_workspace(environment), environment)
 
 
 def plan(environment: Environment) -> None:

@@ -1,0 +1,51 @@
+"""Completing a checkout before anything is read: submodules, large files, and tags where a version comes from them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from roslab.engine import docker as engine
+from roslab.errors import Problem
+from roslab.evidence.python import project
+from roslab.github import workflow
+from roslab.plan.version import of_projects
+from roslab.repository import fetching
+from roslab.repository.checkout import Repository
+
+NAMED = 5
+"""Files that a warning names."""
+
+
+def complete(root: Path, environment: Mapping[str, str]) -> None:
+    """Fetch what the checkout lacks; what cannot be fetched is a warning, and the plan says whether it is fatal."""
+    access = fetching.Access(
+        server=environment.get("GITHUB_SERVER_URL") or "https://github.com",
+        token=environment.get("ROSLAB_SOURCE_TOKEN", ""),
+        key=environment.get("ROSLAB_SOURCE_KEY", ""),
+    )
+    with fetching.git(access) as git, workflow.group("Fetch submodules, large files and tags"):
+        missing = fetching.submodules(git, root)
+        left, why = fetching.large_files(git, root)
+        unread = fetching.tags(git, root) if _asks_for_tags(root) else ""
+    for submodule in missing:
+        hint = "a private one needs the secret source-token or source-key; `submodules: required` stops the run"
+        where = f"the submodule {submodule.path} of {submodule.url} is left out: {submodule.reason}"
+        workflow.warn(Problem(message=where, hint=hint))
+    if left:
+        names = ", ".join(left[:NAMED]) + (f" and {len(left) - NAMED} more" if len(left) > NAMED else "")
+        reason = f" ({why})" if why else ""
+        workflow.warn(
+            Problem(
+                message=f"large files of git LFS are not there, only their pointers{reason}: {names}",
+                hint="check the repository out with `lfs: true`, or fetch them where the program starts",
+            )
+        )
+    if unread:
+        workflow.warn(Problem(message=f"the tags, which a version comes from, cannot be fetched: {unread}"))
+    engine.say(f"{len(missing)} submodules missing, {len(left)} large files missing")
+
+
+def _asks_for_tags(root: Path) -> bool:
+    projects = project.read(Repository.open(root))
+    return bool(of_projects(projects, [entry.folder for entry in projects]))
