@@ -10,15 +10,17 @@ from pathlib import Path
 from roslab.config import Config, Override, configure, locate
 from roslab.decide import decide
 from roslab.decide.decision import Decision, Warning_
-from roslab.errors import NothingToBuildError
+from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
+from roslab.evidence.ros import vcs
 from roslab.knowledge.distros import rosdistro_tag
 from roslab.plan.plan import Plan, make_plan
 from roslab.plan.version import SourceVersion, of_projects, source_version
 from roslab.render import OutputFile, render_all
 from roslab.repository import git as commits
 from roslab.repository.checkout import Repository, printable
+from roslab.values.origin import Place
 
 READMES = ("README.md", "Readme.md", "readme.md", "README.markdown", "README.rst", "README.txt", "README")
 OWN_NAMES = ("Dockerfile", "Dockerfile.dockerignore", "docker_build.sh", "docker_run.sh", "README.ipynb")
@@ -52,6 +54,8 @@ def plan_repository(
     """
     repository = _without_own_files(Repository.open(path, branch=branch))
     config = _configuration(repository, config_file, overrides)
+    if config.submodules == "required":
+        _require_submodules(repository)
     evidence = gather(repository)
     name = folder_name or _folder_name(repository)
     try:
@@ -69,6 +73,15 @@ def plan_repository(
         source_version=version,
     )
     return Planned(repository=repository, evidence=evidence, config=config, decision=decision, plan=plan)
+
+
+def _require_submodules(repository: Repository) -> None:
+    """Raise ``ConfigurationError`` where a submodule is not checked out."""
+    if problems := [
+        Problem(message=f"`submodules: required`: {message}", origin=Place(file=file, line=line))
+        for message, file, line in vcs.absent(repository)
+    ]:
+        raise ConfigurationError(*problems)
 
 
 def _with_version(

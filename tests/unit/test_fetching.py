@@ -13,6 +13,8 @@ from pathlib import Path
 
 import pytest
 
+from roslab.errors import ConfigurationError
+from roslab.pipeline import plan_repository
 from roslab.repository import fetching
 from roslab.repository.git import describe
 
@@ -200,3 +202,18 @@ def test_tags_of_a_shallow_checkout(tmp_path: Path, server: str) -> None:
     assert describe(root) == ("v1.2.0", 1)
     objects = git(root, "cat-file", "--batch-all-objects", "--batch-check")
     assert old not in objects, "the history's files are not fetched"
+
+
+def test_required_submodules_stop_the_plan(tmp_path: Path) -> None:
+    for name, text in {
+        ".gitmodules": '[submodule "lib"]\n\tpath = lib\n\turl = https://example.org/lib.git\n',
+        "main.py": "print(1)\n",
+        "requirements.txt": "numpy\n",
+        "roslab.yaml": "format: 3\nsubmodules: required\n",
+    }.items():
+        (tmp_path / name).write_text(text)
+    with pytest.raises(ConfigurationError, match=r"\.gitmodules:\d: `submodules: required`: .*lib"):
+        plan_repository(tmp_path)
+    (tmp_path / "lib").mkdir()
+    (tmp_path / "lib/lib.py").write_text("")
+    assert plan_repository(tmp_path).plan.kind == "python"

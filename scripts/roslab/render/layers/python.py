@@ -158,32 +158,6 @@ def versions(plan: Plan) -> str:
     return "\n".join([*lines, shell.run(*commands)]) if commands else ""
 
 
-def versions(plan: Plan) -> str:
-    """Tell projects the version that they would read from git, in the files that their tools read without it."""
-    source = plan.source_version
-    if source is None:
-        return ""
-    lines = [
-        "# These take their version from git, which the build does not see: the tag's, as in a source distribution"
-    ]
-    commands = []
-    if source.distributions:
-        lines.append(f"ARG SOURCE_VERSION={quote.docker(source.version)}")
-        text = "'Metadata-Version: 2.1\\nName: %s\\nVersion: %s\\n'"
-        for folder, name in source.distributions:
-            file = quote.shell(f"./{folder}/PKG-INFO" if folder else "./PKG-INFO")
-            commands.append(f'{{ [ -e {file} ] || printf {text} {quote.shell(name)} "${{SOURCE_VERSION}}" >{file}; }}')
-    if source.archives and source.tag:
-        lines.append(f"ARG SOURCE_TAG={quote.docker(source.tag)}")
-        for folder in source.archives:
-            place = quote.shell(f"./{folder}" if folder else ".")
-            commands.append(
-                f"find {place} -name _version.py -exec sed --in-place --regexp-extended "
-                f"\"s|^( *git_refnames = ).[$]Format:%d[$].\\$|\\1'(tag: ${{SOURCE_TAG}})'|\" {{}} +"
-            )
-    return "\n".join([*lines, shell.run(*commands)]) if commands else ""
-
-
 def projects(plan: Plan) -> str:
     """Install the repository's own Python projects, editable: the reader changes a line and runs it."""
     folders = plan.workspace.python_projects
