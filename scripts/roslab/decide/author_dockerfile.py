@@ -111,7 +111,7 @@ def doubt(authored: AuthorDockerfile, kind: Kind, ros_distro: str | None) -> str
 
 
 def _chained(authored: AuthorDockerfile, evidence: Evidence) -> str | None:
-    """Doubt a link of a chain: its base is tagged like the folder of another Dockerfile, built by hand."""
+    """Doubt a Dockerfile that starts from another one's image: its base is tagged like the other's folder."""
     name, _, tag = (authored.base or "").partition(":")
     if "/" not in name or name.startswith(_PUBLISHED) or not tag:
         return None
@@ -122,16 +122,10 @@ def _chained(authored: AuthorDockerfile, evidence: Evidence) -> str | None:
 
 
 def _base_doubt(base: str, kind: Kind, ros_distro: str | None) -> str | None:
-    if match := _CUDA.search(base):
-        row = cuda_image(match[1])
-        if row is None or not row.tag or (match[2] and match[1] + match[2] != row.tag):
-            return f"{base} was deleted from the registry"
-    for name, why in _GONE.items():
-        if name in base:
-            return why
-    if _OLD_UBUNTU.search(base):
-        return f"{base} has no packages any more"
+    """Return why an image should not be started from: it is gone, or it is for something else."""
     named = _ROS.search(base)
+    if gone := _gone(base):
+        return gone
     if named and kind in {"python", "cpp"}:
         return f"it tries the code with ROS ({base}), which the repository does not need"
     release = distro(named[1]) if named else None
@@ -140,13 +134,24 @@ def _base_doubt(base: str, kind: Kind, ros_distro: str | None) -> str | None:
     return None
 
 
+def _gone(base: str) -> str | None:
+    """Return why nothing can be built on an image any more."""
+    if match := _CUDA.search(base):
+        row = cuda_image(match[1])
+        if row is None or not row.tag or (match[2] and match[1] + match[2] != row.tag):
+            return f"{base} was deleted from the registry"
+    if ended := next((why for name, why in _GONE.items() if name in base), None):
+        return ended
+    return f"{base} has no packages any more" if _OLD_UBUNTU.search(base) else None
+
+
 def _rank(
     authored: AuthorDockerfile, kind: Kind, ros_distro: str | None
 ) -> tuple[bool, bool, bool, int, bool, int, int, str]:
-    """Order believable Dockerfiles by their paths and bases.
+    """Return the order of believable Dockerfiles, the smallest first.
 
-    The distro in the path, a base that everybody has and that suits the kind, few folders, the plain name, near the
-    root, the newer Ubuntu.
+    What counts, in this order: no other distribution in the path; a base that everybody can pull; one that suits the
+    kind; few folders deep; the repository's distribution or nothing in the name; the newer Ubuntu.
     """
     path, base = authored.file.lower(), (authored.base or "").lower()
     mine = bool(ros_distro and ros_distro in path)

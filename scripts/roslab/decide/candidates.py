@@ -57,33 +57,36 @@ def _only_compiled(evidence: Evidence) -> bool:
 
 
 def _written(evidence: Evidence, *, ros: bool, compiled: bool) -> Iterator[Candidate]:
-    """Yield what READMEs run; a page deeper in the tree tells of a part, and a compiled program's scripts serve it."""
+    """Yield what READMEs run; what only a page of a part runs, an example or a compiled program's script, is weaker."""
     programs = [script.file for script in evidence.programs]
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
     said = [m for m in said if not places.vendored(m.file)]
     nearest = min((mention.file.count("/") for mention in said), default=0)
     for mention in said:
-        argv = tuple(mention.value.split())
-        if _PLACEHOLDER.search(mention.value) or any(part.rpartition("/")[2] in TOOLS for part in argv):
-            continue
-        if len(argv) < _WORDS.get(argv[0], 1) or argv[-1].endswith(":="):
-            continue  # a page's prose about the command, or an argument whose value it leaves to the reader
-        if argv[0].startswith("python"):
-            here = _here(argv, programs)
-            if here is None:
-                continue
-            argv = ("python3" if ros else argv[0], *here)
-            if compiled and _tests(here):
-                continue
-        elif not ros:
-            continue
-        strong = not any(places.example(part) for part in argv) and not (compiled and argv[0].startswith("python"))
-        strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)
-        yield Candidate(argv=argv, why="the README runs it", file=mention.file, line=mention.line, strong=strong)
+        argv = _runnable(mention.value, programs, ros=ros, compiled=compiled)
+        if argv is not None:
+            strong = not any(places.example(part) for part in argv) and not (compiled and argv[0].startswith("python"))
+            strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)
+            yield Candidate(argv=argv, why="the README runs it", file=mention.file, line=mention.line, strong=strong)
+
+
+def _runnable(text: str, programs: list[str], *, ros: bool, compiled: bool) -> tuple[str, ...] | None:
+    """Return the argv of a command as it can be run from the root; ``None`` where it starts nothing of the tree."""
+    argv = tuple(text.split())
+    if _PLACEHOLDER.search(text) or any(part.rpartition("/")[2] in TOOLS for part in argv):
+        return None
+    if len(argv) < _WORDS.get(argv[0], 1) or argv[-1].endswith(":="):
+        return None  # a sentence about the command, or an argument whose value the reader is to fill in
+    if not argv[0].startswith("python"):
+        return argv if ros else None
+    here = _here(argv, programs)
+    if here is None or (compiled and _tests(here)):
+        return None
+    return ("python3" if ros else argv[0], *here)
 
 
 def _tests(argv: tuple[str, ...]) -> bool:
-    """Tell whether a Python program only tests others."""
+    """Tell whether a command only runs tests or benchmarks."""
     programs = [part for part in argv if part.endswith(".py")]
     return any(part.endswith("_test.py") or places.test(part) for part in programs)
 
@@ -102,6 +105,7 @@ def _here(argv: tuple[str, ...], programs: list[str]) -> tuple[str, ...] | None:
 
 
 def _launched(evidence: Evidence) -> Iterator[Candidate]:
+    """Yield the launch files of the repository's packages."""
     for launch in evidence.launch:
         if launch.package and not places.test(launch.file):
             start = ("roslaunch",) if launch.ros == 1 else ("ros2", "launch")
@@ -120,6 +124,7 @@ def _compiled(evidence: Evidence) -> Iterator[Candidate]:
 
 
 def _installed(evidence: Evidence) -> Iterator[Candidate]:
+    """Yield the programs that the project installs, then the files that are made to be run."""
     for project in evidence.python:
         if not project.folder:
             for script, line in project.scripts:

@@ -69,10 +69,24 @@ def decide_kind(evidence: Evidence, config: Config) -> Choice[Kind]:
 
 
 def _ros(evidence: Evidence) -> list[Reason]:
+    """Return what speaks for ROS 1 and for ROS 2."""
     packages = packages_of(evidence)
+    reasons = _packages(evidence, packages.built) if packages.built else _meta(evidence)
+    rosbuild = [project for project in evidence.cmake if "rosbuild" in project.macros]
+    if rosbuild:
+        weight = Weight.ROSBUILD if _all_rosbuild(evidence) else Weight.ROSBUILD_PART
+        reasons.append(because("kind", "ros1", "it is built by rosbuild", rosbuild[0], weight=weight))
+    for manifest in packages.assets[:1]:
+        why = "a package.xml with nothing to build beside it: a robot's description"
+        reasons.append(because("kind", "ros1", why, manifest, weight=Weight.DESCRIPTION))
+    return reasons
+
+
+def _packages(evidence: Evidence, built: tuple[PackageManifest, ...]) -> list[Reason]:
+    """Return what the packages speak for: the ROS that builds them; where they are for both, what leans to one."""
     macros = {project.file.rpartition("/")[0]: project.macros for project in evidence.cmake}
     by_version: dict[int, list[PackageManifest]] = {1: [], 2: []}
-    for manifest in packages.built:
+    for manifest in built:
         for version in ros_versions(manifest, macros.get(manifest.file.rpartition("/")[0], ())):
             by_version[version].append(manifest)
     wrapper = _wrapper(evidence, [m.file for m in (*by_version[1], *by_version[2])])
@@ -87,20 +101,11 @@ def _ros(evidence: Evidence) -> list[Reason]:
         why = f"{number} built by {'catkin' if version == 1 else 'ament'}"
         why += ", a wrapper beside a Python project" if wrapper else ""
         reasons.append(because("kind", f"ros{version}", why, made[0], weight=weight))
-    if not packages.built:
-        reasons += _meta(evidence)
-    rosbuild = [project for project in evidence.cmake if "rosbuild" in project.macros]
-    if rosbuild:
-        weight = Weight.ROSBUILD if _all_rosbuild(evidence) else Weight.ROSBUILD_PART
-        reasons.append(because("kind", "ros1", "it is built by rosbuild", rosbuild[0], weight=weight))
-    for manifest in packages.assets[:1]:
-        why = "a package.xml with nothing to build beside it: a robot's description"
-        reasons.append(because("kind", "ros1", why, manifest, weight=Weight.DESCRIPTION))
     return reasons
 
 
 def _all_rosbuild(evidence: Evidence) -> bool:
-    """Tell whether everything that CMake starts with is rosbuild's; one such folder in a program is an example."""
+    """Tell whether rosbuild builds every CMake project that lies nearest to the root; else it builds only a part."""
     tops = [project for project in evidence.cmake if not places.vendored(project.file)]
     nearest = min((project.file.count("/") for project in tops), default=0)
     return all("rosbuild" in project.macros for project in tops if project.file.count("/") == nearest)
@@ -137,7 +142,7 @@ def _within(file: str, folders: set[str]) -> bool:
 
 
 def _leaning(evidence: Evidence, version: int, majority: int) -> int:
-    """Break the tie of a repository made for both: the branch, then images, CI and README, then the packages."""
+    """Weigh one side of a repository made for both: the branch, then images, CI and README, then the packages."""
     sides_of = {name: found.ros for name, found in distros().items()} | {"ros1": 1, "ros2": 2}
     score = Lean.MORE_PACKAGES * (majority > 0) + Lean.NEWER * (version == 2)
     for source, rank in Lean.BY_SOURCE:
@@ -169,6 +174,7 @@ def _meta(evidence: Evidence) -> list[Reason]:
 
 
 def _python(evidence: Evidence) -> list[Reason]:
+    """Return what speaks for plain Python, and for CUDA where a framework or CUDA sources show."""
     place = _python_place(evidence)
     found = framework(evidence)
     reasons = []
@@ -202,6 +208,7 @@ def _python_place(evidence: Evidence) -> tuple[Placed, str, int] | None:
 
 
 def _cpp(evidence: Evidence) -> list[Reason]:
+    """Return what the CMake project nearest to the root speaks for: C++, or CUDA where it compiles that."""
     tops = [p for p in evidence.cmake if p.top_level and not places.vendored(p.file)]
     if not tops:
         return []

@@ -20,6 +20,7 @@ from roslab.evidence.ros.vcs import https
 from roslab.values.origin import Origin, Place
 
 _ROS_TOOLS = frozenset({"catkin_make", "catkin_tools", "colcon"})
+Warned = tuple[str, Origin | None]
 _KEPT_TOPICS = frozenset({"command", "distro", "ubuntu", "build_tool"})
 
 
@@ -28,23 +29,21 @@ def narrowed(evidence: Evidence, config: Config) -> tuple[Evidence, Config]:
     if not config.compatible:
         return evidence, config
     files = {*(config.requirements or ()), *(config.vcs or ()), config.conda, config.dockerfile}
-    left = [file.file for file in evidence.requirements if file.purpose == "run" and "/" not in file.file]
-    left += [project.file for project in evidence.python if project.installable and not project.folder]
-    warnings: list[tuple[str, Origin | None]] = [
-        (f"{name} is not installed: the old format installs only what roslab.yaml names", Place(file=name, line=1))
-        for name in sorted(set(left) - files)
-    ]
-    sources = []
-    for source in config.source:
-        git = _pinned(source, evidence)
-        sources.append(replace(source, ref=git.ref) if git else source)
-        if git:
-            text = f"{source.name} has no `ref`; {git.ref} is built, which {git.file}:{git.line} asks for"
-            warnings.append((text, source.place or Place(file=git.file, line=git.line)))
-        elif source.repo and not source.ref:
-            text = f"{source.name} has no `ref`: its newest state of today is built, which may no longer fit this base"
-            warnings.append((text, source.place))
-    evidence = replace(
+    left = _named(evidence, files)
+    sources, warnings = _with_refs(config.source, evidence)
+    config = replace(
+        config,
+        kind=_kind(left, config),
+        vcs=config.vcs or (),
+        source=sources,
+        warnings=(*config.warnings, *_left_out(evidence, files), *warnings),
+    )
+    return left, config
+
+
+def _named(evidence: Evidence, files: set[str | None]) -> Evidence:
+    """Return the evidence of the files that roslab.yaml names, of the packages and of what says how they are built."""
+    return replace(
         evidence,
         python=(),
         requirements=tuple(file for file in evidence.requirements if file.file in files),
@@ -57,14 +56,32 @@ def narrowed(evidence: Evidence, config: Config) -> tuple[Evidence, Config]:
         bounds=(),
         cuda_files=(),
     )
-    config = replace(
-        config,
-        kind=_kind(evidence, config),
-        vcs=config.vcs or (),
-        source=tuple(sources),
-        warnings=(*config.warnings, *warnings),
-    )
-    return evidence, config
+
+
+def _left_out(evidence: Evidence, files: set[str | None]) -> list[Warned]:
+    """Warn of what lies at the root, would be installed today, and is not named."""
+    left = [file.file for file in evidence.requirements if file.purpose == "run" and "/" not in file.file]
+    left += [project.file for project in evidence.python if project.installable and not project.folder]
+    return [
+        (f"{name} is not installed: the old format installs only what roslab.yaml names", Place(file=name, line=1))
+        for name in sorted(set(left) - files)
+    ]
+
+
+def _with_refs(named: tuple[Source, ...], evidence: Evidence) -> tuple[tuple[Source, ...], list[Warned]]:
+    """Give the sources without a ref the one that a package.xml names, and warn of every one that had none."""
+    sources: list[Source] = []
+    warnings: list[Warned] = []
+    for source in named:
+        git = _pinned(source, evidence)
+        sources.append(replace(source, ref=git.ref) if git else source)
+        if git:
+            text = f"{source.name} has no `ref`; {git.ref} is built, which {git.file}:{git.line} asks for"
+            warnings.append((text, source.place or Place(file=git.file, line=git.line)))
+        elif source.repo and not source.ref:
+            text = f"{source.name} has no `ref`: its newest state of today is built, which may no longer fit this base"
+            warnings.append((text, source.place))
+    return tuple(sources), warnings
 
 
 def _kind(evidence: Evidence, config: Config) -> Kind | None:

@@ -19,9 +19,9 @@ class ImagePackages:
     """Packages in the order in which they are installed."""
 
     first: tuple[str, ...] = ()
-    """Of an image in an old way: what was in every one, and ROS; else none."""
+    """What every image of the old formats had, and ROS; empty for a file of today."""
     tools: tuple[str, ...] = ()
-    """Where the base's apt knows them: what is missed speaks up where it is used."""
+    """Installed where the base's apt knows them; where one is missing, the step that uses it says so."""
     named: tuple[str, ...]
 
 
@@ -42,26 +42,29 @@ def image_packages(decision: Decision, config: Config, in_workspace: tuple[Sourc
 
 
 def _needs(decision: Decision, config: Config) -> list[str]:
-    python = decision.python
-    own_python = decision.base_image.rpartition("/")[2].startswith("python:")  # with pip and venv in /usr/local
-    lines = (*python.pip, *python.pip_guessed, *python.first, *python.python2)
+    """Return what the steps of the plan need that every base may lack: a compiler, git, Python's tools."""
     needs: list[str] = []
-    if any("git+" in line for line in lines):
-        needs += ["ca-certificates", "git"]
     compiled = decision.build_tool == "cmake" and decision.kind not in ("ros1", "ros2")  # a ROS base has a compiler
     if compiled:
         needs += ["build-essential", "cmake"]
     if any(source.zip for source in decision.source) or config.base.cmake_update or config.base.icub:
         needs += ["build-essential", "ca-certificates", "curl", "unzip"]
+    return needs + _python_needs(decision, notebook=bool(config.notebook))
+
+
+def _python_needs(decision: Decision, *, notebook: bool) -> list[str]:
+    """Return what the image's Python needs of the system."""
+    python = decision.python
+    own_python = decision.base_image.rpartition("/")[2].startswith("python:")  # with pip and venv in /usr/local
+    lines = (*python.pip, *python.pip_guessed, *python.first, *python.python2)
+    needs = ["ca-certificates", "git"] if any("git+" in line for line in lines) else []
     if python.manager == "conda":
         needs.append("ca-certificates")
-    if not own_python and (python.manager == "venv" or config.notebook):
+    if not own_python and (python.manager == "venv" or notebook):
         needs += ["ca-certificates", "python3", "python3-venv"]
     if not own_python and python.manager == "system" and (lines or python.requirements or python.projects):
         needs.append("python-pip" if (python.version or "").startswith("2") else "python3-pip")
-    if python.python2:
-        needs += packages("python2", decision.ubuntu)
-    return needs
+    return needs + list(packages("python2", decision.ubuntu) if python.python2 else ())
 
 
 def _ros_tools(decision: Decision, in_workspace: tuple[Source, ...]) -> list[str]:

@@ -75,20 +75,13 @@ def decide_sources(
     for git in evidence.sources:
         if git.kind == "vcs" and git.file in files and not _is(git, itself):
             chosen.add(git, f"{git.file} lists it")
+    known = released(ros_distro or "") | own
     wanted = _wanted(needed)
-    elsewhere = released(ros_distro or "") | rosdep_keys() | own
     for git in _clones(evidence, ros_distro):
-        if _is(git, itself) or _plain(git.name) in own:
-            continue
-        asked = _asked(git, wanted, released(ros_distro or "") | own)
-        if asked is None:
-            continue
-        new = chosen.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
-        if new and asked.namespace == "rosdep" and asked.name in elsewhere:
-            message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
-            more = "the package of that name that rosdep knows may be another one: the clone is used"
-            chosen.warnings.append(warn(f"{message}; {more}", asked))
-    chosen.known(needed, elsewhere, 1 if kind == "ros1" else 2, ros_distro or "")
+        asked = None if _is(git, itself) or _plain(git.name) in own else _asked(git, wanted, known)
+        if asked is not None:
+            chosen.clone(git, asked, known | rosdep_keys())
+    chosen.known(needed, known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
     return chosen.choice(files)
 
 
@@ -123,6 +116,14 @@ class _Chosen:
         for index, source in enumerate(config.source):
             self.sources[source.name] = source
             self.reasons.append(configured(config, "source", source.name, f"source.{index}"))
+
+    def clone(self, git: GitSource, asked: Dependency, elsewhere: frozenset[str]) -> None:
+        """Take what a page or a manifest clones; warn where rosdep has a package of that name too."""
+        new = self.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
+        if new and asked.namespace == "rosdep" and asked.name in elsewhere:
+            message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
+            more = "the package of that name that rosdep knows may be another one: the clone is used"
+            self.warnings.append(warn(f"{message}; {more}", asked))
 
     def submodules(self, evidence: Evidence) -> None:
         """Note the submodules: they come with the checkout, not with the image."""
@@ -252,19 +253,18 @@ def _vcs_files(evidence: Evidence, config: Config, ros_distro: str | None) -> tu
     files = list(dict.fromkeys(source.file for source in evidence.sources if source.kind == "vcs"))
     distinct = [(file, _distros(file.rpartition("/")[2])) for file in files]
     named = [file for file, words in distinct if ros_distro in words]
-    plain = [file for file, words in distinct if not words]
-    candidates = named or plain
-    if any("not-released" in file for file in candidates):
-        candidates = [file for file in candidates if "not-released" in file]
-    https_only = [file for file in candidates if not _EXTRA.search(file.rpartition("/")[2])]
-    candidates = https_only or [file for file in candidates if "ssh" not in file] or candidates
+    plainest = _plainest(named or [file for file, words in distinct if not words])
     said = {m.value for m in evidence.mentions if m.topic == "vcs_file" and m.source == "readme"}
-    candidates = [file for file in candidates if file.rpartition("/")[2].lower() in said] or candidates
-    if not candidates:
-        return ()
-    depth = min(file.count("/") for file in candidates)
-    nearest = [file for file in candidates if file.count("/") == depth]
-    return tuple(nearest)
+    plainest = [file for file in plainest if file.rpartition("/")[2].lower() in said] or plainest
+    nearest = min((file.count("/") for file in plainest), default=0)
+    return tuple(file for file in plainest if file.count("/") == nearest)
+
+
+def _plainest(files: list[str]) -> list[str]:
+    """Return the lists of what no distribution released, where there are some, without those for tests or tools."""
+    files = [file for file in files if "not-released" in file] or files
+    plain = [file for file in files if not _EXTRA.search(file.rpartition("/")[2])]
+    return plain or [file for file in files if "ssh" not in file] or files
 
 
 def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]]) -> Choice[Sources]:

@@ -16,6 +16,10 @@ RosVersion = Literal[1, 2]
 _ASSET = re.compile(r"(?:^|/)(?:assets?|data|resources?|urdfs?|meshes|models)(?:/|$)", re.IGNORECASE)
 """Folders of robot descriptions: a package there is read by a program, not built with it."""
 
+_CATKIN = frozenset({"catkin", "catkin_simple", "roscpp", "rospy"})
+_AMENT = frozenset({"ament_cmake", "ament_python", "ament_cmake_auto", "ament_cmake_ros", "rosidl_default_generators"})
+"""Who is built with one of these is built by catkin or by ament, whatever its build type says."""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Packages:
@@ -40,6 +44,7 @@ def packages_of(evidence: Evidence) -> Packages:
 
 @cache
 def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], python: tuple[str, ...]) -> Packages:
+    """Sort the manifests; ``cmake`` are the CMakeLists.txt, ``python`` the folders that Python's tools can install."""
     built: list[PackageManifest] = []
     assets: list[PackageManifest] = []
     left_out: list[PackageManifest] = []
@@ -89,32 +94,37 @@ def types(manifest: PackageManifest, ros: RosVersion | None = None) -> frozenset
 
 
 def ros_versions(manifest: PackageManifest, macros: tuple[str, ...] = ()) -> frozenset[int]:
-    """Return the ROS versions that a package is made for; none for plain CMake."""
+    """Return the ROS versions that a package is made for; none for plain CMake.
+
+    ``macros`` are the families that its CMakeLists.txt calls. A package for both that has no condition is ament's.
+    """
     found = set()
-    for version, family, tools in (
-        (1, "catkin", ("catkin",)),
-        (
-            2,
-            "ament",
-            ("ament_cmake", "ament_python", "ament_cmake_auto", "ament_cmake_ros", "rosidl_default_generators"),
-        ),
-    ):
-        names = types(manifest, 1 if version == 1 else 2)
-        needs = {
-            d.name
-            for d in manifest.dependencies
-            if holds(d.condition, {"ROS_VERSION": str(version)}) and d.role in {"buildtool", "build"}
-        }
-        said = any(name.startswith(family) for name in names)
-        if (
-            family == "catkin"
-            and said
-            and manifest.build_types == (("catkin", None),)
-            and not (needs & {"catkin", "catkin_simple", "roscpp", "rospy"})
-        ):
-            said = "catkin" in macros  # nothing is said: catkin is only the standard's default
-        if said or (needs & set(tools) and not names - {"catkin"} and family == "ament"):
-            found.add(version)
-    if 1 in found and 2 in found and not any(condition for _, condition in manifest.build_types):
+    if _for_catkin(manifest, macros):
+        found.add(1)
+    if _for_ament(manifest):
+        found.add(2)
+    if len(found) == 2 and not any(condition for _, condition in manifest.build_types):
         found.discard(1)
     return frozenset(found)
+
+
+def _for_catkin(manifest: PackageManifest, macros: tuple[str, ...]) -> bool:
+    if not any(name.startswith("catkin") for name in types(manifest, 1)):
+        return False
+    if manifest.build_types != (("catkin", None),) or _built_with(manifest, 1) & _CATKIN:
+        return True
+    return "catkin" in macros  # the file says nothing: catkin is only the standard's default
+
+
+def _for_ament(manifest: PackageManifest) -> bool:
+    names = types(manifest, 2)
+    if any(name.startswith("ament") for name in names):
+        return True
+    return bool(_built_with(manifest, 2) & _AMENT) and not names - {"catkin"}
+
+
+def _built_with(manifest: PackageManifest, ros: RosVersion) -> set[str]:
+    """Return the names that a package needs to be built under a version of ROS."""
+    variables = {"ROS_VERSION": str(ros)}
+    needs = (d for d in manifest.dependencies if d.role in {"buildtool", "build"})
+    return {d.name for d in needs if holds(d.condition, variables)}
