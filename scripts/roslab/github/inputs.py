@@ -44,6 +44,7 @@ class Inputs:
 
     config: Named | None = None
     image: str | None = None
+    """NAME or OWNER/NAME, in lower case."""
     push: Push = "auto"
     registry: str = "ghcr.io"
     username: str = ""
@@ -76,8 +77,9 @@ def read(environment: Mapping[str, str]) -> Inputs:
     if not HOST.fullmatch(registry):
         hint = "write a host such as ghcr.io or registry.example.org:5000, without https://"
         problems.append(_wrong("registry", f"{printable(registry)!r} is no registry", hint))
-    runners, wrong = _runners(said.get("runners") or RUNNERS)
-    problems += wrong
+    image, wrong_image = _image(said["image"], registry) if said.get("image") else (None, [])
+    runners, wrong_runners = _runners(said.get("runners") or RUNNERS)
+    problems += [*wrong_image, *wrong_runners]
     overrides = tuple(
         Override(key=key, text=text, origin=Input(name=name))
         for name, key in SETTINGS.items()
@@ -87,7 +89,7 @@ def read(environment: Mapping[str, str]) -> Inputs:
         raise ConfigurationError(*problems, *problems_of(overrides))
     return Inputs(
         config=Named(path=path, origin=Input(name="config")) if (path := said.get("config")) else None,
-        image=said.get("image") or None,
+        image=image,
         push=cast("Push", push),
         registry=registry,
         username=said.get("username", ""),
@@ -103,6 +105,21 @@ def _one_of(name: str, value: str, allowed: tuple[str, ...]) -> Problem:
 
 def _wrong(name: str, message: str, hint: str) -> Problem:
     return Problem(message=message, hint=hint, origin=Input(name=name))
+
+
+def _image(said: str, registry: str) -> tuple[str, list[Problem]]:
+    """Return the input ``image`` as NAME or OWNER/NAME, and what is wrong with it."""
+    path = said.lower()
+    host, slash, rest = path.partition("/")
+    if slash and ("." in host or ":" in host or host == "localhost"):
+        if host != registry:
+            hint = f"set the input registry to {printable(host)}, or leave the host out of the image"
+            return path, [_wrong("image", f"{printable(path)!r} is not on {printable(registry)}", hint)]
+        path = rest
+    if not all(COMPONENT.fullmatch(part) for part in path.split("/")):
+        hint = "write NAME or OWNER/NAME without a tag: the tags follow from the event"
+        return path, [_wrong("image", f"{printable(said)!r} is no image name", hint)]
+    return path, []
 
 
 def _runners(text: str) -> tuple[tuple[tuple[str, str], ...], list[Problem]]:
@@ -126,20 +143,7 @@ def runner(platform: str, runners: tuple[tuple[str, str], ...]) -> str:
 def image(inputs: Inputs, *, owner: str, name: str) -> str:
     """Return the image's full name without a tag, ``ghcr.io/owner/name``, in lower case as registries demand.
 
-    ``owner`` is the repository's, ``name`` the plan's. Raises ``ConfigurationError`` where the input is no image name.
+    ``owner`` is the repository's, ``name`` the plan's.
     """
-    owner = image_name(owner)
-    if not inputs.image:
-        return f"{inputs.registry}/{owner}/{name}"
-    path = inputs.image.lower()
-    host, slash, rest = path.partition("/")
-    if slash and ("." in host or ":" in host or host == "localhost"):
-        if host != inputs.registry:
-            hint = f"set the input registry to {host}, or leave the host out of the image"
-            raise ConfigurationError(_wrong("image", f"{printable(path)!r} is not on {inputs.registry}", hint))
-        path = rest
-    path = path if "/" in path else f"{owner}/{path}"
-    if not all(COMPONENT.fullmatch(part) for part in path.split("/")):
-        hint = "write NAME or OWNER/NAME without a tag: the tags follow from the event"
-        raise ConfigurationError(_wrong("image", f"{printable(inputs.image)!r} is no image name", hint))
-    return f"{inputs.registry}/{path}"
+    path = inputs.image or name
+    return f"{inputs.registry}/{path if '/' in path else f'{image_name(owner)}/{path}'}"

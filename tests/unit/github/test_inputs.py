@@ -37,10 +37,18 @@ def test_what_roslab_yaml_could_say() -> None:
 
 def test_every_mistake_at_once() -> None:
     with pytest.raises(ConfigurationError) as caught:
-        read(push="yes", cache="gha", registry="https://ghcr.io", platforms="amd64", distro="jazzi", runners="arm64")
+        read(
+            push="yes",
+            cache="gha",
+            registry="https://ghcr.io",
+            platforms="amd64",
+            distro="jazzi",
+            runners="arm64",
+            image="a b",
+        )
     said = [str(problem) for problem in caught.value.problems]
-    assert len(said) == 6
-    for name in ("push", "cache", "registry", "platforms", "distro", "runners"):
+    assert len(said) == 7
+    for name in ("push", "cache", "registry", "platforms", "distro", "runners", "image"):
         assert sum(f"input {name}: " in line for line in said) == 1, said
     assert any("did you mean `jazzy`" in line for line in said)
 
