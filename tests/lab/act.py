@@ -82,6 +82,10 @@ def run_workflow(
     tell: Callable[[str], None] | None = None,
     place: Path | None = None,
     unmasked: bool = False,
+    artifacts: Path | None = None,
+    attempt: int = 1,
+    matrix: str | None = None,
+    github: Mapping[str, Any] | None = None,
 ) -> Result:
     """Run the caller's workflows for an event in a throw-away copy and return what came of it.
 
@@ -89,35 +93,43 @@ def run_workflow(
     `tell` is given each line as it comes;
     `place` is where it runs, and stays there afterwards; `unmasked` has act log secrets as they are, for a search;
     `inputs` are those of workflow_dispatch; `actions_dir` holds copies of real actions in folders OWNER__NAME.
+    `attempt` above 1 is a run that is started again over the `artifacts` of an earlier attempt, a folder, and `matrix`
+    (KEY:VALUE) narrows its matrix, as "re-run failed jobs" does; `github` is what GitHub's API says: `heads`, commits of
+    branches (unless said, the event's branch is where it is built), and `tags`, names of git tags.
     The caller's folder and the user's home are not touched. Raises LabError when an action has no stand-in.
     """
     payload = _payload(event_payload or {})
     branch = str(payload["repository"]["default_branch"])
     with (
         _folder(place) as name,
-        api_stub({"default_branch": branch}) as api,
-        artifact_door(server := f"127.0.0.1:{_free_port()}") as artifacts,
+        api_stub(known := {"default_branch": branch, "heads": {}, **(github or {})}) as api,
+        artifact_door(server := f"127.0.0.1:{_free_port()}") as service,
     ):
         place = Path(name)
         copy = caller.prepare(caller_dir, place / "caller", payload)
+        ref = str(payload.get("ref") or f"refs/heads/{branch}")
+        if "heads" not in (github or {}) and ref.startswith("refs/heads/"):
+            known["heads"] = {ref.removeprefix("refs/heads/"): caller.commit(copy)}
         event_file = place / "event.json"
         event_file.write_text(json.dumps(payload))
-        environment = {**_environment(lab, place), "ACTIONS_RUNTIME_URL": artifacts}
+        environment = {**_environment(lab, place), "ACTIONS_RUNTIME_URL": service}
         steps = {
             "GITHUB_API_URL": api,
             # As on runners of their own: a job that ends logs out, while another still needs its login
             "DOCKER_CONFIG": "${{ runner.temp }}/docker-config",
             "REPRO_LAB_SOURCE": str(CHECKOUT),
             "REPRO_LAB_BUILDKIT": lab.buildkit,
-            "REPRO_LAB_ARTIFACTS": str(place / "artifacts"),
+            "REPRO_LAB_ARTIFACTS": str((artifacts or place) / "artifacts"),
+            "GITHUB_RUN_ATTEMPT": str(attempt),
             "DOCKER_BUILD_SUMMARY": "false",
             "DOCKER_BUILD_RECORD_UPLOAD": "false",
             **(env or {}),
         }
         command = [str(lab.act), event, "--json", "-C", str(copy), "-e", str(event_file)]
         command += ["--defaultbranch", branch, "--actor", payload["sender"]["login"]]
-        command += [*_host_labels(), *_offline(place, server)]
+        command += [*_host_labels(), *_offline(artifacts or place, server)]
         command += ["--insecure-secrets"] if unmasked else []
+        command += ["--matrix", matrix] if matrix else []
         for job in jobs or ():
             command += ["--job", job]
         if workflow:
@@ -176,7 +188,7 @@ def _free_port() -> int:
 
 def _offline(place: Path, server: str) -> list[str]:
     kept = place / "act-artifacts"
-    (kept / "1").mkdir(parents=True)  # of the run: act's server cannot list what was never begun
+    (kept / "1").mkdir(parents=True, exist_ok=True)  # of the run: act's server cannot list what was never begun
     port = server.partition(":")[2]
     artifacts = ["--artifact-server-path", str(kept), "--artifact-server-port", port]
     servers = ["--artifact-server-addr", "127.0.0.1", "--cache-server-addr", "127.0.0.1", "--no-cache-server"]

@@ -1,4 +1,4 @@
-"""A stand-in for GitHub's API on the loopback: the few answers that docker/metadata-action asks for."""
+"""A stand-in for GitHub's API on the loopback: what docker/metadata-action and the step that moves tags ask for."""
 
 from __future__ import annotations
 
@@ -9,13 +9,19 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
+from urllib.parse import unquote
 
 REPOSITORY = re.compile(r"/repos/([^/]+/[^/]+)$")
+HEAD = re.compile(r"/repos/[^/]+/[^/]+/git/ref/heads/(.+)$")
+TAGS = re.compile(r"/repos/[^/]+/[^/]+/git/matching-refs/tags/(.*)$")
 COMMIT = re.compile(r"/repos/([^/]+/[^/]+)/commits/([0-9a-f]{7,40})$")
 
 
-def answer(path: str, repository: dict[str, Any]) -> dict[str, Any] | None:
-    """Return what the API would say to a GET of this path, None for what the stand-in does not know."""
+def answer(path: str, repository: dict[str, Any]) -> Any:
+    """Return what the API would say to a GET of this path, None for what the stand-in does not know.
+
+    ``heads`` and ``tags`` of the repository are the commits of its branches and the names of its git tags.
+    """
     if found := REPOSITORY.match(path):
         name = found[1]
         facts = {
@@ -28,6 +34,11 @@ def answer(path: str, repository: dict[str, Any]) -> dict[str, Any] | None:
             "license": {"spdx_id": "MIT"},
         }
         return {**facts, **repository}
+    if found := HEAD.match(path):
+        sha = repository.get("heads", {}).get(unquote(found[1]))
+        return {"ref": f"refs/heads/{found[1]}", "object": {"type": "commit", "sha": sha}} if sha else None
+    if found := TAGS.match(path):
+        return [{"ref": f"refs/tags/{name}"} for name in repository.get("tags", ()) if name.startswith(found[1])]
     if found := COMMIT.match(path):
         return {"sha": found[2], "commit": {"committer": {"date": "2026-01-01T00:00:00Z"}}}
     return None
@@ -40,7 +51,7 @@ def api_stub(repository: dict[str, Any] | None = None) -> Iterator[str]:
     class Handler(BaseHTTPRequestHandler):
         def do_GET(self) -> None:
             said = answer(self.path.partition("?")[0], repository or {})
-            body = json.dumps(said or {"message": "the lab's stand-in does not know this"}).encode()
+            body = json.dumps({"message": "the lab's stand-in does not know this"} if said is None else said).encode()
             self.send_response(404 if said is None else 200)
             self.send_header("Content-Type", "application/json")
             self.send_header("Content-Length", str(len(body)))

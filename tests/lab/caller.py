@@ -51,6 +51,11 @@ def prepare(source: Path, place: Path, payload: dict[str, Any]) -> Path:
     return place
 
 
+def commit(place: Path) -> str:
+    """Return the commit of a prepared caller."""
+    return run(["git", "-C", place, "rev-parse", "HEAD"]).strip()
+
+
 def moved(path: str) -> str:
     """Return the path below the throw-away caller under which a workflow of the caller's is found."""
     if path not in nested_workflows():

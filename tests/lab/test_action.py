@@ -42,7 +42,7 @@ def test_a_push_leaves_its_tags_on_one_proved_index(lab: Laboratory, tmp_path: P
     platforms = {entry["platform"]["architecture"] for entry in index["manifests"]}
     assert platforms - {"unknown"} == {"amd64", "arm64"}
     # The proof ran on both machines, after the push and before the tags
-    prove, tag = ran.log.index("Prove the image"), ran.log.index("Put the tags")
+    prove, tag = ran.log.index("Prove the image"), ran.log.index("Put the proved image")
     assert "x86_64" in ran.log[prove:tag]
     assert "aarch64" in ran.log[prove:tag]
     assert f"Published as `{lab.registry}/{repository}:main`" in ran.summary
@@ -68,7 +68,7 @@ def test_a_pull_request_builds_and_proves_and_publishes_nothing(
     assert registry.tags(repository) == ()
     assert repository not in registry.repositories()
     assert "Main Log in" not in ran.log
-    assert "Main Put the tags" not in ran.log
+    assert "Main Move the tags" not in ran.log
     assert "::warning::`push: true` is ignored" in ran.log
     assert "x86_64" in ran.log
     assert "aarch64" in ran.log

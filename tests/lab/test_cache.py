@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -56,4 +57,4 @@ def test_the_second_of_two_pushes(lab: Laboratory, tmp_path: Path, door: str, ca
     assert len(executed) == (0 if cache == "registry" else 2 * RUNS), executed
     parts = {"action": ["all"], "image": ["linux-amd64", "linux-arm64"]}[door] if cache == "registry" else []
     caches = [tag for tag in registry.tags(f"{doors.OWNER}/{name}") if tag.startswith("buildcache-")]
-    assert caches == [f"buildcache-main-{part}" for part in parts]
+    assert [re.sub("-[0-9a-f]{8}-", "-", name) for name in caches] == [f"buildcache-main-{part}" for part in parts]

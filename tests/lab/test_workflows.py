@@ -80,7 +80,7 @@ def test_a_pull_request_publishes_nothing(lab: Laboratory, tmp_path: Path, repos
     assert ran.exit_code == 0, ran.log
     assert repository not in registry.repositories()
     assert "Main Log in" not in ran.log
-    assert "Main Put the tags" not in ran.log
+    assert "Main Move the tags" not in ran.log
     assert proved(ran) == {"x86_64", "aarch64"}
     assert "Built and proved, not published" in ran.summary
 
@@ -129,7 +129,7 @@ def test_one_platform_that_fails_keeps_every_tag(  # noqa: PLR0917 - fixtures
     assert ran.exit_code != 0
     assert doors.tags(repository) == before
     assert [error for error in doors.errors(ran) if said in error], doors.errors(ran)
-    assert "Main Put the tags" not in ran.log
+    assert "Main Move the tags" not in ran.log
     assert said in ran.summary
     assert "No tag was made or moved." in ran.summary
 

@@ -128,7 +128,7 @@ def test_a_runner_that_does_not_say_what_it_runs_is_told_so(
 
 
 TOKEN = re.compile(r"github\.token|secrets\.GITHUB_TOKEN")
-API = re.compile(r"^\s*(?:GITHUB_API_TOKEN|ROSLAB_SOURCE_TOKEN): ")
+API = re.compile(r"^\s*(?:ROSLAB_GITHUB_TOKEN|ROSLAB_SOURCE_TOKEN): ")
 """Settings that send it to GitHub itself: its API, and its repositories."""
 
 

@@ -10,8 +10,9 @@ import pytest
 from roslab.errors import NothingToBuildError
 from roslab.pipeline import plan_repository
 from roslab.plan.plan import to_json
+from roslab.render.outcome import Report
 from roslab.render.report import inspection_json, inspection_text
-from roslab.render.summary import Report, summary
+from roslab.render.summary import summary
 from roslab.repository import checkout
 from roslab.repository.checkout import Repository
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import random
 import re
@@ -126,21 +127,38 @@ def _image(
 def _histories(image: str, digest: str, platform: str) -> dict[str, list[str]]:
     """Return the instructions that made the layers, by platform; instructions without a layer are left out.
 
-    buildx gives the configurations of an index as one object by platform, and a single one, ``platform``'s, as itself.
+    ``platform`` is that of a single image, whose configuration may not say it as its index does.
+    """
+    try:
+        found = configurations(image, digest)
+    except BuildError:
+        return {}
+    if platform and len(found) == 1:
+        found = {platform: next(iter(found.values()))}
+    return {
+        name: [str(e.get("created_by", "")) for e in entry.get("history", []) if not e.get("empty_layer")]
+        for name, entry in found.items()
+    }
+
+
+def configurations(image: str, digest: str) -> dict[str, dict[str, Any]]:
+    """Return the configuration of each image that an index or a manifest holds, by its platform.
+
+    https://github.com/opencontainers/image-spec/blob/main/config.md. Raises ``BuildError`` where the registry does not
+    give them.
     """
     command = ["docker", "buildx", "imagetools", "inspect", f"{image}@{digest}", "--format", "{{json .Image}}"]
     answer = with_retries(lambda: output(command))
     try:
-        data: Any = json.loads(answer.stdout) if answer.returncode == 0 else {}
+        data: Any = json.loads(answer.stdout) if answer.returncode == 0 else None
     except ValueError:
-        data = {}
-    data = data if isinstance(data, dict) else {}
-    configurations = {platform: data} if "history" in data else data
-    return {
-        name: [str(e.get("created_by", "")) for e in entry.get("history", []) if not e.get("empty_layer")]
-        for name, entry in configurations.items()
-        if isinstance(entry, dict)
-    }
+        data = None
+    if not isinstance(data, dict):
+        said = last_line(answer.stderr)
+        raise BuildError(Problem(message=f"the registry does not give the configuration of {image}@{digest}: {said}"))
+    # buildx gives those of an index as one object by platform, and a single one as itself
+    entries = [data] if "architecture" in data else [entry for entry in data.values() if isinstance(entry, dict)]
+    return {platform_name(entry): entry for entry in entries}
 
 
 def base_layers(reference: str, platform: str) -> frozenset[str]:
@@ -183,18 +201,28 @@ def pull(reference: str, platform: str) -> None:
         raise BuildError(Problem(message=f"cannot pull {reference} for {platform}: {last_line(answer.stderr)}"))
 
 
-def create_tags(image: str, digests: Sequence[str], tags: Sequence[str]) -> str:
-    """Put tags on one index of the given images and return its digest.
+def create_index(image: str, sources: Sequence[str], tag: str) -> str:
+    """Put one index of the given images under a tag and return its digest.
 
-    ``digests`` are indexes or manifests of ``image``; ``tags`` complete references. The index is written once, under
-    its first tag, and the other tags are then put on that very digest.
+    ``sources`` are digests of indexes or manifests of ``image``; ``tag`` is a complete reference. The digest is that of
+    what is written, not of what the tag names a moment later: another run may write the same tag.
     Raises ``BuildError`` where the registry refuses, with what it said.
     """
-    _create(tags[:1], [f"{image}@{digest}" for digest in digests])
-    digest = _digest(tags[0])
-    if tags[1:]:
-        _create(tags[1:], [f"{image}@{digest}"])
+    references = [f"{image}@{source}" for source in sources]
+    command = ["docker", "buildx", "imagetools", "create", "--dry-run", "--tag", tag, *references]
+    answer = with_retries(lambda: output(command, timeout=600.0))
+    if answer.returncode:
+        raise BuildError(Problem(message=f"no index can be made of {', '.join(sources)}: {last_line(answer.stderr)}"))
+    digest = "sha256:" + hashlib.sha256(answer.stdout.removesuffix("\n").encode()).hexdigest()
+    _create([tag], references)
+    _inspect(f"{image}@{digest}")
     return digest
+
+
+def put_tags(image: str, digest: str, tags: Sequence[str]) -> None:
+    """Put tags, complete references, on an index that is there. Raises ``BuildError`` where the registry refuses."""
+    if tags:
+        _create(tags, [f"{image}@{digest}"])
 
 
 def _create(tags: Sequence[str], sources: Sequence[str]) -> None:
@@ -204,13 +232,3 @@ def _create(tags: Sequence[str], sources: Sequence[str]) -> None:
     if answer.returncode:
         names = ", ".join(tag.rpartition(":")[2] for tag in tags)
         raise BuildError(Problem(message=f"the tags {names} were not made: {last_line(answer.stderr)}"))
-
-
-def _digest(reference: str) -> str:
-    command = ["docker", "buildx", "imagetools", "inspect", reference, "--format", "{{json .Manifest}}"]
-    answer = with_retries(lambda: output(command))
-    match = re.search(r'"digest":\s*"(sha256:[0-9a-f]{64})"', answer.stdout)
-    if answer.returncode or not match:
-        said = last_line(answer.stderr)
-        raise BuildError(Problem(message=f"the registry does not give the digest of {reference}: {said}"))
-    return match[1]

@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Mapping
 
 from roslab.errors import RoslabError
-from roslab.github import proving, steps, workflow
+from roslab.github import kept, proving, publishing, steps, workflow
 from roslab.github.run import Folder
 
 STEPS: Mapping[str, tuple[str, Callable[[Mapping[str, str]], None]]] = {
@@ -20,7 +20,8 @@ STEPS: Mapping[str, tuple[str, Callable[[Mapping[str, str]], None]]] = {
     "dockerfile": ("Write the Dockerfile and the settings of the build.", steps.dockerfile),
     "explain": ("Say in plain words why the build failed.", steps.explain),
     "prove": ("Run the image on its platforms.", proving.prove),
-    "tag": ("Put the tags on the proved images.", steps.tag),
+    "index": ("Put the proved images under their commit's tag.", publishing.index),
+    "tag": ("Move the other tags to the proved images.", publishing.tag),
     "summary": ("Write the job's summary.", steps.summary),
 }
 
@@ -46,13 +47,11 @@ def run(options: argparse.Namespace) -> int:
 
 def _keep(step: str, error: RoslabError) -> None:
     """Keep a failure for the step that writes the summary; where no run exists yet, this is the summary."""
-    lines = "".join(f"{' '.join(str(problem).split())}\n" for problem in error.problems)
+    lines = [" ".join(str(problem).split()) for problem in error.problems]
     try:
         folder = Folder.of(os.environ)
     except RoslabError:
         if step != "summary":
-            workflow.summary(steps.nothing_built(lines.splitlines()), os.environ)
+            workflow.summary(steps.nothing_built(lines), os.environ)
         return
-    folder.artifact.mkdir(exist_ok=True)
-    with (folder.artifact / "failures.txt").open("a", encoding="utf-8") as stream:
-        stream.write(lines)
+    kept.fail(folder.artifact, lines)

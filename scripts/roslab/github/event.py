@@ -17,6 +17,9 @@ PRIVILEGED = ("pull_request_target", "workflow_run")
 """Events that hold the repository's rights while the code may be a stranger's.
 https://docs.github.com/en/actions/reference/security/securely-using-pull_request_target"""
 
+QUEUE = "refs/heads/gh-readonly-queue/"
+"""https://docs.github.com/en/repositories/configuring-branches-and-merges-in-your-repository/configuring-pull-request-merges/managing-a-merge-queue"""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Event:
@@ -41,7 +44,8 @@ class Event:
     """The code is only proposed: a pull request or something that follows one."""
     head: str | None = None
     """Repository that the code of a pull request comes from, ``None`` where it is gone or there is none."""
-    public: bool = True
+    public: bool = False
+    """The repository is known to be public."""
     signing: bool = False
     """The caller granted ``id-token: write``."""
     act: bool = False
@@ -60,6 +64,11 @@ class Event:
     def tag(self) -> str | None:
         """Name of the git tag that is built, ``None`` for anything else."""
         return self.ref.removeprefix("refs/tags/") if self.ref.startswith("refs/tags/") else None
+
+    @property
+    def queued(self) -> bool:
+        """The code waits in a merge queue, whose branches fire ``push`` too: it is not merged yet."""
+        return self.name == "merge_group" or self.ref.startswith(QUEUE)
 
     @property
     def foreign(self) -> bool:
@@ -101,7 +110,7 @@ def read(environment: Mapping[str, str]) -> Event:
         repository=repository,
         ref=environment.get("GITHUB_REF", ""),
         sha=environment.get("GITHUB_SHA", ""),
-        default_branch=_text(payload, "repository", "default_branch") or "main",
+        default_branch=_default_branch(name, payload, environment.get("GITHUB_REF", "")),
         server=environment.get("GITHUB_SERVER_URL") or "https://github.com",
         actor=environment.get("GITHUB_ACTOR", ""),
         run=environment.get("GITHUB_RUN_ID", ""),
@@ -109,7 +118,7 @@ def read(environment: Mapping[str, str]) -> Event:
         base_branch=environment.get("GITHUB_BASE_REF") or _text(payload, "pull_request", "base", "ref"),
         proposed=pull_request,
         head=head,
-        public=_get(payload, "repository", "private") is not True,
+        public=_get(payload, "repository", "private") is False,
         signing=bool(environment.get("ACTIONS_ID_TOKEN_REQUEST_URL")),
         act=environment.get("ACT") == "true",
     )
@@ -134,6 +143,15 @@ def _payload(path: str | None) -> dict[str, Any]:
             Problem(message=f"cannot read the event that GITHUB_EVENT_PATH names: {error}")
         ) from None
     return data if isinstance(data, dict) else {}
+
+
+def _default_branch(name: str, payload: Mapping[str, Any], ref: str) -> str:
+    """Return the default branch; a schedule runs on no other, and its event may say nothing of the repository.
+
+    https://docs.github.com/en/actions/reference/workflows-and-actions/events-that-trigger-workflows#schedule
+    """
+    said = _text(payload, "repository", "default_branch")
+    return said or (ref.removeprefix("refs/heads/") if name == "schedule" else "") or "main"
 
 
 def _origin(name: str, payload: Mapping[str, Any]) -> tuple[bool, str | None]:
@@ -162,9 +180,9 @@ def _text(payload: Mapping[str, Any], *keys: str) -> str:
 
 def publication(event: Event, wish: Push) -> Publication:
     """Decide whether the run publishes; nobody's wish makes a pull request publish."""
-    if event.proposed or event.name == "merge_group":
+    if event.proposed or event.queued:
         what = "a pull request from a fork" if event.foreign and event.head else "a pull request"
-        what = "a merge queue" if event.name == "merge_group" else what
+        what = "a merge queue" if event.queued else what
         reason = f"{what} builds and proves the image and publishes nothing"
         return Publication(
             push=False, reason=reason, warning=f"`push: true` is ignored: {reason}" if wish == "true" else None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -35,6 +36,8 @@ RUNNERS = "linux/amd64=ubuntu-24.04\nlinux/arm64=ubuntu-24.04-arm\nlinux/arm=ubu
 HOST = re.compile(r"(?:[a-z0-9](?:[a-z0-9.-]*[a-z0-9])?|\[[0-9a-f:]+\])(?::\d{1,5})?", re.IGNORECASE)
 COMPONENT = re.compile(r"[a-z0-9]+(?:(?:\.|_|__|-+)[a-z0-9]+)*")
 """https://github.com/distribution/reference/blob/main/regexp.go"""
+VARIANT = ("config", "kind", "distro", "build-tool", "cuda", "python")
+"""Inputs by which one image may be built in several ways, each with a cache and artifacts of its own."""
 LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}")
 
 
@@ -53,6 +56,8 @@ class Inputs:
     """What the inputs say for keys of roslab.yaml: validated with it, so that every mistake of both is told at once."""
     runners: tuple[tuple[str, str], ...] = ()
     """Platforms (or the beginning of their names) and the label of the runner that builds them."""
+    variant: str = ""
+    """What tells this call from others for the same image."""
 
 
 def read(environment: Mapping[str, str]) -> Inputs:
@@ -96,6 +101,7 @@ def read(environment: Mapping[str, str]) -> Inputs:
         cache=cast("Cache", cache),
         overrides=overrides,
         runners=runners,
+        variant=json.dumps({name: said[name] for name in VARIANT if said.get(name)}),
     )
 
 

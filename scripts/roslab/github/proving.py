@@ -14,8 +14,8 @@ from roslab.github import screen, workflow
 from roslab.github.run import Folder, Run, slug
 from roslab.plan.proof import describe
 from roslab.prove import containers
+from roslab.render.outcome import PlatformReport, ProofReport
 from roslab.render.sizes import LayerSize
-from roslab.render.summary import PlatformReport, ProofReport
 
 OUTPUT_LINES = 200
 """Of a proof's output, kept for the summary."""

@@ -6,19 +6,25 @@ import json
 from pathlib import Path
 from urllib.parse import quote
 
-from roslab.github import run as runs
+from roslab.errors import ConfigurationError
+from roslab.github import kept
 from roslab.github.event import Event
 from roslab.github.run import Folder, Run
 from roslab.render.markdown import code
-from roslab.render.summary import Report, platforms_of
+from roslab.render.outcome import Report, platforms_of
 
 
 def collect(folder: Folder, reports: Path, event: Event) -> Report:
     """Return the report; ``reports`` is the folder that holds every platform's."""
     run = folder.run
     published = json.loads(folder.read("published.json") or "{}")
-    failures = tuple(dict.fromkeys([*_failures(reports), *_failures(folder.artifact)]))
-    platforms = platforms_of(runs.reports(reports) if reports.is_dir() else (), run.plan)
+    own = kept.gather(folder.artifact)
+    try:
+        jobs = kept.gather(reports)
+    except ConfigurationError:  # an earlier step has told of it
+        jobs = ()
+    failures = tuple(dict.fromkeys(line for job in (*jobs, *own) for line in job.failures))
+    platforms = platforms_of(kept.reports(jobs), run.plan)
     if not published and not failures and (run.push or not platforms):
         failures = ("the run stopped early: the failed step's log says why",)
     return Report(
@@ -33,11 +39,6 @@ def collect(folder: Folder, reports: Path, event: Event) -> Report:
         notes=_visibility(run, event, public=published.get("public")) if published else (),
         badge=_badge(run, event),
     )
-
-
-def _failures(folder: Path) -> list[str]:
-    files = sorted(folder.rglob("failures.txt")) if folder.is_dir() else []
-    return [line for file in files for line in file.read_text(encoding="utf-8").splitlines() if line]
 
 
 def _visibility(run: Run, event: Event, *, public: bool | None) -> tuple[str, ...]:

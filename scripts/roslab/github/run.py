@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import dataclasses
+import hashlib
 import json
 import tempfile
 import zlib
@@ -15,7 +16,8 @@ from typing import Any
 from roslab.errors import ConfigurationError, Problem
 from roslab.github.inputs import Cache
 from roslab.plan.plan import Plan, from_json
-from roslab.render.summary import PlatformReport
+from roslab.render.outcome import PlatformReport
+from roslab.render.outcome import to_json as report_json
 
 PORTABLE = 100_000
 """Bytes: Linux gives one environment variable 128 KiB, and a step reads another job's output from one."""
@@ -34,6 +36,10 @@ class Run:
     push: bool
     reason: str
     cache: Cache
+    revision: str = ""
+    """Commit of the checkout that was planned for."""
+    variant: str = ""
+    """Tells one call for an image from another: two workflows may build it for two distributions."""
 
     @property
     def registry(self) -> str:
@@ -128,28 +134,19 @@ class Folder:
         """Keep what was built and proved for one platform."""
         self.artifact.mkdir(exist_ok=True)
         file = self.artifact / f"report-{slug(report.platform)}.json"
-        file.write_text(json.dumps(dataclasses.asdict(report), indent=2) + "\n", encoding="utf-8")
-
-
-def reports(folder: Path) -> tuple[PlatformReport, ...]:
-    """Return every platform's report that lies anywhere under a folder, the newest of a platform where there are two.
-
-    Raises ``ConfigurationError`` for a file that ``write_report`` did not write.
-    """
-    from cattrs import Converter  # noqa: PLC0415 - slow to import, and only the later steps read reports
-    from cattrs.errors import BaseValidationError  # noqa: PLC0415
-
-    converter = Converter(forbid_extra_keys=True)
-    found: dict[str, PlatformReport] = {}
-    for file in sorted(folder.rglob("report-*.json"), key=lambda path: path.stat().st_mtime):
-        try:
-            report = converter.structure(json.loads(file.read_text(encoding="utf-8")), PlatformReport)
-        except (ValueError, RecursionError, BaseValidationError) as error:
-            raise ConfigurationError(Problem(message=f"{file.name} is no report: {type(error).__name__}")) from None
-        found[report.platform] = report
-    return tuple(found.values())
+        file.write_text(report_json(report), encoding="utf-8")
 
 
 def slug(platform: str) -> str:
     """Return a platform as part of a file name: ``linux-arm-v7``."""
     return platform.replace("/", "-")
+
+
+def short(*values: str) -> str:
+    """Return eight letters that no other values share, for a name that may not hold the values as they are."""
+    return hashlib.sha256("\0".join(values).encode()).hexdigest()[:8]
+
+
+def reports_folder(folder: Folder, environment: Mapping[str, str]) -> Path:
+    """Return where the reports of every platform lie: ROSLAB_REPORTS of a job that fetched them, else the job's own."""
+    return Path(environment.get("ROSLAB_REPORTS") or folder.artifact)

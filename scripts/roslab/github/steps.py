@@ -7,10 +7,10 @@ import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from roslab.engine import credentials, registry
+from roslab.engine import credentials
 from roslab.engine import docker as engine
-from roslab.errors import BuildError, ConfigurationError, Problem
-from roslab.github import access, builder, cache, checkout, event, inputs, report, workflow
+from roslab.errors import BuildError, Problem
+from roslab.github import access, builder, cache, checkout, event, inputs, kept, report, workflow
 from roslab.github import run as runs
 from roslab.github import source as completion
 from roslab.github.labels import labels
@@ -19,7 +19,6 @@ from roslab.pipeline import plan_repository, write_plan
 from roslab.plan.answers import answers
 from roslab.plan.plan import to_json
 from roslab.render.markdown import prose
-from roslab.render.summary import platforms_of
 from roslab.render.summary import summary as render_summary
 from roslab.repository import git as commits
 from roslab.values.origin import Place
@@ -58,6 +57,8 @@ def plan(environment: Environment) -> None:
         push=publication.push,
         reason=publication.reason,
         cache=asked.cache,
+        revision=commits.head(_workspace(environment))[0] or what.sha,
+        variant=asked.variant,
     )
     for warning in planned.plan.warnings:
         origin = Place(file=warning.file, line=warning.line) if warning.file else None
@@ -68,7 +69,7 @@ def plan(environment: Environment) -> None:
     line = runs.to_line(run)
     folder.write("run", line)
     folder.write("plan.json", to_json(run.plan))
-    owned = image.partition("/")[2].replace("/", "-")
+    owned = f"{image.partition('/')[2].replace('/', '-')}-{runs.short(image, asked.variant)}"
     matrix = [
         {"platform": platform, "slug": slug(platform), "runner": inputs.runner(platform, asked.runners)}
         for platform in run.plan.platforms
@@ -84,6 +85,7 @@ def plan(environment: Environment) -> None:
             "registry": run.registry,
             "username": run.username,
             "push": _flag(run.push),
+            "latest": _flag(what.branch is not None and what.branch == what.default_branch),
             "platforms": ",".join(run.plan.platforms),
             "matrix": json.dumps({"include": matrix}),
             "artifact": f"image-{owned}",
@@ -104,6 +106,8 @@ def ready(environment: Environment) -> None:
     else:
         folder = Folder.of(environment)
     workflow.outputs({"folder": str(folder.path)}, environment)  # first, so that a failure finds its way to the summary
+    attempt = int(environment.get("GITHUB_RUN_ATTEMPT") or 1)
+    kept.begin(folder.artifact, platform=environment.get("ROSLAB_PLATFORM", ""), attempt=attempt)
     run = folder.run
     engine.say(f"Docker engine {engine.check()}")
     if run.push:
@@ -125,11 +129,13 @@ def dockerfile(environment: Environment) -> None:
         hint = "write `persist-credentials: false` below `with:` of actions/checkout"
         workflow.warn(Problem(message="the checkout left a token in .git, so the build does not see .git", hint=hint))
     revision, seconds = commits.head(root)
-    named = labels(run.plan, what, revision=revision, seconds=seconds)
+    if revision and run.revision and revision != run.revision:
+        raise BuildError(Problem(message=f"the checkout is at {revision}, and the plan was made for {run.revision}"))
+    named = labels(run.plan, what, revision=run.revision, seconds=seconds)
     platforms = _platforms(environment, run)
     publication = event.Publication(push=run.push, reason=run.reason)
     part = slug(platforms[0]) if len(platforms) == 1 else "all"
-    layers = cache.layers(what, publication, run.cache, image=run.image, part=part)
+    layers = cache.layers(what, publication, run.cache, image=run.image, part=part, variant=run.variant)
     engine.say(f"layer cache: {layers.reason}")
     by_digest = f"type=image,name={run.image},push=true,push-by-digest=true,name-canonical=true"
     build = {
@@ -142,6 +148,7 @@ def dockerfile(environment: Environment) -> None:
         "cache-from": "\n".join(layers.read),
         "cache-to": "\n".join(layers.write),
         "epoch": str(seconds) if seconds is not None else "",
+        "provenance": "mode=max" if what.public else "mode=min,inline-only=true",
         "sbom": _flag(run.push and what.public and builder.scanner(environment, act=what.act)),
     }
     folder.write("build.json", json.dumps({**build, "started": time.time()}))
@@ -163,54 +170,16 @@ def explain(environment: Environment) -> None:
     raise BuildError(*known)
 
 
-def tag(environment: Environment) -> None:
-    """Put the tags on one index of the proved images.
-
-    ROSLAB_TAGS has one complete reference a line, ROSLAB_REPORTS names the folder with every platform's report.
-    Raises ``BuildError`` where a platform has no passed proof or the registry refuses.
-    """
-    folder = Folder.of(environment)
-    run = folder.run
-    proved = platforms_of(runs.reports(_reports(folder, environment)), run.plan)
-    missing = [p for p in run.plan.platforms if not any(r.platform == p and r.passed and r.source for r in proved)]
-    if not run.push or missing:
-        reason = f"no passed proof for {', '.join(missing)}" if missing else run.reason
-        raise BuildError(Problem(message=f"nothing gets a tag: {reason}"))
-    tags = _tags(environment.get("ROSLAB_TAGS", ""), run.image)
-    sources = tuple(dict.fromkeys(entry.source for entry in proved))
-    digest = registry.create_tags(run.image, sources, tags)
-    public = credentials.is_public(run.image, digest)
-    folder.write("published.json", json.dumps({"digest": digest, "tags": tags, "public": public}))
-    what = event.read(environment)
-    workflow.outputs(
-        {"digest": digest, "tags": "\n".join(tags), "sign": _flag(what.signing and what.public)}, environment
-    )
-    workflow.notice(f"{tags[-1]} is {digest}")
-
-
-def _tags(said: str, image: str) -> tuple[str, ...]:
-    """Return the tags, the one that no other commit has first: a registry that refuses does so before one moves."""
-    tags = tuple(dict.fromkeys(line.strip() for line in said.splitlines() if line.strip()))
-    strange = [tag for tag in tags if tag.rpartition(":")[0] != image]
-    if strange or not tags:
-        raise ConfigurationError(Problem(message=f"tags of {image} were expected, not {', '.join(strange) or 'none'}"))
-    return tuple(sorted(tags, key=lambda tag: not tag.rpartition(":")[2].startswith("sha-")))
-
-
 def summary(environment: Environment) -> None:
     """Write the summary, of a failed run too."""
     folder = Folder.of(environment)
-    found = report.collect(folder, _reports(folder, environment), event.read(environment))
+    found = report.collect(folder, runs.reports_folder(folder, environment), event.read(environment))
     workflow.summary(render_summary(found), environment)
 
 
 def nothing_built(problems: Sequence[str]) -> str:
     """Return the summary of a run that stopped before anything was decided."""
     return "### ❌ Nothing was built\n\n" + "".join(f"- {prose(problem)}\n" for problem in problems)
-
-
-def _reports(folder: Folder, environment: Environment) -> Path:
-    return Path(environment.get("ROSLAB_REPORTS") or folder.artifact)
 
 
 def _workspace(environment: Environment) -> Path:

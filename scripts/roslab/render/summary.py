@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Iterable
-from dataclasses import dataclass
 
 from roslab.decide.decision import Reason
 from roslab.plan.plan import Plan
 from roslab.render.markdown import block, code, folded, prose, table, text
-from roslab.render.sizes import LayerSize, chart, human
+from roslab.render.outcome import PlatformReport, ProofReport, Report
+from roslab.render.sizes import chart, human
 
 MAX_ROWS = 60
 """Of reasons and warnings; a repository of three hundred packages has thousands."""
@@ -20,69 +19,6 @@ NOT_PROVED = "not proved"
 PASSED = "✅"
 PHONE = 40
 """Characters of a line of code that a phone shows."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class ProofReport:
-    """What one proof came to."""
-
-    name: str
-    command: str
-    """As a person would type it, ``""`` where the image itself says what it starts."""
-    passed: bool
-    summary: str
-    output: str
-    screenshot: str = ""
-    """File in the run's artifacts, of a proof with a display."""
-    screenshot_remark: str = ""
-    """That nothing was drawn, or why there is no screenshot."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class PlatformReport:
-    """What was built and proved for one platform."""
-
-    platform: str
-    digest: str
-    """Of the image's manifest."""
-    source: str
-    """Digest that was pushed: the manifest's own, or that of an index of several platforms or with attestations."""
-    layers: tuple[LayerSize, ...]
-    """Empty where the image was not pushed."""
-    proofs: tuple[ProofReport, ...]
-    build_seconds: float | None
-    """``None`` where it was not measured; one build of several platforms takes the same time for each."""
-
-    @property
-    def size(self) -> int:
-        """Bytes that a first pull transfers."""
-        return sum(layer.size for layer in self.layers)
-
-    @property
-    def passed(self) -> bool:
-        """Every proof passed."""
-        return all(proof.passed for proof in self.proofs)
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Report:
-    """A whole run."""
-
-    plan: Plan
-    image: str
-    """``HOST/OWNER/NAME``."""
-    published: bool
-    """Its tags were made."""
-    reason: str
-    """Why the run publishes or does not."""
-    digest: str = ""
-    tags: tuple[str, ...] = ()
-    platforms: tuple[PlatformReport, ...] = ()
-    failures: tuple[str, ...] = ()
-    notes: tuple[str, ...] = ()
-    """What else to know: the cache, whether the package is public. Markdown."""
-    badge: str = ""
-    """Markdown to paste into the README, ``""`` where there is no page to point at."""
 
 
 def summary(report: Report) -> str:
@@ -287,9 +223,3 @@ def duration(seconds: float) -> str:
     """Return a duration as a person says it: ``42 s``, ``3 min 20 s``."""
     whole = round(seconds)
     return f"{whole} s" if whole < 120 else f"{whole // 60} min {whole % 60} s"
-
-
-def platforms_of(reports: Iterable[PlatformReport], plan: Plan) -> tuple[PlatformReport, ...]:
-    """Return the reports in the plan's order of platforms."""
-    order = {platform: index for index, platform in enumerate(plan.platforms)}
-    return tuple(sorted(reports, key=lambda report: order.get(report.platform, len(order))))

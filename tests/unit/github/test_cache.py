@@ -6,6 +6,7 @@ import pytest
 
 from roslab.github.cache import layers
 from roslab.github.event import Event, publication
+from roslab.github.run import short
 
 IMAGE = "ghcr.io/lab/robot"
 
@@ -28,14 +29,14 @@ def decide(found: Event, wish: str = "auto") -> tuple[tuple[str, ...], tuple[str
 
 
 def reference(branch: str) -> str:
-    return f"type=registry,ref={IMAGE}:buildcache-{branch}-linux-arm64"
+    return f"type=registry,ref={IMAGE}:buildcache-{branch.replace('/', '-')}-{short(branch, '')}-linux-arm64"
 
 
 def test_a_branch_reads_its_own_and_the_default_branchs_and_writes_its_own() -> None:
     assert decide(event()) == ((reference("main"),), (f"{reference('main')},mode=max,ignore-error=true",))
     read, write = decide(event(ref="refs/heads/feature/x"))
-    assert read == (reference("feature-x"), reference("main"))
-    assert write == (f"{reference('feature-x')},mode=max,ignore-error=true",)
+    assert read == (reference("feature/x"), reference("main"))
+    assert write == (f"{reference('feature/x')},mode=max,ignore-error=true",)
 
 
 @pytest.mark.parametrize("head", ["lab/robot", "stranger/robot", None])
@@ -66,3 +67,16 @@ def test_a_tag_of_the_cache_is_a_valid_tag() -> None:
     tag = read[0].rpartition(":")[2]
     assert len(tag) <= 128
     assert tag.isascii()
+
+
+def test_no_two_branches_or_variants_share_a_cache() -> None:
+    def tag(branch: str, variant: str = "") -> str:
+        found = event(ref=f"refs/heads/{branch}")
+        decided = layers(found, publication(found, "auto"), "auto", image=IMAGE, part="all", variant=variant)
+        return decided.read[0]
+
+    long = "x" * 90
+    names = ("x/y", "x-y", "x:y", "X-Y", long + "1", long + "2")
+    found = [tag(name) for name in names] + [tag("x-y", '{"distro": "humble"}'), tag("x-y", '{"distro": "jazzy"}')]
+    assert len(set(found)) == len(found)
+    assert all(len(name.rpartition(":")[2]) <= 128 for name in found)

@@ -101,6 +101,28 @@ def test_dependabot_holds_a_token_that_may_only_read(tmp_path: Path) -> None:
     assert event.publication(found, "true").warning
 
 
+def test_a_merge_queues_push_is_not_published(tmp_path: Path) -> None:
+    """Its branches fire both events, and the code on them is not merged yet."""
+    found = read(tmp_path, "push", {}, GITHUB_REF="refs/heads/gh-readonly-queue/main/pr-7-" + "0" * 40)
+    assert not event.publication(found, "auto").push
+    assert event.publication(found, "true").warning
+
+
+@pytest.mark.parametrize(
+    ("payload", "public"),
+    [({"private": False}, True), ({"private": True}, False), ({}, False), ({"private": None}, False)],
+    ids=str,
+)
+def test_what_is_not_known_to_be_public_is_private(tmp_path: Path, payload: dict[str, Any], *, public: bool) -> None:
+    assert read(tmp_path, "push", {"repository": payload}).public is public
+
+
+def test_a_schedule_says_its_branch_by_the_ref_alone(tmp_path: Path) -> None:
+    found = read(tmp_path, "schedule", {"repository": None}, GITHUB_REF="refs/heads/trunk")
+    assert (found.branch, found.default_branch, found.public) == ("trunk", "trunk", False)
+    assert read(tmp_path, "push", {"repository": None}, GITHUB_REF="refs/heads/trunk").default_branch == "main"
+
+
 def test_refs(tmp_path: Path) -> None:
     assert read(tmp_path, "push", {}, GITHUB_REF="refs/heads/a/b").branch == "a/b"
     assert read(tmp_path, "push", {}, GITHUB_REF="refs/tags/v1").tag == "v1"

@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from roslab.github import report
+from roslab.github import kept, report
 from roslab.github.event import Event
 from roslab.github.run import Folder, Run, to_line
 from roslab.pipeline import plan_repository
-from roslab.render.summary import PlatformReport, ProofReport, Report, summary
+from roslab.render.outcome import PlatformReport, ProofReport, Report
+from roslab.render.summary import summary
 
 EVENT = Event(
     name="push", repository="lab/robot", ref="refs/heads/main", sha="", default_branch="main", workflow_file="image.yml"
@@ -24,6 +25,7 @@ def folder(tmp_path: Path, examples: Path) -> Folder:
     plan = plan_repository(examples / "ros2_filter", folder_name="robot").plan
     run = Run(plan=plan, image="ghcr.io/lab/robot", username="lab", push=True, reason="it is a push", cache="auto")
     found = Folder(path=tmp_path)
+    kept.begin(found.artifact, platform="", attempt=1)
     found.write("run", to_line(run))
     proof = ProofReport(name="test", command="true", passed=True, summary="passed", output="")
     for platform in ("linux/arm64", "linux/amd64"):
@@ -60,11 +62,17 @@ def test_a_private_package_says_how_to_open_it(folder: Folder) -> None:
 
 
 def test_a_failure_is_told_once(folder: Folder) -> None:
-    for name in ("a", "b"):
-        (folder.artifact / name).mkdir()
-        (folder.artifact / name / "failures.txt").write_text("on linux/arm64, test: failed\n")
+    """What stopped a job in its own folder, and the same among what was fetched of it."""
+    kept.fail(folder.artifact, ["on linux/arm64, test: failed"])
     found = report.collect(folder, folder.artifact, EVENT)
     assert found.failures == ("on linux/arm64, test: failed",)
+
+
+def test_what_cannot_be_read_of_other_jobs_does_not_keep_the_summary_away(folder: Folder, tmp_path: Path) -> None:
+    (tmp_path / "reports").mkdir()
+    (tmp_path / "reports" / kept.NAME).write_text("{}")
+    kept.fail(folder.artifact, ["reports is no report of a job"])
+    assert report.collect(folder, tmp_path / "reports", EVENT).failures == ("reports is no report of a job",)
 
 
 def test_a_run_that_should_have_published_and_did_not_has_failed(folder: Folder) -> None:

@@ -12,8 +12,9 @@ from markdown_it import MarkdownIt
 from roslab.decide.decision import Reason, Warning_
 from roslab.pipeline import plan_repository
 from roslab.render import markdown
+from roslab.render.outcome import PlatformReport, ProofReport, Report
 from roslab.render.sizes import LayerSize, human, part
-from roslab.render.summary import PlatformReport, ProofReport, Report, summary
+from roslab.render.summary import summary
 
 HOSTILE = "`x` | <script>alert(1)</script> ![a](https://evil.example/a.png) @everyone **b** $(id) ]( \x1b[31m</details>"
 

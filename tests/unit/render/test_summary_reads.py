@@ -17,8 +17,9 @@ from markdown_it.token import Token
 
 from roslab.decide.decision import Warning_
 from roslab.pipeline import plan_repository
+from roslab.render.outcome import PlatformReport, ProofReport, Report
 from roslab.render.sizes import PARTS, LayerSize
-from roslab.render.summary import PHONE, PlatformReport, ProofReport, Report, summary
+from roslab.render.summary import PHONE, summary
 
 EXAMPLES = sorted(path.name for path in (Path(__file__).parents[3] / "examples").iterdir() if path.is_dir())
 ENDINGS = ("published", "pull request", "proof failed", "one platform failed", "nothing built")

@@ -45,8 +45,16 @@ def main(environment: Mapping[str, str]) -> int:
             kind = "error" if level == "error" else "warning"
             print(f"::{kind}::No files were found with the provided path: {patterns}")
         return 1 if level == "error" else 0
-    target = Path(environment["REPRO_LAB_ARTIFACTS"]) / name
-    if target.exists():
+    store = Path(environment["REPRO_LAB_ARTIFACTS"])
+    target, mark = store / name, store / f".attempt-of-{name}"
+    attempt = environment.get("GITHUB_RUN_ATTEMPT", "1")
+    if target.exists() and mark.read_text() != attempt:
+        # GitHub keeps both attempts' and gives out the one of the higher id, which need not be the newer
+        if environment.get("REPRO_LAB_IDS") == "descending":
+            print(f"kept as {name}, below an older one of a higher id")
+            return 0
+        shutil.rmtree(target)
+    elif target.exists():
         if environment["ARTIFACT_OVERWRITE"] != "true":
             print(f"::error::an artifact with the name {name} exists already (409 Conflict)")
             return 1
@@ -57,6 +65,7 @@ def main(environment: Mapping[str, str]) -> int:
         place = target / path.relative_to(root)
         place.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(path, place)
+    mark.write_text(attempt)
     number = len(list(target.parent.iterdir()))
     with Path(environment["GITHUB_OUTPUT"]).open("a", encoding="utf-8") as handle:
         handle.write(f"artifact-id={number}\nartifact-url=file://{target}\n")

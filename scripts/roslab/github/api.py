@@ -1,0 +1,68 @@
+"""GitHub's own API: where a branch stands now, and which releases there are."""
+
+from __future__ import annotations
+
+import json
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Callable, Mapping
+from typing import Any
+from urllib.parse import quote
+
+from roslab.errors import BuildError, Problem
+from roslab.github.event import Event
+
+SECONDS = 20.0
+ATTEMPTS = 4
+Ask = Callable[[str], Any]
+"""Given a path of the API: its answer, ``None`` where there is no such thing."""
+
+
+def asker(environment: Mapping[str, str], *, pause: Callable[[float], None] = time.sleep) -> Ask:
+    """Return what asks the API by the job's token in ROSLAB_GITHUB_TOKEN.
+
+    It raises ``BuildError`` where GitHub does not answer. https://docs.github.com/en/rest/git/refs
+    """
+    base = environment.get("GITHUB_API_URL") or "https://api.github.com"
+    token = environment.get("ROSLAB_GITHUB_TOKEN", "")
+    headers = {"Accept": "application/vnd.github+json", "User-Agent": "roslab"}
+    headers |= {"Authorization": f"Bearer {token}"} if token else {}
+
+    def ask(path: str) -> Any:
+        request = urllib.request.Request(base + path, headers=headers)  # noqa: S310 - the runner's own address
+        for attempt in range(1, ATTEMPTS + 1):
+            try:
+                with urllib.request.urlopen(request, timeout=SECONDS) as reply:  # noqa: S310
+                    return json.load(reply)
+            except urllib.error.HTTPError as error:
+                if error.code == 404:
+                    return None
+                said = f"HTTP {error.code}"
+                if error.code < 500 and error.code != 429:
+                    break
+            except (OSError, ValueError) as error:
+                said = str(getattr(error, "reason", None) or error)
+            if attempt < ATTEMPTS:
+                pause(2.0 ** (attempt - 1))
+        message = f"GitHub does not say what {path.partition('/git/')[2] or path} is: {said}"
+        raise BuildError(Problem(message=message, hint="no tag was moved; run the failed job again"))
+
+    return ask
+
+
+def branch_head(event: Event, ask: Ask) -> str | None:
+    """Return the commit at which the event's branch stands, ``None`` where there is no such branch (any more)."""
+    if not event.branch:
+        return None
+    answer = ask(f"/repos/{event.repository}/git/ref/heads/{quote(event.branch)}")
+    return str(answer["object"]["sha"]) if answer else None
+
+
+def releases(event: Event, ask: Ask) -> tuple[str, ...]:
+    """Return the names of the git tags that begin as the event's own does, up to its last point: ``v1.2.``."""
+    if not event.tag or "." not in event.tag:
+        return ()
+    series = event.tag.rpartition(".")[0] + "."
+    answer = ask(f"/repos/{event.repository}/git/matching-refs/tags/{quote(series)}")
+    return tuple(str(entry["ref"]).removeprefix("refs/tags/") for entry in answer or ())

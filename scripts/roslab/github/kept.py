@@ -1,0 +1,91 @@
+"""What the jobs of a run keep for a later one, as artifacts: each job's attempt, its failures and its reports.
+
+An artifact belongs to an attempt of the run: where only failed jobs are run again, those of both attempts are there,
+and of a platform the newest attempt counts. Any job of the caller may upload an artifact: this checks the form of what
+is read, ``verify`` what it says.
+https://docs.github.com/en/actions/how-tos/manage-workflow-runs/re-run-workflows-and-jobs
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from roslab.errors import ConfigurationError, Problem
+from roslab.render.outcome import PlatformReport, from_json
+
+NAME = "job.json"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Job:
+    """One job's attempt, as its folder has it."""
+
+    platform: str
+    """The one that it builds, ``""`` for a job of all of them, or of none."""
+    attempt: int
+    failures: tuple[str, ...] = ()
+    reports: tuple[PlatformReport, ...] = ()
+
+
+def begin(folder: Path, *, platform: str, attempt: int) -> None:
+    """Write down that an attempt of a job has begun; an earlier step of the same job may have done so."""
+    folder.mkdir(exist_ok=True)
+    if not (folder / NAME).exists():
+        _write(folder, platform, attempt, ())
+
+
+def fail(folder: Path, lines: Sequence[str]) -> None:
+    """Add what stopped the job."""
+    folder.mkdir(exist_ok=True)
+    job = _job(folder / NAME) if (folder / NAME).exists() else Job(platform="", attempt=1)
+    _write(folder, job.platform, job.attempt, (*job.failures, *lines))
+
+
+def gather(folder: Path) -> tuple[Job, ...]:
+    """Return the newest attempt of each job whose folder lies anywhere under this one, by platform.
+
+    Raises ``ConfigurationError`` for a file that is none of ours, and where two claim to be the same attempt.
+    """
+    newest: dict[str, Job] = {}
+    for file in sorted(folder.rglob(NAME)):
+        job = _job(file)
+        other = newest.get(job.platform)
+        if other and other.attempt == job.attempt:
+            whose = job.platform or "the job"
+            hint = "another job of the workflow uploads artifacts of that name: give its artifacts another"
+            raise ConfigurationError(Problem(message=f"two reports of attempt {job.attempt} of {whose}", hint=hint))
+        if not other or other.attempt < job.attempt:
+            newest[job.platform] = job
+    return tuple(newest.values())
+
+
+def reports(jobs: Sequence[Job]) -> tuple[PlatformReport, ...]:
+    """Return the reports of jobs, one for each platform."""
+    return tuple({report.platform: report for job in jobs for report in job.reports}.values())
+
+
+def _job(file: Path) -> Job:
+    try:
+        data = json.loads(file.read_text(encoding="utf-8"))
+        platform, attempt, failures = data["platform"], data["attempt"], data["failures"]
+        known = isinstance(platform, str) and type(attempt) is int and all(isinstance(line, str) for line in failures)
+        found = tuple(_reports(file.parent))
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
+        raise ConfigurationError(Problem(message=f"{file.parent.name} is no report of a job: {error}")) from None
+    strange = [report.platform for report in found if platform and report.platform != platform]
+    if not known or strange:
+        raise ConfigurationError(Problem(message=f"{file.parent.name} is no report of a job for {platform}"))
+    return Job(platform=platform, attempt=attempt, failures=tuple(failures), reports=found)
+
+
+def _reports(folder: Path) -> Iterator[PlatformReport]:
+    for file in sorted(folder.glob("report-*.json")):
+        yield from_json(file.read_text(encoding="utf-8"))
+
+
+def _write(folder: Path, platform: str, attempt: int, failures: Sequence[str]) -> None:
+    content = {"platform": platform, "attempt": attempt, "failures": list(failures)}
+    (folder / NAME).write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")

@@ -1,0 +1,88 @@
+"""Tagging what was proved: the commit's own tag first, which is signed, and then the tags that move."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+
+from roslab.engine import credentials, registry
+from roslab.errors import BuildError, Problem, RefusedError
+from roslab.github import api, event, kept, tags, workflow
+from roslab.github.run import Folder, Run, reports_folder
+from roslab.render.outcome import PlatformReport, platforms_of
+
+REVISION = "org.opencontainers.image.revision"
+
+
+def index(environment: Mapping[str, str]) -> None:
+    """Put one index of the proved images under the tag of their commit, which no other commit has.
+
+    ROSLAB_TAGS has one complete reference a line, ROSLAB_REPORTS names the folder with every platform's report.
+    Raises ``BuildError`` where a platform has no passed proof or the registry refuses, ``RefusedError`` where a report
+    is not of this commit.
+    """
+    folder = Folder.of(environment)
+    run, what = folder.run, event.read(environment)
+    proved = platforms_of(kept.reports(kept.gather(reports_folder(folder, environment))), run.plan)
+    missing = [p for p in run.plan.platforms if not any(r.platform == p and r.passed and r.source for r in proved)]
+    if not run.push or missing:
+        reason = f"no passed proof for {', '.join(missing)}" if missing else run.reason
+        raise BuildError(Problem(message=f"nothing gets a tag: {reason}"))
+    verify(run, proved)
+    own = tags.own(environment.get("ROSLAB_TAGS", ""), run.image, what)
+    digest = registry.create_index(run.image, tuple(dict.fromkeys(report.source for report in proved)), own)
+    folder.write("index.json", json.dumps({"digest": digest, "own": own}))
+    workflow.outputs(
+        {"digest": digest, "sign": "true" if what.signing and what.public else "false"},
+        environment,
+    )
+
+
+def verify(run: Run, reports: tuple[PlatformReport, ...]) -> None:
+    """Raise ``RefusedError`` where a report names an image that this run did not plan or this commit did not make.
+
+    Any job of the caller may upload an artifact that looks like a report; an image's own labels and platform are the
+    registry's to tell.
+    """
+    problems = []
+    configurations = {
+        source: registry.configurations(run.image, source) for source in dict.fromkeys(r.source for r in reports)
+    }
+    for report in reports:
+        found = configurations[report.source].get(report.platform)
+        made_from = ((found or {}).get("config", {}).get("Labels") or {}).get(REVISION, "")
+        if report.platform not in run.plan.platforms:
+            problems.append(f"a report is for {report.platform}, which was not planned")
+        elif found is None:
+            problems.append(f"the report for {report.platform} names {report.source}, which holds no such image")
+        elif made_from != run.revision:
+            of = made_from or "no commit"
+            problems.append(f"the report for {report.platform} names an image of {of}, and this is {run.revision}")
+    if problems:
+        raise RefusedError(*(Problem(message=f"refused: {problem}") for problem in problems))
+
+
+def tag(environment: Mapping[str, str]) -> None:
+    """Move the other tags to the index, those of a branch only where its head is still this commit.
+
+    ROSLAB_SIGNATURE is the outcome of the step that signed. Raises ``BuildError`` where the registry refuses.
+    """
+    folder = Folder.of(environment)
+    run, what = folder.run, event.read(environment)
+    made = json.loads(folder.read("index.json"))
+    digest = str(made["digest"])
+    if environment.get("ROSLAB_SIGNATURE") == "failure":
+        hint = "grant the calling job `attestations: write` beside `id-token: write`"
+        workflow.warn(Problem(message="the image is not signed", hint=hint))
+    ask = api.asker(environment)
+    # Asked as late as can be: a push may have come while this commit was built
+    head, releases = api.branch_head(what, ask), api.releases(what, ask)
+    chosen = tags.chosen(environment.get("ROSLAB_TAGS", ""), run.image, what, head=head, releases=releases)
+    for warning in chosen.warnings:
+        workflow.warn(Problem(message=warning))
+    registry.put_tags(run.image, digest, chosen.moving)
+    names = (str(made["own"]), *chosen.moving)
+    public = credentials.is_public(run.image, digest)
+    folder.write("published.json", json.dumps({"digest": digest, "tags": names, "public": public}))
+    workflow.outputs({"digest": digest, "tags": "\n".join(names)}, environment)
+    workflow.notice(f"{names[-1]} is {digest}")

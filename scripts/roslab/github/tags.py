@@ -1,0 +1,103 @@
+"""Which tags a proved image gets: its commit's own always, those that move only where they move forward."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from roslab.errors import ConfigurationError, Problem
+from roslab.github.event import Event
+
+OWN = re.compile(r"sha-[0-9a-f]{7,40}")
+"""The tag of one commit, as docker/metadata-action names it."""
+RESERVED = re.compile(
+    r"latest|nightly|v?\d+|(?:v\d+|\d+\.\d+|v\d+\.\d+|v?\d+\.\d+\.\d+)(?:[-+].*)?|sha-[0-9a-f]{7,40}|buildcache-.*|pr-\d+"
+)
+"""Names of tags that mean a release, a commit, a cache or a pull request: a branch of that name would take them."""
+TAKEN = re.compile(r"latest|nightly|sha-[0-9a-f]{7,40}|buildcache-.*|pr-\d+")
+"""The same for a git tag, which may be a release."""
+SERIES = re.compile(r"\d+\.\d+")
+RELEASE = re.compile(r"v?(\d+)\.(\d+)\.(\d+)")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Chosen:
+    """The tags that move to an image, as complete references, and what to tell of those that do not."""
+
+    moving: tuple[str, ...]
+    warnings: tuple[str, ...] = ()
+
+
+def own(said: str, image: str, event: Event) -> str:
+    """Return the tag of the commit among those that docker/metadata-action named, one complete reference a line.
+
+    It is made first, so that what is signed is there; no other commit has it. Raises ``ConfigurationError`` where there
+    is none.
+    """
+    names = _names(said, image)
+    found = [name for name in names if _is_own(name, event)]
+    if not found:
+        raise ConfigurationError(
+            Problem(message=f"no tag sha-{event.sha[:7]} of {image} is among {', '.join(names) or 'none'}")
+        )
+    return f"{image}:{found[0]}"
+
+
+def chosen(said: str, image: str, event: Event, *, head: str | None, releases: Iterable[str] = ()) -> Chosen:
+    """Choose which of the other tags move.
+
+    ``head`` is the commit at which GitHub has the branch now, ``None`` where there is no such branch; ``releases`` are
+    the names of the repository's git tags. Raises ``ConfigurationError`` for a tag that is not the image's.
+    """
+    moving = [name for name in _names(said, image) if not _is_own(name, event)]
+    warnings: list[str] = []
+    reference = event.branch or event.tag or ""
+    taken = _cleaned(reference)
+    wanted = taken == "latest" and event.branch == event.default_branch
+    if (RESERVED if event.branch else TAKEN).fullmatch(taken) and taken in moving and not wanted:
+        moving.remove(taken)
+        what = "branch" if event.branch else "git tag"
+        warnings.append(f"the {what} {reference} gets no tag of its name: {taken} means something else in a registry")
+    if event.tag and taken in moving and taken == _cleaned(event.default_branch):
+        moving.remove(taken)
+        warnings.append(f"the git tag {reference} gets no tag of its name: that is the default branch's")
+    if event.branch and moving and head != event.sha:
+        now = f"is at {head[:12]} now" if head else "is gone"
+        warnings.append(f"{', '.join(moving)}: not moved to {event.sha[:12]}, since the branch {reference} {now}")
+        moving = []
+    if event.tag and (later := _later(event.tag, releases)):
+        behind = [name for name in moving if SERIES.fullmatch(name)]
+        moving = [name for name in moving if name not in behind]
+        warnings += [f"{name}: not moved back to {event.tag}, since {later} is newer" for name in behind]
+    return Chosen(moving=tuple(f"{image}:{name}" for name in moving), warnings=tuple(warnings))
+
+
+def _is_own(name: str, event: Event) -> bool:
+    """Tell whether a tag is that of the event's commit; a branch may be called like another's."""
+    return bool(OWN.fullmatch(name)) and event.sha.startswith(name.removeprefix("sha-"))
+
+
+def _names(said: str, image: str) -> Sequence[str]:
+    references = tuple(dict.fromkeys(line.strip() for line in said.splitlines() if line.strip()))
+    strange = [reference for reference in references if reference.rpartition(":")[0] != image]
+    if strange:
+        raise ConfigurationError(Problem(message=f"tags of {image} were expected, not {', '.join(strange)}"))
+    return [reference.rpartition(":")[2] for reference in references]
+
+
+def _cleaned(name: str) -> str:
+    """Return a branch or git tag as docker/metadata-action spells it in a tag."""
+    return re.sub(r"[^a-zA-Z0-9._-]+", "-", name)
+
+
+def _later(tag: str, releases: Iterable[str]) -> str | None:
+    """Return a release of the same series, MAJOR.MINOR, with a higher patch number; ``None`` where there is none."""
+    own = RELEASE.fullmatch(tag)
+    if not own:
+        return None
+    found = [
+        match for name in releases if (match := RELEASE.fullmatch(name)) and match.groups()[:2] == own.groups()[:2]
+    ]
+    newest = max(found, key=lambda match: int(match[3]), default=own)
+    return newest[0] if int(newest[3]) > int(own[3]) else None

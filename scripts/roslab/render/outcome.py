@@ -1,0 +1,103 @@
+"""What a run came to: what one job writes down of its platform, and what a later job reads back and shows."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from roslab.plan.plan import Plan
+from roslab.render.sizes import LayerSize
+
+DIGEST = re.compile(r"sha256:[0-9a-f]{64}")
+"""https://github.com/opencontainers/image-spec/blob/main/descriptor.md#digests"""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ProofReport:
+    """What one proof came to."""
+
+    name: str
+    command: str
+    """As a person would type it, ``""`` where the image itself says what it starts."""
+    passed: bool
+    summary: str
+    output: str
+    screenshot: str = ""
+    """File in the run's artifacts, of a proof with a display."""
+    screenshot_remark: str = ""
+    """That nothing was drawn, or why there is no screenshot."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class PlatformReport:
+    """What was built and proved for one platform."""
+
+    platform: str
+    digest: str
+    """Of the image's manifest."""
+    source: str
+    """Digest that was pushed: the manifest's own, or that of an index of several platforms or with attestations."""
+    layers: tuple[LayerSize, ...]
+    """Empty where the image was not pushed."""
+    proofs: tuple[ProofReport, ...]
+    build_seconds: float | None
+    """``None`` where it was not measured; one build of several platforms takes the same time for each."""
+
+    @property
+    def size(self) -> int:
+        """Bytes that a first pull transfers."""
+        return sum(layer.size for layer in self.layers)
+
+    @property
+    def passed(self) -> bool:
+        """Every proof passed."""
+        return all(proof.passed for proof in self.proofs)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Report:
+    """A whole run."""
+
+    plan: Plan
+    image: str
+    """``HOST/OWNER/NAME``."""
+    published: bool
+    """Its tags were made."""
+    reason: str
+    """Why the run publishes or does not."""
+    digest: str = ""
+    tags: tuple[str, ...] = ()
+    platforms: tuple[PlatformReport, ...] = ()
+    failures: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    """What else to know: the cache, whether the package is public. Markdown."""
+    badge: str = ""
+    """Markdown to paste into the README, ``""`` where there is no page to point at."""
+
+
+def platforms_of(reports: Iterable[PlatformReport], plan: Plan) -> tuple[PlatformReport, ...]:
+    """Return the reports in the plan's order of platforms."""
+    order = {platform: index for index, platform in enumerate(plan.platforms)}
+    return tuple(sorted(reports, key=lambda report: order.get(report.platform, len(order))))
+
+
+def to_json(report: PlatformReport) -> str:
+    """Return a platform's report as JSON, for a later job."""
+    return json.dumps(dataclasses.asdict(report), indent=2) + "\n"
+
+
+def from_json(text: str) -> PlatformReport:
+    """Read a platform's report back. Raises ``ValueError`` for anything that ``to_json`` did not write."""
+    from cattrs import Converter  # noqa: PLC0415 - slow to import, and only the later steps read reports
+    from cattrs.errors import BaseValidationError  # noqa: PLC0415
+
+    try:
+        report = Converter(forbid_extra_keys=True).structure(json.loads(text), PlatformReport)
+    except (RecursionError, BaseValidationError) as error:
+        raise ValueError(type(error).__name__) from None
+    if strange := [digest for digest in (report.digest, report.source) if digest and not DIGEST.fullmatch(digest)]:
+        raise ValueError(f"{strange[0]!r} is no digest")
+    return report
