@@ -94,8 +94,8 @@ def run_workflow(
     `place` is where it runs, and stays there afterwards; `unmasked` has act log secrets as they are, for a search;
     `inputs` are those of workflow_dispatch; `actions_dir` holds copies of real actions in folders OWNER__NAME.
     `attempt` above 1 is a run that is started again over the `artifacts` of an earlier attempt, a folder, and `matrix`
-    (KEY:VALUE) narrows its matrix, as "re-run failed jobs" does; `github` is what GitHub's API says: `heads`, commits of
-    branches (unless said, the event's branch is where it is built), and `tags`, names of git tags.
+    (KEY:VALUE) narrows its matrix, as "re-run failed jobs" does; `github` is what GitHub's API says: `heads`, commits
+    of branches (unless said, the event's branch is where it is built), and `tags`, names of git tags.
     The caller's folder and the user's home are not touched. Raises LabError when an action has no stand-in.
     """
     payload = _payload(event_payload or {})
