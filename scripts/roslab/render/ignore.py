@@ -6,7 +6,8 @@ import fnmatch
 import posixpath
 import re
 from collections.abc import Sequence
-from functools import cache
+from functools import lru_cache
+from itertools import accumulate
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
@@ -16,7 +17,14 @@ OWN = ("Dockerfile", "Dockerfile.dockerignore", "docker_build.sh", "docker_run.s
 """What ``create`` writes and no program reads: a change of it must not repeat the build. README.ipynb stays in: it is
 the notebook that JupyterLab opens in the image."""
 HEADER = f"# {MARKER}. docker reads this file for Dockerfile, instead of .dockerignore.\n"
-Parts = tuple[re.Pattern[str] | None, ...]
+ANY_DEPTH = "**"
+MAX_JUDGED = 64 * 1024
+"""Characters of an ignore file that are compared with paths: what comes after them is written out all the same."""
+MAX_COMPARED = 2_000_000
+"""Parts of lines that are compared with parts of the paths that the Dockerfile needs: a hundred lines, as the longest
+real files have, against a thousand deep paths take half of that."""
+Parts = tuple[str, ...]
+"""A line's shell patterns, one for each part of a path; ``**`` stands for any number of folders."""
 
 
 def ignore(plan: Plan) -> str:
@@ -38,9 +46,13 @@ def ignore(plan: Plan) -> str:
 
 
 def keeps_out(lines: Sequence[str], path: str) -> bool:
-    """Tell whether an ignore file of these lines keeps a path out of the build."""
-    decisive = _decisive([_parts(line) for line in lines], path)
-    return decisive is not None and not lines[decisive].lstrip().startswith("!")
+    """Tell whether an ignore file of these lines surely keeps a path out of the build.
+
+    Of a file longer than any person writes nobody knows: it counts as letting everything in.
+    """
+    patterns = _patterns(lines)
+    decisive = _decisive(patterns, path)
+    return len(patterns) == len(lines) and decisive is not None and not lines[decisive].lstrip().startswith("!")
 
 
 def _needed(plan: Plan) -> tuple[str, ...]:
@@ -55,8 +67,12 @@ def _needed(plan: Plan) -> tuple[str, ...]:
 
 def _with_needed(lines: list[str], needed: tuple[str, ...]) -> list[str]:
     additions: dict[int, dict[str, None]] = {}
-    patterns = [_parts(line) for line in lines]
+    patterns = _patterns(lines)
+    total, compared = sum(map(len, patterns)), 0
     for path in needed:
+        compared += total * len(path.split("/"))
+        if compared > MAX_COMPARED:
+            break
         decisive = _decisive(patterns, path)
         if decisive is None or lines[decisive].lstrip().startswith("!"):
             continue
@@ -78,16 +94,27 @@ def _decisive(patterns: list[Parts], path: str) -> int | None:
     return next((i for i in range(len(patterns) - 1, -1, -1) if _matches(patterns[i], parts)), None)
 
 
+def _patterns(lines: Sequence[str]) -> list[Parts]:
+    """Cut the lines into patterns, as many from the top as a person may have written."""
+    shorter = [re.sub(r"\*{3,}", "***", line) for line in lines]
+    ends = accumulate(len(line) + 1 for line in shorter)
+    return [_parts(line) for line, end in zip(shorter, ends, strict=True) if end <= MAX_JUDGED]
+
+
 def _parts(line: str) -> Parts:
-    """Cut a line into patterns of path parts, as https://github.com/moby/patternmatcher does; ``None`` is ``**``."""
+    """Cut a line into patterns of path parts, as https://github.com/moby/patternmatcher does.
+
+    No library does it: fnmatch knows no ``**``, pathspec speaks git's dialect, in which a bare name matches anywhere.
+    """
     text = line.strip()
     if not text or line.startswith("#"):
         return ()
     text = posixpath.normpath(text.removeprefix("!").strip()).lstrip("/")
-    return tuple(None if part == "**" else _part(part) for part in text.split("/"))
+    parts = [ANY_DEPTH if part == ANY_DEPTH else re.sub(r"\*+", "*", part) for part in text.split("/")]
+    return tuple(part for index, part in enumerate(parts) if part != ANY_DEPTH or part not in parts[index - 1 : index])
 
 
-@cache
+@lru_cache(maxsize=MAX_JUDGED // 4)
 def _part(pattern: str) -> re.Pattern[str]:
     # fnmatch writes [!a] for Go's [^a], and [a] for its \\a; its expressions never run away on a hostile pattern
     pattern = re.sub(r"\\(.)", r"[\1]", pattern).replace("[^", "[!")
@@ -97,10 +124,12 @@ def _part(pattern: str) -> re.Pattern[str]:
 def _matches(pattern: Parts, parts: list[str]) -> bool:
     reached = {0} if pattern else set()
     for part in pattern:
-        if part is None:
-            reached = set(range(min(reached), len(parts) + 1)) if reached else reached
+        if not reached:
+            return False
+        if part == ANY_DEPTH:
+            reached = set(range(min(reached), len(parts) + 1))
         else:
-            reached = {i + 1 for i in reached if i < len(parts) and part.match(parts[i])}
+            reached = {i + 1 for i in reached if i < len(parts) and _part(part).match(parts[i])}
     return any(reached)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import resource
+import time
 from collections.abc import Callable
 
 import pytest
@@ -10,6 +12,8 @@ from roslab.plan.plan import Plan, Rosdep
 from roslab.render.ignore import OWN, ignore, keeps_out
 
 Plans = Callable[..., Plan]
+SECONDS = 5
+MEGABYTES = 100
 
 
 def rosdep(*manifests: str) -> Rosdep:
@@ -103,3 +107,36 @@ def test_a_name_with_wildcards_is_written_to_the_letter(plan: Plans) -> None:
 def test_patterns_mean_what_docker_says(pattern: str, path: str, out: bool) -> None:
     """https://docs.docker.com/build/concepts/context/#syntax, and github.com/moby/patternmatcher."""
     assert keeps_out([pattern], path) is out
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        pytest.param("*" * 500_000, id="stars"),
+        pytest.param("*" * 500_000 + "\n" + "*.txt", id="stars-then-a-real-line"),
+        pytest.param("a*" * 500_000, id="groups"),
+        pytest.param("?" * 500_000, id="marks"),
+        pytest.param("[ab]" * 200_000, id="classes"),
+        pytest.param("/".join(["**"] * 300_000), id="depths"),
+        pytest.param("/".join(["*", "**"] * 150_000), id="stars-and-depths"),
+        pytest.param("\n".join(f"*{number}*x" for number in range(150_000)), id="lines"),
+        pytest.param("/".join(f"a{number}*" for number in range(150_000)), id="parts"),
+    ],
+)
+def test_a_hostile_ignore_file_ends_soon_and_in_little_memory(plan: Plans, line: str) -> None:
+    paths = [f"src/{'deep/' * (number % 100)}{number}/package.xml" for number in range(500)]
+    lines = tuple(line.splitlines())
+    planned = plan(rosdep=rosdep(*paths), requirements=("requirements.txt",), ignore=lines)
+    before, started = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, time.process_time()
+    text = ignore(planned)
+    assert time.process_time() - started < SECONDS
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < MEGABYTES * 1024
+    assert all(written in text for written in lines[:10]), "docker reads every line of the author's"
+    if "*.txt" in lines:
+        assert "!requirements.txt" in text, "stars say no more than one star"
+
+
+def test_a_file_that_nobody_read_to_its_end_keeps_nothing_out() -> None:
+    """It decides whether a build could see a credential: where that is not known, it could."""
+    assert keeps_out(["**/.git"], ".git/config")
+    assert not keeps_out(["**/.git", "x" * 100_000, "!**/.git"], ".git/config")
