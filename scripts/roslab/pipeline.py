@@ -32,7 +32,6 @@ class Planned:
     """A plan and everything it came from."""
 
     repository: Repository
-    evidence: Evidence
     config: Config
     decision: Decision
     plan: Plan
@@ -72,7 +71,7 @@ def plan_repository(
         rosdistro_tag=rosdistro_tag(decision.ros_distro),
         source_version=version,
     )
-    return Planned(repository=repository, evidence=evidence, config=config, decision=decision, plan=plan)
+    return Planned(repository=repository, config=config, decision=decision, plan=plan)
 
 
 def _require_submodules(repository: Repository) -> None:

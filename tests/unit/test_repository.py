@@ -25,7 +25,6 @@ def test_lists_regular_files_sorted_and_skips_version_control(tmp_path: Path) ->
     assert repository.folders == {"", "a", "a/b"}
     assert [file.path for file in repository.named("PACKAGE.XML")] == ["a/b/package.xml"]
     assert [file.path for file in repository.suffixed(".CPP", ".txt")] == ["a/z.cpp", "b.txt"]
-    assert [file.path for file in repository.matching("*.xm?")] == ["a/b/package.xml"]
 
 
 def test_a_link_out_of_the_tree_is_named_and_never_read(tmp_path: Path) -> None:

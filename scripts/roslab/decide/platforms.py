@@ -12,7 +12,7 @@ from roslab.decide.python.pins import name_of
 from roslab.decide.reasons import because, configured
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import distro
-from roslab.knowledge.frameworks import arm64_wheels, framework, version
+from roslab.knowledge.frameworks import arm64_wheels, version
 from roslab.values.origin import Place
 
 AMD64, ARM64 = "linux/amd64", "linux/arm64"
@@ -119,6 +119,6 @@ def _conda(evidence: Evidence, python: Python) -> Against | None:
                     r"^(?:[\w-]+::)?(?:cudatoolkit|pytorch-cuda|mkl|mujoco-py|pytorch3d|habitat-sim)\b", package
                 ):
                     return f"conda has no arm64 package for {package}", Place(file=environment.file, line=1)
-    if python.manager == "conda" and framework("numpy", None) and version(python.version or "3.10") < (3, 7):
+    if python.manager == "conda" and version(python.version or "3.10") < (3, 7):
         return f"conda-forge has no arm64 build of Python {python.version}", None
     return None

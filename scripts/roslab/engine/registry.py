@@ -39,8 +39,6 @@ class Layer:
     """Bytes as they are transferred."""
     created_by: str = ""
     """The instruction that made it, as the image's history has it."""
-    base: bool = False
-    """It is the base image's: whoever has another image on that base has it already."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -51,11 +49,6 @@ class PlatformImage:
     digest: str
     """Of its manifest."""
     layers: tuple[Layer, ...]
-
-    @property
-    def size(self) -> int:
-        """Bytes that a first pull transfers."""
-        return sum(layer.size for layer in self.layers)
 
 
 def with_retries(

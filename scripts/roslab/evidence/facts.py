@@ -26,8 +26,6 @@ class Dependency:
     strength: Strength
     file: str
     line: int
-    components: tuple[str, ...] = ()
-    """Components of ``find_package``."""
     version: str | None = None
     role: str = ""
     """``build``, ``exec``, ``test``, ``doc`` … as its source has it."""
@@ -133,7 +131,6 @@ class CondaEnvironment:
     line: int
     name: str | None
     python: str | None
-    channels: tuple[str, ...]
     packages: tuple[str, ...]
     dependencies: tuple[Dependency, ...]
     """The ``pip:`` part."""
@@ -150,12 +147,10 @@ class AuthorDockerfile:
     base_line: int
     copies_repository: bool
     clones: tuple[GitSource, ...]
-    build_tool: str | None
     dependencies: tuple[Dependency, ...]
     command: tuple[str, ...]
     purpose: Literal["project", "documentation", "vendored", "ci", "deploy", "broken"]
     """What it seems to be for; ``broken`` where it does not parse."""
-    arguments: tuple[tuple[str, str | None], ...] = ()
     problem: str | None = None
     context: str | None = None
     """Build context that its COPY lines fit, relative to the root; ``None`` where nothing is copied."""

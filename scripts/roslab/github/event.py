@@ -75,11 +75,6 @@ class Event:
         """The proposed code comes from another repository, or from one that is gone."""
         return self.proposed and (self.head or "").lower() != self.repository.lower()
 
-    @property
-    def run_url(self) -> str:
-        """Page of the run, ``""`` where it has none."""
-        return f"{self.server}/{self.repository}/actions/runs/{self.run}" if self.run else ""
-
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Publication:

@@ -10,8 +10,8 @@ from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from roslab.engine.docker import Say, last_line, output, say
-from roslab.errors import BuildError, Problem
+from roslab.engine.docker import Say, output, say
+from roslab.errors import BuildError
 from roslab.knowledge.launches import dead_nodes
 from roslab.plan.proof import Proof, describe
 from roslab.prove.display import virtual_display
@@ -56,18 +56,12 @@ def prove(
     proofs: Sequence[Proof],
     *,
     screenshots: Path,
-    pull: bool = False,
     tell: Say = say,
 ) -> tuple[Outcome, ...]:
     """Run an image's proofs on one platform, in order, up to the first that fails; never raises for a failed proof.
 
-    ``pull`` fetches the image first: the proof then runs what the registry holds. ``screenshots`` is the folder for the
-    pictures of proofs with a display; it is made where there is one to keep.
+    ``screenshots`` is the folder for the pictures of proofs with a display; it is made where there is one to keep.
     """
-    if pull:
-        answer = output(["docker", "pull", "--quiet", "--platform", platform, reference], timeout=PROOF_LIMIT)
-        if answer.returncode:
-            raise BuildError(Problem(message=f"cannot pull {reference} for {platform}: {last_line(answer.stderr)}"))
     outcomes: list[Outcome] = []
     for proof in proofs:
         tell(f"[{platform}] {proof.name}: {describe(proof)}")

@@ -7,15 +7,14 @@ import textwrap
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
+
+from roslab.knowledge.table import rows
 
 SHELLS = frozenset({"bash", "sh", "shell", "zsh", "ksh", "shellscript", "commandline", "command", "cmdline"})
 SESSIONS = frozenset({"console", "terminal", "session", "shell-session", "shellsession", "bash-session", "sh-session"})
 """Languages of a block that shows what was typed and what came back."""
-COMMANDS = Path(__file__).with_name("commands.csv")
-"""First words by which a block without a language is known as shell, from the READMEs of robotics repositories, and
-where each runs: ``image``; ``host``, for a program of the machine around the image; ``root``, for what only root does:
-the image's user is not root, and what the README installs is in the image."""
+_OWN = {"roslab": "host", "docker_build.sh": "host", "docker_run.sh": "host"}
+"""Commands of this project, which build and run the image."""
 _LANGUAGE = re.compile(r"\{?\s*\.?([\w+#-]+)")
 _PROMPT = re.compile(
     r"\s*(?:\([\w.-]+\)\s*)?"  # (venv)
@@ -75,8 +74,8 @@ def _without_margin(content: str) -> str:
 
 @cache
 def _commands() -> dict[str, str]:
-    rows = (line.partition(",") for line in COMMANDS.read_text(encoding="utf-8").splitlines()[1:])
-    return {word: runs_on for word, _, runs_on in rows}
+    """Return ``{word: where it runs}``, by which a block without a language is known as shell."""
+    return {row["word"]: row["runs_on"] for row in rows("commands")} | _OWN
 
 
 def _prompted(prompt: re.Pattern[str], line: str) -> re.Match[str] | None:

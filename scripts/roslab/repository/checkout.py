@@ -6,9 +6,8 @@ import io
 import os
 import re
 import stat
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field, replace
-from fnmatch import fnmatchcase
 from functools import cached_property
 from pathlib import Path
 
@@ -143,10 +142,6 @@ class Repository:
     def suffixed(self, *suffixes: str) -> tuple[File, ...]:
         """Return the files with one of the suffixes (``.cpp``), whatever their case."""
         return tuple(file for suffix in suffixes for file in self.by_suffix.get(suffix.lower(), ()))
-
-    def matching(self, pattern: str) -> Iterator[File]:
-        """Yield the files whose lower-cased last path part matches a shell pattern."""
-        return (file for name, files in self.by_name.items() if fnmatchcase(name, pattern) for file in files)
 
     def has(self, path: str) -> bool:
         """Tell whether a regular file lies at a relative path."""

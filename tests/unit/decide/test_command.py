@@ -91,7 +91,7 @@ def test_platforms() -> None:
 
 def test_conda_builds_of_one_platform() -> None:
     environment = CondaEnvironment(
-        file="e.yml", line=1, name=None, python="3.9", channels=(), packages=("numpy=1.2=py39h_0",), dependencies=()
+        file="e.yml", line=1, name=None, python="3.9", packages=("numpy=1.2=py39h_0",), dependencies=()
     )
     python = Python(version="3.9", manager="conda", conda_file="e.yml")
     choice = decide_platforms(Evidence(conda=(environment,)), Config(), "python", "ubuntu:22.04", None, None, python)

@@ -55,7 +55,7 @@ def test_nothing_asks_for_it() -> None:
 
 def test_conda_toolkit_beats_the_default_wheel() -> None:
     environment = CondaEnvironment(
-        file="environment.yml", line=1, name=None, python="3.9", channels=(),
+        file="environment.yml", line=1, name=None, python="3.9",
         packages=("pytorch=1.12.1", "cudatoolkit=11.6"), dependencies=(),
     )  # fmt: skip
     choice = decide_cuda(Evidence(conda=(environment,)), Config())

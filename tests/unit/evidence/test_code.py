@@ -9,6 +9,7 @@ import pytest
 from roslab.evidence.native import cpp
 from roslab.evidence.ros import distro_names as names
 from roslab.evidence.ros import launch, vcs
+from roslab.knowledge.table import rows
 from roslab.repository.checkout import Repository
 
 
@@ -30,6 +31,16 @@ def test_headers_of_the_tree_and_the_language_are_left_out(tmp_path: Path) -> No
         },
     )
     assert [(d.name, d.line) for d in cpp.read(repository)] == [("Eigen/Core", 4), ("ceres/ceres.h", 5)]
+
+
+@pytest.mark.parametrize("row", rows("includes"), ids=lambda row: row["header"])
+def test_every_header_of_the_table_is_read(row: dict[str, str], tmp_path: Path) -> None:
+    """``<armadillo>`` looks like the standard library's, ``linux/videodev2.h`` like the kernel's."""
+    name = row["header"] + ("x.h" if row["header"].endswith("/") else "")
+    found = cpp.read(
+        tree(tmp_path, {"src/a.cpp": f"#include <{name}>\n#include <algorithm>\n#include <linux/can.h>\n"})
+    )
+    assert [d.name for d in found] == [name]
 
 
 @pytest.mark.parametrize(

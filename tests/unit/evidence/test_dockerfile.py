@@ -47,9 +47,8 @@ def test_a_dockerfile_of_the_project(tmp_path: Path) -> None:
         ("pip", "numpy==1.2", 7),
         ("apt", "libthree", 12),
     ]
-    assert (authored.copies_repository, authored.context, authored.build_tool) == (True, "", "catkin_tools")
+    assert (authored.copies_repository, authored.context) == (True, "")
     assert authored.command == ("roslaunch", "me", "it.launch")
-    assert authored.arguments == (("DISTRO", "noetic"),)
 
 
 @pytest.mark.parametrize(

@@ -75,9 +75,23 @@ def newlines(root: Path) -> None:
     os.mkfifo(root / "README.md")
 
 
+def blanks(root: Path) -> None:
+    """A line of blanks, where a pattern could try each beginning with each end."""
+    names = ("README.md", "Dockerfile", ".github/workflows/ci.yml", "params.yaml", "a.launch", "install.sh", "a.repos")
+    for name in (*names, "main.py", "CMakeLists.txt", "package.xml", "setup.py", "environment.yml"):
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(" " * 250_000 + "x\n")
+
+
+def hyphens(root: Path) -> None:
+    """Words that hang together: the end of a name is looked for from each of its beginnings."""
+    for name in ("README.md", "install.sh", "Dockerfile", "requirements.txt", "main.py"):
+        (root / name).write_text("# robot\n" + "-".join(["word"] * 1_000_000) + "\n" + "ros-" * 60_000)
+
+
 @pytest.mark.parametrize(
     "make",
-    [links, huge_requirements, million_lines, billion_laughs, yaml_bomb, stray_bytes, newlines],
+    [blanks, hyphens, links, huge_requirements, million_lines, billion_laughs, yaml_bomb, stray_bytes, newlines],
     ids=lambda f: f.__name__,
 )
 def test_hostile_trees_end_soon_and_in_little_memory(tmp_path: Path, make: object) -> None:

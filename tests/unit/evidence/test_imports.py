@@ -5,7 +5,10 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import pytest
+
 from roslab.evidence.python import imports
+from roslab.knowledge.table import rows
 from roslab.repository.checkout import Repository
 
 
@@ -36,10 +39,11 @@ def test_what_comes_from_outside(tmp_path: Path) -> None:
     ]
 
 
-def test_tkinter_is_a_package_of_its_own(tmp_path: Path) -> None:
-    """The standard library has it, Debian's and Ubuntu's do not."""
-    repository = tree(tmp_path, {"window.py": "import os\nimport tkinter as tk\nfrom tkinter import ttk\n"})
-    assert [(d.name, d.line) for d in imports.read(repository)] == [("tkinter", 2)]
+@pytest.mark.parametrize("name", ["tkinter", "Tkinter"])
+def test_tkinter_is_a_package_of_its_own(name: str, tmp_path: Path) -> None:
+    """The standard library has it, of Python 2 by its older name; Debian's and Ubuntu's do not."""
+    repository = tree(tmp_path, {"window.py": f"import os\nimport {name} as tk\nfrom {name} import ttk\n"})
+    assert [(d.name, d.line) for d in imports.read(repository)] == [(name, 2)]
 
 
 def test_notebooks_are_optional_evidence(tmp_path: Path) -> None:
@@ -48,6 +52,54 @@ def test_notebooks_are_optional_evidence(tmp_path: Path) -> None:
     }
     repository = tree(tmp_path, {"a.ipynb": json.dumps(cells, indent=1)})
     assert [(d.name, d.strength) for d in imports.read(repository)] == [("pandas", "optional"), ("scipy", "optional")]
+
+
+@pytest.mark.parametrize(
+    "cells",
+    [
+        {"cells": [{"cell_type": "code", "source": "x = 1\nimport numpy, pandas\nif x:\n    import scipy"}]},
+        {"worksheets": [{"cells": [{"cell_type": "code", "input": ["import numpy, pandas\n", "  import scipy"]}]}]},
+        {
+            "cells": [
+                {"cell_type": "markdown", "source": ["import torch"]},
+                {"cell_type": "code", "source": ["import numpy, pandas"], "outputs": [{"text": ["import jax"]}]},
+                {"cell_type": "code"},
+                None,
+            ],
+            "metadata": {"language_info": {"name": "Python"}, "kernelspec": []},
+        },
+    ],
+)
+def test_only_what_stands_in_code_counts(cells: object, tmp_path: Path) -> None:
+    repository = tree(tmp_path, {"a.ipynb": json.dumps(cells, indent=1)})
+    assert [d.name for d in imports.read(repository)] == ["numpy", "pandas"]
+
+
+def test_the_line_of_a_notebooks_file_is_named(tmp_path: Path) -> None:
+    text = json.dumps({"cells": [{"cell_type": "code", "source": ["x = 1\n", "import numpy\n"]}]}, indent=1)
+    repository = tree(tmp_path, {"a.ipynb": text})
+    (found,) = imports.read(repository)
+    assert "import numpy" in text.split("\n")[found.line - 1]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '{"cells": [{"cell_type": "code", "source": ["import numpy"]}',
+        "[" * 100_000,
+        '["import numpy"]',
+        '{"cells": [{"cell_type": "code", "source": ["import numpy"]}], "metadata": {"kernelspec": {"language": "R"}}}',
+    ],
+    ids=["cut", "deep", "list", "r"],
+)
+def test_what_is_no_notebook_of_python_says_nothing(text: str, tmp_path: Path) -> None:
+    assert imports.read(tree(tmp_path, {"a.ipynb": text})) == ()
+
+
+@pytest.mark.parametrize("row", rows("imports"), ids=lambda row: row["module"])
+def test_every_module_of_the_table_is_read(row: dict[str, str], tmp_path: Path) -> None:
+    repository = tree(tmp_path, {"src/a.py": f"import os, {row['module']}\n"})
+    assert [d.name for d in imports.read(repository)] == [row["module"].partition(".")[0]]
 
 
 def test_programs(tmp_path: Path) -> None:

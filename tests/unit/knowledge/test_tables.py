@@ -25,6 +25,7 @@ FOLDER = Path(roslab.knowledge.__file__).parent
 TABLES = sorted(path.stem for path in FOLDER.glob("*.csv"))
 LIBRARY_TABLES = ("cmake", "pkg_config", "links", "includes")
 APT = re.compile(r"[a-z0-9][a-z0-9.+-]+\Z")
+OURS = re.compile(r"^(?:scripts|knowledge|roslab)/")
 DATE = re.compile(r"20\d\d-[01]\d-[0-3]\d\Z")
 RECIPES = tomllib.loads((FOLDER / "recipes.toml").read_text(encoding="utf-8"))
 
@@ -39,6 +40,7 @@ def test_every_row_has_a_source_and_a_date(table: str) -> None:
             assert len(row) == len(header), f"{table}.csv:{number} has {len(row)} fields"
             fields = dict(zip(header, row, strict=True))
             assert fields["source"].strip(), f"{table}.csv:{number} has no source"
+            assert not OURS.search(fields["source"]), f"{table}.csv:{number}: a file of this project is no source"
             assert DATE.match(fields["date"]), f"{table}.csv:{number}: {fields['date']!r} is no date"
 
 

@@ -134,7 +134,7 @@ def _found(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
             for component in finder.components:
                 yield _dependency("ros", component, strength, call, path)
         else:
-            yield _dependency("cmake", name, strength, call, path, finder)
+            yield _dependency("cmake", name, strength, call, path, finder.version)
 
 
 def _finder(words: tuple[str, ...]) -> _Finder:
@@ -167,7 +167,7 @@ def _dependency(  # noqa: PLR0917 - called in one file, in the order of its sent
     strength: Strength,
     call: Call,
     path: str,
-    finder: _Finder | None = None,
+    version: str | None = None,
 ) -> Dependency:
     condition = " AND ".join(call.conditions) or None
     test = bool(condition and _TEST.search(condition)) or places.test(path)
@@ -177,8 +177,7 @@ def _dependency(  # noqa: PLR0917 - called in one file, in the order of its sent
         strength=strength,
         file=path,
         line=call.line,
-        components=finder.components if finder else (),
-        version=finder.version if finder else None,
+        version=version,
         role="test" if test else "build",
         condition=condition,
     )

@@ -6,6 +6,7 @@ import re
 
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency
+from roslab.knowledge.libraries import library
 from roslab.repository.checkout import File, Repository
 
 SUFFIXES = (".cpp", ".hpp", ".h", ".cc", ".cxx", ".hh", ".c", ".cu", ".cuh")
@@ -29,7 +30,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         for match in _INCLUDE.finditer(text):
             name = match[1]
             key = name if "/" not in name else "/".join(name.split("/")[:2])
-            if key in found or _STANDARD.match(name) or _local(repository, name):
+            if key in found or _standard(name) or _local(repository, name):
                 continue
             line += text.count("\n", position, match.start(1))
             position = match.start(1)
@@ -40,6 +41,11 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 def cuda_files(repository: Repository) -> tuple[str, ...]:
     """Return the CUDA sources of the tree, copies of other people's code left out."""
     return tuple(file.path for file in repository.suffixed(".cu") if not places.vendored(file.path))
+
+
+def _standard(name: str) -> bool:
+    """Tell whether the compiler brings a header: some libraries name theirs as the standard does, ``<armadillo>``."""
+    return bool(_STANDARD.match(name)) and library("include", name, None) is None
 
 
 def _sources(repository: Repository) -> list[File]:

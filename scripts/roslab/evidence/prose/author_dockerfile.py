@@ -46,7 +46,7 @@ _REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
 
 
 def read(repository: Repository) -> tuple[AuthorDockerfile, ...]:
-    """Return every Dockerfile of the tree, sorted by path; what they mention is in ``mentions_of``."""
+    """Return every Dockerfile of the tree, sorted by path; what they mention comes from ``prose``."""
     return tuple(_dockerfile(repository, file) for file in _files(repository))
 
 
@@ -87,7 +87,6 @@ class _Reading:
 
     collector: Collector
     known: dict[str, str]
-    arguments: dict[str, str | None] = field(default_factory=dict)
     stages: dict[str, str] = field(default_factory=dict)
     base: str | None = None
     base_line: int = 1
@@ -128,7 +127,6 @@ class _Reading:
     def _set(self, name: str, body: str) -> None:
         if name == "ARG":
             variable, _, default = body.strip().partition("=")
-            self.arguments[variable] = default.strip("\"'") or None
             if default:
                 self.known.setdefault(variable, expand(default.strip().strip("\"'"), self.known))
             return
@@ -147,7 +145,6 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     collector = reading.collector
     clones = tuple(collector.sources)
     itself = any(_itself(repository, clone) for clone in clones)
-    tools = [mention.value for mention in collector.mentions if mention.topic == "build_tool"]
     return AuthorDockerfile(
         file=file.path,
         line=1,
@@ -155,12 +152,10 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         base_line=reading.base_line,
         copies_repository=copies or itself,
         clones=clones,
-        build_tool=next((tool for tool in tools if tool != "cmake"), tools[0] if tools else None),
         dependencies=tuple(dict.fromkeys(collector.dependencies)),
         command=reading.command,
         command_line=reading.command_line,
         purpose=_purpose(file.path, reading.base or "", problem),
-        arguments=tuple(reading.arguments.items()),
         problem=problem or reading.needs or missing,
         context=context,
         clones_itself=itself,

@@ -43,14 +43,12 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
     items = [item for listed in inner for item in listed if isinstance(item, str)]
     pip = [found for item in items if (found := _item(item, file.path, line_of(item)))]
     python = next((match[1] for package in packages if (match := _PYTHON.match(package))), None)
-    channels = data.get("channels")
     name = data.get("name")
     return CondaEnvironment(
         file=file.path,
         line=1,
         name=name if isinstance(name, str) else None,
         python=".".join(python.split(".")[:2]) if python else None,
-        channels=tuple(c for c in channels if isinstance(c, str)) if isinstance(channels, list) else (),
         packages=packages,
         dependencies=tuple(pip),
     )

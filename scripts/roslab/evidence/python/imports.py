@@ -7,6 +7,8 @@ import sys
 
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency, Program
+from roslab.evidence.python import notebooks
+from roslab.knowledge.frameworks import imports as known_imports
 from roslab.repository.checkout import File, Repository
 
 MAX_READ = 128 * 1024
@@ -19,16 +21,12 @@ _IMPORT = re.compile(
     r"|from[ \t]+(?P<module>[A-Za-z_][\w.]*)[ \t]+import\b)",
     re.MULTILINE,
 )
-_CELL = re.compile(r"^[ \t]*\"(?:import|from)[ \t]+([A-Za-z_]\w*)", re.MULTILINE)
-"""A line of a notebook's cell, as its JSON is written."""
 MAX_NOTEBOOK = 1024 * 1024
 _PLAIN_PYTHON = re.compile(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python[ \t]*\r?$", re.MULTILINE)
 """A first line that starts `python`, which Ubuntu 20.04 and newer do not have of themselves."""
 _MAIN = re.compile(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
 _NODE = re.compile(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
-_APART = frozenset({"tkinter"})
-"""Of the standard library by its documentation, a package of its own by Debian's and Ubuntu's: python3-tk."""
-_STANDARD = (frozenset(sys.stdlib_module_names) - _APART) | frozenset(
+_STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
     {
         "__builtin__", "ConfigParser", "Queue", "StringIO", "cPickle", "commands", "copy_reg", "cStringIO",
         "distutils", "httplib", "imp", "md5",
@@ -55,10 +53,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         if "import" not in text:
             continue
         for match in _IMPORT.finditer(text):
-            names = [match["module"]] if match["module"] else [part.split()[0] for part in match["plain"].split(",")]
-            for name in names:
-                top = name.partition(".")[0]
-                if top in _STANDARD or top in local or top.startswith("_"):
+            for top in _modules_of(match):
+                if _standard(top) or top in local or top.startswith("_"):
                     continue
                 known = found.get(top)
                 if known is not None and (known.strength == "used" or match["indent"]):
@@ -86,11 +82,24 @@ def _started(file: File, text: str) -> Dependency | None:
 def _add_notebooks(repository: Repository, local: frozenset[str], found: dict[str, Dependency]) -> None:
     for file in _notebooks(repository):
         text = repository.read(file, limit=MAX_NOTEBOOK)
-        for match in _CELL.finditer(text):
-            top = match[1]
-            if top not in _STANDARD and top not in local and top not in found and not top.startswith("_"):
-                line = text.count("\n", 0, match.start()) + 1
-                found[top] = Dependency(namespace="import", name=top, strength="optional", file=file.path, line=line)
+        for line, code in notebooks.imports(text):
+            match = _IMPORT.match(code)
+            for top in _modules_of(match) if match and not match["indent"] else ():
+                if not _standard(top) and top not in local and top not in found and not top.startswith("_"):
+                    found[top] = Dependency(
+                        namespace="import", name=top, strength="optional", file=file.path, line=line
+                    )
+
+
+def _modules_of(match: re.Match[str]) -> list[str]:
+    """Return the top-level modules that a statement imports."""
+    names = [match["module"]] if match["module"] else [part.split()[0] for part in match["plain"].split(",")]
+    return [name.partition(".")[0] for name in names]
+
+
+def _standard(module: str) -> bool:
+    """Tell whether Python brings a module: Debian and Ubuntu have packages of their own for parts of its library."""
+    return module in _STANDARD and module not in known_imports()
 
 
 def _notebooks(repository: Repository) -> list[File]:

@@ -79,7 +79,7 @@ def _listed(lines: Iterable[Any], path: str, line_of: Callable[[str], int], role
     return [dependency for dependency in found if dependency]
 
 
-def from_file(repository: Repository, folder: str, name: str, role: str = "") -> list[Dependency]:
+def from_file(repository: Repository, folder: str, name: str) -> list[Dependency]:
     """Return the requirements of a file that a project reads its own from, and of what that file includes."""
     pending, seen, found = [f"{folder}/{name}".strip("/")], set[str](), list[Dependency]()
     while pending:
@@ -89,7 +89,7 @@ def from_file(repository: Repository, folder: str, name: str, role: str = "") ->
             parsed = requirements.parse(repository.read(path, limit=requirements.MAX_SIZE), path, "run")
             found += [dependency for dependency in parsed.dependencies if dependency.role != "project"]
             pending += parsed.includes
-    return found if not role else [d for d in found if role]
+    return found
 
 
 def _setup_py(repository: Repository, path: str, folder: str, text: str) -> PythonProject | None:

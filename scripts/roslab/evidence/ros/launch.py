@@ -30,7 +30,7 @@ _PYTHON_PACKAGE = re.compile(
 )
 _NODELET = re.compile(rf"\bload\s+({_PACKAGE})/[A-Za-z]")
 _PLUGIN = re.compile(
-    rf"^[ \t]*(?:-[ \t]*)?\{{?[ \t]*(?:name[ \t]*:[ \t]*\S+[ \t]*,[ \t]*)?"
+    rf"^[ \t]{{0,99}}(?:-[ \t]{{0,99}})?(?:\{{[ \t]{{0,99}})?(?:name[ \t]*:[ \t]*\S+[ \t]*,[ \t]*)?"
     rf"(?:plugin|type|base_(?:local|global)_planner|planner_plugin|class)[ \t]*:[ \t]*"
     rf"[\"']?({_PACKAGE})(?:/|::)[A-Z]\w+",
     re.MULTILINE,

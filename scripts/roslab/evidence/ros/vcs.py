@@ -32,11 +32,6 @@ def read(repository: Repository) -> tuple[GitSource, ...]:
     return tuple(found)
 
 
-def lists(repository: Repository) -> tuple[str, ...]:
-    """Return the paths of the vcs files, also of those that list nothing."""
-    return tuple(file.path for file in _files(repository))
-
-
 def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
     """Return ``(message, file, line)`` where submodules are not checked out: what is in them was not read."""
     folders = {file.folder for file in repository.files}
