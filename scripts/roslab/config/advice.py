@@ -6,6 +6,7 @@ import re
 
 from roslab.config import vocabulary
 from roslab.config.document import printable
+from roslab.knowledge.distros import releases_of
 
 _TREE = re.compile(r"(https?://[^/\s]+/[^/\s]+/[^/\s]+?)(?:\.git)?/(?:-/)?(?:tree|blob)/([^/\s]+)(?:/(\S+))?")
 
@@ -72,7 +73,7 @@ def _apt(text: str) -> str | None:
 
 
 def _ubuntu(text: str) -> str | None:
-    releases = vocabulary.rows("ros").get(text)
+    releases = releases_of().get(text)
     if releases:
         return f"that is a ROS distribution: write `ubuntu: {releases[-1]}` and `ros: {text}`"
     if re.fullmatch(r"\d\d\.(?:04|10)", text):
@@ -82,7 +83,7 @@ def _ubuntu(text: str) -> str | None:
 
 def _ros(text: str) -> str | None:
     distro, _, variant = text.partition("-")
-    allowed = vocabulary.rows("ros")
+    allowed = releases_of()
     if distro not in allowed:
         meant = vocabulary.nearest(distro, allowed)
         full = f"{meant}-{variant}" if variant else meant

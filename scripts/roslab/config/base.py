@@ -8,6 +8,7 @@ from roslab.config import vocabulary
 from roslab.config.model import Base, Generation
 from roslab.config.node import Mapping, Node, Scalar
 from roslab.config.reading import Reading, Text
+from roslab.knowledge.distros import releases_of
 
 Flavour = Literal["base", "runtime", "devel"]
 
@@ -82,7 +83,7 @@ def _agree(reading: Reading, ubuntu: str | None, ros: Text | None, mapping: Mapp
     if ubuntu is None or ros is None or mapping is None or "image" in mapping.names:
         return
     distro = ros.value.partition("-")[0]
-    releases = vocabulary.rows("ros")[distro]
+    releases = releases_of()[distro]
     if ubuntu not in releases:
         hint = f"write `ubuntu: {releases[-1]}`, or leave `ubuntu` out"
         reading.complain(f"base.ros: ROS {distro} has no packages for Ubuntu {ubuntu}", hint, ros.node)

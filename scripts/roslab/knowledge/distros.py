@@ -31,7 +31,7 @@ class Distro:
 
 @cache
 def distros() -> dict[str, Distro]:
-    """Return every distribution by its name, the oldest first, ROS 1 before ROS 2."""
+    """Return every distribution that an image exists for by its name, the oldest first, ROS 1 before ROS 2."""
     return {
         row["name"]: Distro(
             name=row["name"],
@@ -45,7 +45,29 @@ def distros() -> dict[str, Distro]:
             preference=int(row["preference"]),
         )
         for row in rows("distros")
+        if row["image"] == "yes"
     }
+
+
+@cache
+def releases_of() -> dict[str, tuple[str, ...]]:
+    """Return the Ubuntu codenames that each distribution has packages for; none is named that has them for no Ubuntu.
+
+    Those without an image are among them: roslab.yaml may say them, and so do pages.
+    """
+    return {row["name"]: tuple(row["releases"].split()) for row in rows("distros") if row["releases"]}
+
+
+@cache
+def english_words() -> frozenset[str]:
+    """Return the distributions whose names are words of other things too."""
+    return frozenset(row["name"] for row in rows("distros") if row["word"] == "yes")
+
+
+@cache
+def ever() -> frozenset[str]:
+    """Return the names of all distributions that ever were: they stand in names of apt packages."""
+    return frozenset(row["name"] for row in rows("distros"))
 
 
 @cache

@@ -15,6 +15,7 @@ from roslab.config import read, vocabulary
 from roslab.config.model import BuildTool, Generation, Kind
 from roslab.config.source import OLD_TOOLS, Build
 from roslab.errors import ConfigurationError
+from roslab.knowledge.distros import releases_of
 
 jsonschema = pytest.importorskip("jsonschema")
 
@@ -166,11 +167,11 @@ def test_the_words_of_schema_and_tables_are_the_same(schema: Any) -> None:
         *vocabulary.rows("ubuntu"),
         *vocabulary.rows("ubuntu").values(),
     }
-    assert definitions["ros_distro"]["enum"] == list(vocabulary.rows("ros"))
-    for distro in vocabulary.rows("ros"):
+    assert definitions["ros_distro"]["enum"] == list(releases_of())
+    for distro in releases_of():
         assert read(f"base: {{ros: {distro}}}").base.ros == distro
     releases = set(vocabulary.rows("ubuntu").values())
-    assert all(set(found) <= releases for found in vocabulary.rows("ros").values())
+    assert all(set(found) <= releases for found in releases_of().values())
 
 
 def test_the_words_of_schema_and_model_are_the_same(schema: Any) -> None:

@@ -6,14 +6,12 @@ import re
 from dataclasses import dataclass
 
 from roslab.evidence.facts import Dependency
-from roslab.knowledge.distros import distros
+from roslab.knowledge.distros import ever
 from roslab.knowledge.libraries import Library, header, library
 from roslab.knowledge.released import released
 
 APT_NAME = re.compile(r"^[a-z0-9][a-z0-9.+-]+$")
 _PLACEHOLDER = re.compile(r"^ros-(\{distro\}|[a-z]+)-(.+)$")
-_BEFORE = frozenset({"diamondback", "electric", "fuerte", "groovy", "hydro", "ardent", "bouncy", "crystal"})
-"""Distributions that no image is made for. https://wiki.ros.org/Distributions, https://ros.org/reps/rep-2000.html"""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -98,4 +96,4 @@ def _apt(name: str, target: Target) -> tuple[str, ...]:
 def written_for(name: str) -> str | None:
     """Return the distribution in an apt name, ``{distro}`` for a placeholder; ``ros-dev-tools`` has none."""
     match = _PLACEHOLDER.match(name)
-    return match[1] if match and (match[1] in distros() or match[1] in _BEFORE or match[1] == "{distro}") else None
+    return match[1] if match and (match[1] in ever() or match[1] == "{distro}") else None

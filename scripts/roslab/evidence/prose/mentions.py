@@ -7,30 +7,10 @@ from collections.abc import Iterator
 from typing import Literal
 
 from roslab.evidence.facts import Mention
+from roslab.knowledge.distros import english_words, releases_of
 
 MAX_MENTIONS = 120
 """Per file and topic: a changelog names versions without end."""
-_DISTROS = (
-    "indigo|jade|kinetic|lunar|melodic|noetic|dashing|eloquent|"
-    "foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling|crystal|bouncy|ardent"
-)
-_AMBIGUOUS = frozenset(
-    {
-        "iron",
-        "rolling",
-        "crystal",
-        "bouncy",
-        "ardent",
-        "humble",
-        "jade",
-        "indigo",
-        "lunar",
-        "kinetic",
-        "galactic",
-        "lyrical",
-    }
-)
-"""English words too: they need ROS, a branch or an Ubuntu near them."""
 _UBUNTU = (
     r"ubuntu[\s:_-]{0,3}(?:lts\s{0,2})?(1[46]\.04|18\.04|2[0246]\.04)|(trusty|xenial|bionic|jammy|noble|resolute|"
     r"focal(?!['\u2019]?s?[\s_-]{1,3}(?:lengths?|points?|planes?|distances?|axis|ratio|loss|spots?)))"
@@ -61,7 +41,7 @@ def _word(pattern: str) -> re.Pattern[str]:
 
 
 _PATTERNS: tuple[tuple[Literal["distro", "ubuntu", "cuda", "cudnn", "python", "vcs_file"], re.Pattern[str]], ...] = (
-    ("distro", _word(rf"({_DISTROS})(?![A-Za-z])")),
+    ("distro", _word(rf"({'|'.join(releases_of())})(?![A-Za-z])")),
     ("ubuntu", _word(rf"(?:{_UBUNTU})(?![A-Za-z])")),
     ("cuda", _word(_CUDA)),
     ("cuda", _LOCAL),
@@ -85,8 +65,8 @@ def read(
             end = text.find("\n", match.end(), match.end() + 90)
             context = text[max(0, start) : end if end >= 0 else match.end() + 90].strip()
             value = next(group for group in match.groups() if group).lower()
-            if topic == "distro" and value in _AMBIGUOUS and not _CONTEXT.search(context):
-                continue
+            if topic == "distro" and value in english_words() and not _CONTEXT.search(context):
+                continue  # a word of English: it needs ROS, a branch or an Ubuntu near it
             if topic == "python" and _TRACEBACK.search(text, max(0, start), match.start()):
                 continue
             if pattern is _LOCAL:
