@@ -10,12 +10,15 @@ from roslab.decide.base import decide_base, of_dockerfile
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.command import decide_command
 from roslab.decide.cuda.version import CudaChoice, decide_cuda, of_image
-from roslab.decide.decision import Choice, Decision, Python, Warning_
+from roslab.decide.decision import Decision, Warning_
 from roslab.decide.kind import decide_kind
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.proof import decide_test
-from roslab.decide.python.environment import decide_python, specifiers
+from roslab.decide.python.environment import decide_python
+from roslab.decide.python.installed import installed
+from roslab.decide.python.own import decide_version
+from roslab.decide.python.pins import pins
 from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.keys import declared_keys
@@ -43,13 +46,21 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     kind = decide_kind(evidence, config)
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
-    cuda = decide_cuda(evidence, config)
-    if kind.answer in _ROS or kind.answer == "cpp" or distro:
-        base = decide_base(evidence, config, kind.answer, chosen=release, cuda=cuda, python=None)
-        python = _python(evidence, config, kind.answer, base.answer.ubuntu, distro)
-    else:
-        python = _python(evidence, config, kind.answer, config.base.ubuntu, distro)
-        base = decide_base(evidence, config, kind.answer, chosen=release, cuda=cuda, python=python.answer.version)
+    mentioned = pins(evidence)
+    cuda = decide_cuda(evidence, config, mentioned)
+    version = decide_version(evidence, config, kind.answer, pins=mentioned, ros_distro=distro, cuda=cuda.cuda)
+    base = decide_base(evidence, config, kind.answer, chosen=release, cuda=cuda, python=version.answer.version)
+    python = decide_python(
+        evidence,
+        config,
+        kind.answer,
+        pins=mentioned,
+        own=version,
+        ubuntu=base.answer.ubuntu,
+        ros_distro=distro,
+        cuda=cuda.cuda,
+    )
+    everything = installed(evidence, python.answer)
     own = decide_dockerfile(evidence, config, kind.answer, distro)
     if own.answer:
         base = of_dockerfile(base, evidence, config, own.answer.file)
@@ -82,12 +93,15 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         target=target,
         packages=packages,
         python=python.answer,
+        installed=everything,
         base_packages=base.answer.ros_packages,
         sisters=sources.answer.names,
     )
     python, system, sources, layout = as_it_was(
         config, base_packages=base.answer.ros_packages, python=python, system=system, sources=sources, layout=layout
     )
+    if config.compatible:
+        everything = installed(evidence, python.answer)
     recipes = (*sources.answer.libraries, *system.answer.recipes)
     sources = with_recipes(sources, recipes_for(recipes, base.answer.ubuntu))
 
@@ -95,7 +109,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     cuda = cuda if on_cuda else CudaChoice()
     command = decide_command(evidence, config, kind.answer, own.answer.file if own.answer else None)
     test = decide_test(config)
-    platforms = decide_platforms(evidence, config, kind.answer, base.answer.image, distro, cuda.cuda, python.answer)
+    platforms = decide_platforms(
+        evidence, config, kind.answer, base.answer.image, distro, cuda.cuda, python.answer, everything
+    )
     choices = (kind, release, base, build_tool, layout, python, cuda, own, command, test, platforms, sources, system)
     return Decision(
         kind=kind.answer,
@@ -108,7 +124,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         apt=system.answer.apt,
         apt_guessed=system.answer.apt_guessed,
         python=python.answer,
-        pip=specifiers(evidence, python.answer),
+        pip=everything,
         source=sources.answer.sources,
         vcs=sources.answer.vcs,
         packages=tuple(manifest.file for manifest in packages.built) if kind.answer in _ROS else (),
@@ -134,11 +150,6 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         ),
         reasons=tuple(reason for choice in choices for reason in choice.reasons),
     )
-
-
-def _python(evidence: Evidence, config: Config, kind: Kind, ubuntu: str | None, distro: str | None) -> Choice[Python]:
-    answer, reasons, warnings = decide_python(evidence, config, kind, ubuntu, distro)
-    return Choice(answer=answer, reasons=reasons, warnings=warnings)
 
 
 def _names(packages: Packages, kind: Kind) -> tuple[str, ...]:

@@ -63,6 +63,7 @@ def decide_base(
         return _ros(evidence, config, chosen.answer, chosen.reasons[0], cuda)
     if kind == "cpp" and not cuda.cuda:
         return _cpp(evidence, config)
+    python = None if kind == "cpp" else python  # C++ starts from an Ubuntu for its own sake
     image, ubuntu, reasons = base_for(kind, cuda.cuda, cuda.cudnn if cuda.cudnn_named else None, base.ubuntu, python)
     return Choice(answer=BaseImage(image=image, ubuntu=ubuntu), reasons=reasons)
 

@@ -7,6 +7,9 @@ from typing import Generic, Literal, TypeVar
 
 from roslab.config.model import BuildTool, Kind
 from roslab.config.model import Source as SourceDependency
+from roslab.decide.python.pythons import ANY
+from roslab.values.interpreter import Interpreter
+from roslab.values.requirement import Requirement
 
 Answer = TypeVar("Answer")
 
@@ -46,37 +49,42 @@ class Choice(Generic[Answer]):
     warnings: tuple[Warning_, ...] = ()
 
 
+Manager = Literal["system", "venv", "conda"]
+"""``system``: the base's own interpreter (ROS); ``venv``: /opt/venv over it; ``conda``: by micromamba."""
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Python:
     """The Python part of the image."""
 
     version: str | None
     """``3.8``; ``None`` where the image needs none of its own."""
-    manager: Literal["system", "venv", "conda"]
-    """``system``: the base's own interpreter (ROS); ``venv``: /opt/venv over it; ``conda``: by micromamba."""
-    pip: tuple[str, ...] = ()
-    """Requirement lines that are declared and must install."""
-    pip_guessed: tuple[str, ...] = ()
-    """Names read from imports or prose: installed where pip can, reported where not."""
+    manager: Manager
+    interpreter: Interpreter = ANY
+    """The Pythons that it may be, for the markers of requirements."""
+    pip: tuple[Requirement, ...] = ()
+    """Declared: they must install."""
+    pip_guessed: tuple[Requirement, ...] = ()
+    """Read from imports or prose: installed where pip can, reported where not."""
     requirements: tuple[str, ...] = ()
     """Requirement files of the tree to install as they are, relative to the root."""
     manifests: tuple[str, ...] = ()
-    """Every file that ``requirements`` need to be read: they themselves, what they include, their constraints."""
+    """Every file that ``requirements`` and ``conda_file`` need to be read: what they include, their constraints."""
     projects: tuple[str, ...] = ()
     """Folders to ``pip install``, ``.`` for the root; installed in this order, editable, after the source is copied."""
     alone: tuple[str, ...] = ()
     """Those of ``projects`` that pip installs without their dependencies: one of these is nowhere to be had."""
     conda_file: str | None = None
-    first: tuple[str, ...] = ()
-    """Requirement lines that must be there before the others are built (numpy, torch, Cython)."""
-    bounds: tuple[str, ...] = ()
+    first: tuple[Requirement, ...] = ()
+    """What must be there before the others are built (numpy, torch, Cython)."""
+    bounds: tuple[Requirement, ...] = ()
     """Constraints on what is installed: newer versions no longer have what the code uses, or are not what it is for."""
     options: tuple[str, ...] = ()
     """pip options: index URLs and find-links of the framework's own wheels."""
     pip_options: tuple[str, ...] = ()
     """Options that stood among the lines of ``pip`` (``--upgrade``), for these lines alone."""
-    python2: tuple[str, ...] = ()
-    """Requirement lines for a Python 2 beside it (``pip`` of the old formats)."""
+    python2: tuple[Requirement, ...] = ()
+    """For a Python 2 beside it (``pip`` of the old formats)."""
     python2_options: tuple[str, ...] = ()
 
 
@@ -98,8 +106,8 @@ class Decision:
     apt_guessed: tuple[str, ...] = ()
     """Only read in prose or guessed: installed where the image's apt knows them, reported where not."""
     python: Python
-    pip: tuple[str, ...] = ()
-    """Every requirement line that the image installs, those of files, projects and conda environments too: a report."""
+    pip: tuple[Requirement, ...] = ()
+    """Everything that pip and conda install, what files, projects and conda environments ask for too: a report."""
     source: tuple[SourceDependency, ...] = ()
     vcs: tuple[str, ...] = ()
     """vcs files to import into the workspace, relative to the root."""

@@ -50,7 +50,7 @@ def _named(evidence: Evidence, files: set[str | None]) -> Evidence:
         conda=tuple(file for file in evidence.conda if file.file in files),
         dockerfiles=tuple(authored for authored in evidence.dockerfiles if authored.file in files),
         code=tuple(found for found in evidence.code if found.namespace != "import"),
-        prose=tuple(found for found in evidence.prose if found.namespace == "apt"),
+        prose_pip=(),
         sources=tuple(git for git in evidence.sources if git.file in files),
         mentions=tuple(mention for mention in evidence.mentions if mention.topic in _KEPT_TOPICS),
         bounds=(),

@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
+from roslab.values.conda import CondaPackage
+from roslab.values.requirement import Requirement
+
 Strength = Literal["declared", "used", "optional", "prose"]
 """How far a dependency can be trusted.
 
@@ -12,17 +15,16 @@ Strength = Literal["declared", "used", "optional", "prose"]
 ``used``: the code uses it (an include, an import, a launch file's package); ``optional``: behind a condition or
 ``QUIET``; ``prose``: written for humans (README) or for another machine (an author's Dockerfile, CI).
 """
-Namespace = Literal["rosdep", "apt", "pip", "cmake", "ros", "pkg-config", "include", "import", "link"]
+Namespace = Literal["rosdep", "apt", "cmake", "ros", "pkg-config", "include", "import", "link"]
 """Whose name it is: ``ros`` is a ROS package, ``cmake`` a name given to ``find_package``."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Dependency:
-    """One thing that the repository needs, by the name its source calls it."""
+    """One thing that the repository needs, by its source's name for it; what pip is asked for is a ``Requirement``."""
 
     namespace: Namespace
     name: str
-    """For ``pip`` the whole requirement line, for the others a bare name."""
     strength: Strength
     file: str
     line: int
@@ -30,7 +32,7 @@ class Dependency:
     role: str = ""
     """``build``, ``exec``, ``test``, ``doc`` … as its source has it."""
     condition: str | None = None
-    """Its condition as written (``$ROS_VERSION == 1``, ``sys_platform == 'win32'``, a CMake ``if``)."""
+    """Its condition as written (``$ROS_VERSION == 1``, a CMake ``if``)."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -97,8 +99,8 @@ class PythonProject:
     installable: bool
     """False for a pyproject.toml that only configures tools, and for a setup.py of catkin or ament."""
     requires_python: str | None
-    build_requires: tuple[str, ...]
-    dependencies: tuple[Dependency, ...]
+    build_requires: tuple[Requirement, ...]
+    requirements: tuple[Requirement, ...]
     scripts: tuple[tuple[str, int], ...] = ()
     """Console scripts, with their lines."""
     extensions: tuple[str, ...] = ()
@@ -114,7 +116,7 @@ class RequirementFile:
 
     file: str
     line: int
-    dependencies: tuple[Dependency, ...]
+    requirements: tuple[Requirement, ...]
     includes: tuple[str, ...]
     """Paths of files that it includes by ``-r``, relative to the repository's root."""
     constraints: tuple[str, ...]
@@ -131,8 +133,8 @@ class CondaEnvironment:
     line: int
     name: str | None
     python: str | None
-    packages: tuple[str, ...]
-    dependencies: tuple[Dependency, ...]
+    packages: tuple[CondaPackage, ...]
+    requirements: tuple[Requirement, ...]
     """The ``pip:`` part."""
 
 
@@ -148,6 +150,8 @@ class AuthorDockerfile:
     copies_repository: bool
     clones: tuple[GitSource, ...]
     dependencies: tuple[Dependency, ...]
+    """What it installs by apt."""
+    requirements: tuple[Requirement, ...]
     command: tuple[str, ...]
     purpose: Literal["project", "documentation", "vendored", "ci", "deploy", "broken"]
     """What it seems to be for; ``broken`` where it does not parse."""
@@ -201,6 +205,17 @@ class Program:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class Removed:
+    """A use of what newer versions of a Python package no longer have."""
+
+    bound: Requirement
+    """The versions that still have it: ``matplotlib<3.5``."""
+    what: str
+    file: str
+    line: int
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Evidence:
     """Everything that was read, sorted by file within each source."""
 
@@ -215,10 +230,12 @@ class Evidence:
     code: tuple[Dependency, ...] = ()
     """Includes and imports."""
     prose: tuple[Dependency, ...] = ()
-    """Install lines of README and scripts."""
+    """What install lines of README and scripts ask apt for."""
+    prose_pip: tuple[Requirement, ...] = ()
+    """What they ask pip and conda for."""
     sources: tuple[GitSource, ...] = ()
     mentions: tuple[Mention, ...] = ()
-    bounds: tuple[Dependency, ...] = ()
+    bounds: tuple[Removed, ...] = ()
     """How old a Python package must be, by what the code uses of it."""
     cuda_files: tuple[str, ...] = ()
     problems: tuple[tuple[str, str | None, int | None], ...] = ()
@@ -229,5 +246,6 @@ class Prose(NamedTuple):
     """What a text for humans, or for another machine, says in passing (README, CI, install scripts)."""
 
     dependencies: tuple[Dependency, ...] = ()
+    requirements: tuple[Requirement, ...] = ()
     sources: tuple[GitSource, ...] = ()
     mentions: tuple[Mention, ...] = ()

@@ -41,6 +41,7 @@ def gather(repository: Repository) -> Evidence:
         programs=imports.programs(repository),
         code=(*cpp.read(repository), *imports.read(repository), *launch.plugins(repository)),
         prose=prose.dependencies,
+        prose_pip=prose.requirements,
         sources=sources,
         mentions=(
             *distro_names.read(repository),

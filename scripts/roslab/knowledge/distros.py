@@ -82,6 +82,12 @@ def cmake_of_ubuntu() -> dict[str, str]:
     return {row["codename"]: row["cmake"] for row in rows("ubuntu")}
 
 
+@cache
+def python_of_ubuntu() -> dict[str, str]:
+    """Return ``{codename: version}`` of ``python3`` in each Ubuntu release."""
+    return {row["codename"]: row["python"] for row in rows("ubuntu")}
+
+
 def distro(name: str | None) -> Distro | None:
     """Return a distribution by its name."""
     return distros().get(name or "")

@@ -2,23 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from functools import cache
 
+from packaging.version import Version
+
 from roslab.knowledge.table import rows
-
-Version = tuple[int, ...]
-
-
-def version(text: str) -> Version:
-    """Return the numbers of a version: ``1.13.1+cu117`` → ``(1, 13, 1)``; ``()`` where it has none."""
-    return tuple(int(number) for number in re.findall(r"\d+", text.partition("+")[0].partition("-")[0])[:4])
-
-
-def canonical(name: str) -> str:
-    """Return a package's name as the index compares it. https://peps.python.org/pep-0503/#normalized-names."""
-    return re.sub(r"[-_.]+", "-", name).lower()
+from roslab.values.version import minor_of, version_of
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -36,35 +26,61 @@ class Framework:
 
 
 @cache
-def _frameworks() -> dict[str, tuple[Framework, ...]]:
-    found: dict[str, list[Framework]] = {}
+def _frameworks() -> dict[str, list[tuple[Version, Framework]]]:
+    """Return the series of each package with their first releases, the newest first."""
+    found: dict[str, list[tuple[Version, Framework]]] = {}
     for row in rows("frameworks"):
-        found.setdefault(row["package"], []).append(
-            Framework(
-                package=row["package"],
-                first=row["first"],
-                cuda=tuple(f"{row['cuda']} {row['other_cuda']}".split()),
-                cudnn=row["cudnn"] or None,
-                python_min=row["python_min"],
-                python_max=row["python_max"],
-                source=row["source"],
-            )
+        series = Framework(
+            package=row["package"],
+            first=row["first"],
+            cuda=tuple(f"{row['cuda']} {row['other_cuda']}".split()),
+            cudnn=row["cudnn"] or None,
+            python_min=row["python_min"],
+            python_max=row["python_max"],
+            source=row["source"],
         )
-    return {package: tuple(sorted(series, key=lambda row: version(row.first))) for package, series in found.items()}
+        found.setdefault(row["package"], []).append((Version(row["first"]), series))
+    return {name: sorted(series, key=lambda pair: pair[0], reverse=True) for name, series in found.items()}
 
 
-def framework(package: str, release: str | None) -> Framework | None:
-    """Return the row for a release (the newest for ``None``), ``None`` for what the table does not know."""
-    series = _frameworks().get(package, ())
-    if release is None:
-        return series[-1] if series else None
-    return next((row for row in reversed(series) if version(row.first) <= version(release)), None)
+@cache
+def _same_releases() -> dict[str, tuple[str, bool]]:
+    return {row["pip"]: (row["framework"], row["cuda"] == "yes") for row in rows("framework_names")}
+
+
+def tabled(package: str) -> str:
+    """Return the name under which the table has a package: ``tensorflow`` for ``tensorflow-gpu``."""
+    return _same_releases().get(package, (package, False))[0]
+
+
+def framework_on_cuda(package: str) -> str | None:
+    """Return the name under which the table has a package whose wheels compute on CUDA, ``None`` for all others."""
+    name, on_cuda = _same_releases().get(package, (package, True))
+    return name if on_cuda and any(series.cuda for _, series in _frameworks().get(name, ())) else None
+
+
+def framework(package: str, release: str) -> Framework | None:
+    """Return the row for a release, ``None`` for what the table does not know."""
+    numbers = _numbers(release)
+    series = _frameworks().get(tabled(package), ())
+    return next((row for first, row in series if numbers and first <= numbers), None)
+
+
+def newest_framework(package: str) -> Framework | None:
+    """Return the row for the newest release, ``None`` for a package that the table does not know."""
+    return next((row for _, row in _frameworks().get(tabled(package), ())), None)
 
 
 def last_below(package: str, release: str) -> Framework | None:
     """Return the row of the newest release before one, ``None`` for what the table does not know."""
-    series = _frameworks().get(package, ())
-    return next((row for row in reversed(series) if version(row.first) < version(release)), None)
+    numbers = _numbers(release)
+    return next((row for first, row in _frameworks().get(package, ()) if numbers and first < numbers), None)
+
+
+def _numbers(release: str) -> Version | None:
+    """Return a release without what follows its numbers: a candidate of 2.0 runs with what 2.0 runs with."""
+    version = version_of(release)
+    return Version(version.base_version) if version else None
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -97,13 +113,15 @@ def cuda_images() -> tuple[CudaImage, ...]:
 
 def cuda_image(cuda: str) -> CudaImage | None:
     """Return the image row of a CUDA version (``11.8``), ``None`` where it is not known."""
-    return next((image for image in cuda_images() if version(image.cuda) == version(cuda)[:2]), None)
+    asked = minor_of(cuda)
+    return next((image for image in cuda_images() if image.cuda == asked), None)
 
 
 def nearest_cuda_image(cuda: str) -> CudaImage:
     """Return the oldest image that exists and is not older, else the newest there is."""
     existing = [image for image in cuda_images() if image.tag]
-    return next((image for image in existing if version(image.cuda) >= version(cuda)[:2]), existing[-1])
+    asked = Version(minor_of(cuda) or cuda)
+    return next((image for image in existing if Version(image.cuda) >= asked), existing[-1])
 
 
 @cache
@@ -138,9 +156,3 @@ def conda_names() -> dict[str, str | None]:
 def imports() -> dict[str, tuple[str | None, str | None]]:
     """Return ``module → (pip, apt)``; ``None`` where there is no such package."""
     return {row["module"]: (row["pip"] or None, row["apt"] or None) for row in rows("imports")}
-
-
-@cache
-def arm64_wheels() -> dict[str, str | None]:
-    """Return the first release of a pip package with a Linux arm64 wheel, ``None`` for never."""
-    return {row["pip"]: row["first"] or None for row in rows("arm64_wheels")}

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 
-from roslab.knowledge.frameworks import canonical
+from packaging.utils import canonicalize_name
+
 from roslab.knowledge.table import rows
 
 
@@ -23,6 +24,6 @@ class NotOnIndex:
 def not_on_index() -> dict[str, NotOnIndex]:
     """Return the table, by names as the index compares them."""
     return {
-        canonical(row["pip"]): NotOnIndex(instead=row["instead"], why=row["why"], source=row["source"])
+        canonicalize_name(row["pip"]): NotOnIndex(instead=row["instead"], why=row["why"], source=row["source"])
         for row in rows("not_on_index")
     }

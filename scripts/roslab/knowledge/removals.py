@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.requirement import Requirement, stated
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -14,11 +15,11 @@ class Removal:
     """One removed name of one package."""
 
     package: str
-    bound: str
-    """The requirement that still has it, ``matplotlib<3.5``."""
-    beside: str
+    bound: Requirement
+    """What still has it, ``matplotlib<3.5``."""
+    beside: Requirement | None
     """A bound that those versions need in turn: they were compiled against NumPy 1, and NumPy 2 loads none of them
-    (https://numpy.org/doc/stable/numpy_2_0_migration_guide.html); ``""`` for none."""
+    (https://numpy.org/doc/stable/numpy_2_0_migration_guide.html)."""
     hint: str
     """A literal that stands wherever the pattern matches: a file without it need not be searched."""
     pattern: re.Pattern[str]
@@ -32,8 +33,8 @@ def removals() -> tuple[Removal, ...]:
     return tuple(
         Removal(
             package=row["package"],
-            bound=row["bound"],
-            beside=row["beside"],
+            bound=stated(row["bound"]),
+            beside=stated(row["beside"]) if row["beside"] else None,
             hint=row["hint"],
             pattern=re.compile(row["pattern"]),
             what=row["what"],

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 
+from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.table import rows
 
 INSTALLERS = ("pip", "setuptools", "wheel")
@@ -19,18 +20,6 @@ class PythonTools:
     jupyter: tuple[str, ...] = JUPYTER
     pinned: bool = False
     """The interpreter is too old for the newest of them."""
-
-
-SYSTEM_PYTHON = {
-    "trusty": "3.4",
-    "xenial": "3.5",
-    "bionic": "3.6",
-    "focal": "3.8",
-    "jammy": "3.10",
-    "noble": "3.12",
-    "resolute": "3.14",
-}
-"""``python3`` of each Ubuntu. https://packages.ubuntu.com/python3, read 2026-08-22."""
 
 
 @cache
@@ -63,5 +52,5 @@ def _beside(row: dict[str, str]) -> tuple[str, ...]:
 
 def python_tools(version: str | None, ubuntu: str | None) -> PythonTools:
     """Return the tools for a Python version, or for an Ubuntu's own Python where no version is given."""
-    known = version or SYSTEM_PYTHON.get(ubuntu or "", "3.12")
+    known = version or python_of_ubuntu().get(ubuntu or "", "3.12")
     return _table().get(".".join(known.split(".")[:2]), PythonTools())

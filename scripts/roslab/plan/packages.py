@@ -56,13 +56,13 @@ def _python_needs(decision: Decision, *, notebook: bool) -> list[str]:
     """Return what the image's Python needs of the system."""
     python = decision.python
     own_python = decision.base_image.rpartition("/")[2].startswith("python:")  # with pip and venv in /usr/local
-    lines = (*python.pip, *python.pip_guessed, *python.first, *python.python2)
-    needs = ["ca-certificates", "git"] if any("git+" in line for line in lines) else []
+    asked = (*python.pip, *python.pip_guessed, *python.first, *python.python2)
+    needs = ["ca-certificates", "git"] if any(each.vcs for each in asked) else []
     if python.manager == "conda":
         needs.append("ca-certificates")
     if not own_python and (python.manager == "venv" or notebook):
         needs += ["ca-certificates", "python3", "python3-venv"]
-    if not own_python and python.manager == "system" and (lines or python.requirements or python.projects):
+    if not own_python and python.manager == "system" and (asked or python.requirements or python.projects):
         needs.append("python-pip" if (python.version or "").startswith("2") else "python3-pip")
     return needs + list(packages("python2", decision.ubuntu) if python.python2 else ())
 

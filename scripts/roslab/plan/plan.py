@@ -9,11 +9,12 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from roslab.config.model import BuildTool, Compatible, Config, Custom, Generation, Kind, Matlab, Source, Volume
-from roslab.decide.decision import Decision, Python, Reason, Warning_
+from roslab.decide.decision import Decision, Reason, Warning_
 from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.tools import PythonTools, python_tools
 from roslab.plan.packages import ROS_TOOLS, image_packages
 from roslab.plan.proof import Proof, proofs
+from roslab.plan.python import PythonPlan, python_plan
 from roslab.plan.version import SourceVersion
 
 VERSION = 1
@@ -99,7 +100,7 @@ class Plan:
     """Built from source before the workspace, in this order."""
     rosdep: Rosdep | None
     rosdep_keys: tuple[str, ...]
-    python: Python
+    python: PythonPlan
     python_tools: PythonTools
     source_version: SourceVersion | None
     """Of projects that take their version from git; ``None`` where none does."""
@@ -188,7 +189,7 @@ def make_plan(
             else None
         ),
         rosdep_keys=decision.rosdep,
-        python=decision.python,
+        python=python_plan(decision.python),
         python_tools=python_tools(decision.python.version, decision.ubuntu),
         source_version=source_version,
         workspace=_workspace(decision, config, in_workspace),

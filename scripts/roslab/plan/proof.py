@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-import re
 import shlex
+from collections.abc import Iterable
 from dataclasses import dataclass
 
+from packaging.version import Version
+
 from roslab.decide.decision import Decision
-from roslab.knowledge.tools import SYSTEM_PYTHON
+from roslab.knowledge.distros import python_of_ubuntu
 from roslab.plan.packages import ROS_TOOLS
+from roslab.values.interpreter import Interpreter
+from roslab.values.requirement import Requirement
 
 LONGEST = 200
 """Letters of a command that are shown."""
@@ -76,9 +80,10 @@ def proofs(decision: Decision) -> tuple[Proof, ...]:
         found += _workspace_proofs(decision)
         distributions = _declared_distributions(decision)
         if distributions:
-            version = decision.python.version or SYSTEM_PYTHON.get(decision.ubuntu or "")
+            version = decision.python.version or python_of_ubuntu().get(decision.ubuntu or "")
             found.append(_import_proof(version, distributions))
-        if beside := sorted({name for line in decision.python.python2 if (name := _distribution(line))}):
+        on_python2 = Interpreter(pythons=("2.7",), platforms=decision.platforms)
+        if beside := _names(decision.python.python2, on_python2):
             command = ("python2", "-m", "pip", "show", *beside)
             found.append(Proof(name="declared packages of Python 2 are installed", command=command))
     # An author's own Dockerfile says itself what it starts: its CMD, which an empty command runs.
@@ -105,7 +110,7 @@ def _workspace_proofs(decision: Decision) -> list[Proof]:
 
 
 def _import_proof(version: str | None, distributions: list[str]) -> Proof:
-    if version and tuple(map(int, version.split(".")[:2])) < (3, 8):
+    if version and Version(version) < Version("3.8"):
         # No importlib.metadata before 3.8: pip itself must know each of them
         python = "python2" if version.startswith("2") else "python3"
         return Proof(
@@ -117,16 +122,17 @@ def _import_proof(version: str | None, distributions: list[str]) -> Proof:
 def _declared_distributions(decision: Decision) -> list[str]:
     """Return what must be there: not what was guessed, and not what conda calls by names of its own."""
     python = decision.python
-    lines = python.pip if python.manager == "conda" else decision.pip
     others = {*python.pip_guessed, *python.python2} - {*python.pip}
-    return sorted({name for line in lines if line not in others and (name := _distribution(line))})
+    asked = python.pip if python.manager == "conda" else decision.pip
+    return _names((each for each in asked if each not in others), python.interpreter.on(*decision.platforms))
 
 
-def _distribution(line: str) -> str | None:
-    """Name of the distribution that a requirement line installs; ``None`` for a URL, an option, a marked line."""
-    requirement = line.partition("#")[0].strip()
-    match = re.match(r"([A-Za-z0-9][A-Za-z0-9._-]*)\s*(\[[^]]*\])?\s*([=<>!~].*)?$", requirement)
-    return match[1] if match else None
+def _names(asked: Iterable[Requirement], image: Interpreter) -> list[str]:
+    """Return the names that are installed by pip on every platform: one proof is run on all of them.
+
+    What comes from a URL is left out: its name may be only what the URL seems to tell.
+    """
+    return sorted({each.name for each in asked if each.package and each.name and not each.url and image.must(each)})
 
 
 def describe(proof: Proof) -> str:

@@ -44,8 +44,7 @@ def of_projects(projects: Iterable[PythonProject], folders: Iterable[str]) -> di
 
 def _tools(project: PythonProject) -> list[str]:
     """Return canonical names of what its build needs."""
-    names = [match[0] for line in project.build_requires if (match := re.match(r"[A-Za-z0-9._-]+", line))]
-    return [canonicalize_name(name) for name in (*names, *project.setup_imports)]
+    return [asked.key for asked in project.build_requires] + [canonicalize_name(n) for n in project.setup_imports]
 
 
 def source_version(asking: dict[PythonProject, str], description: tuple[str, int] | None) -> SourceVersion | None:

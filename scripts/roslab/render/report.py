@@ -27,7 +27,7 @@ def inspection(decision: Decision, plan: Plan) -> dict[str, Any]:
         "dependencies": {
             "rosdep": list(decision.rosdep),
             "apt": list(dict.fromkeys((*plan.apt_first, *plan.apt, *plan.apt_tools, *plan.apt_guessed))),
-            "pip": list(dict.fromkeys((*decision.pip, *python.python2))),
+            "pip": list(dict.fromkeys(asked.told for asked in (*decision.pip, *python.python2))),
             "conda": python.conda_file,
             "source": [{"name": s.name, "url": s.repo or s.zip, "ref": s.ref} for s in decision.source],
         },
@@ -95,17 +95,19 @@ def _packages(decision: Decision, plan: Plan) -> list[str]:
     """Return what the image gets installed; of an author's Dockerfile, which installs by itself, what is named."""
     python = decision.python
     apt, apt_guessed = (*plan.apt_first, *plan.apt), (*plan.apt_tools, *plan.apt_guessed)
-    pip = dict.fromkeys(line for line in (*decision.pip, *python.python2) if line not in python.pip_guessed)
+    guessed = [asked.told for asked in python.pip_guessed]
+    certain = (asked.told for asked in (*decision.pip, *python.python2) if asked not in python.pip_guessed)
+    pip = dict.fromkeys(certain)
     if decision.dockerfile:
-        named = dict.fromkeys((*decision.rosdep, *apt, *apt_guessed, *pip, *python.pip_guessed))
+        named = dict.fromkeys((*decision.rosdep, *apt, *apt_guessed, *pip, *guessed))
         return _section("named by the Dockerfile and the code; what is installed, the Dockerfile says", named)
     return [
         *_section("rosdep keys", decision.rosdep),
         *_section("apt packages", apt),
         *_section("apt packages, where this base knows them", apt_guessed),
         *_section("pip packages", pip),
-        *_section("pip packages, guessed", python.pip_guessed),
-        *_section("no newer than", python.bounds),
+        *_section("pip packages, guessed", guessed),
+        *_section("no newer than", (asked.written for asked in python.bounds)),
     ]
 
 

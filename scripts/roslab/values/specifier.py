@@ -31,8 +31,8 @@ def _repaired(part: str) -> str:
     """Return one specifier as PEP 440 writes it, ``""`` where it is none."""
     if series := _SERIES.fullmatch(part):
         return _series(series[1], series[2])
-    number = part.removeprefix("=") if not part.startswith("==") else part
-    bare = f"=={number}" if number.endswith("*") else f"=={number}.*"
+    number = part[1:] if part.startswith("=") and not part.startswith("==") else part
+    bare = (f"=={number}" if number.endswith("*") else f"=={number}.*") if number[:1].isdigit() else ""
     return next(filter(_valid, (number, part.removesuffix(".*"), bare)), "")
 
 

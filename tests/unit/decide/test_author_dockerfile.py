@@ -12,7 +12,7 @@ from roslab.evidence.facts import AuthorDockerfile, Evidence
 
 GOOD = AuthorDockerfile(
     file="docker/Dockerfile", line=1, base="ros:noetic-ros-base", base_line=1, copies_repository=True, clones=(),
-    dependencies=(), command=(), purpose="project", context="",
+    dependencies=(), requirements=(), command=(), purpose="project", context="",
 )  # fmt: skip
 
 

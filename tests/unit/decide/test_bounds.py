@@ -10,15 +10,17 @@ import pytest
 from packaging.requirements import Requirement
 
 from roslab.decide.python.bounds import decide_bounds
+from roslab.evidence.facts import Removed
 from roslab.evidence.python import removed
 from roslab.knowledge.removals import removals
 from roslab.knowledge.table import rows
 from roslab.repository.checkout import Repository
+from roslab.values.requirement import stated
 
 
 def bounds(tmp_path: Path, code: str) -> dict[str, int]:
     (tmp_path / "demo.py").write_text(code, encoding="utf-8")
-    return {use.name: use.line for use in removed.read(Repository.open(tmp_path))}
+    return {use.bound.text: use.line for use in removed.read(Repository.open(tmp_path))}
 
 
 @pytest.mark.parametrize(
@@ -65,19 +67,23 @@ def test_the_authors_own_limit_wins_and_what_is_not_installed_needs_none(
     tmp_path: Path, line: str, bounded: bool
 ) -> None:
     (tmp_path / "a.py").write_text("np.float(1)", encoding="utf-8")
-    chosen, reasons = decide_bounds(removed.read(Repository.open(tmp_path)), [line])
-    assert chosen == (("numpy<1.24",) if bounded else ())
-    assert [(reason.file, reason.line) for reason in reasons] == ([("a.py", 1)] if bounded else [])
+    found = decide_bounds(removed.read(Repository.open(tmp_path)), [stated(line)])
+    assert [bound.text for bound in found.answer] == (["numpy<1.24"] if bounded else [])
+    assert [(reason.file, reason.line) for reason in found.reasons] == ([("a.py", 1)] if bounded else [])
+
+
+def limits(uses: tuple[Removed, ...], *lines: str) -> list[str]:
+    return [bound.text for bound in decide_bounds(uses, map(stated, lines)).answer]
 
 
 def test_what_was_compiled_against_numpy_1_keeps_numpy_2_out(tmp_path: Path) -> None:
     (tmp_path / "a.py").write_text("fig.gca(projection='3d')", encoding="utf-8")
     uses = removed.read(Repository.open(tmp_path))
-    assert decide_bounds(uses, ["matplotlib"])[0] == ("matplotlib<3.6", "numpy<2")
-    assert decide_bounds(uses, ["matplotlib", "numpy==2.1"])[0] == ("matplotlib<3.6",), "the author's own pin wins"
+    assert limits(uses, "matplotlib") == ["matplotlib<3.6", "numpy<2"]
+    assert limits(uses, "matplotlib", "numpy==2.1") == ["matplotlib<3.6"], "the author's own pin wins"
     (tmp_path / "b.py").write_text("np.float(1)", encoding="utf-8")
     both = removed.read(Repository.open(tmp_path))
-    assert decide_bounds(both, ["matplotlib", "numpy"])[0] == ("matplotlib<3.6", "numpy<1.24")
+    assert limits(both, "matplotlib", "numpy") == ["matplotlib<3.6", "numpy<1.24"]
 
 
 def test_every_row_is_whole() -> None:

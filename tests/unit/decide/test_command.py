@@ -8,16 +8,18 @@ from roslab.config.model import Config, Kind
 from roslab.decide.command import decide_command
 from roslab.decide.decision import Python
 from roslab.decide.platforms import decide_platforms
+from roslab.decide.python.installed import installed
 from roslab.evidence.facts import (
     CMakeProject,
     CondaEnvironment,
-    Dependency,
     Evidence,
     LaunchFile,
     Mention,
     Program,
     RequirementFile,
 )
+from roslab.values.conda import conda_package
+from roslab.values.requirement import stated
 
 MAIN = Program(file="train.py", line=3, kind="main")
 LAUNCH = LaunchFile(file="launch/a.launch", line=1, package="me", ros=1, dependencies=(), gui=True)
@@ -66,12 +68,13 @@ def test_the_readme_comes_first_and_the_configuration_wins() -> None:
 def platforms(
     *lines: str, base: str = "ubuntu:22.04", kind: Kind = "python", ros: str | None = None, cuda: str | None = None
 ) -> tuple[str, ...]:
-    found = tuple(Dependency(namespace="pip", name=line, strength="declared", file="r.txt", line=1) for line in lines)
+    found = tuple(stated(line, "manifest", "r.txt") for line in lines)
     file = RequirementFile(
-        file="r.txt", line=1, dependencies=found, includes=(), constraints=(), options=(), purpose="run"
+        file="r.txt", line=1, requirements=found, includes=(), constraints=(), options=(), purpose="run"
     )
     python = Python(version="3.10", manager="venv", requirements=("r.txt",))
-    choice = decide_platforms(Evidence(requirements=(file,)), Config(), kind, base, ros, cuda, python)
+    evidence = Evidence(requirements=(file,))
+    choice = decide_platforms(evidence, Config(), kind, base, ros, cuda, python, installed(evidence, python))
     assert len(choice.answer.built) + len(choice.answer.refused) == 2
     return choice.answer.built
 
@@ -90,18 +93,19 @@ def test_platforms() -> None:
 
 
 def test_conda_builds_of_one_platform() -> None:
-    environment = CondaEnvironment(
-        file="e.yml", line=1, name=None, python="3.9", packages=("numpy=1.2=py39h_0",), dependencies=()
-    )
+    packages = tuple(package for package in [conda_package("numpy=1.2=py39h_0")] if package)
+    environment = CondaEnvironment(file="e.yml", line=1, name=None, python="3.9", packages=packages, requirements=())
     python = Python(version="3.9", manager="conda", conda_file="e.yml")
-    choice = decide_platforms(Evidence(conda=(environment,)), Config(), "python", "ubuntu:22.04", None, None, python)
+    choice = decide_platforms(
+        Evidence(conda=(environment,)), Config(), "python", "ubuntu:22.04", None, None, python, ()
+    )
     assert choice.answer.refused[0][0] == "linux/arm64"
 
 
 def test_configured_platforms() -> None:
     config = Config(platforms=("linux/arm64",))
     python = Python(version=None, manager="system")
-    assert decide_platforms(Evidence(), config, "ros1", "osrf/ros:x", None, None, python).answer.built == (
+    assert decide_platforms(Evidence(), config, "ros1", "osrf/ros:x", None, None, python, ()).answer.built == (
         "linux/arm64",
     )
 

@@ -5,26 +5,31 @@ from __future__ import annotations
 import pytest
 
 from roslab.config.model import Base, Config
-from roslab.decide.cuda.version import decide_cuda
+from roslab.decide.cuda.version import CudaChoice
+from roslab.decide.cuda.version import decide_cuda as from_pins
 from roslab.decide.python.base import base_for
-from roslab.evidence.facts import CondaEnvironment, Dependency, Evidence, Mention, RequirementFile
+from roslab.decide.python.pins import pins
+from roslab.evidence.facts import CondaEnvironment, Evidence, Mention, RequirementFile
 from roslab.knowledge.frameworks import cuda_images, nearest_cuda_image
+from roslab.values.conda import conda_package
+from roslab.values.requirement import stated
 
 
 def asked(*lines: str) -> RequirementFile:
-    dependencies = tuple(
-        Dependency(namespace="pip", name=line, strength="declared", file="requirements.txt", line=number)
-        for number, line in enumerate(lines, 1)
-    )
+    requirements = tuple(stated(line, "manifest", "requirements.txt", number) for number, line in enumerate(lines, 1))
     return RequirementFile(
         file="requirements.txt",
         line=1,
-        dependencies=dependencies,
+        requirements=requirements,
         includes=(),
         constraints=(),
         options=(),
         purpose="run",
     )
+
+
+def decide_cuda(evidence: Evidence, config: Config) -> CudaChoice:
+    return from_pins(evidence, config, pins(evidence))
 
 
 def said(value: str, text: str = "") -> Mention:
@@ -54,9 +59,10 @@ def test_nothing_asks_for_it() -> None:
 
 
 def test_conda_toolkit_beats_the_default_wheel() -> None:
+    read = map(conda_package, ("pytorch=1.12.1", "cudatoolkit=11.6"))
+    packages = tuple(package for package in read if package)
     environment = CondaEnvironment(
-        file="environment.yml", line=1, name=None, python="3.9",
-        packages=("pytorch=1.12.1", "cudatoolkit=11.6"), dependencies=(),
+        file="environment.yml", line=1, name=None, python="3.9", packages=packages, requirements=(),
     )  # fmt: skip
     choice = decide_cuda(Evidence(conda=(environment,)), Config())
     assert (choice.cuda, choice.cudnn) == ("11.6", "8")

@@ -5,12 +5,18 @@ from __future__ import annotations
 import re
 
 import pytest
+from packaging.utils import canonicalize_name
+from packaging.version import Version
 
 from roslab.knowledge import frameworks
+from roslab.knowledge.arm64 import arm64_wheels
+from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.table import rows
-from roslab.knowledge.tools import SYSTEM_PYTHON
 
-TABLES = ("arm64_wheels", "build_needs", "cuda_images", "frameworks", "imports", "wheels")
+TABLES = (
+    "amd64_only", "arm64_since", "arm64_wheels", "build_needs", "cuda_images", "framework_names", "frameworks",
+    "imports", "wheels",
+)  # fmt: skip
 NAME = re.compile(r"^[a-z0-9][a-z0-9+.-]+$")
 
 
@@ -36,13 +42,13 @@ def test_apt_names_are_names() -> None:
 
 
 def test_pip_names_of_wheels_are_as_the_index_compares_them() -> None:
-    names = [*frameworks.wheels(), *frameworks.arm64_wheels()]
-    assert [name for name in names if frameworks.canonical(name) != name] == []
+    names = [*frameworks.wheels(), *arm64_wheels()]
+    assert [name for name in names if canonicalize_name(name) != name] == []
 
 
 def test_frameworks_grow_and_never_end_before_they_begin() -> None:
     for row in rows("frameworks"):
-        assert frameworks.version(row["python_min"]) <= frameworks.version(row["python_max"]), row
+        assert Version(row["python_min"]) <= Version(row["python_max"]), row
         for cuda in f"{row['cuda']} {row['other_cuda']}".split():
             assert frameworks.cuda_image(cuda), row
 
@@ -57,5 +63,5 @@ def test_a_release_finds_the_row_of_its_series() -> None:
 
 def test_images_name_known_releases() -> None:
     for image in frameworks.cuda_images():
-        assert set(image.ubuntu) <= set(SYSTEM_PYTHON)
+        assert set(image.ubuntu) <= set(python_of_ubuntu())
         assert not image.tag or image.tag.startswith(image.cuda + ".")

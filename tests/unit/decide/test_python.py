@@ -8,14 +8,19 @@ from pathlib import Path
 import pytest
 
 from roslab.config.model import Base, Config, Kind
+from roslab.decide.cuda.version import decide_cuda
 from roslab.decide.decision import Python
-from roslab.decide.python.environment import decide_python, specifiers
+from roslab.decide.python.environment import decide_python
+from roslab.decide.python.installed import installed
+from roslab.decide.python.own import decide_version
+from roslab.decide.python.pins import pins
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose import author_dockerfile as dockerfile
 from roslab.evidence.prose import ci, readme
 from roslab.evidence.python import conda, imports, requirements
 from roslab.evidence.python import project as python_project
+from roslab.plan.python import PythonPlan, python_plan
 from roslab.repository.checkout import Repository
 
 
@@ -34,9 +39,20 @@ def evidence_of(tmp_path: Path, files: dict[str, str]) -> Evidence:
         code=imports.read(repository),
         programs=imports.programs(repository),
         prose=prose.dependencies,
+        prose_pip=prose.requirements,
         sources=prose.sources,
         mentions=prose.mentions,
     )
+
+
+def chosen(evidence: Evidence, config: Config, kind: Kind, ubuntu: str | None = None, ros: str | None = None) -> Python:
+    """Decide on Python alone, on an Ubuntu that is given."""
+    mentioned = pins(evidence)
+    cuda = decide_cuda(evidence, config, mentioned).cuda
+    own = decide_version(evidence, config, kind, pins=mentioned, ros_distro=ros, cuda=cuda)
+    return decide_python(
+        evidence, config, kind, pins=mentioned, own=own, ubuntu=ubuntu, ros_distro=ros, cuda=cuda
+    ).answer
 
 
 def decide(
@@ -45,9 +61,9 @@ def decide(
     kind: Kind = "python",
     ubuntu: str | None = None,
     config: Config | None = None,
-) -> Python:
+) -> PythonPlan:
     ros = "noetic" if kind == "ros1" else None
-    return decide_python(evidence_of(tmp_path, files), config or Config(), kind, ubuntu, ros)[0]
+    return python_plan(chosen(evidence_of(tmp_path, files), config or Config(), kind, ubuntu, ros))
 
 
 @pytest.mark.parametrize(
@@ -167,9 +183,9 @@ def test_files_and_projects_that_the_readme_installs(tmp_path: Path) -> None:
 def test_conda_where_nothing_plainer_is_said(tmp_path: Path) -> None:
     environment = "dependencies:\n  - python=3.9\n  - pytorch=1.12.1\n  - pip:\n    - einops==0.4\n"
     evidence = evidence_of(tmp_path / "a", {"conda_env.yaml": environment})
-    python = decide_python(evidence, Config(), "cuda", None, None)[0]
+    python = chosen(evidence, Config(), "cuda", "jammy")
     assert (python.manager, python.conda_file) == ("conda", "conda_env.yaml")
-    assert specifiers(evidence, python) == ("einops==0.4", "torch==1.12.1")
+    assert tuple(asked.told for asked in installed(evidence, python)) == ("einops==0.4", "torch==1.12.1")
     both = decide(tmp_path / "b", {"conda_env.yaml": environment, "requirements.txt": "torch==1.12.1\n"})
     assert both.conda_file is None
 
@@ -209,8 +225,8 @@ def test_a_setup_py_that_imports_what_an_isolated_build_lacks(tmp_path: Path) ->
 
 def test_what_only_ci_runs_is_not_installed(tmp_path: Path) -> None:
     evidence = evidence_of(tmp_path, {".travis.yml": "install:\n  - pip install ros_buildfarm codecov six\n"})
-    evidence = replace(evidence, prose=ci.read(Repository.open(tmp_path)).dependencies)
-    assert decide_python(evidence, Config(), "python", None, None)[0].pip_guessed == ("six",)
+    evidence = replace(evidence, prose_pip=ci.read(Repository.open(tmp_path)).requirements)
+    assert [asked.text for asked in chosen(evidence, Config(), "python").pip_guessed] == ["six"]
 
 
 def test_what_must_be_there_first(tmp_path: Path) -> None:
@@ -223,19 +239,21 @@ def test_what_must_be_there_first(tmp_path: Path) -> None:
 
 def test_wheels_bring_their_system_packages(tmp_path: Path) -> None:
     evidence = evidence_of(tmp_path, {"requirements.txt": "opencv-python\nmatplotlib\n"})
-    python = decide_python(evidence, Config(), "python", None, None)[0]
-    found = dict(apt_for_wheels(python, "focal", evidence))
+    python = chosen(evidence, Config(), "python")
+    everything = installed(evidence, python)
+    found = dict(apt_for_wheels(python, everything, "focal", evidence))
     assert {"libgl1", "libglib2.0-0", "python3-tk"} <= set(found)
     assert (found["libgl1"].file, found["libgl1"].line) == ("requirements.txt", 1)
-    assert "libgl1-mesa-glx" in dict(apt_for_wheels(python, "xenial", evidence))
+    assert "libgl1-mesa-glx" in dict(apt_for_wheels(python, everything, "xenial", evidence))
 
 
 def test_imports_of_ros_code_come_from_apt(tmp_path: Path) -> None:
     evidence = evidence_of(tmp_path, {"n.py": "import numpy\nimport rospy\nimport ultralytics\n"})
-    focal = decide_python(evidence, Config(), "ros1", "focal", "noetic")[0]
-    assert [name for name, _ in apt_for_wheels(focal, "focal", evidence)] == ["python3-numpy"]
-    assert focal.pip_guessed == ("ultralytics",)
-    assert [name for name, _ in apt_for_wheels(focal, "bionic", evidence)] == ["python-numpy"]
+    focal = chosen(evidence, Config(), "ros1", "focal", "noetic")
+    everything = installed(evidence, focal)
+    assert [name for name, _ in apt_for_wheels(focal, everything, "focal", evidence)] == ["python3-numpy"]
+    assert [asked.text for asked in focal.pip_guessed] == ["ultralytics"]
+    assert [name for name, _ in apt_for_wheels(focal, everything, "bionic", evidence)] == ["python-numpy"]
 
 
 def test_a_page_of_the_documentation_tells_what_to_install_but_not_what_developers_use(tmp_path: Path) -> None:

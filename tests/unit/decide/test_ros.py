@@ -348,7 +348,7 @@ def test_pip_leaves_colcon_a_setuptools_that_it_can_use(tmp_path: Path) -> None:
     tree = {"package.xml": AMENT_PYTHON.format(name="demo"), "setup.py": "from setuptools import setup\nsetup()\n"}
     assert decided(tmp_path, tree).python.pip == ()  # nothing is installed: nothing can replace it
     found = decided(tmp_path, tree | {"requirements.txt": "open3d\n"})
-    assert found.python.pip == ("setuptools<80",)
+    assert [asked.text for asked in found.python.pip] == ["setuptools<80"]
     reason = next(reason for reason in found.reasons if reason.answer == "setuptools<80")
     assert (reason.file, "ament_python" in reason.reason) == ("package.xml", True)
     pinned = decided(tmp_path, tree | {"requirements.txt": "setuptools==58.2.0\nopen3d\n"})

@@ -25,8 +25,8 @@ def test_packages_and_pip(tmp_path: Path) -> None:
     (tmp_path / "conda_environment.yaml").write_text(TEXT)
     (environment,) = conda.read(Repository.open(tmp_path))
     assert (environment.name, environment.python) == ("robodiff", "3.9")
-    assert environment.packages == ("python=3.9.15", "pytorch::pytorch=1.12.1")
-    assert [(d.name, d.role, d.line) for d in environment.dependencies] == [
+    assert [(p.name, p.release) for p in environment.packages] == [("python", "3.9.15"), ("pytorch", "1.12.1")]
+    assert [(asked.written, asked.role, asked.line) for asked in environment.requirements] == [
         ("ray[default]==2.2.0", "", 8),
         ("git+https://github.com/a/b.git", "", 9),
         ("requirements.txt", "file", 10),

@@ -44,9 +44,9 @@ def test_a_dockerfile_of_the_project(tmp_path: Path) -> None:
     assert [(d.namespace, d.name, d.line) for d in authored.dependencies] == [
         ("apt", "libone-dev", 4),
         ("apt", "ros-{distro}-two", 6),
-        ("pip", "numpy==1.2", 7),
         ("apt", "libthree", 12),
     ]
+    assert [(asked.written, asked.line) for asked in authored.requirements] == [("numpy==1.2", 7)]
     assert (authored.copies_repository, authored.context) == (True, "")
     assert authored.command == ("roslaunch", "me", "it.launch")
 

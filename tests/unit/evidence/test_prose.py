@@ -23,6 +23,8 @@ def read(module: ModuleType, tmp_path: Path, files: dict[str, str]) -> Prose:
 
 
 def named(prose: Prose, namespace: str = "apt") -> list[tuple[str, int]]:
+    if namespace == "pip":
+        return [(asked.written, asked.line) for asked in prose.requirements]
     return [(d.name, d.line) for d in prose.dependencies if d.namespace == namespace]
 
 

@@ -18,7 +18,7 @@ def read(tmp_path: Path, files: dict[str, str]) -> dict[str, PythonProject]:
 
 
 def names(project: PythonProject, role: str = "") -> list[str]:
-    return [dependency.name for dependency in project.dependencies if dependency.role == role]
+    return [asked.written for asked in project.requirements if asked.role == role]
 
 
 def test_setup_py_follows_names_and_sums(tmp_path: Path) -> None:
@@ -34,9 +34,9 @@ setup(name="thing", install_requires=DEPS, extras_require={"sim": ["pybullet"]},
     project = read(tmp_path, {"setup.py": text})[""]
     assert (project.name, project.installable, project.requires_python) == ("thing", True, ">=3.6")
     assert names(project) == ["numpy>=1.2", "scipy", "six", "yaml", "tqdm"]
-    assert names(project, "extra:sim") == ["pybullet"]
+    assert names(project, "extra") == ["pybullet"]
     assert project.scripts == (("run-it", 8),)
-    assert project.dependencies[0].line == 3
+    assert project.requirements[0].line == 3
 
 
 def test_setup_py_that_reads_its_requirements(tmp_path: Path) -> None:
@@ -52,7 +52,7 @@ setup(name="x", install_requires=[r for r in requirements if r])
         tmp_path, {"setup.py": text, "requirements.txt": "torch==1.7.1\n-r more.txt\n", "more.txt": "six\n"}
     )[""]
     assert names(project) == ["torch==1.7.1", "six"]
-    assert project.dependencies[0].file == "requirements.txt"
+    assert project.requirements[0].file == "requirements.txt"
 
 
 def test_nothing_of_a_setup_py_is_run(tmp_path: Path) -> None:
@@ -126,4 +126,4 @@ def test_broken_files_end_in_nothing(tmp_path: Path) -> None:
         "c/setup.py": "setup(" + "(" * 5000,
         "d/pyproject.toml": "a = " + "[" * 5000,
     }
-    assert all(not p.dependencies for p in read(tmp_path, files).values())
+    assert all(not p.requirements for p in read(tmp_path, files).values())

@@ -41,18 +41,21 @@ def read(tmp_path: Path, files: dict[str, str]) -> dict[str, RequirementFile]:
     ],
 )
 def test_a_line_means_what_its_author_meant(tmp_path: Path, line: str, name: str, role: str) -> None:
-    (dependency,) = read(tmp_path, {"requirements.txt": f"\n{line}\n"})["requirements.txt"].dependencies
-    assert (dependency.name, dependency.role, dependency.line) == (name, role, 2)
+    (asked,) = read(tmp_path, {"requirements.txt": f"\n{line}\n"})["requirements.txt"].requirements
+    assert (asked.written, asked.role, asked.line) == (name, role, 2)
 
 
-def test_markers_become_conditions(tmp_path: Path) -> None:
+def test_markers_are_read(tmp_path: Path) -> None:
     found = read(tmp_path, {"requirements.txt": "pywin32; sys_platform == 'win32'\n"})
-    assert found["requirements.txt"].dependencies[0].condition == "sys_platform == 'win32'"
+    assert str(found["requirements.txt"].requirements[0].marker) == 'sys_platform == "win32"'
 
 
 def test_options_includes_and_constraints(tmp_path: Path) -> None:
     text = "--extra-index-url https://e.org/whl\n-f https://f.org\n-r base.txt\n-c pins/c.txt\n-r ../outside.txt\n"
-    found = read(tmp_path, {"requirements/all.txt": text, "requirements/base.txt": "six\n-r all.txt\n"})
+    found = read(
+        tmp_path,
+        {"requirements/all.txt": text, "requirements/base.txt": "six\n-r all.txt\n", "requirements/pins/c.txt": ""},
+    )
     file = found["requirements/all.txt"]
     assert file.options == ("--extra-index-url https://e.org/whl", "--find-links https://f.org")
     assert file.includes == ("requirements/base.txt", "outside.txt")
@@ -85,7 +88,7 @@ def test_utf_16_and_stray_bytes(tmp_path: Path) -> None:
     (tmp_path / "requirements.txt").write_bytes("numpy==1.2\r\nscipy\r\n".encode("utf-16"))
     (tmp_path / "requirements-b.txt").write_bytes(b"six\n\xff\xfe\xfa\nyaml\n")
     first, second = requirements.read(Repository.open(tmp_path))
-    names = sorted(d.name for file in (first, second) for d in file.dependencies)
+    names = sorted(asked.written for file in (first, second) for asked in file.requirements)
     assert names == ["numpy==1.2", "scipy", "six", "yaml"]
 
 
@@ -94,4 +97,4 @@ def test_a_giant_file_is_read_as_far_as_a_person_writes(tmp_path: Path) -> None:
         stream.write(b"numpy\n" * 1000)
         stream.truncate(2 * 1024**3)
     (file,) = requirements.read(Repository.open(tmp_path))
-    assert len(file.dependencies) <= requirements.MAX_LINES
+    assert len(file.requirements) <= requirements.MAX_LINES

@@ -23,7 +23,7 @@ def apt(text: str) -> list[str]:
 
 
 def pip(text: str) -> list[str]:
-    return [d.name for d in collected(text).dependencies if d.namespace == "pip"]
+    return [asked.written for asked in collected(text).requirements]
 
 
 @pytest.mark.parametrize(
@@ -87,8 +87,8 @@ def test_pip_lines(text: str, expected: list[str]) -> None:
 
 def test_roles_of_what_pip_is_given() -> None:
     found = collected("pip install -r r.txt ./pkg six -i https://i.org\npip2 install yaml")
-    assert [d.role for d in found.dependencies] == ["file", "project", "", "option", "python2"]
-    assert {d.strength for d in found.dependencies} == {"prose"}
+    assert [asked.role for asked in found.requirements] == ["file", "project", "", "option", "python2"]
+    assert {asked.origin for asked in found.requirements} == {"prose"}
 
 
 def test_a_clone_takes_the_ref_that_is_checked_out() -> None:

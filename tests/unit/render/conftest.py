@@ -15,6 +15,7 @@ import pytest
 from roslab.config.model import Config
 from roslab.decide.decision import Decision, Python
 from roslab.plan.plan import Plan, Run, Workspace, make_plan
+from roslab.plan.python import PythonPlan
 
 
 def make(**changes: Any) -> Plan:
@@ -29,7 +30,7 @@ def make(**changes: Any) -> Plan:
         command=("python3", "demo.py"),
     )
     found = make_plan(decision, Config(), folder_name="filter")
-    for name, part in (("run", Run), ("workspace", Workspace), ("python", Python)):
+    for name, part in (("run", Run), ("workspace", Workspace), ("python", PythonPlan)):
         fields = {field.name for field in dataclasses.fields(part)} - {field.name for field in dataclasses.fields(Plan)}
         inner = {key: changes.pop(key) for key in list(changes) if key in fields}
         found = dataclasses.replace(found, **{name: dataclasses.replace(getattr(found, name), **inner)})

@@ -16,6 +16,7 @@ from roslab.errors import ConfigurationError
 from roslab.plan.plan import Plan, from_json, image_name, make_plan, to_json
 from roslab.render import image_scripts
 from roslab.render.dockerfile import dockerfile
+from roslab.values.requirement import stated
 
 
 def decision(**changes: Any) -> Decision:
@@ -57,7 +58,7 @@ SISTER = Source(name="sister", repo="https://example.org/sister.git", ref="v1", 
 
 
 def test_layers_go_from_rarely_to_often_changing() -> None:
-    python = Python(version="3.8", manager="system", pip=("numpy==1.17",))
+    python = Python(version="3.8", manager="system", pip=(stated("numpy==1.17"),))
     text = written(plan(apt=("libeigen3-dev",), apt_guessed=("libglew-dev",), source=(CERES, SISTER), python=python))
     order = positions(
         text,
@@ -98,7 +99,7 @@ def test_declared_packages_stop_the_build_and_guessed_ones_are_named() -> None:
 
 def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> None:
     carried = re.compile(r"<<'EOF' /([\w-]+)$", re.MULTILINE)
-    python = Python(version="3.8", manager="system", pip_guessed=("numpy",))
+    python = Python(version="3.8", manager="system", pip_guessed=(stated("numpy"),))
     plain = dockerfile(plan(build_tool="none", packages=(), kind="python", ros_distro=None))
     assert carried.findall(plain) == ["create-user"]
     full = plan(Config(base=Base(cmake_update="3.18.4")), apt_guessed=("libglew-dev",), python=python, source=(CERES,))
@@ -194,7 +195,7 @@ def test_the_later_custom_is_one_chain_as_root() -> None:
 
 
 def test_old_formats_build_libraries_in_place_after_pythons_packages() -> None:
-    python = Python(version="3.5", manager="system", pip=("scipy",))
+    python = Python(version="3.5", manager="system", pip=(stated("scipy"),))
     config = Config(
         file="roslab.yaml",
         generation="later",
@@ -229,7 +230,11 @@ HOSTILE = 'x\'; rm -rf ~; $(touch /pwned) `id` "${HOME}" #'
         {"skip_keys": (HOSTILE,)},
         {"packages": (HOSTILE, "a/x", "b/x", "c/x", "d/x")},
         {"source": (Source(name="x", repo=HOSTILE, ref=HOSTILE),)},
-        {"python": Python(version="3.8", manager="venv", pip=(HOSTILE,), requirements=(HOSTILE,), projects=(HOSTILE,))},
+        {
+            "python": Python(
+                version="3.8", manager="venv", pip=(stated(HOSTILE),), requirements=(HOSTILE,), projects=(HOSTILE,)
+            )
+        },
     ],
     ids=lambda changes: next(iter(changes)),
 )

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from roslab.evidence import places
-from roslab.evidence.facts import Dependency, Evidence
-from roslab.knowledge.accelerated import accelerated
+from packaging.utils import canonicalize_name
 
-_STEM = re.compile(r"[A-Za-z0-9._-]+")
+from roslab.decide.python.pythons import ANY
+from roslab.evidence import places
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.accelerated import accelerated
+from roslab.values.requirement import Requirement
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -24,15 +25,8 @@ class Framework:
 
 def framework(evidence: Evidence) -> Framework | None:
     """Return the first sign of CUDA, manifests before code before sources; ``None`` where there is none."""
-    names = accelerated()
-    for dependency in _pip(evidence):
-        stem = _stem(dependency.name)
-        if stem in names:
-            return Framework(file=dependency.file, line=dependency.line, why=f"it needs {stem}")
-    for environment in evidence.conda:
-        for package in environment.packages:
-            if (stem := _stem(package)) in names:
-                return Framework(file=environment.file, line=environment.line, why=f"its environment has {stem}")
+    if found := next(_named(evidence), None):
+        return found
     if evidence.cuda_files:
         return Framework(file=evidence.cuda_files[0], line=1, why="CUDA sources")
     for project in evidence.cmake:
@@ -41,22 +35,33 @@ def framework(evidence: Evidence) -> Framework | None:
     return None
 
 
-def _stem(requirement: str) -> str:
-    match = _STEM.match(requirement.rpartition("::")[2])
-    return match[0].lower().replace("_", "-") if match else ""
+def _named(evidence: Evidence) -> Iterator[Framework]:
+    """Yield where a framework is named: to pip, to ``import``, to conda."""
+    names = accelerated()
+    for asked in _pip(evidence):
+        if asked.key in names and ANY.may(asked):
+            yield Framework(file=asked.file, line=asked.line, why=f"it needs {asked.key}")
+    for used in evidence.code:
+        name = canonicalize_name(used.name) if used.namespace == "import" and used.strength == "used" else ""
+        if name in names:
+            yield Framework(file=used.file, line=used.line, why=f"it needs {name}")
+    for environment in evidence.conda:
+        for package in environment.packages:
+            if package.name in names:
+                why = f"its environment has {package.name}"
+                yield Framework(file=environment.file, line=environment.line, why=why)
 
 
-def _pip(evidence: Evidence) -> Iterator[Dependency]:
+def _pip(evidence: Evidence) -> Iterator[Requirement]:
     for project in evidence.python:
         if not places.vendored(project.file):
-            yield from project.dependencies
+            yield from project.requirements
     for file in evidence.requirements:
         if file.purpose != "vendored":
-            yield from file.dependencies
+            yield from file.requirements
     for environment in evidence.conda:
-        yield from environment.dependencies
-    yield from (d for d in evidence.prose if d.namespace == "pip")
+        yield from environment.requirements
+    yield from evidence.prose_pip
     for authored in evidence.dockerfiles:
         if authored.purpose == "project":
-            yield from (d for d in authored.dependencies if d.namespace == "pip")
-    yield from (d for d in evidence.code if d.namespace == "import" and d.strength == "used")
+            yield from authored.requirements

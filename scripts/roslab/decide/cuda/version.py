@@ -3,37 +3,45 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
+from packaging.version import Version
+
 from roslab.config.model import Config
+from roslab.decide.cuda.local import cuda_of
 from roslab.decide.decision import Reason, Warning_
-from roslab.decide.python.pins import Pin, pins
-from roslab.decide.reasons import configured
+from roslab.decide.python.pins import Pin
+from roslab.decide.reasons import because, configured, outweighed, warn
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.frameworks import CudaImage, cuda_image, framework, nearest_cuda_image, version
+from roslab.knowledge.frameworks import (
+    CudaImage,
+    cuda_image,
+    framework,
+    framework_on_cuda,
+    nearest_cuda_image,
+    newest_framework,
+)  # fmt: skip
+from roslab.values.origin import Place
+from roslab.values.version import minor_of, version_of
 
 DEFAULT = "11.8"
 """Where nothing is said: the version that most frameworks of 2022 to 2025 have wheels for."""
-_TABLED = {
-    "tensorflow": "tensorflow",
-    "tensorflow-gpu": "tensorflow",
-    "torch": "torch",
-    "jax": "jax",
-    "jaxlib": "jax",
-}
+_OLDEST = Version("8")
 _WEIGHTS = {
     "tensorflow": ("loads it", 60),  # from the system: nothing else will do
     "torch": ("has it in its wheel", 46),
     "jax": ("is built for it", 40),
 }
 _BUILT_FOR = frozenset({"torch", "torchvision", "torchaudio", "torch-scatter", "mmcv-full", "jaxlib", "cupy"})
-_LOCAL = re.compile(r"\+cu(\d{2,3})\b|/cu(\d{2,3})\b|[-_]cu(?:da)?(\d{2,3})\b")
-_CONDA = re.compile(r"^(?:[\w-]+::)?(?:cudatoolkit|pytorch-cuda|cuda-toolkit|cuda)\s*[=<>~ ]+\s*(\d+\.\d+)")
+_OF_CONDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda-toolkit", "cuda"})
+_OF_JAX = {"cuda11": "11.8", "cuda12": "12.3"}
+"""By how an extra of JAX begins. https://docs.jax.dev/en/latest/installation.html, read 2026-08-22."""
 _IMAGE = re.compile(r"(?:^|/)cuda(?:gl)?:(\d+\.\d+)|(?:^|/)[\w./-]+:[\w.-]*cuda(\d+\.\d+)")
 _LEAST = re.compile(r"or (?:above|higher|newer|later|greater)|>=|≥|\d\+(?!cu)|at least|minimum", re.IGNORECASE)
-_JAX = re.compile(r"jax\[cuda(1[12])")
+_SHOWN = 20
+"""Reasons that are kept of all that name a CUDA."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -48,16 +56,16 @@ class CudaChoice:
     warnings: tuple[Warning_, ...] = ()
 
 
-def decide_cuda(evidence: Evidence, config: Config) -> CudaChoice:
+def decide_cuda(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> CudaChoice:
     """Return the CUDA and cuDNN that the repository's frameworks need; the image row of that CUDA exists."""
     if config.base.cuda:
         said = configured(config, "cuda", config.base.cuda, "base.cuda")
         return _fitted(config.base.cuda, config.base.cudnn, (said,), others=())
-    found = sorted(_candidates(evidence), key=lambda item: -item[0].weight)
+    found = sorted(_candidates(evidence, pins), key=lambda item: -item[0].weight)
     if not found:
         return CudaChoice()
     best, others = found[0]
-    reasons = tuple(reason if reason is best else _outweighed(reason, best) for reason, _ in found[:20])
+    reasons = outweighed((reason for reason, _ in found[:_SHOWN]), best)
     return _fitted(best.answer, config.base.cudnn or _cudnn(evidence), reasons, others)
 
 
@@ -67,77 +75,53 @@ def of_image(choice: CudaChoice, image: str) -> CudaChoice:
     named = (match[1] or match[2]) if match else choice.cuda
     if named is None or named == choice.cuda:
         return choice
-    why = Reason(question="cuda", answer=named, reason=f"the author's image is {image}", weight=200)
-    others = tuple(_outweighed(reason, why) for reason in choice.reasons)
-    return CudaChoice(cuda=named, cudnn=choice.cudnn, reasons=(why, *others))
-
-
-def _outweighed(reason: Reason, best: Reason) -> Reason:
-    if reason.answer == best.answer:
-        return reason
-    return Reason(
-        question=reason.question,
-        answer=reason.answer,
-        reason=reason.reason,
-        file=reason.file,
-        line=reason.line,
-        weight=reason.weight,
-        decisive=False,
-    )
+    why = because("cuda", named, f"the author's image is {image}", weight=200)
+    return CudaChoice(cuda=named, cudnn=choice.cudnn, reasons=(why, *outweighed(choice.reasons, why)))
 
 
 Candidate = tuple[Reason, tuple[str, ...]]
 """An answer, with the other CUDA versions that the same wheel exists for."""
 
 
-def _candidates(evidence: Evidence) -> Iterator[Candidate]:
+def _candidates(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Candidate]:
     """Yield every answer, whatever its weight."""
-    for pin in pins(evidence):
+    for pin in pins:
         yield from _of_pin(pin)
     for file in evidence.requirements:
         for option in file.options:
-            if file.purpose == "run" and not places.example(file.file) and (local := _local(option)):
-                yield _reason(local, f"{option} serves its wheels", file.file, 1, 80), ()
+            if file.purpose == "run" and not places.example(file.file) and (local := cuda_of(option)):
+                yield because("cuda", local, f"{option} serves its wheels", file, weight=80), ()
     for environment in evidence.conda:
         for package in environment.packages:
-            if match := _CONDA.match(package):
-                weight = 75 if "/" not in environment.file else 45
-                yield _reason(match[1], f"the conda environment has {package}", environment.file, 1, weight), ()
+            if package.name in _OF_CONDA and (cuda := minor_of(package.version)):
+                why = f"the conda environment has {package.written}"
+                yield because("cuda", cuda, why, environment, weight=75 if "/" not in environment.file else 45), ()
     yield from _of_dockerfiles(evidence)
     yield from _of_mentions(evidence)
     if evidence.cuda_files:
-        why = "it has CUDA sources, and no version is said"
-        yield _reason(DEFAULT, why, evidence.cuda_files[0], 1, 2), ()
-
-
-def _reason(answer: str, why: str, file: str, line: int, weight: int) -> Reason:
-    return Reason(question="cuda", answer=answer, reason=why, file=file, line=line, weight=weight)
-
-
-def _local(text: str) -> str | None:
-    """Return ``11.8`` for a ``+cu118`` or ``/cu118`` in a text."""
-    match = _LOCAL.search(text)
-    digits = next((group for group in match.groups() if group), "") if match else ""
-    return f"{digits[:-1]}.{digits[-1]}" if digits else None
+        place = Place(file=evidence.cuda_files[0], line=1)
+        yield because("cuda", DEFAULT, "it has CUDA sources, and no version is said", place, weight=2), ()
 
 
 def _of_pin(pin: Pin) -> Iterator[Candidate]:
-    file, line = pin.dependency.file, pin.dependency.line
-    local = _local(pin.line) if pin.name in _BUILT_FOR else None
+    """Yield the CUDA that a wheel names, or the one that the table has for its release."""
+    asked, table = pin.requirement, framework_on_cuda(pin.name)
+    local = (cuda_of(asked.url) or cuda_of(pin.release or "")) if pin.name in _BUILT_FOR else None
+    row = framework(table, pin.release) if table and pin.release else None
     if not pin.trust:  # an example's, or something deep in the tree
-        row = framework(_TABLED.get(pin.name, ""), pin.release) if pin.release else None
         if answer := local or (row.cuda[0] if row else None):
-            yield _reason(answer, f"{pin.line} goes with it", file, line, 3), ()
+            yield because("cuda", answer, f"{asked.written} goes with it", asked, weight=3), ()
     elif local:
-        yield _reason(local, f"{pin.line} is built for it", file, line, 82 + pin.trust), ()
-    elif named := _JAX.search(pin.line):
-        yield _reason("11.8" if named[1] == "11" else "12.3", f"{pin.line} names it", file, line, 70 + pin.trust), ()
-    elif pin.release and pin.name in _TABLED and (row := framework(_TABLED[pin.name], pin.release)):
-        why, weight = _WEIGHTS[_TABLED[pin.name]]
+        yield because("cuda", local, f"{asked.written} is built for it", asked, weight=82 + pin.trust), ()
+    elif pin.name == "jax" and (named := next((_OF_JAX[e[:6]] for e in asked.extras if e[:6] in _OF_JAX), None)):
+        yield because("cuda", named, f"{asked.written} names it", asked, weight=70 + pin.trust), ()
+    elif row and table:
+        why, weight = _WEIGHTS[table]
         text = f"{pin.name} {pin.release} {why}"
-        yield _reason(row.cuda[0], text, file, line, weight + 3 * pin.trust), row.cuda[1:]
-    elif pin.trust and pin.name in _TABLED and (row := framework(_TABLED[pin.name], None)):
-        yield _reason(row.cuda[0], f"{pin.name} is not pinned: its newest wheel", file, line, 4), row.cuda[1:]
+        yield because("cuda", row.cuda[0], text, asked, weight=weight + 3 * pin.trust), row.cuda[1:]
+    elif table and (newest := newest_framework(table)):
+        why = f"{pin.name} is not pinned: its newest wheel"
+        yield because("cuda", newest.cuda[0], why, asked, weight=4), newest.cuda[1:]
 
 
 def _of_dockerfiles(evidence: Evidence) -> Iterator[Candidate]:
@@ -146,17 +130,19 @@ def _of_dockerfiles(evidence: Evidence) -> Iterator[Candidate]:
         if match and authored.purpose in {"project", "deploy", "broken"}:
             weight = (62 if authored.purpose == "project" else 20) + (3 if authored.copies_repository else 0)
             why = f"the author's image starts from {authored.base}"
-            yield _reason(match[1] or match[2], why, authored.file, authored.base_line, weight), ()
+            place = Place(file=authored.file, line=authored.base_line)
+            yield because("cuda", match[1] or match[2], why, place, weight=weight), ()
 
 
 def _of_mentions(evidence: Evidence) -> Iterator[Candidate]:
     for mention in evidence.mentions:
-        if mention.topic == "cuda" and version(mention.value) >= (8,):
+        number = version_of(mention.value) if mention.topic == "cuda" else None
+        if number and number >= _OLDEST:
             nearness = 6 - 2 * min(mention.file.count("/"), 3)
             weight = {"readme": 30, "ci": 14, "dockerfile": 12, "script": 16}.get(mention.source, 8) + nearness
             if mention.source == "readme" and _LEAST.search(mention.text):
                 weight = 3  # a lower bound: what is pinned, or the newest wheel, lies above it
-            yield _reason(mention.value, f"“{mention.text[:80]}”", mention.file, mention.line, weight), ()
+            yield because("cuda", mention.value, f"“{mention.text[:80]}”", mention, weight=weight), ()
 
 
 def _cudnn(evidence: Evidence) -> str | None:
@@ -172,17 +158,17 @@ def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: t
         cuda
     )
     why = "its images were deleted from the registry" if image else "no image of it is known"
-    note = Reason(
-        question="cuda",
-        answer=instead.cuda,
-        reason=f"CUDA {cuda} was asked for, but {why}; this is the nearest that can be built",
+    note = because(
+        "cuda",
+        instead.cuda,
+        f"CUDA {cuda} was asked for, but {why}; this is the nearest that can be built",
         weight=101,
     )
-    warning = Warning_(
-        message=f"CUDA {cuda}: {why}; the image has {instead.cuda}. A framework that loads CUDA {cuda} itself will "
+    said = reasons[0]
+    warning = warn(
+        f"CUDA {cuda}: {why}; the image has {instead.cuda}. A framework that loads CUDA {cuda} itself will "
         "not see the GPU; set base.cuda or base.image in roslab.yaml to choose another",
-        file=reasons[0].file,
-        line=reasons[0].line,
+        Place(file=said.file, line=said.line) if said.file else None,
     )
     return CudaChoice(
         cuda=instead.cuda,

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Reason
-from roslab.knowledge.distros import ubuntus
+from roslab.knowledge.distros import python_of_ubuntu, ubuntus
 from roslab.knowledge.frameworks import cuda_image, nearest_cuda_image
-from roslab.knowledge.tools import SYSTEM_PYTHON
 
 PREFERRED = ("focal", "jammy", "noble", "bionic", "xenial")
 """Where nothing decides: old enough for the code of papers, young enough to have packages."""
@@ -16,7 +15,7 @@ _DEBIAN = {"3.5": None, "3.6": "bullseye"}
 
 def system_ubuntu(python_version: str | None, among: tuple[str, ...] = PREFERRED) -> str | None:
     """Return the Ubuntu whose own Python has that version."""
-    return next((name for name in among if SYSTEM_PYTHON.get(name) == python_version), None)
+    return next((name for name in among if python_of_ubuntu().get(name) == python_version), None)
 
 
 def version_of(codename: str) -> str:
@@ -69,7 +68,7 @@ def _cuda(
         why = f"CUDA {row.cuda} on the Ubuntu asked for; -devel: extensions are compiled"
     elif python_version is None:
         why = f"the last patch of CUDA {row.cuda}; -devel: it is compiled"
-    elif SYSTEM_PYTHON.get(chosen) == python_version:
+    elif python_of_ubuntu().get(chosen) == python_version:
         why = f"the last patch of CUDA {row.cuda}, on the Ubuntu whose Python is {python_version}"
     else:
         why = f"the last patch of CUDA {row.cuda}; Python {python_version or ''} comes from conda".replace("  ", " ")

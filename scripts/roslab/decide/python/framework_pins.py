@@ -5,74 +5,64 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from packaging.requirements import InvalidRequirement, Requirement
+from packaging.version import Version
 
-from roslab.decide.decision import Reason
-from roslab.decide.python.pins import Pin, pins
-from roslab.evidence.facts import Evidence
-from roslab.knowledge.frameworks import framework, version
+from roslab.decide.cuda.local import cuda_of
+from roslab.decide.decision import Choice, Reason
+from roslab.decide.python.bounds import Constraints
+from roslab.decide.python.pins import Pin
+from roslab.decide.reasons import because
+from roslab.knowledge.frameworks import framework
+from roslab.values.requirement import Requirement, stated
 
-_BUILD = re.compile(r"^([A-Za-z][\w.-]*)-cu(\d{2,3})(?![\w.-])")
+_BUILD = re.compile(r"(.+)-cu(\d{2,3})")
 _LEADING = {"torch": "torch", "tensorflow": "tensorflow", "jax": "jax"}
 _BESIDE = {"torch": ("torchvision", "torchaudio"), "jax": ("jaxlib",), "tensorflow": ()}
 """Released together with it: their pins count where they stand in the same file."""
+_INSTALL_LINE = 1
+"""Of ``Pin.trust``."""
+_WHY = "an install line pins what the manifest leaves free"
 
 
-def framework_pins(
-    evidence: Evidence, lines: Iterable[str], cuda: str | None
-) -> tuple[tuple[str, ...], tuple[Reason, ...]]:
-    """Return constraints for frameworks that ``lines`` leave free, from install lines that fit the image's CUDA.
+def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str | None) -> Choice[Constraints]:
+    """Return constraints for frameworks that ``asked`` leaves free, from install lines that fit the image's CUDA.
 
     The newest framework of today is not what the code, its compiled parts and the image's CUDA are for.
     """
-    free = {r.name.lower(): r for line in lines if (r := _free(line))}
-    said = [pin for pin in pins(evidence) if pin.trust == 1 and pin.release]
-    found: dict[str, Reason] = {}
+    free = {each.key: each for each in asked if each.name and not each.limited}
+    said = [pin for pin in pins if pin.trust == _INSTALL_LINE and pin.release]
+    found: dict[Requirement, Reason] = {}
     for name, table in _LEADING.items():
         leading = next((p for p in said if name == p.name and name in free and _fits(p, free[name], table, cuda)), None)
         if leading is None:
             continue
         for pin in (leading, *(p for p in said if p.name in _BESIDE[name] and p.name in free)):
-            if pin.dependency.file == leading.dependency.file:
-                why = "an install line pins what the manifest leaves free"
-                found.setdefault(f"{pin.name}=={pin.release}", _reason(pin, why))
-    return tuple(found), tuple(found.values())
+            if pin.requirement.file == leading.requirement.file:
+                exact = stated(f"{pin.name}=={pin.release}")
+                found.setdefault(exact, because("dependencies", exact.written, _WHY, pin.requirement, weight=30))
+    return Choice(answer=tuple(found), reasons=tuple(found.values()))
 
 
-def one_build(lines: Iterable[str], cuda: str | None) -> list[str]:
-    """Return the lines with one build of each package: ``spconv-cu102`` and ``spconv-cu116`` hold the same module."""
-    kept = list(lines)
-    builds: dict[str, list[tuple[str, str]]] = {}
-    for line in kept:
-        if match := _BUILD.match(line):
-            builds.setdefault(match[1].lower(), []).append((match[2], line))
+def one_build(asked: Iterable[Requirement], cuda: str | None) -> tuple[Requirement, ...]:
+    """Return them with one build of each package: ``spconv-cu102`` and ``spconv-cu116`` hold the same module."""
+    kept = list(asked)
+    builds: dict[str, list[tuple[str, Requirement]]] = {}
+    for each in kept:
+        if match := _BUILD.fullmatch(each.key):
+            builds.setdefault(match[1], []).append((match[2], each))
     for same in builds.values():
-        fitting = [line for digits, line in same if digits == (cuda or "").replace(".", "")] or [same[0][1]]
-        kept = [line for line in kept if line in fitting[:1] or line not in {other for _, other in same}]
-    return kept
-
-
-def _free(line: str) -> Requirement | None:
-    try:
-        requirement = Requirement(line)
-    except InvalidRequirement:
-        return None
-    limits = {"==", "===", "<", "<=", "~="}
-    limited = requirement.url or any(specifier.operator in limits for specifier in requirement.specifier)
-    return None if limited else requirement
+        fitting = [each for digits, each in same if digits == (cuda or "").replace(".", "")] or [same[0][1]]
+        others = {each for _, each in same} - {fitting[0]}
+        kept = [each for each in kept if each not in others]
+    return tuple(kept)
 
 
 def _fits(pin: Pin, manifest: Requirement, table: str, cuda: str | None) -> bool:
+    """Tell whether the manifest allows a pinned release, and its wheel is for the image's CUDA."""
     release = pin.release or ""
     if cuda is None or not manifest.specifier.contains(release.partition("+")[0], prereleases=True):
         return False
-    if local := re.search(r"\+cu(\d{2,3})$", release):
-        return f"{local[1][:-1]}.{local[1][-1]}" == cuda
+    if local := cuda_of(release):
+        return local == cuda
     row = framework(table, release)
-    return row is not None and any(version(each) == version(cuda)[:2] for each in row.cuda)
-
-
-def _reason(pin: Pin, why: str) -> Reason:
-    answer = f"{pin.name}=={pin.release}"
-    place = pin.dependency
-    return Reason(question="dependencies", answer=answer, reason=why, file=place.file, line=place.line, weight=30)
+    return row is not None and any(Version(each).release == Version(cuda).release[:2] for each in row.cuda)

@@ -3,31 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from typing import NamedTuple
 
 from packaging.version import Version
 
 from roslab.decide.decision import Reason
-from roslab.decide.python.pins import Pin, pins
+from roslab.decide.python.pins import Pin
+from roslab.decide.python.pythons import PREFERRED
 from roslab.decide.reasons import Placed, because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.frameworks import Framework, canonical, framework, last_below
+from roslab.knowledge.frameworks import Framework, framework, last_below
 from roslab.values.specifier import admits, specifiers
 
-PREFERRED = ("3.10", "3.8", "3.12", "3.9", "3.11", "3.7", "3.6", "3.13", "3.14", "3.5", "2.7")
-"""Where several fit: what an Ubuntu ships comes first, then what most wheels exist for."""
-_TABLED = {
-    "tensorflow-gpu": "tensorflow",
-    "tensorflow-cpu": "tensorflow",
-    "jaxlib": "jax",
-    "opencv-python-headless": "opencv-python",
-    "opencv-contrib-python": "opencv-python",
-    "opencv-contrib-python-headless": "opencv-python",
-}
-_AT_LEAST = re.compile(r">=\s*(\d[\w.]*)")
 _TRUSTED = 3
 """Of ``Pin.trust``: a manifest of the project itself."""
 _CLASSIFIER = re.compile(r"Python :: (\d\.\d+)")
@@ -43,25 +33,25 @@ class Range(NamedTuple):
     reason: Reason
 
 
-def ranges(evidence: Evidence, aside: set[str]) -> Iterator[Range]:
+def ranges(evidence: Evidence, pins: Iterable[Pin], aside: set[str]) -> Iterator[Range]:
     """Yield declared ranges, then those of pinned packages, the most trusted first.
 
     ``aside`` are Dockerfiles that name their own Python: of several images the pins of one say nothing of another's.
     """
     yield from _declared(evidence)
-    for pin in pins(evidence):
-        if pin.dependency.file not in aside:
+    for pin in pins:
+        if pin.requirement.file not in aside:
             yield from _pinned(pin)
 
 
-def ranges_by_use(evidence: Evidence) -> Iterator[Range]:
+def ranges_by_use(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Range]:
     """Yield the Pythons of the last wheels with a name that the code uses, where the author pins nothing himself."""
-    pinned = {pin.name for pin in pins(evidence) if pin.trust and (pin.release or pin.below)}
+    pinned = {pin.name for pin in pins if pin.trust and (pin.release or pin.requirement.below)}
     for use in evidence.bounds:
-        package, _, below = use.name.partition("<")
-        row = None if canonical(package) in pinned else last_below(canonical(package), below)
+        below = use.bound.below
+        row = last_below(use.bound.key, below) if below and use.bound.key not in pinned else None
         if row is not None:
-            why = f"the code uses {use.role}: {use.name} has wheels up to Python {row.python_max}"
+            why = f"the code uses {use.what}: {use.bound.written} has wheels up to Python {row.python_max}"
             yield _up_to(row, f"≤ {row.python_max}", why, use, 20)
 
 
@@ -86,24 +76,25 @@ def _declared(evidence: Evidence) -> Iterator[Range]:
 
 def _pinned(pin: Pin) -> Iterator[Range]:
     """Yield the Pythons that a pinned package has wheels for; a lower bound only counts in the project's manifest."""
-    release = pin.release or pin.below
+    asked = pin.requirement
+    release = pin.release or asked.below
     if pin.release is None and pin.trust >= _TRUSTED:
         yield from _lowest(pin)
-    row = framework(_TABLED.get(pin.name, pin.name), release) if release and pin.trust else None
+    row = framework(pin.name, release) if release and pin.trust else None
     if row is not None:
-        why = f"{pin.line} has wheels for Python {row.python_min} to {row.python_max}"
-        reason = because("python", f"{row.python_min}…{row.python_max}", why, pin.dependency, weight=30 + pin.trust)
+        why = f"{asked.written} has wheels for Python {row.python_min} to {row.python_max}"
+        reason = because("python", f"{row.python_min}…{row.python_max}", why, asked, weight=30 + pin.trust)
         lowest = Version(row.python_min) if pin.release else Version("0")
         yield Range(_between(lowest, Version(row.python_max)), reason)
 
 
 def _lowest(pin: Pin) -> Iterator[Range]:
     """Yield the range of ``numpy>=1.22``: no Python that is older than the first with that release."""
-    at_least = _AT_LEAST.search(pin.line.partition(";")[0])
-    row = framework(_TABLED.get(pin.name, pin.name), at_least[1]) if at_least else None
+    asked = pin.requirement
+    row = framework(pin.name, asked.at_least) if asked.at_least else None
     if row is not None:
-        why = f"{pin.line} needs Python {row.python_min} or newer"
-        reason = because("python", f"≥ {row.python_min}", why, pin.dependency, weight=29 + pin.trust)
+        why = f"{asked.written} needs Python {row.python_min} or newer"
+        reason = because("python", f"≥ {row.python_min}", why, asked, weight=29 + pin.trust)
         yield Range(_between(Version(row.python_min), _ANY), reason)
 
 

@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+from packaging.specifiers import SpecifierSet
+from packaging.utils import canonicalize_name
 
 from roslab.decide.decision import Warning_
-from roslab.decide.python.packages import with_includes
-from roslab.decide.python.pins import name_of
-from roslab.evidence.facts import Dependency, Evidence, PythonProject, RequirementFile
+from roslab.decide.python.manifests import with_includes
+from roslab.decide.python.pythons import ANY
+from roslab.decide.reasons import warn
+from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.not_on_index import NotOnIndex, not_on_index
+from roslab.values.requirement import Requirement
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Repaired:
-    """Lines to install one by one in the place of files and of projects' dependencies."""
+    """Requirements to install one by one in the place of files and of projects' dependencies."""
 
-    lines: tuple[str, ...] = ()
+    requirements: tuple[Requirement, ...] = ()
     files: frozenset[str] = frozenset()
     """Requirement files that are not installed as they stand."""
     alone: tuple[str, ...] = ()
@@ -24,21 +29,23 @@ class Repaired:
     warnings: tuple[Warning_, ...] = ()
 
 
-def refused(line: str) -> NotOnIndex | None:
+def refused(asked: Requirement) -> NotOnIndex | None:
     """Return the row of a name that pip does not find, or finds only to fail; ``None`` for all others."""
-    row = not_on_index().get(name_of(line))
-    if row is None or "@" in line or line.startswith(("git+", "http")):
+    row = not_on_index().get(asked.key)
+    if row is None or asked.url or not ANY.may(asked):
         return None
-    versioned = any(sign in line for sign in "=<>~")
-    return None if versioned and row.instead and name_of(line).startswith(name_of(row.instead)) else row
+    same = bool(row.instead) and asked.key.startswith(canonicalize_name(row.instead))
+    return None if asked.specifier and same else row
 
 
-def right(lines: Iterable[str]) -> Iterator[str]:
-    """Yield the lines that pip can install, with the right name in the place of a wrong one."""
-    for line in lines:
-        row = refused(line)
-        if row is None or row.instead:
-            yield row.instead if row else line
+def right(requirements: Iterable[Requirement]) -> Iterator[Requirement]:
+    """Yield what pip can install, with the right name in the place of a wrong one."""
+    for asked in requirements:
+        row = refused(asked)
+        if row is None:
+            yield asked
+        elif row.instead:
+            yield replace(asked, name=row.instead, written=row.instead, specifier=SpecifierSet())
 
 
 def repair(
@@ -46,41 +53,43 @@ def repair(
 ) -> Repaired:
     """Return how what is declared is installed although pip would refuse a line of it; ``own`` are the tree's names."""
     names = set(own)
-    lines: list[str] = []
+    kept: list[Requirement] = []
     broken: set[str] = set()
     alone: list[str] = []
     warnings: list[Warning_] = []
     for file in files:
-        found = [d for each in with_includes(evidence, [file]) for d in each.dependencies]
-        spelled = [d for d in found if d.role == "repaired"]
-        missing = [d for d in found if refused(d.name)]
+        found = [asked for each in with_includes(evidence, [file]) for asked in each.requirements]
+        spelled = [asked for asked in found if asked.role == "repaired"]
+        missing = [asked for asked in found if refused(asked)]
         if not (spelled or missing):
             continue
         broken.add(file.file)
-        lines += _kept((d for d in found if d.role != "project"), names)
+        kept += _kept((asked for asked in found if asked.role != "project"), names)
         text = f"pip would refuse this line; the packages of {file.file} are installed one by one"
-        warnings += [Warning_(message=text, file=d.file, line=d.line) for d in spelled[:1]]
-        warnings += [_warning(d) for d in missing if name_of(d.name) not in names]
+        warnings += [warn(text, asked) for asked in spelled[:1]]
+        warnings += [_warning(asked) for asked in missing if asked.key not in names]
     for project in projects:
-        found = [d for d in project.dependencies if d.role in {"", "source", "member"}]
-        missing = [d for d in found if refused(d.name) and name_of(d.name) not in names]
-        if missing or any(d.role for d in found):  # or where pip would look for it is not where its author has it
+        found = [asked for asked in project.requirements if asked.role in {"", "source", "member"}]
+        missing = [asked for asked in found if refused(asked) and asked.key not in names]
+        if missing or any(asked.role for asked in found):  # or where pip would look for it is not where it is
             alone.append(project.folder or ".")
-            lines += _kept(found, names)
-            warnings += [_warning(d) for d in missing]
+            kept += _kept(found, names)
+            warnings += [_warning(asked) for asked in missing]
     return Repaired(
-        lines=tuple(lines), files=frozenset(broken), alone=tuple(alone), warnings=tuple(dict.fromkeys(warnings))
+        requirements=tuple(kept),
+        files=frozenset(broken),
+        alone=tuple(alone),
+        warnings=tuple(dict.fromkeys(warnings)),
     )
 
 
-def _kept(found: Iterable[Dependency], own: set[str]) -> list[str]:
-    """Return the lines for pip, with their markers and without the tree's own names."""
-    lines = (d.name + (f"; {d.condition}" if d.condition else "") for d in found)
-    return [line for line in right(lines) if name_of(line) not in own]
+def _kept(found: Iterable[Requirement], own: set[str]) -> list[Requirement]:
+    """Return what is for pip: all but the tree's own names."""
+    return [asked for asked in right(found) if asked.key not in own]
 
 
-def _warning(dependency: Dependency) -> Warning_:
-    name, row = name_of(dependency.name), not_on_index()[name_of(dependency.name)]
+def _warning(asked: Requirement) -> Warning_:
+    row = not_on_index()[asked.key]
     without = f"the image is built without it, install it by `custom` or `pip` in roslab.yaml ({row.source})"
     does = f"{row.instead} is installed" if row.instead else without
-    return Warning_(message=f"pip cannot install {name}: {row.why}; {does}", file=dependency.file, line=dependency.line)
+    return warn(f"pip cannot install {asked.key}: {row.why}; {does}", asked)

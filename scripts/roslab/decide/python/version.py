@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from packaging.version import Version
 
 from roslab.config.model import Config
-from roslab.decide.decision import Reason
-from roslab.decide.python.pins import pins
-from roslab.decide.python.ranges import PREFERRED, Range, ranges, ranges_by_use
-from roslab.decide.reasons import because, configured
+from roslab.decide.decision import Choice, Reason
+from roslab.decide.python.pins import Pin
+from roslab.decide.python.pythons import PREFERRED
+from roslab.decide.python.ranges import Range, ranges, ranges_by_use
+from roslab.decide.reasons import because, configured, outweighed
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
-from roslab.knowledge.distros import ubuntus
-from roslab.knowledge.tools import SYSTEM_PYTHON
+from roslab.knowledge.distros import python_of_ubuntu, ubuntus
+from roslab.values.version import version_of
 
 _OLDEST = Version("2.7")
 _BELIEVED = 70
@@ -30,24 +31,26 @@ _BOTH = re.compile(
 """A sentence with Python 2 in it that lets Python 3 do as well."""
 
 
-def python_version(evidence: Evidence, config: Config) -> tuple[str | None, tuple[Reason, ...]]:
+def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Choice[str | None]:
     """Return ``3.8`` and why; ``None`` where the repository says nothing about Python at all."""
     if config.base.python:
-        return config.base.python, (configured(config, "python", config.base.python, "base.python"),)
-    known = tuple(ranges(evidence, _telling(evidence)))
-    named = sorted(_named(evidence), key=_order)
+        said = configured(config, "python", config.base.python, "base.python")
+        return Choice(answer=config.base.python, reasons=(said,))
+    known = tuple(ranges(evidence, pins, _telling(evidence)))
+    named = sorted(_named(evidence, pins), key=_order)
     fitting = _fitting(known)
     chosen = next((reason for reason in named if reason.answer in fitting or reason.weight >= _BELIEVED), None)
-    if chosen is None and (older := tuple(ranges_by_use(evidence))):  # nobody says which: what the code uses does
+    if chosen is None and (older := tuple(ranges_by_use(evidence, pins))):  # nobody says which: what the code uses does
         known = (*known, *older)
         fitting = [python for python in fitting if all(python in each.pythons for each in older)] or fitting
     reasons = [each.reason for each in known]
     if chosen is not None:
         others = (reason for reason in (*named, *reasons) if reason is not chosen)
-        return chosen.answer, (chosen, *(replace(r, decisive=r.answer == chosen.answer) for r in others))
+        return Choice(answer=chosen.answer, reasons=(chosen, *outweighed(others, chosen)))
     if not known:
-        return None, tuple(replace(reason, decisive=False) for reason in named)
-    return fitting[0], (because("python", fitting[0], "fits every pin below", weight=30), *reasons)
+        return Choice(answer=None, reasons=tuple(replace(reason, decisive=False) for reason in named))
+    fits = because("python", fitting[0], "fits every pin below", weight=30)
+    return Choice(answer=fits.answer, reasons=(fits, *reasons))
 
 
 def _fitting(known: tuple[Range, ...]) -> list[str]:
@@ -64,7 +67,7 @@ def _order(reason: Reason) -> tuple[int, str, int, list[int]]:
     return -reason.weight, reason.file or "", reason.line or 0, [-number for number in Version(reason.answer).release]
 
 
-def _named(evidence: Evidence) -> Iterator[Reason]:
+def _named(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Reason]:
     """Yield the versions that are written down as such."""
     for environment in evidence.conda:
         if environment.python and not places.vendored(environment.file):
@@ -72,12 +75,13 @@ def _named(evidence: Evidence) -> Iterator[Reason]:
             yield because("python", environment.python, "the conda environment has it", environment, weight=weight)
     three = any("Python :: 3" in line for p in evidence.python if not p.folder for line in p.classifiers)
     for mention in evidence.mentions:
-        if mention.topic == "python" and Version(mention.value) >= _OLDEST:
+        number = version_of(mention.value) if mention.topic == "python" else None
+        if number and number >= _OLDEST:
             yield from _mentioned(mention, three=three)
     yield from _of_images(evidence)
-    for pin in pins(evidence):
-        if pin.trust and (tag := re.search(r"-cp(\d)(\d{1,2})-", pin.line)):
-            yield because("python", f"{tag[1]}.{tag[2]}", "a wheel of it is named", pin.dependency, weight=42)
+    for pin in pins:
+        if pin.trust and pin.requirement.wheel and (python := pin.requirement.wheel.python):
+            yield because("python", python, "a wheel of it is named", pin.requirement, weight=42)
 
 
 def _mentioned(mention: Mention, *, three: bool) -> Iterator[Reason]:
@@ -107,8 +111,8 @@ def _of_images(evidence: Evidence) -> Iterator[Reason]:
         if authored.purpose != "project" or authored.file in telling:
             continue
         tag = _UBUNTU.search(authored.base or "")
-        number = SYSTEM_PYTHON.get(ubuntus().get(tag[1], "")) if tag else None
-        if number and any(d.namespace == "pip" for d in authored.dependencies):
+        number = python_of_ubuntu().get(ubuntus().get(tag[1], "")) if tag else None
+        if number and authored.requirements:
             why = f"the Python of {authored.base}"
             weight = 16 - 4 * min(authored.file.count("/"), 3)
             yield replace(because("python", number, why, authored, weight=weight), line=authored.base_line)

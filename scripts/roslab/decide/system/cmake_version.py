@@ -9,6 +9,7 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency, Evidence
 from roslab.knowledge.distros import cmake_of_ubuntu
+from roslab.values.requirement import Requirement, stated
 
 
 def needed_cmake(evidence: Evidence) -> Dependency | None:
@@ -29,8 +30,8 @@ def has_it(ubuntu: str, demand: Dependency | None) -> bool:
     return demand is None or Version(cmake_of_ubuntu()[ubuntu]) >= Version(demand.version or "0")
 
 
-def from_pip(evidence: Evidence, kind: Kind, ubuntu: str | None) -> Dependency | None:
-    """Return CMake as a requirement line where the Ubuntu's own is too old, never newer than the demand's generation.
+def from_pip(evidence: Evidence, kind: Kind, ubuntu: str | None) -> Requirement | None:
+    """Return CMake as a requirement where the Ubuntu's own is too old, never newer than the demand's generation.
 
     CMake 4 refuses projects that ask for a version before 3.5, and a dependency of the repository may be one.
     """
@@ -38,11 +39,4 @@ def from_pip(evidence: Evidence, kind: Kind, ubuntu: str | None) -> Dependency |
     if demand is None or ubuntu is None or has_it(ubuntu, demand):
         return None
     bound = f",<{Version(demand.version or '0').major + 1}"
-    return Dependency(
-        namespace="pip",
-        name=f"cmake>={demand.version}{bound}",
-        strength="used",
-        file=demand.file,
-        line=demand.line,
-        role="cmake",
-    )
+    return stated(f"cmake>={demand.version}{bound}", "build", demand.file, demand.line)

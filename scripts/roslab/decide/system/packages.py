@@ -16,6 +16,7 @@ from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.facts import Dependency, Evidence
 from roslab.knowledge.never import never
 from roslab.knowledge.on_request import packages as on_request
+from roslab.values.requirement import Requirement
 
 _PYTHON_2 = frozenset({None, "trusty", "xenial", "bionic"})
 """Where `python` is Python 2. https://wiki.ubuntu.com/FocalFossa/ReleaseNotes#Python3_by_default"""
@@ -28,7 +29,6 @@ _HOW = {
     "import": "{} is imported",
     "ros": "the ROS package {} is used",
     "apt": "an install line names {}",
-    "pip": "the wheel of {} lacks it",
     "rosdep": "the key {} is named",
     "shebang": "the first line of a program names {}",
 }
@@ -59,7 +59,7 @@ class _Found:
     """What was gathered so far, each name with the first that asked for it."""
 
     declared: dict[str, Dependency | None] = field(default_factory=dict)
-    guessed: dict[str, Dependency] = field(default_factory=dict)
+    guessed: dict[str, Dependency | Requirement] = field(default_factory=dict)
     recipes: dict[str, Dependency] = field(default_factory=dict)
     skip: dict[str, None] = field(default_factory=dict)
     warnings: list[Warning_] = field(default_factory=list)
@@ -73,10 +73,14 @@ def decide_system(
     target: Target,
     packages: Packages,
     python: Python,
+    installed: tuple[Requirement, ...],
     base_packages: tuple[str, ...],
     sisters: frozenset[str],
 ) -> Choice[SystemPackages]:
-    """Return the system packages; ``sisters`` are the names that sources in the workspace answer for."""
+    """Return the system packages.
+
+    ``installed`` is what pip puts into the image, ``sisters`` are the names that sources in the workspace answer for.
+    """
     keys = declared_keys(packages, target, kind) if target.ros_distro else ()
     found = _Found(declared=dict.fromkeys((*config.apt, *base_packages)))
     found.skip = dict.fromkeys((*config.skip_keys, *(key.name for key in keys if key.name in sisters)))
@@ -90,8 +94,8 @@ def decide_system(
             continue
         if dependency.name not in known:
             _add(dependency, target, found, known, trusted=trusted)
-    for apt, dependency in apt_for_wheels(python, target.ubuntu, evidence):
-        found.guessed.setdefault(apt, dependency)
+    for apt, asked in apt_for_wheels(python, installed, target.ubuntu, evidence):
+        found.guessed.setdefault(apt, asked)
     refused = never()
     kept = {n: d for n, d in found.guessed.items() if n not in found.declared and not refused.match(n)}
     wanted = [name for name in _requested(config, target.ubuntu) if name not in found.declared]
@@ -155,12 +159,16 @@ def _covered(apt: str, target: Target, known: frozenset[str]) -> bool:
 
 
 def _explained(
-    declared: dict[str, Dependency | None], guessed: dict[str, Dependency], keys: tuple[Dependency, ...]
+    declared: dict[str, Dependency | None], guessed: dict[str, Dependency | Requirement], keys: tuple[Dependency, ...]
 ) -> Iterator[Reason]:
     for key in keys:
         yield because("dependencies", key.name, f"a package.xml asks for it ({key.role})", key, weight=Weight.KEY)
     for name, dependency in (*declared.items(), *guessed.items()):
-        if dependency is not None:
+        if isinstance(dependency, Requirement):
+            why = f"the wheel of {dependency.written} lacks it"
+            place = dependency if dependency.file else None
+            yield because("dependencies", name, why, place, weight=Weight.GUESSED)
+        elif dependency is not None:
             how = _HOW.get(dependency.role) or _HOW.get(dependency.namespace, "{} is named")
             why = how.format(dependency.name) + (", but need not be there" if dependency.strength == "optional" else "")
             weight = Weight.DECLARED if name in declared else Weight.GUESSED

@@ -153,6 +153,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         copies_repository=copies or itself,
         clones=clones,
         dependencies=tuple(dict.fromkeys(collector.dependencies)),
+        requirements=tuple(dict.fromkeys(collector.requirements)),
         command=reading.command,
         command_line=reading.command_line,
         purpose=_purpose(file.path, reading.base or "", problem),

@@ -10,7 +10,8 @@ from typing import Literal
 
 from roslab.evidence.facts import Dependency, GitSource, Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
-from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Asked, conda_asks, pip_asks
+from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks
+from roslab.values.requirement import Requirement
 
 MentionSource = Literal["dockerfile", "ci", "readme", "script"]
 TRIGGER = re.compile(
@@ -37,6 +38,7 @@ class Collector:
     source: MentionSource
     variables: Mapping[str, str] = field(default_factory=dict)
     dependencies: list[Dependency] = field(default_factory=list)
+    requirements: list[Requirement] = field(default_factory=list)
     sources: list[GitSource] = field(default_factory=list)
     mentions: list[Mention] = field(default_factory=list)
     folder: str = ""
@@ -70,9 +72,9 @@ class Collector:
         if program in _APT:
             self._apt(command)
         elif PIP.match(program):
-            self._python(pip_asks(command, self._here), command)
+            self._python(pip_asks(command, self.file, self._here), command)
         elif program in CONDA:
-            self._python(conda_asks(command), command)
+            self._python(conda_asks(command, self.file), command)
         elif program == "git":
             self._git(command)
         elif program == "cd":
@@ -84,28 +86,9 @@ class Collector:
         """Return what was gathered, each thing once."""
         return Prose(
             tuple(dict.fromkeys(self.dependencies)),
+            tuple(dict.fromkeys(self.requirements)),
             tuple(dict.fromkeys(self.sources)),
             tuple(dict.fromkeys(self.mentions)),
-        )
-
-    def _depend(
-        self,
-        namespace: Literal["apt", "pip"],
-        name: str,
-        line: int,
-        role: str = "",
-        version: str | None = None,
-    ) -> None:
-        self.dependencies.append(
-            Dependency(
-                namespace=namespace,
-                name=name,
-                strength="prose",
-                file=self.file,
-                line=line,
-                role=role,
-                version=version,
-            )
         )
 
     def _mention(
@@ -138,20 +121,27 @@ class Collector:
             name, _, version = name.partition("=")
             name = name.partition("/")[0].partition(":")[0]
             if _APT_NAME.match(name):
-                self._depend("apt", name, line, version=version or None)
+                self.dependencies.append(
+                    Dependency(
+                        namespace="apt",
+                        name=name,
+                        strength="prose",
+                        file=self.file,
+                        line=line,
+                        version=version or None,
+                    )
+                )
 
     def _listed(self, rest: tuple[str, ...]) -> bool:
         """Tell whether `sudo` among apt's words is the package: in a program's list, before no other program."""
         return self.source != "readme" and not (rest and (rest[0] in _APT or PIP.match(rest[0])))
 
-    def _python(self, asks: Iterable[Asked], command: Command) -> None:
+    def _python(self, asks: Iterable[Requirement | Version], command: Command) -> None:
         for asked in asks:
-            if asked.role == "python":
-                self._mention("python", asked.name, command)
-            elif asked.role == "cuda":
-                self._mention("cuda", asked.name, command)
+            if isinstance(asked, Version):
+                self._mention(asked.topic, asked.number, command)
             else:
-                self._depend("pip", asked.name, asked.line, role=asked.role)
+                self.requirements.append(asked)
 
     def _here(self, path: str) -> str:
         """Return a path as seen from where the text began."""
@@ -223,7 +213,10 @@ class Collector:
             if python[1] and "." in python[1]:
                 self._mention("python", python[1], command)
             if words[1].endswith("setup.py"):
-                self._depend("pip", words[1].removesuffix("setup.py") or ".", command.line, role="project")
+                folder, line = words[1].removesuffix("setup.py") or ".", command.line
+                self.requirements.append(
+                    Requirement(name="", written=folder, origin="prose", role="project", file=self.file, line=line)
+                )
             elif words[1].endswith(".py") or words[1] == "-m":
                 self._run(command)
 
@@ -237,6 +230,7 @@ def merge(parts: Iterable[Prose]) -> Prose:
     parts = tuple(parts)
     return Prose(
         tuple(d for part in parts for d in part.dependencies),
+        tuple(r for part in parts for r in part.requirements),
         tuple(s for part in parts for s in part.sources),
         tuple(m for part in parts for m in part.mentions),
     )

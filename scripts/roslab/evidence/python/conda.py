@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import re
 
-from roslab.evidence.facts import CondaEnvironment, Dependency
+from roslab.evidence.facts import CondaEnvironment
 from roslab.evidence.lex.yaml import load
-from roslab.evidence.python.requirements import requirement
 from roslab.repository.checkout import File, Repository
+from roslab.values.conda import conda_package
+from roslab.values.requirement import Requirement, requirement
+from roslab.values.version import minor_of
 
 _NAME = re.compile(
     r"^(?:.*[-_.])?(?:conda|env|environment|mamba|robostack)(?:[-_.\d].*)?\.ya?ml$|^conda.*\.ya?ml$|^env\w*\.ya?ml$"
 )
 _SHAPE = re.compile(r"^dependencies:", re.MULTILINE)
-_PYTHON = re.compile(r"^(?:[\w-]+::)?python\s*[=<>~! ]+\s*(\d+(?:\.\d+)*)")
 _OPTIONS = ("-f ", "-i ", "--extra-index-url", "--find-links", "--index-url")
 MAX_SIZE = 256 * 1024
 
@@ -38,28 +39,28 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
     def line_of(entry: str) -> int:
         return next((number for number, line in enumerate(lines, 1) if entry in line), 1)
 
-    packages = tuple(entry.strip() for entry in entries if isinstance(entry, str))
+    named = (conda_package(entry) for entry in entries if isinstance(entry, str))
+    packages = tuple(package for package in named if package)
     inner = [entry["pip"] for entry in entries if isinstance(entry, dict) and isinstance(entry.get("pip"), list)]
     items = [item for listed in inner for item in listed if isinstance(item, str)]
     pip = [found for item in items if (found := _item(item, file.path, line_of(item)))]
-    python = next((match[1] for package in packages if (match := _PYTHON.match(package))), None)
+    python = next((package.version for package in packages if package.name == "python" and package.version), None)
     name = data.get("name")
     return CondaEnvironment(
         file=file.path,
         line=1,
         name=name if isinstance(name, str) else None,
-        python=".".join(python.split(".")[:2]) if python else None,
+        python=minor_of(python) if python else None,
         packages=packages,
-        dependencies=tuple(pip),
+        requirements=tuple(pip),
     )
 
 
-def _item(item: str, path: str, line: int) -> Dependency | None:
+def _item(item: str, path: str, line: int) -> Requirement | None:
     """Read one entry of the ``pip:`` part: a file, an option, a requirement."""
     if item.startswith(("-r ", "--requirement ")):
-        name, role = item.rsplit(maxsplit=1)[-1], "file"
-    elif item.startswith(_OPTIONS):
-        name, role = item, "option"
-    else:
-        return requirement(item.split(" #", maxsplit=1)[0].strip(), path, line)
-    return Dependency(namespace="pip", name=name, strength="declared", file=path, line=line, role=role)
+        written = item.rsplit(maxsplit=1)[-1]
+        return Requirement(name="", written=written, origin="conda", role="file", file=path, line=line)
+    if item.startswith(_OPTIONS):
+        return Requirement(name="", written=item, origin="conda", role="option", file=path, line=line)
+    return requirement(item.split(" #", maxsplit=1)[0].strip(), "conda", path, line)

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from roslab.evidence.lex.shell import UNKNOWN, Command
 from roslab.knowledge.frameworks import conda_names
+from roslab.values.conda import conda_package
+from roslab.values.requirement import Requirement, Role, requirement, stated
+from roslab.values.version import minor_of
 
 STOP = frozenset(
     [
@@ -29,71 +32,70 @@ _PIP_OPTIONS = {
     "-f": "--find-links", "--find-links": "--find-links", "-i": "--index-url", "--index-url": "--index-url",
     "--extra-index-url": "--extra-index-url",
 }  # fmt: skip
-_PIP_SPEC = re.compile(r"^[A-Za-z0-9][A-Za-z0-9._-]*(?:\[[\w\s,.-]*\])?\s*(?:(?:[=<>!~]=|[<>]|@|;)\s*[^\s].*)?$")
-_URL = re.compile(r"^(?:git\+)?(?:https?|ssh|git|file)://\S+$|^git@\S+:\S+$")
 CONDA = frozenset({"conda", "mamba", "micromamba"})
 _CONDA_VALUED = frozenset({"-n", "-c", "--name", "--channel", "-p", "--prefix", "-f", "--file"})
 _CUDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit"})
-_VERSION = re.compile(r"\d+(?:\.\d+)*")
+_PATH = re.compile(r"^[./~]|^(?!.*://).*(?:\.whl|\.tar\.gz|/)$")
+_EXACT = re.compile(r"\d+(?:\.\d+)*")
+_NAME = re.compile(r"[a-z][a-z0-9._-]*")
 
 
-class Asked(NamedTuple):
-    """One thing that an install command names."""
+class Version(NamedTuple):
+    """The version of Python or CUDA itself that conda is asked for."""
 
-    name: str
-    """A requirement line, a path, a URL, an option; ``3.8`` for Python and CUDA themselves."""
-    line: int
-    role: str = ""
-    """``file``, ``project``, ``option``, ``python2``, ``conda``; ``python`` and ``cuda`` for versions that conda is
-    asked for."""
+    topic: Literal["python", "cuda"]
+    number: str
 
 
-def pip_asks(command: Command, here: Callable[[str], str]) -> Iterator[Asked]:
+def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterator[Requirement]:
     """Yield what ``pip install`` or ``pipx install`` is given; ``here`` makes a path one from where the text began."""
     words = command.words
     if "install" not in words:
         return
-    two = "python2" if words[0].rpartition("/")[2].startswith("pip2") else ""
+    role: Role = "python2" if words[0].rpartition("/")[2].startswith("pip2") else ""
     index = words.index("install") + 1
     while index < len(words):
         word, line = words[index].strip(), command.lines[index]
         following = words[index + 1] if index + 1 < len(words) else ""
         index += 1
-        if word in _PIP_VALUED:
-            index += 1
-            continue
+        index += word in _PIP_VALUED
         flag, _, glued = word.partition("=") if word.startswith("--") else (word, "", "")
+        value = glued or following
         if flag in _PIP_OPTIONS:
             index += not glued
-            if UNKNOWN not in (glued or following) and (glued or following):
-                yield Asked(f"{_PIP_OPTIONS[flag]} {glued or following}", line, "option")
-        elif flag in {"-r", "--requirement", "--requirements"} or (
-            word.startswith("-r") and len(word) > 2 and not word.startswith("--")
-        ):
-            target = glued or (word[2:] if word.startswith("-r") and len(word) > 2 else following)
+            if value and UNKNOWN not in value:
+                yield _argument(f"{_PIP_OPTIONS[flag]} {value}", "option", file, line)
+        elif target := _requirements(word, flag, glued, following):
             index += target == following
-            yield Asked(here(target), line, "file")
+            yield _argument(here(target), "file", file, line)
         elif not word.startswith("-") and UNKNOWN not in word:  # what `-e` names is a word like the others
-            asked = _pip_word(word, line, here, two)
-            if asked is None:
+            if _PATH.search(word):
+                yield _argument(here(word), "project", file, line)
+            elif (name := _bare(word)).lower() in STOP:
                 break  # the sentence goes on in prose
-            if asked.name:
-                yield asked
+            elif found := requirement(name, "prose", file, line, role=role, repair=False):
+                yield found
 
 
-def _pip_word(word: str, line: int, here: Callable[[str], str], two: str) -> Asked | None:
-    """Return one argument, without a name where it is none, ``None`` where it is a word of the sentence around it."""
-    if _URL.match(word):
-        return Asked(word, line, two)
-    if word.startswith((".", "/", "~")) or word.endswith((".whl", ".tar.gz", "/")):
-        return Asked(here(word), line, "project")
-    name = word.rstrip(",:)") if not word.endswith(".") else word.rstrip(".")
-    if name.lower() in STOP:
-        return None
-    return Asked(name if _PIP_SPEC.match(name) else "", line, two)
+def _bare(word: str) -> str:
+    """Return a name without the punctuation of the sentence around it; a URL is taken as it is."""
+    if "://" in word:
+        return word
+    return word.rstrip(".") if word.endswith(".") else word.rstrip(",:)")
 
 
-def conda_asks(command: Command) -> Iterator[Asked]:
+def _requirements(word: str, flag: str, glued: str, following: str) -> str:
+    """Return the file that ``-r`` names, glued to it or as the next word; ``""`` for another option."""
+    if flag in {"-r", "--requirement", "--requirements"}:
+        return glued or following
+    return word[2:] if word.startswith("-r") else ""
+
+
+def _argument(written: str, role: Role, file: str, line: int) -> Requirement:
+    return Requirement(name="", written=written, origin="prose", role=role, file=file, line=line)
+
+
+def conda_asks(command: Command, file: str) -> Iterator[Requirement | Version]:
     """Yield what ``conda install`` or ``conda create`` is given."""
     words = command.words
     if not {"install", "create"} & set(words[1:3]):
@@ -103,19 +105,16 @@ def conda_asks(command: Command) -> Iterator[Asked]:
         if skip or word.startswith("-") or UNKNOWN in word:
             skip = not skip and word in _CONDA_VALUED
             continue
-        name, _, version = word.rpartition("::")[2].strip("\"'").replace("==", "=").partition("=")
-        number = _VERSION.match(version)
-        name = name.lower().partition(">")[0].partition("<")[0]
-        if name == "python" and number:
-            yield Asked(number[0], line, "python")
-        elif name in _CUDA and number:
-            yield Asked(number[0], line, "cuda")
-        elif (
-            (package := conda_names().get(name, name))
-            and re.fullmatch(r"[a-z][a-z0-9._-]*", name)
-            and name not in STOP
-            and name not in {"install", "create"}
-        ):
-            exact = f"=={number[0]}" if number and number[0] == version else ""
-            exact += ".*" if exact and name == "opencv" else ""  # pip's has a number more, of the build
-            yield Asked(package + exact, line, "conda")
+        asked = conda_package(word.strip("\"'"))
+        if asked is None:
+            continue
+        if asked.name == "python" and asked.version and "=" in asked.sign:
+            yield Version("python", minor_of(asked.version) or asked.version)
+        elif asked.name in _CUDA and asked.version and "=" in asked.sign:
+            yield Version("cuda", minor_of(asked.version) or asked.version)
+        elif _NAME.fullmatch(asked.name) and asked.name not in STOP | {"install", "create"}:
+            package = conda_names().get(asked.name, asked.name)
+            exact = f"=={asked.version}" if asked.release and _EXACT.fullmatch(asked.version) else ""
+            exact += ".*" if exact and asked.name == "opencv" else ""  # pip's has a number more, of the build
+            if package:
+                yield stated(package + exact, "prose", file, line, role="conda")

@@ -11,9 +11,10 @@ from typing import Any
 
 from packaging.utils import canonicalize_name
 
-from roslab.evidence.facts import Dependency, PythonProject
-from roslab.evidence.python import requirements, setup_py
+from roslab.evidence.facts import PythonProject
+from roslab.evidence.python import poetry, requirements, setup_py
 from roslab.repository.checkout import Repository
+from roslab.values.requirement import Requirement, Role, requirement
 
 MAX_SIZE = 256 * 1024
 _AMENT = re.compile(r"ament_index/resource_index|ament_python")
@@ -49,7 +50,9 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
         installable=first.installable and not ros,
         requires_python=next((part.requires_python for part in parts if part.requires_python), None),
         build_requires=tuple(dict.fromkeys(line for part in parts for line in part.build_requires)),
-        dependencies=tuple({(d.name, d.role): d for part in _asked(first, rest) for d in part.dependencies}.values()),
+        requirements=tuple(
+            {(r.text, r.role, r.group): r for part in _asked(first, rest) for r in part.requirements}.values()
+        ),
         scripts=tuple(script for part in parts for script in part.scripts),
         extensions=tuple(dict.fromkeys(extension for part in parts for extension in part.extensions)),
         classifiers=tuple(dict.fromkeys(line for part in parts for line in part.classifiers)),
@@ -59,7 +62,7 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
 
 def _asked(first: PythonProject, rest: list[PythonProject]) -> list[PythonProject]:
     """Return the files whose dependencies count: pip asks the first alone, unless that leaves them to another."""
-    return [first] if any(not d.role for d in first.dependencies) else [*reversed(rest), first]
+    return [first] if any(not asked.role for asked in first.requirements) else [*reversed(rest), first]
 
 
 def _finder(text: str) -> Callable[[str], int]:
@@ -70,24 +73,34 @@ def _finder(text: str) -> Callable[[str], int]:
     return line_of
 
 
-def _listed(lines: Iterable[Any], path: str, line_of: Callable[[str], int], role: str = "") -> list[Dependency]:
-    found = (
-        requirements.requirement(line.strip(), path, line_of(line), role=role)
-        for line in lines
-        if isinstance(line, str) and line.strip()
-    )
-    return [dependency for dependency in found if dependency]
+def _listed(
+    lines: Iterable[Any], path: str, line_of: Callable[[str], int], *, extra: str | None = None, role: Role = ""
+) -> list[Requirement]:
+    """Read requirement lines; ``extra`` is the name of what they are extras of, with a marker after a colon.
+
+    The name may be empty: ``:python_version<"3"`` asks for more on an old Python without being an extra.
+    https://setuptools.pypa.io/en/latest/userguide/dependency_management.html#platform-specific-dependencies
+    """
+    group, _, condition = (extra or "").partition(":")
+    found = []
+    for line in lines:
+        if not isinstance(line, str) or not line.strip():
+            continue
+        asked = requirement(line.strip(), "manifest", path, line_of(line), role="extra" if group else role, group=group)
+        if asked:
+            found.append(asked.only_if(condition))
+    return found
 
 
-def from_file(repository: Repository, folder: str, name: str) -> list[Dependency]:
+def from_file(repository: Repository, folder: str, name: str) -> list[Requirement]:
     """Return the requirements of a file that a project reads its own from, and of what that file includes."""
-    pending, seen, found = [f"{folder}/{name}".strip("/")], set[str](), list[Dependency]()
+    pending, seen, found = [f"{folder}/{name}".strip("/")], set[str](), list[Requirement]()
     while pending:
         path = pending.pop()
         if path not in seen and repository.has(path):
             seen.add(path)
             parsed = requirements.parse(repository.read(path, limit=requirements.MAX_SIZE), path, "run")
-            found += [dependency for dependency in parsed.dependencies if dependency.role != "project"]
+            found += [asked for asked in parsed.requirements if asked.role != "project"]
             pending += parsed.includes
     return found
 
@@ -97,11 +110,14 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
         return None
     script = setup_py.read(text)
     line_of = _finder(text)
-    dependencies: list[Dependency] = []
+    asked: list[Requirement] = []
     for role, (lines, files) in script.requirements.items():
-        dependencies += _listed(lines, path, line_of, role)
+        if role.startswith("extra:"):
+            asked += _listed(lines, path, line_of, extra=role.removeprefix("extra:"))
+        else:
+            asked += _listed(lines, path, line_of, role="test" if role == "test" else "")
         for name in files:
-            dependencies += from_file(repository, folder, name.removeprefix("./"))
+            asked += from_file(repository, folder, name.removeprefix("./"))
     manifest = (
         repository.read(f"{folder}/package.xml".strip("/"))
         if repository.has(f"{folder}/package.xml".strip("/"))
@@ -115,8 +131,8 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
         name=script.name,
         installable=not ros,
         requires_python=script.requires_python,
-        build_requires=script.build_requires,
-        dependencies=tuple(dependencies),
+        build_requires=tuple(_listed(script.build_requires, path, line_of)),
+        requirements=tuple(asked),
         scripts=tuple((name, line_of(name)) for name in script.scripts),
         extensions=setup_py.extensions(text),
         classifiers=script.classifiers,
@@ -147,16 +163,16 @@ def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> Pyt
         return [line for line in parser.get(section, key, fallback="").split("\n") if line.strip()]
 
     name = parser.get("metadata", "name", fallback=None)
-    dependencies: list[Dependency] = []
+    asked: list[Requirement] = []
     for line in words("options", "install_requires"):
         if line.startswith("file:"):
             for part in line.removeprefix("file:").split(","):
-                dependencies += from_file(repository, folder, part.strip())
+                asked += from_file(repository, folder, part.strip())
         else:
-            dependencies += _listed([line], path, line_of)
+            asked += _listed([line], path, line_of)
     if parser.has_section("options.extras_require"):
         for extra in parser.options("options.extras_require"):
-            dependencies += _listed(words("options.extras_require", extra), path, line_of, f"extra:{extra}")
+            asked += _listed(words("options.extras_require", extra), path, line_of, extra=extra)
     scripts = tuple(
         (line.partition("=")[0].strip(), line_of(line)) for line in words("options.entry_points", "console_scripts")
     )
@@ -167,8 +183,8 @@ def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> Pyt
         name=name,
         installable=bool(name) and parser.has_section("options"),
         requires_python=parser.get("options", "python_requires", fallback=None),
-        build_requires=tuple(words("options", "setup_requires")),
-        dependencies=tuple(dependencies),
+        build_requires=tuple(_listed(words("options", "setup_requires"), path, line_of)),
+        requirements=tuple(asked),
         scripts=scripts,
         classifiers=tuple(words("metadata", "classifiers")),
     )
@@ -184,22 +200,19 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
     except (tomllib.TOMLDecodeError, RecursionError, ValueError):
         return None
     line_of = _finder(text)
-    project, poetry = _table(data, "project"), _table(data, "tool", "poetry")
-    dependencies = _listed(_list(project, "dependencies"), path, line_of)
-    dependencies = [_of_uv(d, _table(data, "tool", "uv", "sources")) for d in dependencies]
+    project, of_poetry = _table(data, "project"), _table(data, "tool", "poetry")
+    asked = _listed(_list(project, "dependencies"), path, line_of)
+    asked = [_of_uv(each, _table(data, "tool", "uv", "sources")) for each in asked]
     for extra, lines in _table(project, "optional-dependencies").items():
-        dependencies += _listed(lines if isinstance(lines, list) else (), path, line_of, f"extra:{extra}")
+        asked += _listed(lines if isinstance(lines, list) else (), path, line_of, extra=extra)
     dynamic = _table(data, "tool", "setuptools", "dynamic", "dependencies").get("file")
     for name in [dynamic] if isinstance(dynamic, str) else dynamic if isinstance(dynamic, list) else []:
-        dependencies += from_file(repository, folder, str(name))
-    python = project.get("requires-python")
-    poetry_lines = _poetry(_table(poetry, "dependencies"))
-    if poetry_lines:
-        python = python or poetry_lines.pop("python", None)
-        dependencies += _listed(poetry_lines.values(), path, line_of)
-    scripts = {**_table(poetry, "scripts"), **_table(project, "scripts")}
+        asked += from_file(repository, folder, str(name))
+    python = project.get("requires-python") or poetry.python(_table(of_poetry, "dependencies"))
+    asked += _listed(poetry.lines(_table(of_poetry, "dependencies")), path, line_of)
+    scripts = {**_table(of_poetry, "scripts"), **_table(project, "scripts")}
     build = _list(_table(data, "build-system"), "requires")
-    name = project.get("name") or poetry.get("name")
+    name = project.get("name") or of_poetry.get("name")
     backend = _table(data, "build-system").get("build-backend", "")
     return PythonProject(
         file=path,
@@ -208,34 +221,30 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         name=name if isinstance(name, str) else None,
         installable=bool(name) and bool(project or backend),
         requires_python=python if isinstance(python, str) else None,
-        build_requires=tuple(line for line in build if isinstance(line, str)),
-        dependencies=tuple(dependencies),
+        build_requires=tuple(_listed(build, path, line_of)),
+        requirements=tuple(asked),
         scripts=tuple((script, line_of(script)) for script in scripts),
         extensions=setup_py.extensions(str(backend) + " ".join(map(str, build))),
         classifiers=tuple(line for line in _list(project, "classifiers") if isinstance(line, str)),
     )
 
 
-def _of_uv(dependency: Dependency, sources: dict[str, Any]) -> Dependency:
-    """Return a dependency as uv would install it: pip knows neither its sources nor the members of its workspace.
+def _of_uv(asked: Requirement, sources: dict[str, Any]) -> Requirement:
+    """Return a requirement as uv would install it: pip knows neither its sources nor the members of its workspace.
 
     https://docs.astral.sh/uv/concepts/projects/dependencies/#dependency-sources.
     """
-    name = canonicalize_name(re.split(r"[\s\[<>=!~;@]", dependency.name, maxsplit=1)[0])
-    said = next((value for key, value in sources.items() if canonicalize_name(key) == name), None)
+    said = next((value for key, value in sources.items() if canonicalize_name(key) == asked.key), None)
     said = said[0] if isinstance(said, list) and said else said
     if not isinstance(said, dict):
-        return dependency
+        return asked
     if said.get("workspace") or "path" in said:
-        return replace(dependency, role="member")
+        return replace(asked, role="member")
     if isinstance(said.get("git"), str):
         ref = said.get("rev") or said.get("tag") or said.get("branch")
         folder = f"#subdirectory={said['subdirectory']}" if said.get("subdirectory") else ""
-        line = f"{name} @ git+{said['git']}" + (f"@{ref}" if ref else "") + folder
-        return replace(dependency, name=line, role="source")
-    if isinstance(said.get("url"), str):
-        return replace(dependency, name=f"{name} @ {said['url']}", role="source")
-    return dependency
+        return asked.fetched_from(f"git+{said['git']}" + (f"@{ref}" if ref else "") + folder)
+    return asked.fetched_from(said["url"]) if isinstance(said.get("url"), str) else asked
 
 
 def _table(data: Any, *keys: str) -> dict[str, Any]:
@@ -247,45 +256,3 @@ def _table(data: Any, *keys: str) -> dict[str, Any]:
 def _list(data: dict[str, Any], key: str) -> list[Any]:
     value = data.get(key)
     return value if isinstance(value, list) else []
-
-
-def _poetry(table: dict[str, Any]) -> dict[str, str]:
-    """Return Poetry's dependency table as requirement lines. https://python-poetry.org/docs/dependency-specification/."""
-    lines: dict[str, str] = {}
-    for name, said in table.items():
-        optional = isinstance(said, dict) and said.get("optional")
-        value = (said[0] if said else "*") if isinstance(said, list) else said
-        if isinstance(value, dict) and "git" in value:
-            ref = value.get("rev") or value.get("tag") or value.get("branch")
-            lines[name] = f"{name} @ git+{value['git']}" + (f"@{ref}" if ref else "")
-            continue
-        if isinstance(value, dict) and ("path" in value or "url" in value):
-            if "url" in value:
-                lines[name] = f"{name} @ {value['url']}"
-            continue
-        version = value.get("version", "*") if isinstance(value, dict) else value
-        if isinstance(version, str) and not optional:
-            specifier = ",".join(_caret(part.strip()) for part in version.split("||")[0].split(",")).strip(",")
-            lines[name] = specifier if name == "python" else name + specifier
-    return lines
-
-
-def _caret(part: str) -> str:
-    if part in {"*", ""}:
-        return ""
-    if part[0] in "^~" and not part.startswith("~="):
-        numbers = re.findall(r"\d+", part[1:])[:3]
-        if not numbers:
-            return ""
-        index = (
-            0
-            if part[0] == "~" and len(numbers) == 1
-            else 1
-            if part[0] == "~"
-            else next((i for i, n in enumerate(numbers) if n != "0"), len(numbers) - 1)
-        )
-        upper = [*numbers[:index], str(int(numbers[index]) + 1)]
-        return f">={part[1:].strip()},<{'.'.join(upper)}"
-    if part[0].isdigit():
-        return f"=={part}"
-    return part.replace(" ", "")

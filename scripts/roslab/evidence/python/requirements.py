@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import posixpath
 import re
+from dataclasses import replace
 from typing import Literal
 
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency, RequirementFile
+from roslab.evidence.facts import RequirementFile
 from roslab.repository.checkout import Repository
+from roslab.values.requirement import Requirement, requirement
 
 MAX_LINES = 3_000
 """Requirement lines read of one file; what is longer is data."""
@@ -32,12 +34,6 @@ _OPTION = re.compile(
 _LONG = {"-i": "--index-url", "-f": "--find-links"}
 _NESTED = re.compile(r"^(?:-r|--requirement)[ =]*(\S+)$")
 _CONSTRAINT = re.compile(r"^(?:-c|--constraint)[ =]*(\S+)$")
-_EDITABLE = re.compile(r"^(?:-e|--editable)[ =]*(\S.*)$")
-_PER_LINE = re.compile(r"\s+--(?:hash|global-option|install-option|config-settings)[ =]\S+")
-_URL = re.compile(r"^(?:(?:git|hg|svn|bzr)\+\S+|https?://\S+|file:\S+|git://\S+|git@\S+)$")
-_NAMED = re.compile(r"^([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)\s*(\[[\w\s,.-]*\])?\s*(.*)$")
-_SPECIFIER = re.compile(r"^\(?\s*(?:(?:===?|!=|~=|<=?|>=?)\s*[\w.*+!-]+\s*,?\s*)+\)?$")
-_EXPORTED = re.compile(r"^([A-Za-z0-9][\w.-]*)=([\w.+!-]+)(?:=\S+)?$")
 
 
 def read(repository: Repository) -> tuple[RequirementFile, ...]:
@@ -53,7 +49,9 @@ def read(repository: Repository) -> tuple[RequirementFile, ...]:
         path = pending.pop()
         if path in found or not repository.has(path):
             continue
-        found[path] = parse(repository.read(path, limit=MAX_SIZE), path, purpose_of(path))
+        file = parse(repository.read(path, limit=MAX_SIZE), path, purpose_of(path))
+        there = tuple(constraint for constraint in file.constraints if repository.has(constraint))
+        found[path] = replace(file, constraints=there)
         pending += found[path].includes
     return tuple(found[path] for path in sorted(found))
 
@@ -72,7 +70,7 @@ def purpose_of(path: str) -> Purpose:
 
 def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
     """Read one file's text. A line that pip would refuse is repaired where its meaning is plain."""
-    dependencies: list[Dependency] = []
+    found: list[Requirement] = []
     includes: list[str] = []
     constraints: list[str] = []
     options: list[str] = []
@@ -84,12 +82,12 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
             constraints.append(_inside(folder, constraint[1]))
         elif option := _OPTION.match(line):
             options.append(f"{_LONG.get(option[1], option[1])} {option[2].strip()}".strip())
-        elif dependency := requirement(line, path, number):
-            dependencies.append(dependency)
+        elif asked := requirement(line, "manifest", path, number):
+            found.append(asked)
     return RequirementFile(
         file=path,
         line=1,
-        dependencies=tuple(dependencies),
+        requirements=tuple(found),
         includes=tuple(include for include in includes if include),
         constraints=tuple(constraint for constraint in constraints if constraint),
         options=tuple(dict.fromkeys(options)),
@@ -117,49 +115,3 @@ def _inside(folder: str, path: str) -> str:
     """Return a path relative to the root, ``""`` where it leads out of the tree."""
     joined = posixpath.normpath(posixpath.join(folder, path))
     return "" if joined.startswith(("..", "/")) or "://" in path else joined
-
-
-def requirement(line: str, path: str, number: int, *, role: str = "") -> Dependency | None:
-    """Read one requirement as people write it; ``None`` where it names nothing that can be installed."""
-    if editable := _EDITABLE.match(line):
-        line, role = editable[1].strip(), role or "editable"
-    line = _PER_LINE.sub("", line).strip()
-    if line[:1] in "\"'" and line[-1:] == line[:1]:
-        line, role = line[1:-1].strip(), role or "repaired"
-    line = line.rstrip(",")
-    line, _, marker = (
-        part.strip() for part in line.partition(" ;" if _URL.match(line.partition(" ;")[0].strip()) else ";")
-    )
-
-    def made(name: str, how: str = role) -> Dependency:
-        return Dependency(
-            namespace="pip",
-            name=name,
-            strength="declared",
-            file=path,
-            line=number,
-            role=how,
-            condition=marker or None,
-        )
-
-    if _URL.match(line):
-        return made(line)
-    if line.startswith((".", "/")) or (role == "editable" and re.fullmatch(r"[\w./-]+(?:\[.*\])?", line)):
-        return made(line, "project")
-    text, repaired = _named(line)
-    return made(text, "repaired" if repaired else role) if text else None
-
-
-def _named(line: str) -> tuple[str, bool]:
-    """Return a requirement as pip spells it, and whether the author's spelling is one that pip refuses."""
-    named = _NAMED.match(line)
-    if named is None:
-        return "", False
-    name, rest = named[1] + (named[2] or "").replace(" ", ""), named[3].strip()
-    if rest.startswith("@"):
-        local = rest[1:].strip().startswith("file:")  # pip freeze in conda: a path of the author's machine
-        return (name if local else f"{name} @ {rest[1:].strip()}"), local
-    if not rest or _SPECIFIER.match(rest):
-        return name + re.sub(r"\s+", "", rest.strip("()")), False
-    exported = _EXPORTED.match(line)  # conda list --export: name=version=build
-    return (f"{exported[1]}=={exported[2]}", True) if exported else ("", False)

@@ -25,7 +25,7 @@ class SetupScript:
     catkin: bool = False
     """It is called by catkin, not by people."""
     requirements: dict[str, tuple[list[str], list[str]]] = field(default_factory=dict)
-    """By role: requirement lines, and files they are read from."""
+    """By role, of an extra ``extra:NAME`` or ``extra:NAME:MARKER``: requirement lines, and files they are read from."""
     build_requires: tuple[str, ...] = ()
     scripts: tuple[str, ...] = ()
     classifiers: tuple[str, ...] = ()

@@ -1,0 +1,14 @@
+"""The CUDA that a wheel's local version, its URL or its index is for."""
+
+from __future__ import annotations
+
+import re
+
+_LOCAL = re.compile(r"\+cu(\d{2,3})\b|/cu(\d{2,3})\b|[-_]cu(?:da)?(\d{2,3})\b")
+
+
+def cuda_of(text: str) -> str | None:
+    """Return ``11.8`` for a ``+cu118`` or ``/cu118`` in a release, a URL or an option of pip."""
+    match = _LOCAL.search(text)
+    digits = next((group for group in match.groups() if group), "") if match else ""
+    return f"{digits[:-1]}.{digits[-1]}" if digits else None

@@ -1,0 +1,43 @@
+"""What must be installed before the rest can be built: numpy, torch, Cython, what a setup.py imports."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from roslab.evidence.facts import PythonProject
+from roslab.knowledge.frameworks import build_needs, imports
+from roslab.values.requirement import Requirement, stated
+
+
+def first(asked: Sequence[Requirement], projects: Sequence[PythonProject]) -> tuple[Requirement, ...]:
+    """Return what must be there before the rest is built, with the pins that the rest asks for.
+
+    Where there is any, the projects are built in the image's own environment: theirs must be in it as well.
+    """
+    by_name = {each.key: each for each in reversed(asked) if each.name}
+    extensions = {extension for project in projects for extension in project.extensions}
+    needs = [stated(name) for each in asked for name in build_needs().get(each.key, ())]
+    if "cuda" in extensions or ("c" in extensions and "torch" in by_name):
+        needs += [stated("numpy"), stated("torch")]
+    elif "cython" in extensions or "c" in extensions:
+        needs += [stated("numpy"), stated("Cython")]
+    needs += [need for project in projects for need in _for_setup(project)]
+    if needs:
+        needs += [line for project in projects for line in project.build_requires]
+    return tuple({need.key: by_name.get(need.key, need) for need in needs}.values())
+
+
+def _for_setup(project: PythonProject) -> Iterator[Requirement]:
+    """Yield what a setup.py imports and an isolated build would not have."""
+    isolated = {each.key for each in project.build_requires}
+    for module in project.setup_imports:
+        if module == ".":  # and with it all that its own package imports
+            yield stated("setuptools")
+            yield from (each for each in project.requirements if not each.role)
+        elif package := imports().get(module, (None, None))[0]:
+            yield from _unless(isolated, stated(package))
+
+
+def _unless(isolated: Iterable[str], asked: Requirement) -> Iterator[Requirement]:
+    if asked.key not in isolated:
+        yield asked

@@ -1,0 +1,181 @@
+"""Which manifests of the tree pip or conda installs from: requirement files, a conda environment, projects."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterable, Iterator, Sequence
+
+from packaging.utils import canonicalize_name
+
+from roslab.config.model import Config, Kind
+from roslab.decide.python.pins import DEVELOPMENT
+from roslab.evidence import places
+from roslab.evidence.facts import CondaEnvironment, Evidence, PythonProject, RequirementFile
+from roslab.values.requirement import Requirement
+
+_VARIANT = re.compile(
+    r"(?:^|[-_.])(?:frozen|freeze|lock|locked|full|all|extra|extras|optional|mac|macos|osx|darwin|windows|win|"
+    r"cpu|gpu|cuda|rocm|tpu|jetson|arm|colab|"
+    r"notebooks?|examples?|demo|eval|train|py2|python2|py27|min|minimum|old|backup|hpc|cluster|benchmark|ros|"
+    r"real|robot|server|web|app|viz|vis)(?:[-_.\d]|$)",
+    re.IGNORECASE,
+)
+MAX_PROJECTS = 6
+
+
+def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
+    """Return the environment file of the project, the plainest name nearest to the root first.
+
+    A requirements.txt or a project with requirements beside it is the way that more people can go.
+    """
+    if config.conda:
+        return config.conda
+    if kind in {"ros1", "ros2", "cpp"}:
+        return None
+    own = [
+        environment
+        for environment in evidence.conda
+        if not places.vendored(environment.file) and environment.file.count("/") <= 1
+    ]
+    if not own:
+        return None
+    best = min(
+        own, key=lambda e: (e.file.count("/"), bool(_VARIANT.search(e.file.rpartition(".")[0])), len(e.file), e.file)
+    )
+    folder = best.file.rpartition("/")[0]
+    beside = any(
+        file.purpose == "run"
+        and file.file.rpartition("/")[0] in {"", folder}
+        and not _VARIANT.search(file.file.rpartition(".")[0])
+        for file in evidence.requirements
+    )
+    declared = any(
+        p.installable and not p.folder and any(not asked.role for asked in p.requirements) for p in evidence.python
+    )
+    return None if beside or declared else best.file
+
+
+def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str | None) -> tuple[RequirementFile, ...]:
+    """Return the files to install: roslab.yaml's, else what the README installs and the root's, else the nearest."""
+    if config.requirements is not None:
+        wanted = {posixpath.normpath(path) for path in config.requirements}
+        return tuple(file for file in evidence.requirements if file.file in wanted)
+    run = {file.file: file for file in evidence.requirements if file.purpose == "run" and not places.example(file.file)}
+    if conda:
+        named = {r.written for e in evidence.conda if e.file == conda for r in e.requirements if r.role == "file"}
+        folder = conda.rpartition("/")[0]
+        return tuple(
+            run[joined] for name in sorted(named) if (joined := posixpath.normpath(posixpath.join(folder, name))) in run
+        )
+    chosen: dict[str, RequirementFile] = {}
+    for asked in _prose(evidence):
+        if asked.role == "file" and (path := _resolve(asked, run)):
+            chosen[path] = run[path]
+    root = [file for path, file in run.items() if "/" not in path or re.match(r"^requirements?/[^/]+$", path)]
+    plain = [file for file in root if not _VARIANT.search(file.file.rpartition(".")[0])]
+    standard = [file for file in plain if re.search(r"(?:^|/)requirements?\.(?:txt|in)$", file.file)]
+    for file in standard or plain[:3] or ([] if chosen else root[:1]):
+        chosen.setdefault(file.file, file)
+    if not chosen or kind in {"ros1", "ros2"}:
+        nested = [
+            file for path, file in run.items() if not _VARIANT.search(path.rpartition(".")[0]) and path.count("/") <= 3
+        ]
+        depth = min((file.file.count("/") for file in nested), default=0)
+        for file in nested if kind in {"ros1", "ros2"} else [f for f in nested if f.file.count("/") == depth][:4]:
+            chosen.setdefault(file.file, file)
+    included = {path for file in chosen.values() for path in file.includes}
+    return tuple(
+        chosen[path] for path in sorted(chosen, key=lambda path: (path.count("/"), path)) if path not in included
+    )
+
+
+def _prose(evidence: Evidence) -> Iterator[Requirement]:
+    """Yield what pip is asked for by READMEs of the root, by scripts, and by the project's own Dockerfiles."""
+    for asked in evidence.prose_pip:
+        if asked.file.count("/") <= 1 and not DEVELOPMENT.search(asked.file):
+            yield asked
+    for authored in evidence.dockerfiles:
+        if authored.purpose in {"project", "deploy"}:
+            yield from authored.requirements
+
+
+def _resolve(asked: Requirement, known: Iterable[str]) -> str | None:
+    """Return the path of the tree that an argument means: from the root, from its own folder, or by its unique end."""
+    name = asked.written.partition("[")[0].strip("\"'")
+    folder = asked.file.rpartition("/")[0]
+    for candidate in (posixpath.normpath(name), posixpath.normpath(posixpath.join(folder, name))):
+        if candidate in known:
+            return candidate
+    parts = [part for part in name.split("/") if part not in {"", ".", "..", "~"}]  # "pip install ." in a folder
+    for start in range(len(parts)):
+        tail = "/".join(parts[start:])
+        if tail in known:
+            return tail
+    tail = "/" + "/".join(parts[-2:])
+    ends = [path for path in known if path.endswith(tail)] if parts else []
+    return ends[0] if len(ends) == 1 else None
+
+
+def projects(evidence: Evidence, kind: Kind) -> tuple[PythonProject, ...]:
+    """Return the folders to install: the root, what the README installs, else the nearest below."""
+    manifests = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests if not manifest.ignored}
+    usable = {p.folder: p for p in evidence.python if p.installable}
+    chosen: dict[str, PythonProject] = {}
+    if "" in usable and not ("" in manifests and kind in {"ros1", "ros2"}):
+        members = {asked.key for asked in usable[""].requirements if asked.role == "member"}
+        chosen = {p.folder: p for p in usable.values() if p.name and canonicalize_name(p.name) in members}
+        chosen[""] = usable[""]
+    for asked in _prose(evidence):
+        if asked.role != "project" or asked.written in {".", "./"}:
+            continue
+        folder = _resolve(asked, {folder for folder in usable if folder})
+        if folder and folder not in manifests:
+            chosen.setdefault(folder, usable[folder])
+    if not chosen and kind != "cpp":
+        own = [
+            folder
+            for folder in usable
+            if not _inside(folder, manifests if kind in {"ros1", "ros2"} else set())
+            and not places.vendored(folder + "/")
+            and not places.test(folder + "/")
+            and not places.example(folder + "/")
+            and not places.documentation(folder + "/")
+        ]
+        depth = min((folder.count("/") for folder in own), default=0)
+        chosen = {folder: usable[folder] for folder in own if folder.count("/") == depth and depth <= 1}
+    return tuple(chosen[folder] for folder in list(chosen)[:MAX_PROJECTS])
+
+
+def _inside(folder: str, packages: set[str]) -> bool:
+    """Tell whether a folder is, or lies in, a ROS package: its build installs what is there."""
+    parts = folder.split("/")
+    return any("/".join(parts[:end]) in packages for end in range(len(parts), -1, -1))
+
+
+def with_includes(evidence: Evidence, files: Iterable[RequirementFile]) -> list[RequirementFile]:
+    """Return the files and all that they include."""
+    by_path = {file.file: file for file in evidence.requirements}
+    found: dict[str, RequirementFile] = {}
+    pending = list(files)
+    while pending:
+        file = pending.pop(0)
+        if file.file not in found:
+            found[file.file] = file
+            pending += [by_path[path] for path in file.includes if path in by_path]
+    return list(found.values())
+
+
+def files_of(evidence: Evidence, environment: CondaEnvironment) -> list[RequirementFile]:
+    """Return the requirement files that the ``pip:`` part of an environment names; conda reads them beside it."""
+    folder = environment.file.rpartition("/")[0]
+    named = (each.written for each in environment.requirements if each.role == "file")
+    paths = {posixpath.normpath(posixpath.join(folder, name)) for name in named}
+    return [file for file in evidence.requirements if file.file in paths]
+
+
+def beside(evidence: Evidence, files: Sequence[RequirementFile], conda: str | None) -> tuple[str, ...]:
+    """Return the files that must lie beside those that are installed: what they include, and their constraints."""
+    chosen = [*files, *(file for e in evidence.conda if e.file == conda for file in files_of(evidence, e))]
+    read = with_includes(evidence, chosen)
+    return tuple(sorted({path for each in read for path in (each.file, *each.constraints)} - {f.file for f in files}))

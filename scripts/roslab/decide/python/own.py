@@ -1,0 +1,105 @@
+"""The image's own Python: which one, and whether it is the distribution's, pip's or conda's."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from roslab.config.model import Config, Kind
+from roslab.decide.cuda.version import DEFAULT as CUDA
+from roslab.decide.decision import Choice, Manager, Warning_
+from roslab.decide.python.base import cuda_ubuntu
+from roslab.decide.python.packages import Chosen, choose
+from roslab.decide.python.pins import Pin
+from roslab.decide.python.version import python_version
+from roslab.decide.reasons import because, warn
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.distros import distro, python_of_ubuntu
+from roslab.values.origin import Place
+
+DEFAULT = "3.10"
+"""Where nothing is said: Ubuntu 22.04's own, for which most of today's and yesterday's wheels exist."""
+_SURE = 50
+"""The weight from which a Python that the evidence names is worth a warning where the image has another."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class OwnPython:
+    """The Python that the image needs, with what is installed for it."""
+
+    version: str | None
+    """``None`` where it is the distribution's Python 3, whichever that is."""
+    system: bool
+    """It is the distribution's: ROS, C++ and plain CUDA programs need none of their own."""
+    wanted: str | None
+    """What the repository asks for."""
+    chosen: Chosen
+
+
+def decide_version(
+    evidence: Evidence,
+    config: Config,
+    kind: Kind,
+    *,
+    pins: tuple[Pin, ...],
+    ros_distro: str | None,
+    cuda: str | None,
+) -> Choice[OwnPython]:
+    """Return the Python that the image needs, before its base is known: that is chosen by it."""
+    chosen = choose(evidence, config, kind, pins)
+    said = python_version(evidence, config, pins)
+    if kind in {"ros1", "ros2"} or _plain(evidence, config, kind, chosen):
+        number = _of_ros(ros_distro, said.answer)
+        own = OwnPython(version=number, system=True, wanted=said.answer, chosen=chosen)
+        return Choice(answer=own, reasons=said.reasons)
+    number = said.answer or _default(config, kind, cuda)
+    own = OwnPython(version=number, system=False, wanted=said.answer, chosen=chosen)
+    if said.answer:
+        return Choice(answer=own, reasons=said.reasons)
+    why = because("python", number, "nothing is said: the Python of the base", weight=1)
+    return Choice(answer=own, reasons=(why, *said.reasons))
+
+
+def manager_of(config: Config, kind: Kind, own: OwnPython, ubuntu: str | None) -> Manager:
+    """Return what brings the Python: conda where an environment file says so or the base does not have that one.
+
+    ``ubuntu`` is the base's, ``None`` on Debian, whose image was chosen by its Python.
+    """
+    if own.system:
+        return "system"
+    if own.chosen.conda or (own.version or "").startswith("2"):
+        return "conda"
+    if config.base.image and kind in {"cuda", "python"}:
+        ubuntu = config.base.ubuntu  # an image of the author's choice has the Python that it has
+    return "venv" if ubuntu is None or python_of_ubuntu().get(ubuntu) == own.version else "conda"
+
+
+def outvoted(own: Choice[OwnPython], ubuntu: str | None, ros_distro: str | None) -> tuple[Warning_, ...]:
+    """Return a warning where the repository clearly asks for another Python than its ROS has."""
+    wanted, ours = own.answer.wanted, own.answer.version or python_of_ubuntu().get(ubuntu or "")
+    best = next(iter(own.reasons), None)
+    if not (own.answer.system and ros_distro and wanted and ours and best) or wanted == ours:
+        return ()
+    if not best.decisive or best.weight < _SURE:
+        return ()
+    message = f"{best.reason}, but the Python of ROS {ros_distro} is {ours}: packages go there"
+    return (warn(message, Place(file=best.file, line=best.line) if best.file else None),)
+
+
+def _plain(evidence: Evidence, config: Config, kind: Kind, chosen: Chosen) -> bool:
+    """Tell whether it is a compiled program without any Python of its own."""
+    installs = chosen.files or chosen.projects or chosen.guessed or chosen.conda
+    if config.base.python or config.pip or config.pip3 or evidence.programs:
+        return False
+    return kind == "cpp" or (kind == "cuda" and not installs)
+
+
+def _of_ros(ros_distro: str | None, said: str | None) -> str | None:
+    """Return Python 2 where the distribution's nodes run on it and the author says so, else ``None``: Python 3."""
+    known = distro(ros_distro) if ros_distro else None
+    return known.python if known and said == known.python and said.startswith("2") else None
+
+
+def _default(config: Config, kind: Kind, cuda: str | None) -> str:
+    """Return the Python of the base: of the CUDA image's Ubuntu, of the one asked for, else the default."""
+    ubuntu = cuda_ubuntu(cuda or CUDA, config.base.ubuntu, DEFAULT) if kind == "cuda" else config.base.ubuntu
+    return python_of_ubuntu().get(ubuntu or "", DEFAULT)

@@ -1,0 +1,73 @@
+"""Poetry's own table of dependencies, as requirement lines.
+
+https://python-poetry.org/docs/dependency-specification/.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from roslab.values.specifier import specifiers
+
+
+def python(table: dict[str, Any]) -> str | None:
+    """Return the Python that a project is for, as ``requires-python`` would say it."""
+    said = table.get("python")
+    return _as_written(_first(said)) or None if isinstance(said, str) else None
+
+
+def lines(table: dict[str, Any]) -> Iterator[str]:
+    """Yield each dependency, once for each of its alternatives, but what only an extra needs or lies in the tree."""
+    for name, said in table.items():
+        if name == "python":
+            continue
+        for value in said if isinstance(said, list) else [said]:
+            described = value if isinstance(value, dict) else {"version": value}
+            if described.get("optional") or (required := _required(name, described)) is None:
+                continue
+            condition = " and ".join(_conditions(described))
+            yield f"{required} ; {condition}" if condition else required
+
+
+def _required(name: str, said: dict[str, Any]) -> str | None:
+    if isinstance(said.get("git"), str):
+        ref = said.get("rev") or said.get("tag") or said.get("branch")
+        return f"{name} @ git+{said['git']}" + (f"@{ref}" if ref else "")
+    if isinstance(said.get("url"), str):
+        return f"{name} @ {said['url']}"
+    version = said.get("version", "*")
+    if "path" in said or not isinstance(version, str):
+        return None
+    version = _first(version)
+    extras = ",".join(each for each in said.get("extras", ()) if isinstance(each, str))
+    allowed = "" if version in {"*", ""} else _as_written(version)
+    return name + (f"[{extras}]" if extras else "") + allowed
+
+
+def _as_written(version: str) -> str:
+    """Return specifiers in the order of their author: ``^1.2`` is ``>=1.2,<2``, a bare number is that release."""
+    parts = [part.strip() for part in version.split(",")]
+    return ",".join(f"=={part}" if part[:1].isdigit() else _spelled(part) for part in parts if part not in {"*", ""})
+
+
+def _spelled(part: str) -> str:
+    read = specifiers(part) if part[0] in "^~" else None
+    return part.replace(" ", "") if read is None else ",".join(sorted(map(str, read), reverse=True))
+
+
+def _conditions(said: dict[str, Any]) -> Iterator[str]:
+    """Yield a dependency's markers: its own, the Pythons and the platform that it is for."""
+    if isinstance(said.get("markers"), str):
+        yield f"({said['markers']})"
+    if isinstance(said.get("platform"), str):
+        yield f'sys_platform == "{said["platform"]}"'
+    allowed = specifiers(_first(said["python"])) if isinstance(said.get("python"), str) else None
+    for each in sorted(allowed or (), key=str):
+        series = each.version.removesuffix(".*").count(".") < 2
+        yield f'{"python_version" if series else "python_full_version"} {each.operator} "{each.version}"'
+
+
+def _first(version: str) -> str:
+    """Return the first of several alternatives, which pip does not know."""
+    return version.partition("||")[0].strip()

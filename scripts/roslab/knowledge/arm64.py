@@ -1,0 +1,28 @@
+"""What exists for amd64 alone, and since when the others exist for arm64 too."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Literal
+
+from packaging.version import Version
+
+from roslab.knowledge.table import rows
+
+
+@cache
+def amd64_only(what: Literal["image", "conda"]) -> tuple[str, ...]:
+    """Return the names of conda packages, or the beginnings of the names of images."""
+    return tuple(row["name"] for row in rows("amd64_only") if row["what"] == what)
+
+
+@cache
+def arm64_since(what: Literal["cuda image", "cuda wheels", "conda python"]) -> Version:
+    """Return the first CUDA with images or with frameworks' wheels, or the first Python of conda's, for arm64."""
+    return next(Version(row["first"]) for row in rows("arm64_since") if row["what"] == what)
+
+
+@cache
+def arm64_wheels() -> dict[str, Version | None]:
+    """Return the first release of a pip package with a Linux arm64 wheel, ``None`` for never."""
+    return {row["pip"]: Version(row["first"]) if row["first"] else None for row in rows("arm64_wheels")}

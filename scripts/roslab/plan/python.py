@@ -1,0 +1,56 @@
+"""The Python part of a plan: the decision's, with each requirement as the line that pip is given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from roslab.decide import decision
+from roslab.decide.decision import Manager
+from roslab.values.requirement import Requirement
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class PythonPlan:
+    """The fields of ``decide.decision.Python``, which say what each is."""
+
+    version: str | None
+    manager: Manager
+    pip: tuple[str, ...]
+    pip_guessed: tuple[str, ...]
+    requirements: tuple[str, ...]
+    manifests: tuple[str, ...]
+    projects: tuple[str, ...]
+    alone: tuple[str, ...]
+    conda_file: str | None
+    first: tuple[str, ...]
+    bounds: tuple[str, ...]
+    options: tuple[str, ...]
+    pip_options: tuple[str, ...]
+    python2: tuple[str, ...]
+    python2_options: tuple[str, ...]
+
+
+def python_plan(python: decision.Python) -> PythonPlan:
+    """Write the decision's requirements out as lines."""
+    return PythonPlan(
+        version=python.version,
+        manager=python.manager,
+        pip=_lines(python.pip),
+        pip_guessed=_lines(python.pip_guessed),
+        requirements=python.requirements,
+        manifests=python.manifests,
+        projects=python.projects,
+        alone=python.alone,
+        conda_file=python.conda_file,
+        first=_lines(python.first),
+        bounds=_lines(python.bounds),
+        options=python.options,
+        pip_options=python.pip_options,
+        python2=_lines(python.python2),
+        python2_options=python.python2_options,
+    )
+
+
+def _lines(asked: Iterable[Requirement]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(each.text for each in asked))

@@ -1,0 +1,70 @@
+"""Which requirements hold in an image: their markers, evaluated with its Python and its platforms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+
+from packaging.markers import Marker, UndefinedComparison
+
+from roslab.values.requirement import Requirement
+from roslab.values.specifier import NEWEST_PATCH
+
+_MACHINES = {"linux/amd64": "x86_64", "linux/arm64": "aarch64", "linux/arm/v7": "armv7l", "linux/386": "i686"}
+"""``uname -m`` on each platform; the others' is the last part of their name.
+
+https://github.com/containerd/platforms/blob/main/platforms.go, read 2026-11-21."""
+_UNKNOWN = ("platform_release", "platform_version")
+"""The kernel's, which is that of the machine the image runs on."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Interpreter:
+    """Every Python (``3.8``) that an image may have, and every platform it is built for."""
+
+    pythons: tuple[str, ...]
+    platforms: tuple[str, ...] = ("linux/amd64", "linux/arm64")
+
+    def on(self, *platforms: str) -> Interpreter:
+        """Return the same Pythons on these platforms alone."""
+        return Interpreter(pythons=self.pythons, platforms=platforms)
+
+    def may(self, requirement: Requirement) -> bool:
+        """Tell whether pip installs it in one of these cases at least."""
+        return any(holds is not False for holds in self._cases(requirement))
+
+    def must(self, requirement: Requirement) -> bool:
+        """Tell whether pip installs it in all of these cases."""
+        return all(self._cases(requirement))
+
+    def _cases(self, requirement: Requirement) -> Iterable[bool | None]:
+        if requirement.marker is None:
+            return (True,)
+        return (_holds(requirement.marker, python, on) for python in self.pythons for on in self.platforms)
+
+
+@cache
+def _holds(marker: Marker, python: str, platform: str) -> bool | None:
+    """Evaluate a marker; ``None`` where it asks for what is known only where the image runs."""
+    if any(name in str(marker) for name in _UNKNOWN):
+        return None
+    full = f"{python}.{NEWEST_PATCH}"
+    environment = {
+        "implementation_name": "cpython",
+        "implementation_version": full,
+        "os_name": "posix",
+        "platform_machine": _MACHINES.get(platform, platform.rpartition("/")[2]),
+        "platform_python_implementation": "CPython",
+        "platform_release": "0",
+        "platform_system": "Linux",
+        "platform_version": "0",
+        "python_full_version": full,
+        "python_version": python,
+        "sys_platform": "linux2" if python.startswith("2") else "linux",
+        "extra": "",
+    }
+    try:
+        return marker.evaluate(environment)
+    except UndefinedComparison:
+        return None
