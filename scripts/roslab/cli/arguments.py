@@ -74,6 +74,7 @@ def _reading_commands(commands: Commands) -> None:
     )
     explain = _command(commands, "explain", "Say in plain words why a build failed.")
     explain.add_argument("log", metavar="LOG", help="the saved log of a build, - for standard input")
+    explain.add_argument("--format", choices=("text", "json"), default="text", help="how to print it (default: text)")
 
 
 def _building_commands(commands: Commands) -> None:

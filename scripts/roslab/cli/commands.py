@@ -210,21 +210,18 @@ def run(options: argparse.Namespace) -> int:
 
 def explain(options: argparse.Namespace) -> int:
     """Say why a build failed."""
-    from roslab.knowledge.failures import diagnose  # noqa: PLC0415
+    from roslab.explain import words  # noqa: PLC0415 - tables that no other command needs
+    from roslab.explain.answer import explain as explained  # noqa: PLC0415
 
     try:
-        log = (
-            sys.stdin.read() if options.log == "-" else Path(options.log).read_text(encoding="utf-8", errors="replace")
-        )
+        if options.log == "-":
+            answer = explained(sys.stdin.buffer)
+        else:
+            with Path(options.log).open("rb") as stream:
+                answer = explained(stream)
     except OSError as error:
         raise ConfigurationError(Problem(message=f"cannot read {options.log}: {error.strerror}")) from None
-    found = diagnose(log)
-    for diagnosis in found:
-        sys.stdout.write(f"{diagnosis.line}\n  cause: {diagnosis.cause}\n  fix:   {diagnosis.fix}\n")
-    if not found:
-        from roslab.engine.docker import failed_step  # noqa: PLC0415
-
-        sys.stdout.write(f"No known cause in this log. It ends with: {failed_step(log)}\n")
+    sys.stdout.write(words.as_json(answer) if options.format == "json" else words.text(answer))
     return 0
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import re
@@ -9,15 +10,20 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from roslab.errors import BuildError, Problem
+from roslab.explain import words
+from roslab.explain.answer import explain
 from roslab.repository import git as commits
 
 MINIMUM = 23
 """First engine whose own Dockerfile reader knows here-documents: https://docs.docker.com/engine/release-notes/23.0/"""
+KEPT = 20_000
+"""Lines of a build's log that are kept to explain a failure: its first error can lie far above its end."""
 Say = Callable[[str], None]
 
 
@@ -101,8 +107,8 @@ def build(job: Build, *, environment: Mapping[str, str] | None = None) -> tuple[
 
 
 def _stream(command: Sequence[str], environment: Mapping[str, str] | None) -> str:
-    """Run a command, pass its output on line by line, and return the last 400 lines of it."""
-    lines: list[str] = []
+    """Run a command, pass its output on line by line, and return the end of it."""
+    lines: deque[str] = deque(maxlen=KEPT)
     settings = {**os.environ, **(environment or {})}
     with subprocess.Popen(
         command,
@@ -117,27 +123,20 @@ def _stream(command: Sequence[str], environment: Mapping[str, str] | None) -> st
             for line in process.stdout or ():
                 sys.stderr.write(line)
                 sys.stderr.flush()
-                lines = [*lines[-399:], line]
+                lines.append(line)
         except BaseException:
             process.terminate()
             raise
     log = "".join(lines)
     if process.returncode:
-        raise BuildError(
-            Problem(
-                message=f"the build failed: {failed_step(log)}",
-                hint="the lines above say why; `roslab explain` reads a saved log",
-            )
-        )
+        raise BuildError(*why(log))
     return log
 
 
-def failed_step(log: str) -> str:
-    """Return what BuildKit says of the step that failed: its last ``ERROR`` line without the noise around it."""
-    errors = re.findall(r"^(?:#\d+ )?ERROR: (.+)$", log, flags=re.MULTILINE)
-    text = errors[-1] if errors else last_line(log)
-    text = re.sub(r"^failed to (?:build|solve): ", "", re.sub(r"^failed to build: ", "", text))
-    return text if len(text) <= 400 else text[:400] + "…"
+def why(log: str) -> tuple[Problem, ...]:
+    """Return why a build failed, as its log tells: a problem for each step that failed."""
+    found = words.problems(explain(io.BytesIO(log.encode("utf-8", errors="replace"))))
+    return found or (Problem(message="the build failed", hint="the lines above say why"),)
 
 
 def native_platform() -> str:

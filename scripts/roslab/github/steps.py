@@ -157,16 +157,13 @@ def dockerfile(environment: Environment) -> None:
 
 def explain(environment: Environment) -> None:
     """Read the log of the build that has just failed and raise what it means as a ``BuildError``."""
-    from roslab.knowledge.failures import diagnose  # noqa: PLC0415 - a table that only a failed build needs
-
     run = Folder.of(environment).run
     log = builder.failed_log()
     if refused := access.refusal(log):
         access.require(refused, image=run.image, event=event.read(environment))
-    known = [Problem(message=f"{found.cause.rstrip('.')}: {found.line}", hint=found.fix) for found in diagnose(log)]
-    if not known:
-        step = f": {engine.failed_step(log)}" if log else ""
-        known = [Problem(message=f"the build failed{step}", hint="the log of the step above has the lines before it")]
+    known = (
+        engine.why(log) if log else (Problem(message="the build failed", hint="the log of the step above says why"),)
+    )
     raise BuildError(*known)
 
 

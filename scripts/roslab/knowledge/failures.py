@@ -1,33 +1,89 @@
-"""Failed builds in plain words: patterns of log lines with their cause and what to do."""
+"""Known failures of builds, as tables: what their logs say, the cause in plain words, what to do, and samples.
+
+A failure is one table ``[id]`` in a file ``failures_WORLD.toml``:
+
+=============  =========================================================================================
+``pattern``    regular expression on the failed step's lines, joined; named groups are the captured names,
+               ``name2`` being another place of ``name``; every repetition has an upper bound
+``also``       must match too; ``unless`` must not; both anywhere in the failed step
+``before``     must match in an earlier step: the failure was hidden there
+``command``    must match the step's instruction (empty where the log tells of no step)
+``extra``      more names, searched in all lines of the step (``where = "command"``: in the instruction;
+               ``extra_before = true``: the nearest one before the matched line)
+``every``      collect the names of all matches, not of the first alone
+``errors``     match only where the step says CMake Error, ERROR or the like
+``lookup``     a table that turns a captured name into others, see ``explain/names.py``; ``required = true``
+               lets the failure match only where that table knows the name
+``cause``      in plain words, with ``{name}`` of what was captured
+``fix``        what to do; ``otherwise`` where the lookup found nothing
+``repair``     the key of roslab.yaml that a found ``{package}`` is added to; ``key:value`` for a fixed value
+``certainty``  ``certain`` (default), or ``likely``: told so, and never applied without being asked
+``rank``       1 to 9 (default 5): a lower one wins over a higher one, then the earlier line
+``source``     addresses where the fact stands, ``date`` when it was read
+``sample``     a log of our own making that it explains, ``unlike`` one that looks alike and that it must not
+=============  =========================================================================================
+"""
 
 from __future__ import annotations
 
 import re
+import sys
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
 
-from roslab.knowledge.table import rows
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
-_STEP = re.compile(r"^#\d+ (?:\d+\.\d+ )?")
-"""The number of BuildKit's step and its seconds, before what the step printed."""
+WORLDS = ("images", "apt", "system", "fetch", "python", "native", "languages")
+"""The files, in their order: of two failures of one rank that match on one line, the earlier one wins."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Diagnosis:
-    """One known failure, as it stands in a log."""
+class Failure:
+    """One known failure; the fields are the table's."""
 
-    line: str
+    id: str
+    pattern: str
     cause: str
     fix: str
+    source: str
+    date: str
+    sample: str
+    unlike: str
+    also: str = ""
+    unless: str = ""
+    before: str = ""
+    command: str = ""
+    extra: str = ""
+    where: str = ""
+    extra_before: bool = False
+    every: bool = False
+    errors: bool = False
+    lookup: str = ""
+    required: bool = False
+    otherwise: str = ""
+    repair: str = ""
+    certainty: str = "certain"
+    rank: int = 5
 
 
-def diagnose(log: str) -> tuple[Diagnosis, ...]:
-    """Return every known failure in a log, each once, in the order of the table: what is found first is rarer."""
-    found: dict[tuple[str, str], Diagnosis] = {}
-    for row in rows("failures"):
-        for match in re.finditer(row["pattern"], log):
-            start = log.rfind("\n", 0, match.start()) + 1
-            end = log.find("\n", match.end())
-            cause = row["cause"].format(*match.groups())
-            line = _STEP.sub("", log[start : end if end >= 0 else len(log)].strip())
-            found.setdefault((cause, row["fix"]), Diagnosis(line=line[:300], cause=cause, fix=row["fix"]))
-    return tuple(found.values())
+@cache
+def failures() -> tuple[Failure, ...]:
+    """Return every known failure, those of a lower rank first."""
+    found = [Failure(id=name, **row) for world in WORLDS for name, row in _world(world).items()]
+    return tuple(sorted(found, key=lambda failure: failure.rank))
+
+
+@cache
+def compiled(pattern: str) -> re.Pattern[str]:
+    """Return a pattern of the tables, compiled once; ``^`` and ``$`` mean the ends of a line."""
+    return re.compile(pattern, re.MULTILINE)
+
+
+def _world(name: str) -> dict[str, Any]:
+    with Path(__file__).with_name(f"failures_{name}.toml").open("rb") as stream:
+        return tomllib.load(stream)

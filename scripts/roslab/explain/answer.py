@@ -1,0 +1,133 @@
+"""What ``roslab explain`` says of a log, as values: for each failed step its cause, or the lines that matter."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import IO
+
+from roslab.explain import matter, names, signatures, steps
+from roslab.explain.reading import Line, lines
+from roslab.explain.steps import Log, Step
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Explanation:
+    """Why one step failed."""
+
+    step: str
+    """The instruction: ``RUN make``; ``""`` where the log tells of no step."""
+    platform: str = ""
+    file: str | None = None
+    """The Dockerfile, and its ``line``, where the builder names them."""
+    line: int | None = None
+    error: str = ""
+    """The first line that says what went wrong, and where it stands in the log."""
+    error_line: int = 0
+    id: str | None = None
+    """The known failure, ``None`` where there is none."""
+    names: tuple[tuple[str, str], ...] = ()
+    cause: str = ""
+    fix: str = ""
+    certainty: str = "unknown"
+    repair: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    """Values to add to keys of roslab.yaml."""
+    lines: tuple[str, ...] = ()
+    """Where no failure is known: the lines that matter."""
+    reproduce: str = ""
+    """The command that starts a shell where the step failed."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Answer:
+    """What a whole log says: an explanation for each step that failed."""
+
+    explanations: tuple[Explanation, ...]
+    lines: int
+    succeeded: bool
+    """The log is of a build that went well."""
+
+
+def explain(stream: IO[bytes]) -> Answer:
+    """Read a log and explain it; never raises for what a log holds."""
+    log = steps.read(lines(stream))
+    failed = log.failed or ([] if log.succeeded and not log.rest.error else [log.rest])
+    image = names.image(_context(log), "")
+    found = tuple(_step(log, step, image) for step in failed)
+    return Answer(explanations=_distinct(found), lines=log.lines, succeeded=log.succeeded and not log.failed)
+
+
+def _context(log: Log) -> str:
+    """Return the parts of a log that name the image: its steps and their first lines."""
+    parts = [step.name for step in log.steps]
+    parts += [line.text for step in log.steps for line in step.lines[:150]]
+    return "\n".join(parts)[:400_000]
+
+
+def _step(log: Log, step: Step, image: names.Image) -> Explanation:
+    where = names.Image(ubuntu=image.ubuntu, ros=image.ros, instruction=step.command)
+    found = signatures.match(log, step, where)
+    file, line = step.place or (None, None)
+    if found is None:
+        said = matter.lines(step)
+        first = matter.first_error(said)
+        return Explanation(
+            step=step.command,
+            platform=step.platform,
+            file=file,
+            line=line,
+            error=_short(first),
+            error_line=first.number if first else 0,
+            lines=tuple(_short(one) for one in matter.telling(said)),
+            reproduce=reproduce(step),
+        )
+    return Explanation(
+        step=step.command,
+        platform=step.platform,
+        file=file,
+        line=line,
+        error=_short(Line(0, found.said)),
+        error_line=found.line.number,
+        id=found.failure.id,
+        names=tuple(sorted(found.names.items())),
+        cause=found.cause,
+        fix=found.fix,
+        certainty=found.failure.certainty,
+        repair=_repair(found),
+        reproduce=reproduce(step),
+    )
+
+
+def _repair(found: signatures.Match) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    key, _, fixed = found.failure.repair.partition(":")
+    if fixed:
+        return ((key, (fixed,)),)
+    if key == "build_args":
+        return ((key, ("-j1",)),)
+    if key == "skip_keys":
+        return ((key, tuple(found.names.get("key", "").split(", "))),)
+    return ((key, tuple(found.names["package"].replace(",", " ").split())),) if key and found.known else ()
+
+
+def reproduce(step: Step) -> str:
+    """Return the command that builds up to the failed step and opens a shell there; ``""`` where no step is known.
+
+    ``buildx debug build`` keeps the state of the step that failed: https://docs.docker.com/reference/cli/docker/buildx/debug/
+    """
+    if not step.command.startswith("RUN"):
+        return ""
+    platform = f" --platform {step.platform}" if step.platform else ""
+    file = f" --file {step.place[0]}" if step.place and step.place[0] != "Dockerfile" else ""
+    return f"BUILDX_EXPERIMENTAL=1 docker buildx debug --invoke /bin/sh build{platform}{file} ."
+
+
+def _short(line: Line | None) -> str:
+    text = line.text.strip() if line else ""
+    return text if len(text) <= 300 else f"{text[:299]}…"
+
+
+def _distinct(found: tuple[Explanation, ...]) -> tuple[Explanation, ...]:
+    """Drop a second explanation that says the same of the same step: one platform's failure is often the other's."""
+    seen: dict[tuple[str, str, str], Explanation] = {}
+    for one in found:
+        seen.setdefault((one.step, one.platform, one.cause or one.error), one)
+    return tuple(seen.values())

@@ -1,0 +1,113 @@
+"""The lines of a step that may say why it failed: without what is never an error, and short enough to search."""
+
+from __future__ import annotations
+
+import re
+
+from roslab.explain.reading import Line, is_marked
+from roslab.explain.steps import Step
+
+MOST = 300_000
+"""Characters of a step that patterns are matched on: its beginning and its end where it has more."""
+_QUOTES = str.maketrans({0x2018: "'", 0x2019: "'", 0x201C: '"', 0x201D: '"'})
+"""Compilers quote with curved marks where the locale is UTF-8."""
+_NEVER = re.compile(
+    r"\s{0,8}(?:"
+    r"\+{1,3} "  # what `set -x` repeats of the commands
+    r"|Get:\d|Ign:\d|Hit:\d|Setting up |Unpacking |Selecting previously|Preparing to unpack|\(Reading database"
+    r"|Reading (?:package lists|state)|Building dependency tree|Processing triggers|update-alternatives: "
+    r"|checking |-- (?:Looking for|Performing Test|Check for|Checking|Detecting|Found |Installing: |Up-to-date: )"
+    r"|Removing intermediate container| ---> )"
+)
+_PROBE = re.compile(r"_configtest|conftest\.|CMakeTmp|CMakeScratch|TryCompile-|cmTC_|CheckSymbolExists|check_c_source")
+_ECHO = re.compile(
+    r"(?:process|executor failed running|The command) .{0,4000}?((?:exit|non-zero) code: ?\d{1,3})", re.DOTALL
+)
+_FAILED_TO = re.compile(r"^(?:ERROR: )?(?:failed to (?:build|solve): ){1,3}")
+_SAYS = re.compile(
+    r"(?i)\b(?:error|fatal|failed|failure|cannot|can't|could not|couldn't|unable|undefined|not found"
+    r"|no such|denied|killed|invalid|missing|unsupported|unrecognized|refused|aborted|expired|mismatch"
+    r"|exception|requires?|required)\b"
+    r"|\*\*\*|^E: |ERR!"
+)
+_QUIET = re.compile(
+    r"(?i)\bwarn(?:ing)?\b|^W: |\b0 (?:errors|failed|failures)\b|liberror|error[-_]?prone"
+    r"|\berror\.(?:h|c|cpp|o|py|js)\b"
+    r"|debconf: |no error|ignoring|\[ *\d{1,3}%\] (?:Building|Built)|deprecat|errors? occurred!|compilation terminated"
+    r"|^\s*(?:note|hint): |See also \"|Waiting for unfinished jobs|recipe for target|make.{0,8}: Leaving"
+)
+_LAST = re.compile(
+    r"(?i)make(?:\[\d+\])?: \*\*\* |returned a non-zero|exit(?:ed with)? (?:code|status)|command .{0,60} failed"
+)
+
+
+def lines(step: Step) -> list[Line]:
+    """Return a step's lines, the builder's own last word included, without those that are never errors."""
+    found = [
+        Line(line.number, line.text.translate(_QUOTES))
+        for line in step.lines
+        if line.text and not _NEVER.match(line.text) and not _PROBE.search(line.text)
+    ]
+    word = last_word(step)
+    if word:
+        found.append(Line(found[-1].number if found else 0, word))
+    return _bounded(found)
+
+
+def last_word(step: Step) -> str:
+    """Return what the builder says of the failure, without the command that it repeats."""
+    text = _FAILED_TO.sub("", step.error)
+    echo = _ECHO.search(text)
+    return echo[1] if echo else text
+
+
+def _bounded(found: list[Line]) -> list[Line]:
+    size = sum(len(line.text) + 1 for line in found)
+    if size <= MOST:
+        return found
+    head, tail, room = [], [], MOST // 3
+    for line in found:
+        room -= len(line.text) + 1
+        if room < 0:
+            break
+        head.append(line)
+    room = MOST // 3
+    middle = [line for line in found[len(head) :] if is_marked(line.text)]
+    said = []
+    for line in middle:
+        room -= len(line.text) + 1
+        if room < 0:
+            break
+        said.append(line)
+    room = MOST // 3
+    for line in reversed(found[len(head) :]):
+        room -= len(line.text) + 1
+        if room < 0:
+            break
+        tail.append(line)
+    kept = {id(line): line for line in (*head, *said, *reversed(tail))}
+    return sorted(kept.values(), key=lambda line: line.number)
+
+
+def telling(found: list[Line], most: int = 20) -> list[Line]:
+    """Return the lines that matter where no known failure explains a step: the first errors, and the end.
+
+    A traceback's end, a compiler's first error and an installer's own reason are among them; at most ``most``.
+    """
+    said = [at for at, line in enumerate(found) if _SAYS.search(line.text) and not _QUIET.search(line.text)]
+    first = [at for at in said if not _LAST.search(found[at].text)] or said
+    chosen: dict[int, None] = {}
+    for at in first[:4]:
+        for near in range(at, min(at + 3, len(found))):
+            chosen.setdefault(near)
+    for at in range(max(0, len(found) - 6), len(found)):
+        chosen.setdefault(at)
+    keep = sorted(list(chosen)[:most])
+    return [found[at] for at in keep]
+
+
+def first_error(found: list[Line]) -> Line | None:
+    """Return the first line that says that something went wrong, else the last line of all."""
+    said = [line for line in found if _SAYS.search(line.text) and not _QUIET.search(line.text)]
+    plain = [line for line in said if not _LAST.search(line.text)]
+    return next(iter([*plain, *said, *found[-1:]]), None)

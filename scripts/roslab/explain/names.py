@@ -1,0 +1,162 @@
+"""From a name in a log to the package that holds it, by the tables of ``knowledge``.
+
+A lookup takes the captured names and what is known of the image, and returns the further names that a failure's
+sentences use; ``{}`` where no table knows the name.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from roslab.knowledge import libraries
+from roslab.knowledge.distros import distro, ubuntus
+from roslab.knowledge.failures import compiled
+from roslab.knowledge.table import rows
+
+Names = dict[str, str]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Image:
+    """What a log says of the image that was built."""
+
+    ubuntu: str | None = None
+    ros: str | None = None
+    instruction: str = ""
+
+
+_CODENAMES = "|".join(sorted(ubuntus().values()))
+_UBUNTU = re.compile(
+    rf"(?:ubuntu(?:-ports)?/?(?:/dists/|\s)|ubuntu:|-)({_CODENAMES})\b|ubuntu:?-?(\d\d\.\d\d)\b|ubuntu(\d\d)(\d\d)\b"
+)
+_ROS = re.compile(r"\bros:([a-z]{4,9})\b|/opt/ros/([a-z]{4,9})\b|\bros-([a-z]{4,9})-[a-z]")
+
+
+def image(text: str, instruction: str) -> Image:
+    """Tell from a log's text which Ubuntu and ROS distribution its image has."""
+    release = None
+    if found := _UBUNTU.search(text):
+        version = found[2] or (f"{found[3]}.{found[4]}" if found[3] else "")
+        release = found[1] or ubuntus().get(version)
+    named = (name for match in _ROS.finditer(text) for name in match.groups() if name)
+    ros = next((name for name in named if distro(name)), None)
+    known = distro(ros)
+    return Image(ubuntu=release or (known.ubuntu if known else None), ros=ros, instruction=instruction)
+
+
+def _release(names: Names, _: Image) -> Names:
+    for row in rows("ended"):
+        if row["codename"] == names.get("codename"):
+            return {"release": f"{row['system']} {row['version']} ({row['codename']})", "archive": row["archive"]}
+    return {}
+
+
+def _renamed(names: Names, _: Image) -> Names:
+    table = {row["name"]: row for row in rows("apt_names")}
+    known = [table[name] for name in names.get("name", "").split(", ") if name in table]
+    notes = dict.fromkeys(row["note"] for row in known if row["note"])
+    if not known:
+        return {}
+    named = ", ".join(row["name"] for row in known)
+    return {"name": named, "package": ", ".join(dict.fromkeys(row["now"] for row in known)), "note": " ".join(notes)}
+
+
+def _table(name: str, key: str, value: str, captured: str) -> Callable[[Names, Image], Names]:
+    def look(names: Names, _: Image) -> Names:
+        word = names.get(captured, "").rpartition("/")[2] if captured != "module" else names.get(captured, "")
+        for wanted in (word, word.split(".")[0]) if captured == "module" else (word,):
+            found = next((row[value] for row in rows(name) if row[key] == wanted), "")
+            if found:
+                return {"package": found}
+        return {}
+
+    return look
+
+
+def _library(naming: libraries.Naming, captured: str) -> Callable[[Names, Image], Names]:
+    def look(names: Names, where: Image) -> Names:
+        packages: dict[str, None] = {}
+        for name in names.get(captured, "").split(", "):
+            found = libraries.header(name, where.ubuntu) if naming == "include" else None
+            if naming != "include":
+                spellings = (name, name.removeprefix("lib"), name.lower(), name.capitalize(), f"lib{name}")
+                known = (libraries.library(naming, spelling, where.ubuntu) for spelling in spellings)
+                found = next((library for library in known if library is not None), None)
+            if found is not None:
+                packages.update(dict.fromkeys(_packages(found, where)))
+            elif naming == "include":
+                packages.update(dict.fromkeys(row["apt"] for row in rows("headers") if row["header"] == name))
+        low = {"low": names.get(captured, "").lower()}
+        return {"package": " ".join(packages), **low} if packages else low
+
+    return look
+
+
+def _packages(found: libraries.Library, where: Image) -> tuple[str, ...]:
+    if found.ros and where.ros:
+        return (f"ros-{where.ros}-{found.ros.replace('_', '-')}",)
+    return found.apt
+
+
+def _api(names: Names, _: Image) -> Names:
+    for row in rows("api_changes"):
+        if compiled(row["pattern"]).search(names.get("text", "")):
+            return {"why": row["why"], "repair_words": row["fix"]}
+    return {}
+
+
+def _namespace(names: Names, where: Image) -> Names:
+    space = names.get("space", "").split("::")[0]
+    return {"library": space} if space != "std" else _built_with(names, where)
+
+
+_INCLUDED = re.compile(r"/(?:include|site-packages|dist-packages|pkg/mod/[\w.]{1,60})/([\w.+-]{2,60})/")
+_FOLDERS = re.compile(r"(?:\bcd |/)((?:/?[\w.$-]{1,60}/){1,8}[\w.-]{1,60})")
+
+
+def _built_with(names: Names, where: Image) -> Names:
+    """Name what a compiled file belongs to: the library whose header it is, else the folder that the step builds in."""
+    found = _INCLUDED.search(names.get("file", ""))
+    if found:
+        return {"library": found[1]}
+    folder = re.search(r"\bcd ([\w./$-]{2,200})", where.instruction)
+    return {"library": f"what it is built against (in {folder[1]})" if folder else "what it is built against"}
+
+
+_VARIABLE = re.compile(r"\$\{?([A-Za-z_]\w{1,60})")
+
+
+def _argument(names: Names, where: Image) -> Names:
+    found = _VARIABLE.findall(where.instruction)
+    return {"name": names["name"]} if names.get("name") else ({"name": found[0]} if found else {})
+
+
+def _ros(names: Names, where: Image) -> Names:
+    name = names.get("name", "").split(", ")[0].replace("_", "-")
+    return {"package": f"ros-{where.ros}-{name}"} if where.ros and name else {}
+
+
+def _hidden(names: Names, _: Image) -> Names:
+    cuda = re.search(r"CUDA|nvcc", names.get("line", ""))
+    return {"hint": "For CUDA, start FROM a -devel tag of nvidia/cuda." if cuda else ""}
+
+
+LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
+    "release": _release,
+    "apt": _renamed,
+    "api": _api,
+    "argument": _argument,
+    "cmake": _library("cmake", "name"),
+    "header": _library("include", "header"),
+    "hidden": _hidden,
+    "include-path": _built_with,
+    "link": _library("link", "library"),
+    "module": _table("imports", "module", "pip", "module"),
+    "namespace": _namespace,
+    "pkg-config": _library("pkg-config", "module"),
+    "program": _table("programs", "program", "apt", "program"),
+    "ros": _ros,
+    "shared": _table("shared_objects", "library", "apt", "library"),
+}

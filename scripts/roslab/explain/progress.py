@@ -1,0 +1,66 @@
+"""BuildKit's rawjson progress as its plain one: one object a line becomes the lines that a person would have seen.
+
+https://docs.docker.com/reference/cli/docker/buildx/build/#progress
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import json
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from roslab.explain.reading import Line
+
+
+def plain(lines: Iterable[Line]) -> Iterator[Line]:
+    """Pass a log on, each line of rawjson progress as what it tells; other lines stay as they are."""
+    numbers: dict[str, int] = {}
+    for line in lines:
+        text = line.text
+        record = _record(text) if text[:1] == "{" and text[-1:] == "}" else None
+        if record is None:
+            yield line
+        else:
+            for told in _told(record, numbers):
+                yield Line(line.number, told)
+
+
+def _record(text: str) -> dict[str, Any] | None:
+    try:
+        record = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    kinds = ("vertexes", "statuses", "logs", "warnings")
+    return record if isinstance(record, dict) and any(isinstance(record.get(kind), list) for kind in kinds) else None
+
+
+def _told(record: dict[str, Any], numbers: dict[str, int]) -> Iterator[str]:
+    for vertex in _objects(record.get("vertexes")):
+        number = numbers.setdefault(str(vertex.get("digest", "")), len(numbers) + 1)
+        if vertex.get("name"):
+            yield f"#{number} {_line(vertex['name'])}"
+        if vertex.get("error"):
+            yield f"#{number} ERROR: {_line(vertex['error'])}"
+        elif vertex.get("completed"):
+            yield f"#{number} DONE 0.0s"
+    for log in _objects(record.get("logs")):
+        number = numbers.setdefault(str(log.get("vertex", "")), len(numbers) + 1)
+        for part in _data(log.get("data")).splitlines():
+            yield f"#{number} 0.0 {part}"
+
+
+def _objects(value: object) -> list[dict[str, Any]]:
+    return [entry for entry in value if isinstance(entry, dict)] if isinstance(value, list) else []
+
+
+def _line(value: object) -> str:
+    return " ".join(str(value).split("\n"))
+
+
+def _data(value: object) -> str:
+    try:
+        return base64.b64decode(str(value or "")).decode("utf-8", errors="replace")
+    except (binascii.Error, ValueError):
+        return ""

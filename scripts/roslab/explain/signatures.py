@@ -1,0 +1,202 @@
+"""Which known failure a step shows: the tables of ``knowledge.failures`` matched on its lines."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import groupby, islice
+from string import Formatter
+
+from roslab.explain import matter
+from roslab.explain.names import LOOKUPS, Image, Names
+from roslab.explain.reading import Line
+from roslab.explain.steps import Log, Step
+from roslab.knowledge.failures import Failure, compiled, failures
+
+_ERRORS = re.compile(r"CMake Error|(?i:\berror\b)|\*\*\*|Configuring incomplete")
+_NEAR = 600
+"""Characters before a match in which the name that belongs to it is looked for."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Match:
+    """One known failure in a step."""
+
+    failure: Failure
+    line: Line
+    said: str
+    """The matched lines, as one."""
+    cause: str
+    fix: str
+    names: Names = field(default_factory=dict)
+    known: bool = False
+    """Whether the lookup found what the captured name belongs to."""
+
+
+@dataclass(kw_only=True, slots=True)
+class _Text:
+    """A step's lines as one text to match on, with the way back from a position to its line."""
+
+    lines: list[Line]
+    text: str = ""
+    starts: list[int] = field(default_factory=list)
+
+    @classmethod
+    def of(cls, lines: list[Line]) -> _Text:
+        found = cls(lines=lines, text="\n".join(line.text for line in lines))
+        at = 0
+        for line in lines:
+            found.starts.append(at)
+            at += len(line.text) + 1
+        return found
+
+    def line(self, position: int) -> Line:
+        return self.lines[bisect_right(self.starts, position) - 1] if self.lines else Line(0, "")
+
+    def whole(self, start: int, end: int) -> str:
+        """Return the lines that a match touches, as one line."""
+        last = self.text.find("\n", max(start, end - 1))
+        lines = self.text[self.text.rfind("\n", 0, start) + 1 : last if last >= 0 else None].split("\n")
+        return " ".join(part for line in lines if (part := line.strip()))
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Case:
+    """A failed step as failures are matched on it."""
+
+    log: Log
+    step: Step
+    image: Image
+    text: _Text
+    raw: str
+    """Its last lines as they came."""
+
+
+def match(log: Log, step: Step, image: Image) -> Match | None:
+    """Return the known failure that explains a step: of the best rank, then the one on the earliest line."""
+    raw = "\n".join(line.text for line in step.lines[-4000:])
+    case = _Case(log=log, step=step, image=image, text=_Text.of(matter.lines(step)), raw=raw)
+    for _, rank in groupby(failures(), key=lambda failure: failure.rank):
+        found = [one for failure in rank if (one := _one(failure, case)) is not None]
+        if found:
+            return min(found, key=lambda entry: entry[0])[1]
+    return None
+
+
+def _one(failure: Failure, case: _Case) -> tuple[int, Match] | None:
+    """Match one failure; with its position in the text. A name that a required lookup does not know is passed over."""
+    if failure.command and not re.search(failure.command, case.step.command):
+        return None
+    text = case.text.text
+    matches = list(islice(compiled(failure.pattern).finditer(text), 200))
+    if not matches or not _fits(failure, text, case.raw):
+        return None
+    earlier = _before(failure, case) if failure.before else {}
+    if earlier is None:
+        return None
+    also = compiled(failure.also).search(text) if failure.also else None
+    for at, found in enumerate(matches):
+        names = {
+            **(_groups([also]) if also else {}),
+            **_extra(failure, case, found.start()),
+            **_groups(matches[at:] if failure.every else [found]),
+            **earlier,
+        }
+        looked = LOOKUPS[failure.lookup](names, case.image) if failure.lookup else {}
+        if looked or not failure.required:
+            return found.start(), _match(failure, case, found, {**names, **looked})
+    return None
+
+
+def _match(failure: Failure, case: _Case, found: re.Match[str], names: Names) -> Match:
+    known = bool(names.get("package"))
+    return Match(
+        failure=failure,
+        line=case.text.line(found.start()),
+        said=case.text.whole(found.start(), found.end()),
+        cause=filled(failure.cause, names),
+        fix=filled(failure.fix if known or not failure.otherwise else failure.otherwise, names),
+        names={key: value for key, value in names.items() if value},
+        known=known,
+    )
+
+
+def _fits(failure: Failure, text: str, raw: str) -> bool:
+    if failure.also and not compiled(failure.also).search(text):
+        return False
+    if failure.unless and (compiled(failure.unless).search(text) or compiled(failure.unless).search(raw[-200_000:])):
+        return False
+    return not failure.errors or bool(_ERRORS.search(text))
+
+
+def _groups(matches: list[re.Match[str]]) -> Names:
+    """Return the named groups of matches, ``name2`` as another place of ``name``; several values are listed."""
+    values: dict[str, dict[str, None]] = {}
+    for found in matches:
+        for key, value in found.groupdict().items():
+            if value and value.strip():
+                values.setdefault(key.rstrip("0123456789"), {}).setdefault(_flat(value))
+    return {key: ", ".join(list(several)[:6]) for key, several in values.items()}
+
+
+def _flat(value: str) -> str:
+    """One line of a captured name: a list of packages over several lines becomes one with commas."""
+    parts = [re.sub(r"^\s*- ", "", part).strip() for part in value.split("\n")]
+    return ", ".join(part for part in parts if part)[:200]
+
+
+def _extra(failure: Failure, case: _Case, position: int) -> Names:
+    """Return further names: of the instruction, of the nearest line before the match, or of any line."""
+    if not failure.extra:
+        return {}
+    pattern = compiled(failure.extra)
+    instruction = list(pattern.finditer(case.step.command))
+    if failure.where == "command":
+        return _groups(instruction)
+    if failure.extra_before:
+        text = case.text.text
+        end = text.find("\n", position)
+        near = list(pattern.finditer(text[max(0, position - _NEAR) : end if end >= 0 else None]))
+        return _groups(near[-1:] or instruction[:1])
+    merged: Names = {}
+    for one in list(pattern.finditer(case.raw)) or instruction:
+        merged = {**_groups([one]), **merged}
+    return merged
+
+
+def _before(failure: Failure, case: _Case) -> Names | None:
+    """Return the names of an earlier step that failed silently, ``None`` where there is none."""
+    for earlier in case.log.before(case.step):
+        text = "\n".join(line.text for line in matter.lines(earlier))
+        if earlier.command.startswith("RUN") and (found := compiled(failure.before).search(text)):
+            return {**_groups([found]), "before_step": _shortened(earlier.command)}
+    return None
+
+
+def _shortened(command: str) -> str:
+    flat = " ".join(command.split())
+    return flat if len(flat) <= 100 else f"{flat[:99]}…"
+
+
+def filled(sentence: str, names: Names) -> str:
+    """Put names into a sentence, and take away what an absent name leaves: empty brackets and double spaces."""
+    parts: list[str] = []
+    for literal, name, _, _ in Formatter().parse(sentence):
+        parts.append(literal)
+        if name is not None:
+            parts.append(names.get(name, ""))
+    text = "".join(parts)
+    text = re.sub(r" \((?:Python|[,;:…\s])*\)", "", text)
+    text = re.sub(r",\s*(?=\))", "", text)
+    text = re.sub(r"\(\s*,\s*", "(", text)
+    text = re.sub(r"\s{2,}", " ", text)
+    return re.sub(r"\s+([,;:)](?=\s|$)|\.(?=\s|$))", r"\1", text).strip()
+
+
+def fields(sentence: str) -> Iterator[str]:
+    """Yield the names that a sentence uses."""
+    for _, name, _, _ in Formatter().parse(sentence):
+        if name:
+            yield name

@@ -1,0 +1,219 @@
+"""The steps of a build in its log, and which of them failed: of BuildKit and of the classic builder."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+from roslab.explain import progress
+from roslab.explain.reading import Line, is_marked
+
+MOST = 16_000
+"""Lines that are kept of one step before those in its middle that say nothing are dropped."""
+_HEAD, _TAIL, _SAID = 400, 4000, 4000
+
+
+@dataclass(kw_only=True, slots=True, eq=False)
+class Step:
+    """One instruction of a Dockerfile as a build ran it, or all of a log that holds no steps."""
+
+    name: str = ""
+    """As the builder calls it: ``[stage 2/5] RUN make``, ``Step 3/9 : RUN make``."""
+    lines: list[Line] = field(default_factory=list)
+    error: str = ""
+    """What the builder itself says of its failure."""
+    done: bool = False
+    place: tuple[str, int] | None = None
+    """The Dockerfile and its line, where the builder names them."""
+
+    @property
+    def command(self) -> str:
+        """The instruction alone: ``RUN make``."""
+        return re.sub(r"^(?:\[[^\]]{0,200}\]|(?:Step|STEP) \d+/\d+ ?:) ?", "", self.name).strip()
+
+    @property
+    def platform(self) -> str:
+        """``linux/arm64`` where the builder built for several, else ``""``."""
+        found = re.match(r"\[(?:\S{1,100} )?((?:linux|windows|darwin)/[\w/]{1,30})[ \]>-]", self.name)
+        return found[1] if found else ""
+
+    def add(self, line: Line) -> None:
+        """Keep a line; of a very long step its beginning, its end, and in between what could say why it failed."""
+        self.lines.append(line)
+        if len(self.lines) > MOST:
+            self.drop()
+
+    def close(self) -> None:
+        """Keep little of a step that went well: only what may explain a later one."""
+        self.done = True
+        if len(self.lines) > 3 * _HEAD:
+            self.drop(_HEAD)
+
+    def drop(self, tail: int = _TAIL) -> None:
+        """Drop what says nothing between the beginning and the last lines."""
+        middle = [line for line in self.lines[_HEAD:-tail] if is_marked(line.text)]
+        self.lines = [*self.lines[:_HEAD], *middle[:_SAID], *self.lines[-tail:]]
+
+
+@dataclass(kw_only=True, slots=True)
+class Log:
+    """What a log holds."""
+
+    steps: list[Step]
+    failed: list[Step]
+    """Each step that failed, in their order; none where everything went well, or where the log says of no step."""
+    rest: Step
+    """What belongs to no step: what came before, between and after them, or all of it."""
+    lines: int = 0
+    succeeded: bool = False
+
+    def before(self, step: Step) -> Iterator[Step]:
+        """Yield the steps before one, the nearest first."""
+        if step in self.steps:
+            yield from reversed(self.steps[: self.steps.index(step)])
+
+
+_VERTEX = re.compile(r"#(\d{1,6}) (?:\d{1,7}\.\d{1,3} ?)?")
+_NAMED = re.compile(r"(?:\[|importing cache|exporting |resolve image|sha256:|pushing|merging|copy |local:)")
+_CLASSIC = re.compile(r"(?:Step|STEP) \d{1,4}(?:/\d{1,4})? ?: ?")
+_REPEATED = re.compile(r" > (.{1,2000}?):?$")
+_SECONDS = re.compile(r"\d{1,7}\.\d{1,3} ")
+_PLACE = re.compile(r"([^\s:]{1,200}):(\d{1,6})$")
+_FINAL = re.compile(
+    r"(?:ERROR: |error: |target \S{1,100}: |buildx failed with: |#\d+ ERROR: |Error: ){0,3}failed to (?:solve|build)\b"
+    r"|The command '.{1,5000} returned a non-zero code: \d"
+    r"|[Ee]rror(?: building at STEP|: error building at STEP)"
+    r"|executor failed running "
+)
+_GOOD = re.compile(r"Successfully (?:built [0-9a-f]{12}|tagged \S{1,200})$")
+
+
+def read(lines: Iterable[Line]) -> Log:
+    """Sort a log's lines into its steps and tell which failed."""
+    return _Reader().read(progress.plain(lines))
+
+
+class _Reader:
+    """Where the next line belongs."""
+
+    def __init__(self) -> None:
+        self.rest = Step()
+        self.vertices: dict[str, Step] = {}
+        self.classic: list[Step] = []
+        self.repeated: list[Step] = []
+        """What BuildKit prints again at the end of each step that failed."""
+        self.errors: list[tuple[Line, Step | None]] = []
+        self.open: Step | None = None
+        self.quoting = False
+        self.good = False
+        self.last: tuple[int, Step] | None = None
+        """The line of the log that BuildKit's progress was read from last, and its step."""
+
+    def read(self, lines: Iterable[Line]) -> Log:
+        number = 0
+        for line in lines:
+            number, text = line
+            first = text[:1]
+            if first == "#" and (found := _VERTEX.match(text)):
+                self._vertex(line, found)
+            elif self.last is not None and self.last[0] == number:
+                self.last[1].add(line)  # the same line after a carriage return
+            elif first and first in "S-> " and self._frame(line):
+                pass
+            elif first not in " \t" and _FINAL.match(text):
+                self.errors.append((line, self.open))
+            else:
+                self.good = self.good or (first == "S" and bool(_GOOD.match(text)))
+                self._loose(line)
+        return self._log(number)
+
+    def _loose(self, line: Line) -> None:
+        """Give a line without a step's number to the step that is open; a repeated one still has its seconds."""
+        if self.open is not None and self.open in self.repeated:
+            line = Line(line.number, _SECONDS.sub("", line.text))
+        (self.open or self.rest).add(line)
+
+    def _vertex(self, line: Line, found: re.Match[str]) -> None:
+        """One line of BuildKit's plain progress: ``#12 3.45 text``, or news of a step."""
+        key, text = found[1], line.text[found.end() :]
+        step = self.vertices.get(key)
+        if step is None:
+            step = self.vertices[key] = Step()
+        self.open, self.last = None, (line.number, step)
+        timed = found.end() > len(key) + 2
+        if timed:
+            step.lines.append(Line(line.number, text))
+            if len(step.lines) > MOST:
+                step.drop()
+        elif text.startswith("ERROR: "):
+            step.error = text[7:]
+        elif text.startswith(("DONE ", "CACHED")):
+            step.close()
+        elif text in {"...", "CANCELED"} or text == step.name:
+            pass
+        elif not step.name and (_NAMED.match(text) or not step.lines):
+            step.name = text
+        else:
+            step.add(Line(line.number, text))
+
+    def _frame(self, line: Line) -> bool:
+        """Take a line that structures the log: a classic step, BuildKit's repetition or its piece of the Dockerfile."""
+        text = line.text
+        if _CLASSIC.match(text):
+            if self.open is not None and self.open in self.classic:
+                self.open.close()
+            self.open = Step(name=text)
+            self.classic.append(self.open)
+        elif self.open is not None and self.open in self.classic:
+            return False
+        elif text == "------":
+            self.open = None
+        elif text == "-" * 20:
+            self.open, self.quoting = None, not self.quoting
+        elif text.startswith(" > ") and not self.quoting and (found := _REPEATED.match(text)):
+            self.open = Step(name=found[1])
+            self.repeated.append(self.open)
+        else:
+            return self.quoting
+        return True
+
+    def _log(self, number: int) -> Log:
+        """Tell which steps failed, by the surest sign that the log has."""
+        steps = [*self.vertices.values(), *self.classic]
+        failed = [step for step in self.vertices.values() if step.error and not _is_optional(step)]
+        for again in self.repeated:
+            # In a log cut at its beginning a step has a number, no name, and not all of its lines
+            step = next((s for s in failed if s.name in {again.name, ""}), None)
+            if step is None:
+                failed.append(again)
+                steps.append(again)
+            else:
+                step.name = again.name
+                own = {line.text for line in step.lines}
+                step.lines[:0] = [line for line in again.lines if line.text not in own]
+        if self.classic and not failed and not self.good:
+            failed = [self.classic[-1]]
+        if not failed and not self.errors:  # a log cut at its end: what was still running
+            failed = [step for step in self.vertices.values() if step.lines and not step.done][-1:]
+        for line, at in self.errors:
+            owner = at if at in failed else (failed[-1] if failed else None)
+            if owner is not None and not owner.error:
+                owner.error = line.text
+        if not failed and self.errors:
+            self.rest.error = self.errors[-1][0].text
+            self.rest.lines += [line for line, _ in self.errors]
+        place = self._place()
+        if place and len(failed) == 1:
+            failed[0].place = place
+        return Log(steps=steps, failed=failed, rest=self.rest, lines=number, succeeded=self.good)
+
+    def _place(self) -> tuple[str, int] | None:
+        """Return the Dockerfile and the line that BuildKit names after the repetition."""
+        found = [match for line in self.rest.lines[-200:] if (match := _PLACE.match(line.text))]
+        return (found[-1][1], int(found[-1][2])) if found else None
+
+
+def _is_optional(step: Step) -> bool:
+    """Tell whether a step may fail: a cache that is not there yet fails no build."""
+    return step.name.startswith(("importing cache", "exporting cache"))

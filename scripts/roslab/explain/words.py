@@ -1,0 +1,68 @@
+"""An answer as a person reads it, and as a program does."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+
+from roslab.errors import Problem
+from roslab.explain.answer import Answer, Explanation
+
+
+def text(answer: Answer) -> str:
+    """Return an answer in words: for each failed step where it stands, its line, cause and fix."""
+    if not answer.explanations:
+        what = "The build in this log went well." if answer.succeeded else "This log holds nothing that failed."
+        return f"{what}\n"
+    return "\n".join(_one(found) for found in answer.explanations)
+
+
+def _one(found: Explanation) -> str:
+    out: list[str] = []
+    if found.step:
+        place = f" ({found.file}:{found.line})" if found.file else ""
+        platform = f" on {found.platform}" if found.platform else ""
+        out.append(f"step{platform}: {_flat(found.step, 200)}{place}")
+    if found.id is not None:
+        number = f" (line {found.error_line} of the log)" if found.error_line else ""
+        out.append(f"error: {found.error}{number}")
+        likely = "" if found.certainty == "certain" else " (likely)"
+        out += [f"cause{likely}: {found.cause}", f"fix:   {found.fix}"]
+        out += [f"roslab.yaml: {key}: [{', '.join(values)}]" for key, values in found.repair]
+    else:
+        out.append("no known cause. The lines that matter:")
+        out += [f"  {line}" for line in found.lines] or ["  (none: the log is empty or cut off)"]
+        if found.reproduce:
+            out.append(f"To try this step in a shell: {found.reproduce}")
+    return "\n".join(out) + "\n"
+
+
+def problems(answer: Answer) -> tuple[Problem, ...]:
+    """Return an answer as what stopped a build, one for each step that failed."""
+    return tuple(_problem(found) for found in answer.explanations)
+
+
+def _problem(found: Explanation) -> Problem:
+    platform = f" on {found.platform}" if found.platform else ""
+    if found.id is not None:
+        return Problem(message=f"{found.cause.rstrip('.')}{platform}: {found.error}", hint=found.fix)
+    step = f" in `{_flat(found.step, 120)}`" if found.step else ""
+    return Problem(
+        message=f"the build failed{platform}{step}: {found.error or 'its log does not say why'}",
+        hint="no known cause: the lines before it in the log say more",
+    )
+
+
+def as_json(answer: Answer) -> str:
+    """Return an answer as JSON: ``{"succeeded", "lines", "explanations": [{"id", "cause", "fix", …}]}``."""
+    explanations = [
+        {**asdict(found), "names": dict(found.names), "repair": {key: list(values) for key, values in found.repair}}
+        for found in answer.explanations
+    ]
+    whole = {"succeeded": answer.succeeded, "lines": answer.lines, "explanations": explanations}
+    return json.dumps(whole, indent=2, ensure_ascii=False) + "\n"
+
+
+def _flat(command: str, most: int) -> str:
+    flat = " ".join(command.split())
+    return flat if len(flat) <= most else f"{flat[: most - 1]}…"

@@ -1,0 +1,121 @@
+"""The table of known failures: its shape, and each row's own sample and look-alike."""
+
+from __future__ import annotations
+
+import datetime as dt
+import io
+import re
+import time
+
+import pytest
+
+from roslab.config import generation
+from roslab.explain.answer import Answer, explain
+from roslab.explain.names import LOOKUPS
+from roslab.explain.signatures import fields
+from roslab.knowledge.failures import WORLDS, Failure, compiled, failures
+from roslab.knowledge.table import rows
+
+ALL = failures()
+PATTERNS = [(f"{row.id}.{name}", getattr(row, name)) for row in ALL for name in ("pattern", "also", "unless", "extra")]
+PATTERNS = [(name, pattern) for name, pattern in PATTERNS if pattern]
+LOOKED_UP = {"package", "release", "archive", "note", "why", "repair_words", "library", "low", "hint", "before_step"}
+
+
+def said(log: str) -> Answer:
+    return explain(io.BytesIO(log.encode()))
+
+
+@pytest.mark.parametrize("row", ALL, ids=lambda row: row.id)
+def test_a_failure_explains_its_sample(row: Failure) -> None:
+    found = said(row.sample).explanations
+    assert [one.id for one in found] == [row.id]
+    for text in (found[0].cause, found[0].fix):
+        assert text.endswith((".", ")", ":", "}", "`"))
+        assert "{" not in text.replace("{contents", "").replace("${", "")
+        assert "  " not in text
+        assert "()" not in text.replace("get_include()", "").replace("main()", "")
+
+
+@pytest.mark.parametrize("row", ALL, ids=lambda row: row.id)
+def test_a_failure_leaves_its_look_alike_alone(row: Failure) -> None:
+    answer = said(row.unlike)
+    assert len(answer.explanations) == 1, "a look-alike is a log of a step that failed"
+    assert answer.explanations[0].id != row.id
+
+
+@pytest.mark.parametrize("row", ALL, ids=lambda row: row.id)
+def test_a_failure_has_all_that_its_sentences_use(row: Failure) -> None:
+    groups = {
+        re.sub(r"\d+$", "", group)
+        for pattern in (row.pattern, row.also, row.extra, row.before)
+        for group in compiled(pattern).groupindex
+    }
+    used = {name for text in (row.cause, row.fix, row.otherwise) for name in fields(text)}
+    assert used <= groups | (LOOKED_UP if row.lookup or row.before else set())
+    assert not row.lookup or row.lookup in LOOKUPS
+    assert row.source.startswith("https://")
+    assert dt.date.fromisoformat(row.date)
+    assert row.certainty in {"certain", "likely"}
+    assert 1 <= row.rank <= 9
+    assert row.repair.partition(":")[0] in {"", *generation.keys("today")}
+
+
+def test_a_name_is_given_once() -> None:
+    assert len({row.id for row in ALL}) == len(ALL)
+    assert WORLDS
+
+
+@pytest.mark.parametrize(("name", "pattern"), PATTERNS, ids=[name for name, _ in PATTERNS])
+def test_a_pattern_is_bounded(name: str, pattern: str) -> None:
+    """Repetitions without an end made a log of one long line hang for minutes."""
+    plain = re.sub(r"\[(?:\\.|[^\]\\])*\]", "x", re.sub(r"\\.", "x", pattern))
+    assert not re.search(r"[*+]|\{\d*,\}", plain)
+
+
+LONG = {
+    "one word": "a" * 100_000,
+    "a path": "/usr/lib" * 12_000,
+    "dots and dashes": ".-_:" * 25_000,
+    "a name and a colon": "fatal error: x: " * 6_000,
+    "an address": "https://example.org/" + "a/" * 45_000,
+    "capitals": "ERROR CMAKE_" * 8_000,
+    "spaces": " " * 100_000,
+    "quotes": "'" * 50_000 + '"' * 50_000,
+}
+
+
+@pytest.mark.parametrize("line", LONG.values(), ids=LONG)
+def test_no_pattern_hangs_on_a_long_line(line: str) -> None:
+    """A pattern whose time grows with the square would need minutes for one of these lines."""
+    slow = {}
+    for name, pattern in PATTERNS:
+        begun = time.process_time()
+        compiled(pattern).search(line)
+        if (spent := time.process_time() - begun) > 1.5:
+            slow[name] = spent
+    assert not slow
+
+
+def test_a_line_of_three_megabytes_is_read_in_time() -> None:
+    for row in ALL[::8]:
+        words = row.sample.strip().splitlines()
+        log = "\n".join([*words[:-1], (words[-2] + " ") * (3_000_000 // len(words[-2])), words[-1]])
+        begun = time.process_time()
+        said(log)
+        assert time.process_time() - begun < 3
+
+
+@pytest.mark.parametrize("table", ["ended", "programs", "apt_names", "shared_objects", "api_changes", "headers"])
+def test_every_row_of_a_table_has_a_source_and_a_date(table: str) -> None:
+    assert rows(table)
+    for row in rows(table):
+        assert row["source"].startswith("https://")
+        assert dt.date.fromisoformat(row["date"])
+        assert all(isinstance(value, str) for value in row.values())
+
+
+@pytest.mark.parametrize("row", rows("api_changes"), ids=lambda row: row["why"][:60])
+def test_a_change_of_an_api_has_a_bounded_pattern(row: dict[str, str]) -> None:
+    test_a_pattern_is_bounded("", row["pattern"])
+    assert not row["fix"].endswith(".")

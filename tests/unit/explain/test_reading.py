@@ -1,0 +1,302 @@
+"""Logs as they come: encodings, colours, carriage returns, prefixes of services, cut at either end, and very long."""
+
+from __future__ import annotations
+
+import base64
+import io
+import json
+import random
+import time
+import tracemalloc
+
+import pytest
+
+from roslab.explain import reading, steps
+from roslab.explain.answer import Answer, explain
+from roslab.explain.words import as_json, text
+
+PLAIN = """\
+#1 [internal] load build definition from Dockerfile
+#1 DONE 0.0s
+
+#5 [2/4] RUN apt-get update
+#5 0.412 W: 404 of something optional, error of nobody
+#5 DONE 3.1s
+
+#6 [3/4] RUN make -j8
+#6 0.3 building
+#6 1.2 src/a.cpp:3:10: fatal error: glog/logging.h: No such file or directory
+#6 1.3 make: *** [all] Error 2
+#6 ERROR: process "/bin/sh -c make -j8" did not complete successfully: exit code: 2
+------
+ > [3/4] RUN make -j8:
+0.3 building
+1.2 src/a.cpp:3:10: fatal error: glog/logging.h: No such file or directory
+1.3 make: *** [all] Error 2
+------
+Dockerfile:7
+--------------------
+   6 |     COPY . .
+   7 | >>> RUN make -j8
+   8 |     CMD ["fatal error: other.h: No such file or directory"]
+--------------------
+ERROR: failed to solve: process "/bin/sh -c make -j8" did not complete successfully: exit code: 2
+"""
+CLASSIC = """\
+Sending build context to Docker daemon  106kB
+Step 1/3 : FROM ubuntu:20.04
+ ---> a600fa955058
+Step 2/3 : RUN echo "E: Unable to locate package nothing" || true
+ ---> Running in dab6c576653c
+E: Unable to locate package nothing
+Removing intermediate container dab6c576653c
+ ---> ca881a048382
+Step 3/3 : RUN make -j8
+ ---> Running in 4990f52dd3d2
+src/a.cpp:3:10: fatal error: glog/logging.h: No such file or directory
+make: *** [all] Error 2
+The command '/bin/sh -c make -j8' returned a non-zero code: 2
+"""
+
+
+def said(log: str | bytes) -> Answer:
+    return explain(io.BytesIO(log.encode() if isinstance(log, str) else log))
+
+
+def header_is_missing(answer: Answer, command: str = "RUN make -j8") -> None:
+    assert [found.id for found in answer.explanations] == ["header-missing"]
+    assert answer.explanations[0].step == command
+    assert dict(answer.explanations[0].names)["header"] == "glog/logging.h"
+
+
+@pytest.mark.parametrize("log", [PLAIN, CLASSIC], ids=["BuildKit", "classic"])
+@pytest.mark.parametrize(
+    "encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "latin-1", "cp1252"]
+)
+def test_every_encoding_is_read(log: str, encoding: str) -> None:
+    header_is_missing(said(log.replace("building", "baut für alle").encode(encoding)))
+
+
+def test_quotation_marks_of_windows_in_a_log_of_utf_8_are_read() -> None:
+    log = PLAIN.replace("#6 0.3 building", "#6 0.3 \x91caf\xe9\x92").encode("latin-1")
+    assert "\u2018café\u2019" in "\n".join(line.text for line in reading.lines(io.BytesIO(log)))
+
+
+@pytest.mark.parametrize("log", [PLAIN, CLASSIC], ids=["BuildKit", "classic"])
+def test_colours_and_carriage_returns_are_gone_before_anything_is_matched(log: str) -> None:
+    red = log.replace("src/a.cpp", "\x1b[91m\x1b[1msrc/a.cpp").replace("fatal error: glog", "fatal \x1b[0merror: glog")
+    header_is_missing(said(red))
+    header_is_missing(said(log.replace("\n", "\r\n")))
+    header_is_missing(said(log.replace("src/a.cpp", "[91msrc/a.cpp").replace("directory\n", "directory[0m\n")))
+    bar = "".join(f" {percent}% [{'#' * (percent // 4)}]\r" for percent in range(100))
+    header_is_missing(said(log.replace("src/a.cpp", f"{bar}src/a.cpp")))
+
+
+def test_what_follows_a_carriage_return_stays_with_its_step() -> None:
+    log = PLAIN.replace("#6 1.2 src", "#6 1.2  10%\r 50%\rsrc").replace("\n1.2 src", "\n1.2 ")
+    header_is_missing(said(log))
+
+
+def prefixed(log: str, prefix: str) -> str:
+    return "".join(f"{prefix}{line}\n" for line in log.splitlines())
+
+
+@pytest.mark.parametrize("log", [PLAIN, CLASSIC], ids=["BuildKit", "classic"])
+@pytest.mark.parametrize(
+    "prefix",
+    [
+        "2026-01-02T03:04:05.1234567Z ",
+        "image\tBuild the image\t2026-01-02T03:04:05.1234567Z ",
+        "2026-01-02T03:04:05.123456Z 00O ",
+        "2026-01-02T03:04:05.123456Z 01E+",
+        "[image/build]   | ",
+        "[2026-01-02 03:04:05] ",
+    ],
+    ids=["GitHub", "gh run view", "GitLab", "GitLab, continued", "act", "a clock"],
+)
+def test_prefixes_of_services_are_taken_off(log: str, prefix: str) -> None:
+    header_is_missing(said(prefixed(log, prefix)))
+
+
+def test_sections_of_gitlab_are_no_lines_of_a_step() -> None:
+    log = (
+        "section_start:1700000000:build\r\x1b[0K\x1b[36;1mBuild\x1b[0;m\n"
+        + PLAIN
+        + "section_end:1700000009:build\r\x1b[0K\n"
+    )
+    header_is_missing(said(log))
+
+
+def test_the_failed_step_wins_over_what_earlier_ones_printed() -> None:
+    for log in (PLAIN, CLASSIC):
+        assert said(log).explanations[0].error.startswith("src/a.cpp:3:10")
+
+
+def test_the_echo_of_the_instruction_explains_nothing() -> None:
+    command = "apt-get update || echo 'E: Unable to locate package x' && exit 3"
+    end = f'ERROR: process "/bin/sh -c {command}" did not complete successfully: exit code: 3\n'
+    log = f"#6 [3/4] RUN {command}\n#6 {end}"
+    found = said(log + end.replace("ERROR: ", "ERROR: failed to solve: "))
+    assert found.explanations[0].id is None
+    assert found.explanations[0].error == "exit code: 3"
+
+
+def test_a_log_cut_at_its_beginning_or_its_end_is_read() -> None:
+    lines = PLAIN.splitlines(keepends=True)
+    for begin in range(len(lines) - 13):
+        assert said("".join(lines[begin:])).explanations[0].id == "header-missing", begin
+    for end in range(11, len(lines)):
+        assert said("".join(lines[:end])).explanations[0].id == "header-missing", end
+    only_the_repetition = PLAIN[PLAIN.index("------") :]
+    header_is_missing(said(only_the_repetition))
+
+
+def test_the_file_and_the_line_are_those_that_the_builder_names() -> None:
+    found = said(PLAIN).explanations[0]
+    assert (found.file, found.line) == ("Dockerfile", 7)
+
+
+def test_each_platform_that_failed_is_explained() -> None:
+    one = PLAIN[: PLAIN.index("------")].replace("[3/4]", "[linux/amd64 3/4]")
+    other = one.replace("#6", "#16").replace("#5", "#15").replace("#1 ", "#11 ").replace("amd64", "arm64")
+    other = other.replace("src/a.cpp:3:10: fatal error: glog/logging.h: No such", "c++: fatal error: Killed")
+    found = said(one + other).explanations
+    assert [(each.platform, each.id) for each in found] == [
+        ("linux/amd64", "header-missing"),
+        ("linux/arm64", "memory"),
+    ]
+
+
+def test_a_cache_that_is_not_there_yet_fails_nothing() -> None:
+    name = "ghcr.io/example/robot:cache"
+    cache = f"#4 importing cache manifest from {name}\n#4 ERROR: {name}: not found\n"
+    header_is_missing(said(cache + PLAIN))
+
+
+def test_a_step_that_was_cancelled_did_not_fail() -> None:
+    log = "#9 [other 2/2] RUN sleep 99\n#9 0.1 error: nothing\n#9 CANCELED\n" + PLAIN
+    header_is_missing(said(log))
+
+
+@pytest.mark.parametrize("log", ["", "\n\n", "Successfully built 0123456789ab\nSuccessfully tagged robot:latest\n"])
+def test_a_log_without_a_failure_says_so(log: str) -> None:
+    answer = said(log)
+    assert "cause" not in text(answer).replace("no known cause", "")
+
+
+def test_raw_json_is_read_as_plain_progress_is() -> None:
+    def data(line: str) -> str:
+        return base64.b64encode(line.encode()).decode()
+
+    vertex = {"digest": "sha256:1", "name": "[3/4] RUN make -j8"}
+    records: list[dict[str, object]] = [
+        {"vertexes": [{"digest": "sha256:0", "name": "[2/4] RUN true", "completed": "2026-01-01T00:00:00Z"}]},
+        {"vertexes": [vertex]},
+        {
+            "logs": [
+                {
+                    "vertex": "sha256:1",
+                    "data": data("src/a.cpp:3:10: fatal error: glog/logging.h: No such file or directory\n"),
+                }
+            ]
+        },
+        {
+            "vertexes": [
+                {**vertex, "error": 'process "/bin/sh -c make -j8" did not complete successfully: exit code: 2'}
+            ]
+        },
+    ]
+    header_is_missing(said("".join(json.dumps(record) + "\n" for record in records)))
+    header_is_missing(
+        said("".join(json.dumps(record) + "\n" for record in [*records, {"logs": [{"data": "!"}]}, {"logs": 3}]))
+    )
+
+
+def test_probes_of_a_configure_step_are_no_errors() -> None:
+    probes = """\
+#6 1.0 _configtest.c:1:10: fatal error: cblas.h: No such file or directory
+#6 1.0 conftest.c:9:28: fatal error: ac_nonexistent.h: No such file or directory
+#6 1.0 CMakeFiles/CMakeTmp/src.c:11:1: fatal error: pthreads.h: No such file or directory
+#6 1.0 -- Performing Test HAVE_X - Failed
+"""
+    header_is_missing(said(PLAIN.replace("#6 0.3 building\n", probes)))
+
+
+def test_an_unknown_failure_shows_what_matters_and_no_more_than_twenty_lines() -> None:
+    noise = "".join(f"#6 0.{number} compiling part {number}\n" for number in range(500))
+    odd = "#6 9.0 widget.rb: error: the frobnicator is out of phase\n#6 9.1 it was set to 7\n"
+    end = '#6 ERROR: process "/bin/sh -c ./odd" did not complete successfully: exit code: 1\n'
+    answer = said(f"#6 [3/4] RUN ./odd\n{noise}{odd}{noise}{end}")
+    found = answer.explanations[0]
+    assert found.id is None
+    assert found.error == "widget.rb: error: the frobnicator is out of phase"
+    assert found.error in found.lines
+    assert 0 < len(found.lines) <= 20
+    words = text(answer)
+    assert words.count("no known cause") == 1
+    assert "docker buildx debug" in words
+
+
+def test_json_has_every_field_of_an_explanation() -> None:
+    found = json.loads(as_json(said(PLAIN)))["explanations"][0]
+    assert found["id"] == "header-missing"
+    assert found["names"]["header"] == "glog/logging.h"
+    assert (found["step"], found["file"], found["line"]) == ("RUN make -j8", "Dockerfile", 7)
+    assert found["repair"] == {"apt": ["libgoogle-glog-dev"]}
+    assert found["certainty"] == "certain"
+    assert found["fix"]
+
+
+def big(megabytes: int) -> bytes:
+    head, _, tail = PLAIN.partition("#6 0.3 building\n")
+    line = "#6 7.1 [ 12%] Building CXX object src/CMakeFiles/robot.dir/planner_with_a_long_name.cpp.o\n"
+    return (head + line * (megabytes * 1_000_000 // len(line)) + tail).encode()
+
+
+def test_a_large_log_is_read_in_bounded_time_and_memory() -> None:
+    """A tenth of the largest log that must be read: 100 MB in 5 s and 200 MB of memory."""
+    log = big(10)
+    begun = time.process_time()
+    header_is_missing(said(log))
+    assert time.process_time() - begun < 1.5
+    tracemalloc.start()
+    header_is_missing(said(big(3)))
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 40_000_000
+
+
+def test_mutated_logs_end_without_a_traceback() -> None:
+    source = random.Random(7)  # noqa: S311
+    for _ in range(150):
+        data = bytearray(source.choice([PLAIN, CLASSIC]).encode())
+        for _ in range(source.randrange(1, 40)):
+            at = source.randrange(len(data))
+            change = source.randrange(3)
+            if change == 0:
+                data[at] = source.randrange(256)
+            elif change == 1:
+                del data[at : at + source.randrange(60)]
+            else:
+                data[at:at] = bytes(data[source.randrange(len(data)) :][: source.randrange(200)])
+        answer = said(bytes(data))
+        assert text(answer)
+        assert json.loads(as_json(answer))
+
+
+def test_one_line_of_three_megabytes_is_cut() -> None:
+    found = list(reading.lines(io.BytesIO(b"x" * 3_000_000 + b"end\n")))
+    assert len(found) == 1
+    assert len(found[0].text) <= reading.LONGEST
+    assert found[0].text.endswith("end")
+
+
+def test_a_step_keeps_its_first_error_however_much_follows() -> None:
+    lines = [reading.Line(1, "#6 [3/4] RUN make -j8"), reading.Line(2, "#6 0.1 a.c:1:1: error: the first")]
+    lines += [reading.Line(number, f"#6 0.2 compiling {number}") for number in range(3, 60_000)]
+    lines += [reading.Line(60_000, "#6 ERROR: process did not complete")]
+    log = steps.read(iter(lines))
+    kept = log.failed[0].lines
+    assert len(kept) <= steps.MOST
+    assert kept[0].text == "a.c:1:1: error: the first"
+    assert kept[-1].number == 59_999
