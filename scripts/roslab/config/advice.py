@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from roslab.config import vocabulary
-from roslab.config.document import printable
+from roslab.config.document import shown
 from roslab.knowledge.distros import releases_of
 
 _TREE = re.compile(r"(https?://[^/\s]+/[^/\s]+/[^/\s]+?)(?:\.git)?/(?:-/)?(?:tree|blob)/([^/\s]+)(?:/(\S+))?")
@@ -32,10 +32,10 @@ def _git_url(text: str) -> str | None:
     found = _TREE.search(text)
     if found:
         url, ref, path = found.groups()
-        where = f"; what you want lies in its folder {printable(path).removesuffix('.git')}" if path else ""
+        where = f"; what you want lies in its folder {shown(path).removesuffix('.git')}" if path else ""
         return (
             "this is a page of the website, which git cannot clone: "
-            f"write `repo: {printable(url, 200)}.git` and `ref: {printable(ref)}`{where}"
+            f"write `repo: {shown(url, 200)}.git` and `ref: {shown(ref)}`{where}"
         )
     if re.match(r"\s*(?:git@|ssh://)", text):
         return "it needs a private key, which a build does not have: write the https URL"

@@ -14,6 +14,7 @@ import yaml
 
 from roslab.config.node import Mapping, Mark, Node, Scalar, ScalarKind, Sequence, in_file
 from roslab.errors import ConfigurationError, Problem
+from roslab.repository.checkout import printable
 from roslab.values.origin import Place
 
 MAX_CHARACTERS = 64 * 1024
@@ -147,7 +148,7 @@ class Document:
             elif key.text in pairs:
                 first = pairs[key.text][0].start.line
                 hint = f"keep one of them: the first is on line {first}"
-                self.complain(f'"{printable(key.text)}" stands here a second time', hint, key.start)
+                self.complain(f'"{shown(key.text)}" stands here a second time', hint, key.start)
             else:
                 pairs[key.text] = (key, value)
         for mapping in merged:
@@ -204,11 +205,11 @@ def parse(text: str | bytes, *, file: str) -> Document:
     return document
 
 
-def printable(text: str, limit: int = 60) -> str:
-    """Return a text as it may stand in a message: one line, shortened, no password, nothing that moves a cursor."""
+def shown(text: str, limit: int = 60) -> str:
+    """Return a text as a message may show it: printable, on one line, shortened, without a password."""
     text = _PASSWORD.sub("//…@", text)
     text = text if len(text) <= limit else text[: limit - 1] + "…"
-    return "".join(c if c.isprintable() else c.encode("unicode_escape", "surrogatepass").decode() for c in text)
+    return printable(text)
 
 
 def _mark(mark: Any) -> Mark:  # the C parser's marks are of a class of their own
@@ -240,7 +241,7 @@ def _resolve(text: str) -> ScalarKind:
 
 def _check_tag(tag: str | None, allowed: tuple[str, ...], mark: Mark) -> None:
     if tag and tag != "!" and tag.removeprefix(_TAG) not in allowed:
-        raise _Stop(f"the tag {printable(tag)} is not allowed", "roslab.yaml needs no tags: take it out", mark)
+        raise _Stop(f"the tag {shown(tag)} is not allowed", "roslab.yaml needs no tags: take it out", mark)
 
 
 def _syntax(error: Exception) -> tuple[str, str, Mark | None]:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 
 from roslab.config import vocabulary
 from roslab.config.advice import advice
-from roslab.config.document import MAX_PROBLEMS, printable
+from roslab.config.document import MAX_PROBLEMS, shown
 from roslab.config.node import Mapping, Mark, Node, Scalar, Sequence, Where, kind
 from roslab.config.vocabulary import Schema
 from roslab.errors import Problem
@@ -68,10 +68,10 @@ class Shape:
     def _wrong_type(self, node: Node, schema: Schema, path: str) -> Node | None:
         values = dict.fromkeys(str(value) for value in schema.get("enum", ()))
         if isinstance(node, Scalar) and values:
-            was, hint = f'{_FOUND[node.kind]} ("{printable(node.text)}")', f"allowed: {', '.join(values)}"
+            was, hint = f'{_FOUND[node.kind]} ("{shown(node.text)}")', f"allowed: {', '.join(values)}"
         elif isinstance(node, Scalar) and node.kind not in {"string", "null"}:
-            was = f'{_FOUND[node.kind]} ("{printable(node.text)}")'
-            quoted = f'put it in quotes: "{printable(node.text)}"'
+            was = f'{_FOUND[node.kind]} ("{shown(node.text)}")'
+            quoted = f'put it in quotes: "{shown(node.text)}"'
             hint = quoted if _takes(schema, node.text) else f"{schema['description']} {_sentence(schema)}"
         else:
             was, hint = _FOUND[kind(node)], _example(schema)
@@ -82,7 +82,7 @@ class Shape:
         pairs: list[tuple[Scalar, Node]] = []
         properties = schema.get("properties", {})
         for key, value in node.pairs:
-            below = f"{path}.{printable(key.text)}" if path else printable(key.text)
+            below = f"{path}.{shown(key.text)}" if path else shown(key.text)
             if key.text in properties:
                 rest = self.check(value, properties[key.text], below)
             elif isinstance(schema.get("additionalProperties"), dict):
@@ -100,7 +100,7 @@ class Shape:
         rule = vocabulary.resolve(schema["propertyNames"])
         if key.kind == "string" and _matches(rule, key.text):
             return True
-        self.complain(key.start, f'{path}: "{printable(key.text)}" is no {rule["title"]}', rule["description"])
+        self.complain(key.start, f'{path}: "{shown(key.text)}" is no {rule["title"]}', rule["description"])
         return False
 
     def _unknown(self, key: Scalar, allowed: tuple[str, ...], path: str) -> Node | None:
@@ -110,7 +110,7 @@ class Shape:
             meant = str(vocabulary.rows("translations").get(key.text, "")).removeprefix(f"{path}.")
             meant = meant if meant.partition(".")[0] in allowed else vocabulary.nearest(key.text, allowed) or ""
             hint = f"did you mean `{meant}`?" if meant else f"allowed: {', '.join(allowed)}"
-        self.complain(key.start, f'unknown key "{printable(key.text)}"{where}', hint)
+        self.complain(key.start, f'unknown key "{shown(key.text)}"{where}', hint)
         return None
 
     def _relations(self, node: Mapping, schema: Schema, path: str) -> None:
@@ -153,7 +153,7 @@ class Shape:
             return node
         if not allowed and _matches(schema, node.text):
             return node
-        title, shown = schema["title"], printable(node.text)
+        title = schema["title"]
         hint = advice(title, node.text)
         if hint is None and allowed:
             meant = vocabulary.nearest(node.text, allowed)
@@ -161,7 +161,7 @@ class Shape:
             hint += "allowed: " + ", ".join(dict.fromkeys(allowed))
         elif hint is None:
             hint = f"{schema['description']} {_sentence(schema)}"
-        self.complain(node.start, f'{path}: "{shown}" is no {title}'.removeprefix(": "), hint)
+        self.complain(node.start, f'{path}: "{shown(node.text)}" is no {title}'.removeprefix(": "), hint)
         return None
 
 
@@ -200,8 +200,8 @@ def _example(schema: Schema) -> str:
     examples = schema.get("examples")
     if not examples:
         return str(schema["description"])
-    shown = (e if isinstance(e, str) else json.dumps(e, ensure_ascii=False) for e in examples)
-    return "for example: " + " or ".join(f"`{example}`" for example in shown)
+    texts = (e if isinstance(e, str) else json.dumps(e, ensure_ascii=False) for e in examples)
+    return "for example: " + " or ".join(f"`{text}`" for text in texts)
 
 
 def _sentence(schema: Schema) -> str:

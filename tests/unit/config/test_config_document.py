@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from roslab.config.document import MAX_CHARACTERS, parse, printable
+from roslab.config.document import MAX_CHARACTERS, parse, shown
 from roslab.config.node import Mapping, Scalar
 from roslab.config.reader import read
 from roslab.errors import ConfigurationError
@@ -121,8 +121,8 @@ def test_aliases_and_merges_are_read_as_written_out() -> None:
 
 
 def test_messages_are_one_line_without_control_characters() -> None:
-    assert printable("a\x1b]0;b\u202e\n") == "a\\x1b]0;b\\u202e\\n"
-    assert len(printable("x" * 1000)) == 60
+    assert shown("a\x1b]0;b\u202e\n") == "a\\x1b]0;b\\u202e\\n"
+    assert len(shown("x" * 1000)) == 60
     assert len(problem('name: "a\\x1b[31m\\nb"').splitlines()) == 1
 
 
