@@ -28,9 +28,9 @@ from roslab.decide.ros.workspace import Packages, packages_of
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, started
 from roslab.decide.system.packages import decide_system
+from roslab.decide.system.recipes import recipes_for
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.recipes import recipes_for
 
 _ROS: frozenset[Kind] = frozenset({"ros1", "ros2"})
 

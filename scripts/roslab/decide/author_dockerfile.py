@@ -10,6 +10,7 @@ from roslab.decide.decision import Choice, Reason
 from roslab.decide.reasons import because, configured
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import distro, distros
+from roslab.knowledge.ended_bases import ended
 from roslab.knowledge.frameworks import cuda_image
 from roslab.values.origin import Place
 
@@ -17,7 +18,6 @@ MOST_REASONS = 20
 """Dockerfiles that are spoken of; a collection of robots has hundreds."""
 _CUDA = re.compile(r"(?:^|/)nvidia/cuda:(\d+\.\d+)(\.\d+)?")
 _ROS = re.compile(r"(?:^|/)ros:([a-z]+)")
-_GONE = {"nvidia/cudagl": "nvidia/cudagl is no longer built", "nvidia/opengl": "nvidia/opengl is no longer built"}
 _PUBLISHED = (
     "osrf/",
     "nvidia/",
@@ -33,7 +33,6 @@ _PUBLISHED = (
 )
 _ACCELERATED = re.compile(r"nvidia|nvcr\.io|cuda|pytorch|tensorflow|-gpu|rocm")
 _UBUNTU_TAG = re.compile(r"ubuntu[:_-]?(\d\d)\.\d\d")
-_OLD_UBUNTU = re.compile(r"^(?:ubuntu|debian):(?:1[0-5]\.|17\.|19\.|2[13]\.|jessie|stretch|buster)")
 
 
 class Weight:
@@ -140,9 +139,7 @@ def _gone(base: str) -> str | None:
         row = cuda_image(match[1])
         if row is None or not row.tag or (match[2] and match[1] + match[2] != row.tag):
             return f"{base} was deleted from the registry"
-    if ended := next((why for name, why in _GONE.items() if name in base), None):
-        return ended
-    return f"{base} has no packages any more" if _OLD_UBUNTU.search(base) else None
+    return ended(base)
 
 
 def _rank(

@@ -12,15 +12,12 @@ from roslab.decide.python.base import base_for
 from roslab.decide.reasons import because, configured, ranked, strongest
 from roslab.decide.system.cmake_version import has_it, needed_cmake
 from roslab.evidence.facts import AuthorDockerfile, Dependency, Evidence
-from roslab.knowledge.distros import Distro, distros, ubuntus
+from roslab.knowledge.distros import Distro, distros, ubuntus, variants
 
 DEFAULT_UBUNTU = "jammy"
 """Of plain C++ where nothing is said: old enough for yesterday's code, new enough for today's."""
 _NVIDIA = ("nvidia/", "nvcr.io/")
 _ROOTS = (*_NVIDIA, "ros:", "osrf/ros:", "ubuntu:", "debian:", "python:")
-_OFFICIAL = ("ros-core", "ros-base")
-_ON_TOP = ("desktop-full", "desktop", "simulation", "perception", "robot")
-"""Variants that are installed over ``ros-base``: their own images exist for one platform, or not for every distro."""
 
 
 class Weight:
@@ -84,7 +81,7 @@ def of_dockerfile(
 
 def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: CudaChoice) -> Choice[BaseImage]:
     variant = config.base.ros.partition("-")[2] if config.base.ros else ""
-    on_top = (f"ros-{distro.name}-{variant}",) if variant in _ON_TOP else ()
+    on_top = (f"ros-{distro.name}-{variant}",) if variants().get(variant) is False else ()
     authored = _nvidia_dockerfile(evidence)
     if cuda.cuda and (config.base.cuda or authored):
         image, _, reasons = base_for("cuda", cuda.cuda, cuda.cudnn if cuda.cudnn_named else None, distro.ubuntu, None)
@@ -101,7 +98,7 @@ def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: 
         packages = on_top or (f"ros-{distro.name}-{variant or 'ros-base'}",)
         answer = BaseImage(image=image, ubuntu=distro.ubuntu, ros_packages=packages)
         return Choice(answer=answer, reasons=(said, *reasons))
-    image = f"ros:{distro.name}-{variant if variant in _OFFICIAL else 'ros-base'}"
+    image = f"ros:{distro.name}-{variant if variants().get(variant) else 'ros-base'}"
     reasons = (
         replace(why, question="base_image", answer=image, reason=f"the official image of ROS {distro.name}"),
         replace(why, question="ubuntu", answer=distro.ubuntu, reason=f"the Ubuntu of ROS {distro.name}"),

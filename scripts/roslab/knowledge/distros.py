@@ -27,6 +27,13 @@ class Distro:
     preference: int
     """Of several distributions that a repository names alike, the one with the highest number: long support with all
     packages before the newest, whose packages still come in."""
+    default: bool
+    """It is taken where nothing is said: the last of ROS 1, and the ROS 2 that most of 120 repositories work on."""
+
+    @property
+    def never_ends(self) -> bool:
+        """The one that development goes on in: it has no release of its own to end."""
+        return self.eol is None
 
 
 @cache
@@ -43,6 +50,7 @@ def distros() -> dict[str, Distro]:
             rosdistro_tag=row["rosdistro_tag"] or None,
             arm64=row["arm64"] == "yes",
             preference=int(row["preference"]),
+            default=row["default"] == "yes",
         )
         for row in rows("distros")
         if row["image"] == "yes"
@@ -77,6 +85,15 @@ def ubuntus() -> dict[str, str]:
 
 
 @cache
+def ubuntus_with_python2() -> frozenset[str]:
+    """Return the codenames of those where ``python`` is Python 2, as ROS 1's Python there is.
+
+    https://wiki.ubuntu.com/FocalFossa/ReleaseNotes#Python3_by_default
+    """
+    return frozenset(d.ubuntu for d in distros().values() if d.python.startswith("2."))
+
+
+@cache
 def cmake_of_ubuntu() -> dict[str, str]:
     """Return ``{codename: version}`` of the CMake that each Ubuntu release has."""
     return {row["codename"]: row["cmake"] for row in rows("ubuntu")}
@@ -88,9 +105,23 @@ def python_of_ubuntu() -> dict[str, str]:
     return {row["codename"]: row["python"] for row in rows("ubuntu")}
 
 
+@cache
+def variants() -> dict[str, bool]:
+    """Return ``{variant: whether every distribution has an official image of it}``: ``ros-base``, ``desktop``.
+
+    The images of the others exist for one platform or for some distributions: they are installed over ``ros-base``.
+    """
+    return {row["variant"]: row["image"] == "yes" for row in rows("ros_variants")}
+
+
 def distro(name: str | None) -> Distro | None:
     """Return a distribution by its name."""
     return distros().get(name or "")
+
+
+def default_distro(ros: Literal[1, 2]) -> Distro:
+    """Return the distribution of a ROS version that is taken where nothing is said."""
+    return next(found for found in distros().values() if found.ros == ros and found.default)
 
 
 def rosdistro_tag(name: str | None) -> str | None:
@@ -101,5 +132,5 @@ def rosdistro_tag(name: str | None) -> str | None:
 
 def distros_of(ubuntu: str | None, ros: Literal[1, 2]) -> tuple[str, ...]:
     """Return the distributions of ROS 1 or 2 on an Ubuntu, the preferred one first."""
-    found = [d for d in distros().values() if d.ubuntu == ubuntu and d.ros == ros and d.name != "rolling"]
+    found = [d for d in distros().values() if d.ubuntu == ubuntu and d.ros == ros and not d.never_ends]
     return tuple(d.name for d in sorted(found, key=lambda d: d.preference, reverse=True))

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
-
-from roslab.config.model import Source
-from roslab.evidence.facts import Dependency
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -23,29 +20,30 @@ def _table() -> dict[str, Any]:
         return tomllib.load(stream)
 
 
-def recipe(name: str, ubuntu: str | None) -> tuple[Source, ...]:
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Recipe:
+    """How one library is built by CMake."""
+
+    name: str
+    repo: str
+    ref: str
+    """A tag or a commit: what is built is the same in ten years."""
+    depends: tuple[str, ...]
+    """apt packages that its build needs."""
+    options: tuple[str, ...]
+
+
+def recipe(name: str, ubuntu: str | None) -> tuple[Recipe, ...]:
     """Return what to build for a library, what it needs first; empty for one that the table does not have."""
     found = _table().get(name)
     if not isinstance(found, dict):
         return ()
-    ref = found.get("ref_on", {}).get(ubuntu or "", found["ref"])
-    depends = [*found.get("depends", ()), *found.get("depends_on", {}).get(ubuntu or "", ())]
-    first = tuple(source for needed in found.get("after", ()) for source in recipe(needed, ubuntu))
-    own = Source(
+    depends = (*found.get("depends", ()), *found.get("depends_on", {}).get(ubuntu or "", ()))
+    own = Recipe(
         name=name,
         repo=found["repo"],
-        ref=ref,
-        depends=tuple(depends),
-        build="cmake",
-        cmake_options=" ".join(found.get("options", ())),
+        ref=found.get("ref_on", {}).get(ubuntu or "", found["ref"]),
+        depends=depends,
+        options=tuple(found.get("options", ())),
     )
-    return (*first, own)
-
-
-def recipes_for(wanted: Iterable[tuple[str, Dependency]], ubuntu: str | None) -> tuple[tuple[Source, Dependency], ...]:
-    """Return the sources of several libraries with what asked for each, every one once, in the order to build them."""
-    found: dict[str, tuple[Source, Dependency]] = {}
-    for name, dependency in wanted:
-        for source in recipe(name, ubuntu):
-            found.setdefault(source.name, (source, dependency))
-    return tuple(found.values())
+    return (*(first for needed in found.get("after", ()) for first in recipe(needed, ubuntu)), own)

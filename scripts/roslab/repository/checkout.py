@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime as dt
 import io
 import os
 import re
@@ -12,6 +13,7 @@ from functools import cached_property
 from pathlib import Path
 
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
+from roslab.repository import git
 
 MAX_TEXT = 2 * 1024 * 1024
 """Bytes read of one file: beyond it a file is data, whatever its name says."""
@@ -220,6 +222,12 @@ class Repository:
         """URL of the remote ``origin``, as ``.git/config`` has it."""
         match = re.search(r'\[remote "origin"\][^\[]*?\burl\s*=\s*(\S+)', self._git_text("config"))
         return match[1] if match else None
+
+    @cached_property
+    def committed(self) -> dt.datetime | None:
+        """The time of the checkout's commit in UTC, as git tells it; ``None`` where there is no commit or no git."""
+        seconds = git.head(self.root)[1] if self.git_folder else None
+        return None if seconds is None else dt.datetime.fromtimestamp(seconds, tz=dt.timezone.utc)
 
     def _git_text(self, name: str) -> str:
         try:

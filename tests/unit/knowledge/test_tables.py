@@ -64,6 +64,12 @@ def test_no_name_has_two_rows_for_one_ubuntu(table: str) -> None:
             seen.add((name, release))
 
 
+def test_only_one_distribution_of_each_ros_is_the_default() -> None:
+    for ros in (1, 2):
+        assert len([found for found in distros().values() if found.ros == ros and found.default]) == 1
+        assert len([found for found in distros().values() if found.ros == ros and found.never_ends]) == ros - 1
+
+
 def test_distributions_stand_on_known_ubuntus_and_in_order() -> None:
     for found in distros().values():
         assert found.ubuntu in ubuntus().values()

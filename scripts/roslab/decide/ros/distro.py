@@ -7,12 +7,12 @@ from dataclasses import replace
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.reasons import because, configured, ranked, warn
-from roslab.decide.ros.distro_dates import DEFAULT, dated, of_its_time
+from roslab.decide.ros.distro_dates import dated, of_its_time
 from roslab.decide.ros.distro_evidence import Weight, reasons_for
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.conditions import holds
-from roslab.knowledge.distros import Distro, distro, distros, distros_of
+from roslab.knowledge.distros import Distro, default_distro, distro, distros, distros_of
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
 
@@ -58,9 +58,9 @@ def _unknown_keys(evidence: Evidence, ros: int) -> dict[str, frozenset[str]]:
     declared = (d for m in packages.built for d in m.dependencies if d.role != "doc" and holds(d.condition, variables))
     keys = {d.name for d in declared} - packages.names - {source.name for source in evidence.sources} - rosdep_keys()
     keys = {key for key in keys if library("cmake", key, None) is None}
-    line = [name for name, found in distros().items() if found.ros == ros and name != "rolling"]
+    line = [name for name, found in distros().items() if found.ros == ros and not found.never_ends]
     later: set[str] = set()
-    unknown = {"rolling": frozenset[str]()} if ros == 2 else {}
+    unknown = {name: frozenset[str]() for name, found in distros().items() if found.ros == ros and found.never_ends}
     for name in sorted(line, key=lambda name: distros()[name].released, reverse=True):
         unknown[name] = frozenset(later - released(name))
         later |= keys & released(name)
@@ -90,7 +90,8 @@ def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]])
     answer = of_its_time(kind, date.value if date else None)
     why = "nothing is said: the default"
     if date:
-        usual = "the default is" if answer == DEFAULT[kind] else f"it is older than {DEFAULT[kind]}, the default:"
+        default = default_distro(1 if kind == "ros1" else 2).name
+        usual = "the default is" if answer == default else f"it is older than {default}, the default:"
         why = f"nothing is said; the last commit is of {date.value}: {usual} of that time"
     if unknown.get(answer):
         answer = max((name for name, missing in unknown.items() if not missing), key=_preference)

@@ -6,10 +6,8 @@ import datetime as dt
 
 from roslab.config.model import Kind
 from roslab.evidence.facts import Evidence, Mention
-from roslab.knowledge.distros import Distro, distros
+from roslab.knowledge.distros import Distro, default_distro, distros
 
-DEFAULT = {"ros1": "noetic", "ros2": "humble"}
-"""Where nothing is said: the last of ROS 1, and the ROS 2 that most repositories of 120 work on."""
 ADOPTED = dt.timedelta(days=365)
 """From a release until code is written for it: four of four repositories that name one distribution, and whose last
 commit fell into the first year of a newer one, had not moved to it."""
@@ -27,7 +25,7 @@ def of_its_time(kind: Kind, date: str | None) -> str:
     ended; for a date after all ends or before all releases, the nearest.
     """
     line = [d for d in distros().values() if d.ros == (1 if kind == "ros1" else 2) and d.eol]
-    default = distros()[DEFAULT[kind]]
+    default = default_distro(1 if kind == "ros1" else 2)
     if date is None or _open(default, date):
         return default.name
     fitting = [distro for distro in line if _open(distro, date)]

@@ -165,7 +165,9 @@ def _spoken(sentence: str) -> int:
 
 def _branches(evidence: Evidence, ros: int) -> Iterator[Reason]:
     """Read a branch ``ros2`` as where development goes on: it follows rolling, releases have branches of their own."""
+    rolling = [found.name for found in distros().values() if found.ros == ros == 2 and found.never_ends]
     for mention in evidence.mentions:
-        if ros == 2 and mention.source == "branch" and mention.text == "ros2":
+        if mention.source == "branch" and mention.text == "ros2":
             why = "the branch is ros2: where ROS 2 development goes on"
-            yield because("ros_distro", "rolling", why, mention, weight=Weight.ROS2_BRANCH)
+            for name in rolling:
+                yield because("ros_distro", name, why, mention, weight=Weight.ROS2_BRANCH)

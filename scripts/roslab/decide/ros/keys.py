@@ -12,12 +12,12 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
 from roslab.evidence.facts import Dependency
 from roslab.evidence.ros.conditions import holds
+from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
 
 _NOT_INSTALLED = frozenset({"doc"})
 """rosdep leaves documentation alone."""
-_PYTHON2 = frozenset({"trusty", "xenial", "bionic"})
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -35,7 +35,7 @@ def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Depen
     variables = {
         "ROS_VERSION": "1" if kind == "ros1" else "2",
         "ROS_DISTRO": target.ros_distro or "",
-        "ROS_PYTHON_VERSION": "2" if target.ubuntu in _PYTHON2 and kind == "ros1" else "3",
+        "ROS_PYTHON_VERSION": "2" if target.ubuntu in ubuntus_with_python2() and kind == "ros1" else "3",
     }
     found: dict[str, Dependency] = {}
     for manifest in packages.built:

@@ -14,12 +14,11 @@ from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import needs
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.facts import Dependency, Evidence
+from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.never import never
 from roslab.knowledge.on_request import packages as on_request
 from roslab.values.requirement import Requirement
 
-_PYTHON_2 = frozenset({None, "trusty", "xenial", "bionic"})
-"""Where `python` is Python 2. https://wiki.ubuntu.com/FocalFossa/ReleaseNotes#Python3_by_default"""
 _IN_ANY_ROS = ("catkin", "ros_base", "ros_core", "ament_cmake")
 _HOW = {
     "cmake": "find_package asks for {}",
@@ -90,7 +89,7 @@ def decide_system(
             _translate(key, target, found, cloned=bool(sisters), submodules=submodules)
     known = frozenset({key.name for key in keys} | packages.names | sisters | set(config.skip_keys))
     for dependency, trusted in needs(evidence, packages, kind, target.ros_distro):
-        if dependency.role == "shebang" and target.ubuntu in _PYTHON_2:
+        if dependency.role == "shebang" and target.ubuntu in {None, *ubuntus_with_python2()}:
             continue
         if dependency.name not in known:
             _add(dependency, target, found, known, trusted=trusted)

@@ -5,11 +5,10 @@ from __future__ import annotations
 from roslab.decide.decision import Python
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency, Evidence
+from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.frameworks import imports, wheels
 from roslab.values.requirement import Requirement
 
-_PYTHON2 = frozenset({"trusty", "xenial", "bionic"})
-"""Where ROS 1 has Python 2, so that a package of ROS code is ``python-NAME``."""
 _RENAMED: dict[str, dict[str, str]] = {
     "libgl1": {"xenial": "libgl1-mesa-glx", "trusty": "libgl1-mesa-glx"},
     "libegl1": {"xenial": "libegl1-mesa", "trusty": "libegl1-mesa"},
@@ -33,9 +32,9 @@ def apt_for_wheels(
                 continue
             apt_name = (imports().get(dependency.name) or (None, None))[1]
             if apt_name:
-                if ubuntu in _PYTHON2:
+                if ubuntu in ubuntus_with_python2():
                     apt_name = apt_name.replace("python3-", "python-")
                 found.setdefault(apt_name, dependency)
             if dependency.name in {"matplotlib", "pylab"}:
-                found.setdefault("python-tk" if ubuntu in _PYTHON2 else "python3-tk", dependency)
+                found.setdefault("python-tk" if ubuntu in ubuntus_with_python2() else "python3-tk", dependency)
     return tuple(found.items())

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import cache
 from typing import Literal
 
 from roslab.evidence.facts import Mention
-from roslab.knowledge.distros import english_words, releases_of
+from roslab.knowledge.distros import english_words, releases_of, ubuntus
 
 MAX_MENTIONS = 120
 """Per file and topic: a changelog names versions without end."""
-_UBUNTU = (
-    r"ubuntu[\s:_-]{0,3}(?:lts\s{0,2})?(1[46]\.04|18\.04|2[0246]\.04)|(trusty|xenial|bionic|jammy|noble|resolute|"
-    r"focal(?!['\u2019]?s?[\s_-]{1,3}(?:lengths?|points?|planes?|distances?|axis|ratio|loss|spots?)))"
-)
-"""A camera's focal length is no Ubuntu."""
+_NO_UBUNTU = {"focal": r"(?!['\u2019]?s?[\s_-]{1,3}(?:lengths?|points?|planes?|distances?|axis|ratio|loss|spots?))"}
+"""What follows a release's name where it is none: a camera's focal length is no Ubuntu."""
 _CUDA = r"cuda(?:[\s_-]{0,3}toolkit)?(?:\s{0,3}\(?(?:version|v|==?|>=|~|:)?\s{0,3}|[-=:]{1,3})(\d{1,2}\.\d)"
 _CUDNN = r"cudnn(?:[\s:v=_-]|version){0,9}(\d)"
 _PYTHON = r"python(?:\s{0,3}(?:version|>=|==?|~=|:|\()?\s{0,3}|[-=])([23]\.\d{1,2})(?:\.\d+|\.x)?(?!\d)"
@@ -25,14 +23,6 @@ _MORE = re.compile(
     r"(?:[\s,/|&-]{0,4}(?:or|and|to)?\s{0,3}(?:python)?\s{0,2}[23]\.\d{1,2}(?![\d.])){1,6}", re.IGNORECASE
 )
 """What goes on after a version of Python: ``3.6, 3.7 or 3.8``. Blanks are counted: no line can take long."""
-_MORE_UBUNTU = re.compile(
-    r"(?:[\s,/|&~-]{0,4}(?:or|and|to)?\s{0,3}(?:ubuntu)?\s{0,2}(?:1[468]|2[0246])\.04(?![\d.]\d)){1,5}",
-    re.IGNORECASE,
-)
-"""The same after a release of Ubuntu: ``18.04~20.04``."""
-_GOES_ON = {"python": (_MORE, re.compile(r"\d\.\d{1,2}")), "ubuntu": (_MORE_UBUNTU, re.compile(r"\d\d\.04"))}
-
-
 _LIST = r"([\w-][\w.-]{0,60}\.(?:repos|rosinstall))\b"
 
 
@@ -40,15 +30,36 @@ def _word(pattern: str) -> re.Pattern[str]:
     return re.compile(rf"(?<![A-Za-z])(?:{pattern})", re.IGNORECASE)
 
 
-_PATTERNS: tuple[tuple[Literal["distro", "ubuntu", "cuda", "cudnn", "python", "vcs_file"], re.Pattern[str]], ...] = (
-    ("distro", _word(rf"({'|'.join(releases_of())})(?![A-Za-z])")),
-    ("ubuntu", _word(rf"(?:{_UBUNTU})(?![A-Za-z])")),
-    ("cuda", _word(_CUDA)),
-    ("cuda", _LOCAL),
-    ("cudnn", _word(_CUDNN)),
-    ("python", _word(_PYTHON)),
-    ("vcs_file", _word(_LIST)),
-)
+Topic = Literal["distro", "ubuntu", "cuda", "cudnn", "python", "vcs_file"]
+
+
+@cache
+def _patterns() -> tuple[tuple[Topic, re.Pattern[str]], ...]:
+    """Return what each topic looks like, the names and numbers of releases out of the tables."""
+    numbers = "|".join(map(re.escape, ubuntus()))
+    codenames = "|".join(name + _NO_UBUNTU.get(name, "") for name in ubuntus().values())
+    return (
+        ("distro", _word(rf"({'|'.join(releases_of())})(?![A-Za-z])")),
+        ("ubuntu", _word(rf"(?:ubuntu[\s:_-]{{0,3}}(?:lts\s{{0,2}})?({numbers})|({codenames}))(?![A-Za-z])")),
+        ("cuda", _word(_CUDA)),
+        ("cuda", _LOCAL),
+        ("cudnn", _word(_CUDNN)),
+        ("python", _word(_PYTHON)),
+        ("vcs_file", _word(_LIST)),
+    )
+
+
+@cache
+def _goes_on() -> dict[str, tuple[re.Pattern[str], re.Pattern[str]]]:
+    """Return what may follow a version in the same breath, and one of the versions in it."""
+    number = "|".join(map(re.escape, ubuntus()))
+    more = rf"(?:[\s,/|&~-]{{0,4}}(?:or|and|to)?\s{{0,3}}(?:ubuntu)?\s{{0,2}}(?:{number})(?![\d.]\d)){{1,5}}"
+    return {
+        "python": (_MORE, re.compile(r"\d\.\d{1,2}")),
+        "ubuntu": (re.compile(more, re.IGNORECASE), re.compile(number)),  # 18.04~20.04
+    }
+
+
 _TRACEBACK = re.compile(r"File \"[^\"\n]{0,200}\Z")
 """Before a version of Python: a line of a traceback, out of somebody's own machine."""
 _CONTEXT = re.compile(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
@@ -58,7 +69,7 @@ def read(
     text: str, file: str, source: Literal["dockerfile", "ci", "readme", "script"], first: int = 1
 ) -> Iterator[Mention]:
     """Yield the versions that a text names, with the line each stands on; ``first`` is the number of its first line."""
-    for topic, pattern in _PATTERNS:
+    for topic, pattern in _patterns():
         position, line, found = 0, first, 0
         for match in pattern.finditer(text):
             start = max(text.rfind("\n", max(0, match.start() - 200), match.start()) + 1, match.start() - 90)
@@ -66,7 +77,7 @@ def read(
             context = text[max(0, start) : end if end >= 0 else match.end() + 90].strip()
             value = next(group for group in match.groups() if group).lower()
             if topic == "distro" and value in english_words() and not _CONTEXT.search(context):
-                continue  # a word of English: it needs ROS, a branch or an Ubuntu near it
+                continue  # it needs ROS, a branch or an Ubuntu near it
             if topic == "python" and _TRACEBACK.search(text, max(0, start), match.start()):
                 continue
             if pattern is _LOCAL:
@@ -83,8 +94,8 @@ def read(
 
 def _further(topic: str, text: str, end: int) -> list[str]:
     """Return the versions that follow one in the same breath: ``Python 3.6, 3.7 or 3.8``."""
-    if topic not in _GOES_ON:
+    if topic not in _goes_on():
         return []
-    goes_on, number = _GOES_ON[topic]
+    goes_on, number = _goes_on()[topic]
     more = goes_on.match(text, end)
     return number.findall(more[0]) if more else []

@@ -5,19 +5,13 @@ A changelog's dates say less: most repositories go on for years after the last e
 
 from __future__ import annotations
 
-import datetime as dt
-
 from roslab.evidence.facts import Mention
-from roslab.repository import git as commits
 from roslab.repository.checkout import Repository
 
 
 def read(repository: Repository) -> tuple[Mention, ...]:
     """Return the date of the checkout's commit in UTC, nothing where there is no git."""
-    if repository.git_folder is None:
+    if repository.committed is None:
         return ()
-    seconds = commits.head(repository.root)[1]
-    if seconds is None:
-        return ()
-    date = dt.datetime.fromtimestamp(seconds, tz=dt.timezone.utc).date().isoformat()
+    date = repository.committed.date().isoformat()
     return (Mention(topic="date", value=date, source="commit", file=".git/HEAD", line=1, text=f"commit of {date}"),)
