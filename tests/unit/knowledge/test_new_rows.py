@@ -75,7 +75,7 @@ def test_a_new_distribution_is_one_row(readme: str, arguments: tuple[str, ...], 
     with_row(program, checkout, "distros", DISTRO[0], DISTRO[1].format(ubuntu="resolute"))
     found, dockerfile = plan(program, repository(tmp_path / "robot", readme), *arguments)
     assert (found["kind"], found["ros_distro"], found["ubuntu"]) == ("ros2", "zephyr", "resolute")
-    assert found["base_image"] == "ros:zephyr-ros-base"
+    assert (found["base_image"], found["warnings"]) == ("ros:zephyr-ros-base", [])
     assert "FROM ros:zephyr-ros-base" in dockerfile
     assert found["rosdep"]["manifests"] == ["package.xml"]
     assert "rosdep" in dockerfile
