@@ -148,6 +148,60 @@ def test_quoted_commands_and_the_values_of_a_matrix(tmp_path: Path) -> None:
     assert [name for name, _ in named(prose)] == ["libpython-dev", "libpython3-dev", "ros-{distro}-b"]
 
 
+YAML = """\
+env: {DEPS: libz}
+jobs:
+  build:
+    container: ros:noetic-ros-base
+    env:
+      ADDITIONAL_DEBS: libd libe
+    steps:
+      - name: sudo apt-get install is what this does
+      - run: sudo apt-get install -y liba
+          libb
+      - run: |
+          cd x
+
+          # apt-get install libnot
+          apt-get install libc
+      - run: >-
+          apt-get install
+          libf
+      - &again
+        run: apt-get install libg
+      - *again
+"""
+
+
+def test_values_of_yaml_are_commands_with_their_lines(tmp_path: Path) -> None:
+    prose = read(ci, tmp_path, {".github/workflows/main.yml": YAML})
+    names = [("liba", 9), ("libb", 9), ("libc", 15), ("libf", 18), ("libg", 20)]
+    assert [entry for entry in named(prose) if entry[0] in {name for name, _ in names} | {"libnot"}] == names
+    assert [entry for entry in named(prose) if entry[0] in {"libd", "libe"}] == [("libd", 6), ("libe", 6)]
+    assert [(m.value, m.line) for m in prose.mentions if m.topic == "base"] == [("ros:noetic-ros-base", 4)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a: [\nrun: apt-get install liba\n",
+        "run: apt-get install liba\n\tb: c\n",
+        "x: " + "[" * 200 + "\nrun: apt-get install liba\n",
+    ],
+    ids=["cut", "tab", "deep"],
+)
+def test_a_broken_file_still_speaks(text: str, tmp_path: Path) -> None:
+    assert ("liba", text.split("run:", maxsplit=1)[0].count("\n") + 1) in named(
+        read(ci, tmp_path, {".travis.yml": text})
+    )
+
+
+def test_aliases_are_read_once(tmp_path: Path) -> None:
+    bomb = "".join(f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 9)}]\n" for n in range(1, 30))
+    text = f"a0: &a0 [apt-get install liba]\n{bomb}own: &own [*own, apt-get install libb]\n"
+    assert [name for name, _ in named(read(ci, tmp_path, {".travis.yml": text}))] == ["liba", "libb"]
+
+
 def test_travis_lists(tmp_path: Path) -> None:
     text = "dist: xenial\naddons:\n  apt:\n    packages:\n    - liba\n    - libb\nscript:\n  - catkin_make\n"
     prose = read(ci, tmp_path, {".travis.yml": text})

@@ -1,7 +1,8 @@
 """Shell text cut into commands: what a Dockerfile, a CI file, a README and an install script have in common.
 
 No shell is run and none is imitated: quotes, continuations, separators and simple variables are enough to read install
-lines. What a command substitution would yield is unknown, so a word that holds one is dropped.
+lines. What a command substitution would yield is unknown, so a word that holds one is dropped. shlex cuts words but no
+commands, and gives no lines; bashlex reads only what is correct bash, which half of a README is not.
 """
 
 from __future__ import annotations

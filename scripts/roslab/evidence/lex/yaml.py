@@ -3,24 +3,74 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+from collections.abc import Iterator
+from typing import Any, Literal, NamedTuple
 
 MAX_DEPTH = 100
 _BRACKETS = re.compile(r"[\[\]{}]")
 _DEEP = re.compile(rf"^(?:[ \t]*(?:- )){{{MAX_DEPTH},}}|^ {{1000,}}\S", re.MULTILINE)
 
 
+class Scalar(NamedTuple):
+    """A value of a document, with the key it stands under (that of the list, for an item of one)."""
+
+    key: str
+    text: str
+    """As it is written, lines that YAML would fold joined by a backslash, so that each keeps its number."""
+    line: int
+    """Of the first line of the text."""
+    item: bool
+
+
 def load(text: str) -> Any:
     """Return the first document, ``None`` where it is no YAML or nested deeper than any person writes."""
+    return next(_read(text, "load_all"), None)
+
+
+def scalars(text: str) -> tuple[Scalar, ...] | None:
+    """Return every value of all documents in their order; ``None`` where the text is no YAML."""
+    lines = text.split("\n")
+    try:
+        documents = list(_read(text, "compose_all", strict=True))
+    except ValueError:
+        return None
+    found: list[Scalar] = []
+    pending, seen = [("", False, document) for document in reversed(documents)], set[int]()
+    while pending:
+        key, item, node = pending.pop()
+        if id(node) in seen:  # an alias: what it stands for was read at its anchor
+            continue
+        seen.add(id(node))
+        if node.id == "mapping":
+            pending += [(str(name.value), False, value) for name, value in reversed(node.value)]
+        elif node.id == "sequence":
+            pending += [(key, True, value) for value in reversed(node.value)]
+        else:
+            found.append(_scalar(key, item, node, lines))
+    return tuple(found)
+
+
+def _scalar(key: str, item: bool, node: Any, lines: list[str]) -> Scalar:
+    first, last = node.start_mark.line, node.end_mark.line
+    if node.style == "|":
+        return Scalar(key, node.value, first + 2, item)
+    if node.style == ">":
+        return Scalar(key, " \\\n".join(line.strip() for line in lines[first + 1 : last]), first + 2, item)
+    return Scalar(key, node.value, first + 1, item)
+
+
+def _read(text: str, how: Literal["load_all", "compose_all"], *, strict: bool = False) -> Iterator[Any]:
+    """Yield documents up to the first error; ``strict`` raises it as ``ValueError``."""
     depth = deepest = 0
     for match in _BRACKETS.finditer(text):
         depth = max(0, depth + (1 if match[0] in "[{" else -1))
         deepest = max(deepest, depth)
-    if deepest > MAX_DEPTH or _DEEP.search(text):
-        return None
     import yaml  # noqa: PLC0415 - 20 ms that most repositories never need
 
     try:
-        return next(yaml.load_all(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)), None)
-    except (yaml.YAMLError, ValueError, RecursionError, TypeError, KeyError, AttributeError, OverflowError):
-        return None
+        if deepest > MAX_DEPTH or _DEEP.search(text):
+            raise ValueError("nested deeper than any person writes")  # noqa: TRY301 - as the loader's own errors
+        yield from getattr(yaml, how)(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+    except (yaml.YAMLError, ValueError, RecursionError, TypeError, KeyError, AttributeError, OverflowError) as error:
+        if strict:
+            raise ValueError(str(error)) from None

@@ -1,6 +1,7 @@
 """Continuous integration files: what another machine installs before it builds, and for which distros.
 
-Read line by line, not as YAML: an install line is the same in every service's dialect, and a broken file still speaks.
+Every value of a file may be a command: an install line is the same in every service's dialect. What is no YAML (a
+Jenkinsfile, a broken file) is searched line by line.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ import re
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention, Prose
+from roslab.evidence.lex.yaml import Scalar, scalars
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.repository.checkout import File, Repository
@@ -68,13 +70,41 @@ def _is_ci(file: File) -> bool:
 
 
 def _read(text: str, path: str) -> Prose:
+    values = None if path.endswith("Jenkinsfile") else scalars(text)
+    found = _by_lines(text, path) if values is None else _by_values(values, text, path)
+    uncommented = re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
+    return found._replace(mentions=(*found.mentions, *mentions.read(uncommented, path, "ci")))
+
+
+def _by_values(values: tuple[Scalar, ...], text: str, path: str) -> Prose:
+    """Read the values of a YAML file as shell, and those of some keys as lists of packages and as images."""
+    collector = Collector(path, "ci")
+    images = []
+    for value in values:
+        if value.key == "packages" and value.item:
+            if re.fullmatch(r"[\w.+-]+", value.text):
+                collector.logical(f"apt-get install {value.text}", value.line)
+            continue
+        shell = "\n".join(_matrix(line, text) for line in value.text.split("\n"))
+        collector.text(_known(shell), value.line)
+        written = f"{value.key}: {value.text}"
+        for match in _DEBS.finditer(value.text if "=" in value.text else written):
+            if "cache-apt-pkgs" in text or value.key != "packages":
+                collector.logical(f"apt-get install {match[1]}", value.line)
+        if not value.item and (image := _IMAGE.match(written)):
+            images.append(_image(image, path, value.line))
+    found = collector.prose()
+    return found._replace(mentions=(*found.mentions, *images))
+
+
+def _by_lines(text: str, path: str) -> Prose:
+    """Search a file that does not parse."""
     text = _FOLDED.sub(
         lambda match: match[0].split("\n", 1)[0] + "\n" + match[2].rstrip("\n").replace("\n", " \\\n") + "\n",
         text,
     )
     collector = Collector(path, "ci")
-    shell = "\n".join(_matrix(_unquoted(_PREFIX.sub("", line)), text) for line in text.split("\n"))
-    collector.text(_EXPRESSION.sub(lambda match: match[0] if "distro" in match[0].lower() else "$UNKNOWN", shell))
+    collector.text(_known("\n".join(_matrix(_unquoted(_PREFIX.sub("", line)), text) for line in text.split("\n"))))
     for match in _DEBS.finditer(text):
         if "cache-apt-pkgs" in text or not match[0].lstrip().startswith("packages"):
             collector.logical(f"apt-get install {match[1]}", _line(text, match))
@@ -83,19 +113,17 @@ def _read(text: str, path: str) -> Prose:
             if line.strip():
                 collector.logical(f"apt-get install {line.strip(' -')}", _line(text, match) + 1 + offset)
     found = collector.prose()
-    images = tuple(
-        Mention(
-            topic="base",
-            value=match[1],
-            source="ci",
-            file=path,
-            line=_line(text, match),
-            text=match[0].strip(),
-        )
-        for match in _IMAGE.finditer(text)
-    )
-    uncommented = re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
-    return found._replace(mentions=(*found.mentions, *images, *mentions.read(uncommented, path, "ci")))
+    images = (_image(match, path, _line(text, match)) for match in _IMAGE.finditer(text))
+    return found._replace(mentions=(*found.mentions, *images))
+
+
+def _known(shell: str) -> str:
+    """Return shell text with the expressions that only a run fills in as unknown; a distribution's is kept."""
+    return _EXPRESSION.sub(lambda match: match[0] if "distro" in match[0].lower() else "$UNKNOWN", shell)
+
+
+def _image(match: re.Match[str], path: str, line: int) -> Mention:
+    return Mention(topic="base", value=match[1], source="ci", file=path, line=line, text=match[0].strip())
 
 
 def _unquoted(line: str) -> str:

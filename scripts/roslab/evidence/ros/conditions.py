@@ -1,4 +1,7 @@
-"""Conditions of package.xml format 3. https://ros.org/reps/rep-0149.html#dependency-conditions."""
+"""Conditions of package.xml format 3. https://ros.org/reps/rep-0149.html#dependency-conditions.
+
+catkin_pkg has a reader of them, which takes pyparsing along, raises at the first odd condition and has no bounds.
+"""
 
 from __future__ import annotations
 
