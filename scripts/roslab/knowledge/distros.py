@@ -25,8 +25,8 @@ class Distro:
     """Tag of ros/rosdistro to resolve keys with, where the newest tables no longer know its Ubuntu."""
     arm64: bool
     preference: int
-    """Of several distributions that a repository names alike, the one with the highest number: long support with all
-    packages before the newest, whose packages still come in."""
+    """Where a repository speaks for several distributions alike, the highest number is taken: one with long support
+    before a newer one, for which packages are still being released."""
     default: bool
     """It is taken where nothing is said: the last of ROS 1, and the ROS 2 that most of 120 repositories work on."""
 

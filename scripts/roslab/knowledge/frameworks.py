@@ -148,7 +148,7 @@ def kept_for_build_types() -> dict[str, tuple[tuple[str, str], ...]]:
 
 @cache
 def conda_names() -> dict[str, str | None]:
-    """Return ``conda → pip`` for packages that the index has by another name, ``None`` for those that it has not."""
+    """Return ``conda → pip`` for packages that the index has by another name, ``None`` for those it does not have."""
     return {row["conda"]: row["pip"] or None for row in rows("conda_names")}
 
 

@@ -1,4 +1,4 @@
-"""What a launch prints of its nodes that died: it goes on living without them, and so does its exit code."""
+"""What a launch prints about nodes that died: it runs on without them, and its exit code does not tell."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ class Removal:
     bound: Requirement
     """What still has it, ``matplotlib<3.5``."""
     beside: Requirement | None
-    """A bound that those versions need in turn: they were compiled against NumPy 1, and NumPy 2 loads none of them
+    """A bound on another package that these versions need: what was compiled against NumPy 1 does not load with NumPy 2
     (https://numpy.org/doc/stable/numpy_2_0_migration_guide.html)."""
     hint: str
     """A literal that stands wherever the pattern matches: a file without it need not be searched."""

@@ -1,4 +1,4 @@
-"""ROS packages that many repositories need and no distribution released: where their source is, at which ref."""
+"""ROS packages that many repositories need and no distribution released: their repository and the ref to build."""
 
 from __future__ import annotations
 

@@ -92,7 +92,7 @@ class Repository:
 
     @cached_property
     def listing(self) -> Listing:
-        """Everything in the tree, sorted by path; unreadable folders are left out and named."""
+        """Everything in the tree, sorted by path; folders that cannot be listed are left out and named."""
         return _list(self.root)
 
     def leaving_out(self, paths: Collection[str]) -> Repository:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 UNKNOWN = "\x00"
-"""Stands in a word for what only a running shell would know."""
+"""In a word, it stands for what only a running shell knows."""
 MAX_LOGICAL = 20_000
 """Characters of one logical line; a longer one is data."""
 MAX_VALUE = 4_000

@@ -22,7 +22,7 @@ _STANDARD = re.compile(
 
 
 def read(repository: Repository) -> tuple[Dependency, ...]:
-    """Return every header from outside the tree and the language, each once, at its first place."""
+    """Return the headers that neither the tree nor the compiler brings, each once, at its first place."""
     found: dict[str, Dependency] = {}
     for file in _sources(repository):
         text = repository.read_bytes(file, limit=MAX_READ).decode("utf-8", errors="replace")

@@ -178,7 +178,7 @@ def _itself(repository: Repository, clone: GitSource) -> bool:
 
 
 def _context(repository: Repository, file: File, copied: list[tuple[str, int]]) -> tuple[bool, str | None, str | None]:
-    """Tell whether the Dockerfile brings the repository's own source, from which context, and what of it is missing.
+    """Tell whether the Dockerfile copies the repository's source, from which context, and which copied file is missing.
 
     The context is the folder in which everything that is copied lies: the root, the folder above, the Dockerfile's own.
     """

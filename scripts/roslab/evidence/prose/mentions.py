@@ -51,7 +51,7 @@ def _patterns() -> tuple[tuple[Topic, re.Pattern[str]], ...]:
 
 @cache
 def _goes_on() -> dict[str, tuple[re.Pattern[str], re.Pattern[str]]]:
-    """Return what may follow a version in the same breath, and one of the versions in it."""
+    """Return, for each topic, the list of versions that may follow one, and a version in such a list."""
     number = "|".join(map(re.escape, ubuntus()))
     more = rf"(?:[\s,/|&~-]{{0,4}}(?:or|and|to)?\s{{0,3}}(?:ubuntu)?\s{{0,2}}(?:{number})(?![\d.]\d)){{1,5}}"
     return {
@@ -93,7 +93,7 @@ def read(
 
 
 def _further(topic: str, text: str, end: int) -> list[str]:
-    """Return the versions that follow one in the same breath: ``Python 3.6, 3.7 or 3.8``."""
+    """Return the versions that follow one directly: ``Python 3.6, 3.7 or 3.8``."""
     if topic not in _goes_on():
         return []
     goes_on, number = _goes_on()[topic]

@@ -23,7 +23,7 @@ _IMPORT = re.compile(
 )
 MAX_NOTEBOOK = 1024 * 1024
 _PLAIN_PYTHON = re.compile(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python[ \t]*\r?$", re.MULTILINE)
-"""A first line that starts `python`, which Ubuntu 20.04 and newer do not have of themselves."""
+"""A first line that starts `python`, which Ubuntu 20.04 and newer install only on demand."""
 _MAIN = re.compile(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
 _NODE = re.compile(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
 _STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
