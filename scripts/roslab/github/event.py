@@ -34,8 +34,6 @@ class Event:
     default_branch: str
     server: str = "https://github.com"
     actor: str = ""
-    run: str = ""
-    """The run's number in its URL."""
     workflow_file: str = ""
     """File name of the workflow that was started, ``""`` where the runner does not say."""
     base_branch: str = ""
@@ -108,7 +106,6 @@ def read(environment: Mapping[str, str]) -> Event:
         default_branch=_default_branch(name, payload, environment.get("GITHUB_REF", "")),
         server=environment.get("GITHUB_SERVER_URL") or "https://github.com",
         actor=environment.get("GITHUB_ACTOR", ""),
-        run=environment.get("GITHUB_RUN_ID", ""),
         workflow_file=environment.get("GITHUB_WORKFLOW_REF", "").partition("@")[0].rpartition("/")[2],
         base_branch=environment.get("GITHUB_BASE_REF") or _text(payload, "pull_request", "base", "ref"),
         proposed=pull_request,
