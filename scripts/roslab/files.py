@@ -157,7 +157,7 @@ def generated(name: str, content: bytes) -> bool:
     """Tell whether a file carries roslab's mark: in its first lines, or in a notebook's metadata."""
     text = content.decode(errors="replace")
     if not name.endswith(".ipynb"):
-        return any(line.startswith("#") and MARKER in line for line in text.splitlines()[:MARKED_LINES])
+        return any(line.startswith(("#", "//")) and MARKER in line for line in text.splitlines()[:MARKED_LINES])
     try:
         notebook = json.loads(text)
         return MARKER in str(notebook["metadata"]["roslab"]["generated"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import posixpath
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -17,14 +18,12 @@ from roslab.evidence.ros import vcs
 from roslab.knowledge.distros import rosdistro_tag
 from roslab.plan.plan import Plan, make_plan
 from roslab.plan.version import SourceVersion, of_projects, source_version
-from roslab.render import OutputFile, render_all
+from roslab.render import FILES, OutputFile, render_all
 from roslab.repository import git as commits
 from roslab.repository.checkout import Repository, printable
 from roslab.values.origin import Place
 
 READMES = ("README.md", "Readme.md", "readme.md", "README.markdown", "README.rst", "README.txt", "README")
-OWN_NAMES = ("Dockerfile", "Dockerfile.dockerignore", "docker_build.sh", "docker_run.sh", "README.ipynb")
-"""What ``create`` writes, where it carries the mark."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -101,7 +100,7 @@ def _with_version(
 
 def _without_own_files(repository: Repository) -> Repository:
     """Leave out what ``create`` wrote: it is no evidence, and its Dockerfile is not the author's."""
-    candidates = repository.named(*OWN_NAMES)
+    candidates = repository.named(*(posixpath.basename(file.path) for file in FILES))
     if not candidates:
         return repository
     from roslab.files import generated  # noqa: PLC0415 - most repositories have none of these names

@@ -28,7 +28,7 @@ from roslab.errors import ConfigurationError, RoslabError
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
 from roslab.plan.plan import Plan, from_json, make_plan, to_json
-from roslab.render import render_all
+from roslab.render import FILES, render_all
 from roslab.repository.checkout import Repository
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -279,9 +279,7 @@ def test_everything_that_an_old_file_asks_for_is_in_the_dockerfile(name: str, ev
         return
     plan = planned(text, evidence)
     written = files(plan)
-    assert written.keys() == {
-        "Dockerfile", "Dockerfile.dockerignore", "docker_build.sh", "docker_run.sh", "README.ipynb"
-    }  # fmt: skip
+    assert written.keys() == {file.path for file in FILES}
     checked(text, written["Dockerfile"])
     data = yaml.safe_load(text)
     script = written["docker_run.sh"]

@@ -13,9 +13,6 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.output import MARKER
 
-OWN = ("Dockerfile", "Dockerfile.dockerignore", "docker_build.sh", "docker_run.sh")
-"""What ``create`` writes and no program reads: a change of it must not repeat the build. README.ipynb stays in: it is
-the notebook that JupyterLab opens in the image."""
 HEADER = f"# {MARKER}. docker reads this file for Dockerfile, instead of .dockerignore.\n"
 ANY_DEPTH = "**"
 MAX_JUDGED = 64 * 1024
@@ -27,9 +24,10 @@ Parts = tuple[str, ...]
 """A line's shell patterns, one for each part of a path; ``**`` stands for any number of folders."""
 
 
-def ignore(plan: Plan) -> str:
+def ignore(plan: Plan, unread: tuple[str, ...]) -> str:
     """Return the text of the ignore file: the author's lines, what the plan needs all the same, what never goes in.
 
+    ``unread`` is what ``create`` writes and no program in the image reads: a change of it must not repeat the build.
     The last line that matches a path decides. An author's file was written for another Dockerfile, so a file that this
     Dockerfile installs from is taken back in, right after the line that shut it out: the lines below still hold.
     ``.git`` comes last of all, so that no ``!`` of the author's publishes the history and the runner's credentials.
@@ -39,7 +37,7 @@ def ignore(plan: Plan) -> str:
     if lines:
         body = "\n".join(_with_needed(lines, _needed(plan)))
         parts.append(f"# The author's .dockerignore\n{body}\n")
-    own = "\n".join(OWN)
+    own = "\n".join(unread)
     parts.append(f"# What `roslab create` writes\n{own}\n")
     parts.append("# The history, and the credentials that a checkout leaves in it, belong in no image\n**/.git\n")
     return "\n".join(parts)

@@ -9,11 +9,17 @@ from collections.abc import Callable
 import pytest
 
 from roslab.plan.plan import Plan, Rosdep
-from roslab.render.ignore import OWN, ignore, keeps_out
+from roslab.render.ignore import ignore as ignore_file
+from roslab.render.ignore import keeps_out
 
 Plans = Callable[..., Plan]
 SECONDS = 5
 MEGABYTES = 100
+OWN = ("Dockerfile", "docker_build.sh")
+
+
+def ignore(plan: Plan) -> str:
+    return ignore_file(plan, OWN)
 
 
 def rosdep(*manifests: str) -> Rosdep:
