@@ -156,6 +156,15 @@ def configurations(image: str, digest: str) -> dict[str, dict[str, Any]]:
 
 def base_layers(reference: str, platform: str) -> frozenset[str]:
     """Return the digests of a base image's layers, none where its registry does not give them."""
+    return frozenset(entry["digest"] for entry in _base(reference, platform))
+
+
+def base_size(reference: str, platform: str) -> int:
+    """Return the compressed bytes of a base image's layers, 0 where its registry does not give them."""
+    return sum(int(entry["size"]) for entry in _base(reference, platform))
+
+
+def _base(reference: str, platform: str) -> list[dict[str, Any]]:
     try:
         found = _inspect(reference, attempts=1)
         if "manifests" in found:
@@ -163,8 +172,9 @@ def base_layers(reference: str, platform: str) -> frozenset[str]:
             fitting = [e for e in found["manifests"] if platform_name(e.get("platform", {})) == platform]
             found = _inspect(f"{_without_tag(name)}@{fitting[0]['digest']}", attempts=1) if fitting else {}
     except BuildError:
-        return frozenset()
-    return frozenset(entry["digest"] for entry in found.get("layers", []))
+        return []
+    layers: list[dict[str, Any]] = found.get("layers", [])
+    return layers
 
 
 def _without_tag(name: str) -> str:

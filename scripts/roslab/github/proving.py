@@ -10,7 +10,7 @@ from pathlib import Path
 from roslab.engine import docker as engine
 from roslab.engine import registry
 from roslab.errors import BuildError, Problem
-from roslab.github import screen, workflow
+from roslab.github import disk, screen, workflow
 from roslab.github.run import Folder, Run, slug
 from roslab.plan.proof import describe
 from roslab.prove import containers
@@ -37,7 +37,10 @@ def prove(environment: Mapping[str, str]) -> None:
                 found = ", ".join(image.platform for image in images)
                 wanted = f"{', '.join(platforms)} were to be built, the registry holds {found}"
                 raise BuildError(Problem(message=wanted))
-            failed = [_prove_pushed(folder, run, image, digest, seconds) for image in images]
+            failed = []
+            for image in images:
+                disk.before_pull(image, environment)
+                failed.append(_prove_pushed(folder, run, image, digest, seconds))
         else:
             failed = [_prove_loaded(folder, run, platform, build, seconds) for platform in platforms]
     if problems := [problem for problem in failed if problem]:

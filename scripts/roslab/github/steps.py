@@ -10,7 +10,7 @@ from pathlib import Path
 from roslab.engine import credentials
 from roslab.engine import docker as engine
 from roslab.errors import BuildError, Problem
-from roslab.github import access, builder, cache, checkout, event, inputs, kept, report, workflow
+from roslab.github import access, builder, cache, checkout, disk, event, inputs, kept, report, workflow
 from roslab.github import run as runs
 from roslab.github import source as completion
 from roslab.github.labels import labels
@@ -133,6 +133,7 @@ def dockerfile(environment: Environment) -> None:
         raise BuildError(Problem(message=f"the checkout is at {revision}, and the plan was made for {run.revision}"))
     named = labels(run.plan, what, revision=run.revision, seconds=seconds)
     platforms = _platforms(environment, run)
+    disk.before_build(run, platforms, environment)
     publication = event.Publication(push=run.push, reason=run.reason)
     part = slug(platforms[0]) if len(platforms) == 1 else "all"
     layers = cache.layers(what, publication, run.cache, image=run.image, part=part, variant=run.variant)

@@ -1,0 +1,38 @@
+"""The disk under the engine: what is free, and making room on it."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from pathlib import Path
+
+from roslab.engine.docker import last_line, output, say
+
+REMOVAL_SECONDS = 600.0
+
+
+def free() -> int | None:
+    """Return the bytes that are free where the engine keeps its images, ``None`` where that is not this machine's."""
+    answer = output(["docker", "info", "--format", "{{.DockerRootDir}}"])
+    folder = answer.stdout.strip()
+    try:
+        return shutil.disk_usage(folder).free if answer.returncode == 0 and folder else None
+    except OSError:
+        return None
+
+
+def prune() -> None:
+    """Empty the store of the current builder: what it built is pushed, and its cache as well."""
+    answer = output(["docker", "buildx", "prune", "--all", "--force"], timeout=REMOVAL_SECONDS)
+    if answer.returncode:
+        say(f"the builder's store was not emptied: {last_line(answer.stderr)}")
+
+
+def remove(folder: str) -> bool:
+    """Remove a folder of the machine's and tell whether it is gone; one that is a link is left alone."""
+    path = Path(folder)
+    if path.is_symlink() or not path.is_dir():
+        return False
+    root = [] if os.access(path.parent, os.W_OK) else ["sudo", "--non-interactive"]
+    output([*root, "rm", "--recursive", "--force", "--one-file-system", folder], timeout=REMOVAL_SECONDS)
+    return not path.exists()

@@ -1,0 +1,97 @@
+"""Room for an image: what it needs at least is known before the build, and room is made where that is allowed.
+
+An image lies on a runner more than once: compressed and unpacked in BuildKit's store, and again in the engine's, which
+runs it. GitHub's own runners have about 14 GB free.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from roslab.engine import disk, registry
+from roslab.engine.docker import say
+from roslab.errors import BuildError, Problem
+from roslab.github import workflow
+from roslab.github.run import Run
+from roslab.knowledge.runner_weight import runner_weight
+from roslab.plan.plan import Plan
+
+GB = 10**9
+UNPACKED = 2
+"""A layer unpacked is at least that many times as large: seen 2.8 for ROS and for Python, 4 for a minimal base."""
+PACKAGES = 4 * GB
+"""Room for what is installed on the base, where nothing heavier is known."""
+FRAMEWORK = 12 * GB
+"""Room for a framework with its CUDA libraries: wheels of 3 GB, unpacked, then packed as a layer."""
+HEAVY = re.compile(r"(?:torch|tensorflow|jax|paddlepaddle|mxnet|tensorrt|nvidia-\w+)\b", re.IGNORECASE)
+LARGER = "take a larger runner (the input runners), or a smaller base (base.image in roslab.yaml)"
+
+
+def before_build(run: Run, platforms: Sequence[str], environment: Mapping[str, str]) -> None:
+    """Say how much disk there is and is needed, and make room on a runner of GitHub's own.
+
+    Raises ``BuildError`` where the base image alone cannot fit.
+    """
+    available = disk.free()
+    if available is None:
+        return
+    base = sum(registry.base_size(run.plan.base_image, platform) for platform in platforms)
+    least = base * (1 + UNPACKED)
+    wanted = 2 * least + (FRAMEWORK if _heavy(run.plan) else PACKAGES)
+    known = f"{run.plan.base_image} needs at least {_gb(least)}" if base else "the base image's size is not known"
+    say(f"disk: {_gb(available)} free; {known}, the whole build about {_gb(wanted)}")
+    if available < wanted and environment.get("RUNNER_ENVIRONMENT") == "github-hosted":
+        available = make_room(wanted)
+    if available < least:
+        message = f"{run.plan.base_image} alone needs about {_gb(least)}, and {_gb(available)} are free on this runner"
+        raise BuildError(Problem(message=message, hint=LARGER))
+
+
+def make_room(wanted: int, weights: Sequence[tuple[str, str]] | None = None) -> int:
+    """Remove what the runner carries, the heaviest first, until enough is free; return the bytes that are free then."""
+    available = disk.free() or 0
+    with workflow.group("Make room on the runner"):
+        for folder, holds in runner_weight() if weights is None else weights:
+            if available >= wanted:
+                break
+            if disk.remove(folder):
+                before, available = available, disk.free() or 0
+                say(f"removed {folder} ({holds}): {_gb(max(0, available - before))} more, {_gb(available)} free")
+    return available
+
+
+def before_pull(image: registry.PlatformImage, environment: Mapping[str, str]) -> None:
+    """Make room for a pushed image that the engine is to run.
+
+    Raises ``BuildError`` where it cannot fit.
+    """
+    available = disk.free()
+    needed = image.size * (1 + UNPACKED)
+    if available is None or available >= needed + GB:
+        return
+    if owns_builder(environment):
+        say(f"disk: {_gb(available)} free, {_gb(needed)} are needed: BuildKit's store is emptied")
+        disk.prune()
+        available = disk.free() or 0
+        say(f"disk: {_gb(available)} free")
+    if available < image.size * UNPACKED:
+        message = f"the image was built and needs about {_gb(needed)} to be run, and {_gb(available)} are free"
+        raise BuildError(Problem(message=message, hint=LARGER))
+
+
+def owns_builder(environment: Mapping[str, str]) -> bool:
+    """Tell whether the builder ends with this job: one that the machine's owner named may serve others.
+
+    ROSLAB_BUILDX_PRUNE (``true``) says that it may be emptied all the same.
+    """
+    return not environment.get("ROSLAB_BUILDX_DRIVER") or environment.get("ROSLAB_BUILDX_PRUNE") == "true"
+
+
+def _heavy(plan: Plan) -> bool:
+    lines = (*plan.python.pip, *plan.python.first, *plan.python.pip_guessed)
+    return plan.run.gpu or plan.kind == "cuda" or any(HEAVY.match(line) for line in lines)
+
+
+def _gb(size: int) -> str:
+    return f"{size / GB:.1f} GB"

@@ -1,0 +1,75 @@
+"""A runner with a small disk: an engine and a BuildKit whose stores share one file system of a given size."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+import shutil
+import subprocess
+import time
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+
+from . import buildkit, engine, facts
+from .command import LabError, run
+from .laboratory import Laboratory
+
+
+@contextmanager
+def small_disk(lab: Laboratory, place: Path, megabytes: int) -> Iterator[Laboratory]:
+    """Yield the lab with an engine and a BuildKit of their own on a new file system, which is gone afterwards.
+
+    Needs root, a loop device and an engine that the machine can start; raises LabError where one is missing.
+    """
+    image, disk = place / "disk.img", place / "disk"
+    disk.mkdir(parents=True)
+    run(["truncate", f"--size={megabytes}M", image])
+    run(["mkfs.ext4", "-q", "-m", "0", "-O", "^has_journal", image])
+    run(["mount", "-o", "loop", image, disk])
+    try:
+        with ExitStack() as stack:
+            address = stack.enter_context(buildkit.fresh(disk / "buildkit"))
+            host = stack.enter_context(_engine(disk / "engine", place / "run"))
+            yield dataclasses.replace(lab, docker_host=host, buildkit=address)
+    finally:
+        engine.unmount_below(disk)
+        image.unlink()
+
+
+@contextmanager
+def _engine(store: Path, place: Path) -> Iterator[str]:
+    """Run one more engine, without a network of its own, and yield its address."""
+    place.mkdir()
+    host = f"unix://{place}/docker.sock"
+    settings = {
+        "data-root": str(store),
+        "exec-root": str(place / "exec"),
+        "pidfile": str(place / "pid"),
+        "hosts": [host],
+        "features": {"containerd-snapshotter": True},
+        "registry-mirrors": [f"http://127.0.0.1:{facts.number('registry', 'mirror_port')}"],
+        "bridge": "none",
+        "iptables": False,
+        "ip6tables": False,
+    }
+    (place / "daemon.json").write_text(json.dumps(settings))
+    daemon = shutil.which("dockerd", path=os.environ.get("PATH", "") + ":/usr/sbin:/usr/local/sbin")
+    if not daemon:
+        raise LabError("dockerd is not on PATH: a second engine cannot be started")
+    with (place / "log").open("w") as log:
+        process = subprocess.Popen(
+            [daemon, "--config-file", str(place / "daemon.json")], stdin=subprocess.DEVNULL, stdout=log, stderr=log
+        )
+    try:
+        deadline = time.monotonic() + 60
+        while not engine.works(host):
+            if process.poll() is not None or time.monotonic() > deadline:
+                raise LabError(f"a second engine does not answer; its log: {(place / 'log').read_text()}")
+            time.sleep(0.2)
+        yield host
+    finally:
+        process.terminate()
+        process.wait(60)
+        engine.unmount_below(place)
