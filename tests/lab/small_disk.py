@@ -7,6 +7,7 @@ import json
 import os
 import shutil
 import subprocess
+import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
@@ -18,13 +19,14 @@ from .laboratory import Laboratory
 
 
 @contextmanager
-def small_disk(lab: Laboratory, place: Path, megabytes: int) -> Iterator[Laboratory]:
+def small_disk(lab: Laboratory, megabytes: int) -> Iterator[Laboratory]:
     """Yield the lab with an engine and a BuildKit of their own on a new file system, which is gone afterwards.
 
     Needs root, a loop device and an engine that the machine can start; raises LabError where one is missing.
     """
+    place = Path(tempfile.mkdtemp(prefix="lab-"))  # a short name: a socket's path may have 104 characters
     image, disk = place / "disk.img", place / "disk"
-    disk.mkdir(parents=True)
+    disk.mkdir()
     run(["truncate", f"--size={megabytes}M", image])
     run(["mkfs.ext4", "-q", "-m", "0", "-O", "^has_journal", image])
     run(["mount", "-o", "loop", image, disk])
@@ -35,7 +37,7 @@ def small_disk(lab: Laboratory, place: Path, megabytes: int) -> Iterator[Laborat
             yield dataclasses.replace(lab, docker_host=host, buildkit=address)
     finally:
         engine.unmount_below(disk)
-        image.unlink()
+        shutil.rmtree(place, ignore_errors=True)
 
 
 @contextmanager

@@ -36,7 +36,7 @@ def run(lab: Laboratory, place: Path, repository: str, dockerfile: str, **settin
 def test_an_image_fits_once_the_builders_store_is_emptied(lab: Laboratory, tmp_path: Path, pruned: bool) -> None:
     """About 1.1 GB in BuildKit's store, as much in the engine's, and 1.7 GB of disk."""
     repository = lab.fresh_repository(f"{doors.OWNER}/robot").partition("/")[2]
-    with small_disk(lab, tmp_path / "small", 1700) as small:
+    with small_disk(lab, 1700) as small:
         ran = run(small, tmp_path / "caller", repository, DOCKERFILE, ROSLAB_BUILDX_PRUNE=str(pruned).lower())
     if pruned:
         assert ran.exit_code == 0, ran.log
@@ -50,7 +50,7 @@ def test_an_image_fits_once_the_builders_store_is_emptied(lab: Laboratory, tmp_p
 def test_a_base_that_cannot_fit_is_told_before_the_build(lab: Laboratory, tmp_path: Path) -> None:
     repository = lab.fresh_repository(f"{doors.OWNER}/robot").partition("/")[2]
     mirror = f"127.0.0.1:{facts.number('registry', 'mirror_port')}"
-    with small_disk(lab, tmp_path / "small", 500) as small:
+    with small_disk(lab, 500) as small:
         ran = run(small, tmp_path / "caller", repository, f"FROM {mirror}/library/python:3.11\nRUN echo built\n")
     assert ran.exit_code != 0
     assert [error for error in doors.errors(ran) if "library/python:3.11 alone needs about 0.7 GB" in error], ran.log

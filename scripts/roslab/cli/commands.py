@@ -124,6 +124,7 @@ def build(options: argparse.Namespace) -> int:
     version = engine.check()
     screenshots = _screenshots(options, planned)
     platforms = planned.plan.platforms if options.platforms else (engine.native_platform(),)
+    authored = planned.plan.author_dockerfile
     name = f"{planned.plan.name}:{options.tag}"
     engine.say(f"roslab: building {name} for {', '.join(platforms)} with Docker {version}")
     candidates: list[str] = []
@@ -138,7 +139,8 @@ def build(options: argparse.Namespace) -> int:
                     platforms=(platform,),
                     tags=(candidates[-1],),
                     labels=engine.commit_labels(planned.repository.root),
-                    arguments=arguments,
+                    arguments=(*(authored.args if authored else ()), *arguments),
+                    target=authored.target if authored else None,
                     extra=("--no-cache",) if options.no_cache else (),
                 )
                 engine.build(job)

@@ -42,6 +42,8 @@ class Build:
     tags: tuple[str, ...] = ()
     labels: tuple[tuple[str, str], ...] = ()
     arguments: tuple[tuple[str, str], ...] = ()
+    target: str | None = None
+    """Stage to build; ``None`` for the last one."""
     output: str = ""
     """Value of ``--output``; ``""`` loads the image into the engine."""
     extra: tuple[str, ...] = ()
@@ -99,6 +101,7 @@ def build(job: Build, *, environment: Mapping[str, str] | None = None) -> tuple[
         for flag, pairs in (("--label", job.labels), ("--build-arg", job.arguments)):
             for name, value in pairs:
                 command += [flag, f"{name}={value}"]
+        command += ["--target", job.target] if job.target else []
         command += ["--output", job.output] if job.output else ["--load"]
         command += [*job.extra, str(job.context)]
         log = _stream(command, environment)

@@ -74,12 +74,15 @@ def _prove_loaded(folder: Folder, run: Run, platform: str, build: Mapping[str, s
     """Take one platform's image out of the builder, which holds every layer of it, and run it."""
     candidate = f"{run.plan.name}:{folder.path.name.lower()}-{slug(platform)}"
     pairs = tuple((line.partition("=")[0], line.partition("=")[2]) for line in build["labels"].splitlines())
+    authored = run.plan.author_dockerfile
     job = engine.Build(
         context=Path(build["context"]),
         dockerfile=Path(build["dockerfile"]),
         platforms=(platform,),
         tags=(candidate,),
         labels=pairs,
+        arguments=authored.args if authored else (),
+        target=authored.target if authored else None,
         extra=("--provenance=false",),
     )
     with workflow.group(f"Load and prove {platform}"):

@@ -124,7 +124,8 @@ def dockerfile(environment: Environment) -> None:
     root = _workspace(environment)
     folder.dockerfile.mkdir(exist_ok=True)
     dockerfile, context = write_plan(run.plan, root, folder.dockerfile)
-    if run.plan.author_dockerfile and (copy := checkout.shielded(dockerfile, context, folder.dockerfile)):
+    authored = run.plan.author_dockerfile
+    if authored and (copy := checkout.shielded(dockerfile, context, folder.dockerfile)):
         dockerfile = copy
         hint = "write `persist-credentials: false` below `with:` of actions/checkout"
         workflow.warn(Problem(message="the checkout left a token in .git, so the build does not see .git", hint=hint))
@@ -144,6 +145,8 @@ def dockerfile(environment: Environment) -> None:
         "context": str(context),
         "labels": "\n".join(f"{name}={value}" for name, value in named),
         "platforms": ",".join(platforms),
+        "build-args": "\n".join(f"{name}={value}" for name, value in authored.args) if authored else "",
+        "target": (authored.target or "") if authored else "",
         # A pull request's images stay in the builder, and are loaded one after the other to be proved
         "exporter": by_digest if run.push else "type=cacheonly",
         "cache-from": "\n".join(layers.read),

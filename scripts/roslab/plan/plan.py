@@ -27,6 +27,10 @@ class AuthorDockerfile:
 
     dockerfile: str
     context: str
+    args: tuple[tuple[str, str], ...] = ()
+    """Build arguments."""
+    target: str | None = None
+    """The stage to build; ``None`` for the last one."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -145,7 +149,12 @@ def make_plan(
     ``folder_name`` names the image where roslab.yaml does not; ``ignore`` are the lines of the author's .dockerignore.
     """
     author_dockerfile = (
-        AuthorDockerfile(dockerfile=decision.dockerfile, context=decision.context or ".")
+        AuthorDockerfile(
+            dockerfile=decision.dockerfile,
+            context=decision.context or ".",
+            args=config.args,
+            target=config.target,
+        )
         if decision.dockerfile
         else None
     )

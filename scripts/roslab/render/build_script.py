@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslab.plan.plan import Plan
+from roslab.plan.plan import AuthorDockerfile, Plan
 from roslab.render.script import script
 
 OLDEST_DOCKER = "23"
@@ -22,5 +22,11 @@ def build_script(plan: Plan, *, context: str) -> str:
             "dockerfile": f"{context}/{authored.dockerfile}" if authored else "Dockerfile",
             "context": f"{context}/{authored.context}" if authored else context,
             "oldest_docker": "0" if authored else OLDEST_DOCKER,
+            "options": _options(authored) if authored else (),
         },
     )
+
+
+def _options(authored: AuthorDockerfile) -> list[tuple[str, str]]:
+    target = [("--target", authored.target)] if authored.target else []
+    return [*(("--build-arg", f"{name}={value}") for name, value in authored.args), *target]

@@ -8,6 +8,7 @@ image=example
 dockerfile=Dockerfile
 context=.
 oldest_docker=23
+options=() # of docker build
 # ---- the same for every repository ----
 
 folder="$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)"
@@ -59,4 +60,4 @@ elif ((oldest_docker > 0)) && ! docker buildx version >/dev/null 2>&1; then
   fail "docker lacks its builder" "install docker-buildx-plugin (from docker.com) or docker-buildx (Debian, Ubuntu)"
 fi
 
-exec docker build --file "${folder}/${dockerfile}" --tag "${image}" "$@" "${folder}/${context}"
+exec docker build --file "${folder}/${dockerfile}" --tag "${image}" ${options[@]+"${options[@]}"} "$@" "${folder}/${context}"

@@ -48,4 +48,4 @@ elif ((oldest_docker > 0)) && ! docker buildx version >/dev/null 2>&1; then
   fail "docker lacks its builder" "install docker-buildx-plugin (from docker.com) or docker-buildx (Debian, Ubuntu)"
 fi
 
-exec docker build --file "${folder}/${dockerfile}" --tag "${image}" "$@" "${folder}/${context}"
+exec docker build --file "${folder}/${dockerfile}" --tag "${image}" ${options[@]+"${options[@]}"} "$@" "${folder}/${context}"

@@ -8,5 +8,6 @@ image=cuda_saxpy
 dockerfile=Dockerfile
 context=.
 oldest_docker=23
+options=()
 # ---- the same for every repository ----
 @@ _constant/docker_build.sh @@

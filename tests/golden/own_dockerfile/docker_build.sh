@@ -8,5 +8,6 @@ image=own_dockerfile
 dockerfile=./docker/Dockerfile
 context=./.
 oldest_docker=0
+options=()
 # ---- the same for every repository ----
 @@ _constant/docker_build.sh @@

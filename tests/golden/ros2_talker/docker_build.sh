@@ -8,5 +8,6 @@ image=ros2_talker
 dockerfile=Dockerfile
 context=.
 oldest_docker=23
+options=()
 # ---- the same for every repository ----
 @@ _constant/docker_build.sh @@

@@ -41,6 +41,12 @@ def test_the_authors_dockerfile_is_built_in_its_own_context(plan: Plans, call: C
     assert called.arguments[-1] == f"{tmp_path}/../docker"
 
 
+def test_the_authors_dockerfile_gets_its_arguments_and_its_target(plan: Plans, call: Call) -> None:
+    authored = AuthorDockerfile(dockerfile="Dockerfile", context=".", args=(("CUDA", "12.4; x"),), target="runtime")
+    called = call(build_script(plan(author_dockerfile=authored), context="."), "--build-arg", "CUDA=11", name=NAME)
+    assert called.arguments[5:-1] == ["--build-arg", "CUDA=12.4; x", "--target", "runtime", "--build-arg", "CUDA=11"]
+
+
 @pytest.mark.parametrize("name", ["a; rm -rf ~", "$(touch owned)", "`touch owned`", "a b", "'", '"'])
 def test_a_hostile_name_is_one_word(plan: Plans, call: Call, tmp_path: Path, name: str) -> None:
     """The original wrote it into the script as it stood: `docker build -t a; rm -rf ~ .`."""
