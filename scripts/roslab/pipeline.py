@@ -43,14 +43,15 @@ def plan_repository(
     config_file: locate.Named | None = None,
     overrides: Sequence[Override] = (),
     folder_name: str | None = None,
+    top: Path | None = None,
 ) -> Planned:
     """Read a repository and plan its image; nothing of it is executed and no network is used.
 
     ``config_file`` is read in place of the roslab.yaml at the root; ``overrides`` win over what it says;
-    ``folder_name`` names the image where nothing else does.
+    ``folder_name`` names the image where nothing else does; ``top`` is the checkout that ``path`` is a folder of.
     Raises ``ConfigurationError``, ``NothingToBuildError`` or ``RefusedError``.
     """
-    repository = _without_own_files(Repository.open(path, branch=branch))
+    repository = _without_own_files(Repository.open(path, branch=branch, top=top))
     config = _configuration(repository, config_file, overrides)
     if config.submodules == "required":
         _require_submodules(repository)

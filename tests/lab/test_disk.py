@@ -29,7 +29,7 @@ def run(lab: Laboratory, place: Path, repository: str, dockerfile: str, **settin
     )
     payload = doors.payload(repository.partition("/")[2])
     environment = {**doors.builder(lab), **settings}
-    return run_workflow(lab, caller, "push", payload, env=environment, secrets={"GITHUB_TOKEN": lab.password})
+    return run_workflow(lab, caller, "push", payload, env=environment)
 
 
 @pytest.mark.parametrize("pruned", [True, False], ids=["emptied", "kept"])

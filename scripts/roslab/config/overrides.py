@@ -13,7 +13,7 @@ from typing import Any
 
 from roslab.config import reader, vocabulary
 from roslab.config.document import FORBIDDEN
-from roslab.config.model import Base, Config
+from roslab.config.model import Base, Config, TagParts
 from roslab.config.node import Mapping, Mark, Node, Scalar, Sequence
 from roslab.config.reading import Reading
 from roslab.config.shape import Shape
@@ -29,7 +29,7 @@ class Override:
     """One value that an input or an option gives for a key of roslab.yaml."""
 
     key: str
-    """The key in today's format, with a dot before what stands below ``base``: ``platforms``, ``base.ros``."""
+    """The key in today's format, with a dot before what stands below another: ``platforms``, ``base.ros``."""
     text: str
     """The value as it was given; where the key takes a list, commas, blanks and line breaks separate its entries."""
     origin: Input | Option
@@ -85,20 +85,21 @@ def laid_over(config: Config, said: Config) -> Config:
     last two are up to ``decide``, which looks at the evidence only where the configuration says nothing.
     """
     base = replace(config.base, **_changed(said.base, Base()))
-    changed = {**_changed(said, Config()), "base": base, "warnings": (*config.warnings, *said.warnings)}
+    tags = replace(config.tags, **_changed(said.tags, TagParts()))
+    changed = {**_changed(said, Config()), "base": base, "tags": tags, "warnings": (*config.warnings, *said.warnings)}
     new = dict(said.origins)
     kept = ((path, origin) for path, origin in config.origins if not _replaced(path, new))
     return replace(config, **{**changed, "origins": (*kept, *said.origins)})
 
 
-def _changed(said: Config | Base, nothing: Config | Base) -> dict[str, Any]:
+def _changed(said: Config | Base | TagParts, nothing: Config | Base | TagParts) -> dict[str, Any]:
     """Return the fields that say something."""
     return {f.name: value for f in fields(said) if (value := getattr(said, f.name)) != getattr(nothing, f.name)}
 
 
 def _replaced(path: str, by: dict[str, Origin]) -> bool:
     """Tell whether the overrides give a key, or the list that it is an entry of."""
-    return path in by or (path.rpartition(".")[0] in by and not path.startswith("base."))
+    return path in by or (path.rpartition(".")[0] in by and not path.startswith(("base.", "tags.")))
 
 
 def _schema(key: str) -> Schema:
@@ -129,8 +130,8 @@ def _document(pairs: Several[tuple[str, Scalar, Node]]) -> Mapping:
     """Return the values as the tree that a file with them would be."""
     start = Mark(line=1, column=1, index=0)
     top = tuple((name, node) for key, name, node in pairs if "." not in key)
-    base = tuple((name, node) for key, name, node in pairs if key.startswith("base."))
-    if base:
-        below = Mapping(start=base[0][0].start, end=start, pairs=base, flow=False)
-        top = (*top, (_scalar("base", below.start), below))
+    for group in dict.fromkeys(key.partition(".")[0] for key, _, _ in pairs if "." in key):
+        inner = tuple((name, node) for key, name, node in pairs if key.startswith(f"{group}."))
+        below = Mapping(start=inner[0][0].start, end=start, pairs=inner, flow=False)
+        top = (*top, (_scalar(group, below.start), below))
     return Mapping(start=start, end=start, pairs=top, flow=False)

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import os
+import posixpath
 import re
 import shutil
 from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
+from roslab.errors import ConfigurationError, Problem, RefusedError, RoslabError
 from roslab.render.ignore import keeps_out
+from roslab.repository.checkout import printable
+from roslab.values.origin import Input, Place
 
 FLAGS = re.IGNORECASE | re.MULTILINE
 CREDENTIAL = re.compile(rb"^\s*extraheader\s*=.*authorization|^\s*url\s*=\s*\w+://[^/\s]*:[^/\s]*@", FLAGS)
@@ -16,6 +22,40 @@ CREDENTIAL = re.compile(rb"^\s*extraheader\s*=.*authorization|^\s*url\s*=\s*\w+:
 https://github.com/actions/checkout/blob/main/CHANGELOG.md"""
 MAX_CONFIG = 1_000_000
 """Bytes of a git configuration that are read."""
+
+
+def part(workspace: Path, path: str) -> Path:
+    """Return the folder of a checkout that is built as if it were the whole; ``path`` is relative, ``""`` for all.
+
+    Raises ``ConfigurationError`` where there is no such folder, ``RefusedError`` where it is not the checkout's own.
+    """
+    root = workspace.resolve()
+    if not path:
+        return root
+    origin = Input(name="path")
+    hint = "write a folder of the repository, relative to its root: robots/arm"
+    folder = (root / path).resolve()
+    if not folder.is_relative_to(root) or ".git" in folder.relative_to(root).parts:
+        raise RefusedError(Problem(message=f"{printable(path)} leads out of the repository", hint=hint, origin=origin))
+    if not folder.is_dir():
+        raise ConfigurationError(Problem(message=f"there is no folder {printable(path)}", hint=hint, origin=origin))
+    return folder
+
+
+@contextmanager
+def placed(path: str) -> Iterator[None]:
+    """Name files by their path in the whole checkout, where what is wrong is in a folder of it."""
+    try:
+        yield
+    except RoslabError as error:
+        raise type(error)(*(_placed(problem, path) for problem in error.problems)) from None
+
+
+def _placed(problem: Problem, path: str) -> Problem:
+    place = problem.origin
+    if not path or not isinstance(place, Place):
+        return problem
+    return replace(problem, origin=replace(place, file=posixpath.join(path, place.file)))
 
 
 def shielded(dockerfile: Path, context: Path, folder: Path) -> Path | None:

@@ -67,7 +67,8 @@ def before_pull(image: registry.PlatformImage, environment: Mapping[str, str]) -
     Raises ``BuildError`` where it cannot fit.
     """
     available = disk.free()
-    needed = image.size * (1 + UNPACKED)
+    size = sum(layer.size for layer in image.layers)
+    needed = size * (1 + UNPACKED)
     if available is None or available >= needed + GB:
         return
     if owns_builder(environment):
@@ -75,7 +76,7 @@ def before_pull(image: registry.PlatformImage, environment: Mapping[str, str]) -
         disk.prune()
         available = disk.free() or 0
         say(f"disk: {_gb(available)} free")
-    if available < image.size * UNPACKED:
+    if available < size * UNPACKED:
         message = f"the image was built and needs about {_gb(needed)} to be run, and {_gb(available)} are free"
         raise BuildError(Problem(message=message, hint=LARGER))
 

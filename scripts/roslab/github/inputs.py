@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import posixpath
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -29,6 +30,8 @@ SETTINGS = {
     "distro": "base.ros",
     "cuda": "base.cuda",
     "python": "base.python",
+    "tag-prefix": "tags.prefix",
+    "tag-suffix": "tags.suffix",
 }
 """Inputs that say what a key of roslab.yaml says, and that key."""
 RUNNERS = "linux/amd64=ubuntu-24.04\nlinux/arm64=ubuntu-24.04-arm\nlinux/arm=ubuntu-24.04-arm"
@@ -36,7 +39,7 @@ RUNNERS = "linux/amd64=ubuntu-24.04\nlinux/arm64=ubuntu-24.04-arm\nlinux/arm=ubu
 HOST = re.compile(r"(?:[a-z0-9](?:[a-z0-9.-]*[a-z0-9])?|\[[0-9a-f:]+\])(?::\d{1,5})?", re.IGNORECASE)
 COMPONENT = re.compile(r"[a-z0-9]+(?:(?:\.|_|__|-+)[a-z0-9]+)*")
 """https://github.com/distribution/reference/blob/main/regexp.go"""
-VARIANT = ("config", "kind", "distro", "build-tool", "cuda", "python")
+VARIANT = ("path", "config", "kind", "distro", "build-tool", "cuda", "python", "tag-prefix", "tag-suffix")
 """Inputs by which one image may be built in several ways, each with a cache and artifacts of its own."""
 LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}")
 
@@ -45,6 +48,8 @@ LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}")
 class Inputs:
     """What the caller asked for."""
 
+    path: str = ""
+    """Folder of the repository that is built as if it were the whole, ``""`` for all of it."""
     config: Named | None = None
     image: str | None = None
     """NAME or OWNER/NAME, in lower case."""
@@ -93,6 +98,7 @@ def read(environment: Mapping[str, str]) -> Inputs:
     if problems:
         raise ConfigurationError(*problems, *problems_of(overrides))
     return Inputs(
+        path=part(environment),
         config=Named(path=path, origin=Input(name="config")) if (path := said.get("config")) else None,
         image=image,
         push=cast("Push", push),
@@ -103,6 +109,12 @@ def read(environment: Mapping[str, str]) -> Inputs:
         runners=runners,
         variant=json.dumps({name: said[name] for name in VARIANT if said.get(name)}),
     )
+
+
+def part(environment: Mapping[str, str]) -> str:
+    """Return the input ``path`` without what says nothing: ``./robots/arm/`` is ``robots/arm``."""
+    path = posixpath.normpath(environment.get("INPUT_PATH", "").strip() or ".")
+    return "" if path == "." else path
 
 
 def _one_of(name: str, value: str, allowed: tuple[str, ...]) -> Problem:

@@ -29,7 +29,7 @@ def index(environment: Mapping[str, str]) -> None:
         reason = f"no passed proof for {', '.join(missing)}" if missing else run.reason
         raise BuildError(Problem(message=f"nothing gets a tag: {reason}"))
     verify(run, proved)
-    own = tags.own(environment.get("ROSLAB_TAGS", ""), run.image, what)
+    own = tags.dressed(tags.own(environment.get("ROSLAB_TAGS", ""), run.image, what), run.plan.tags)
     digest = registry.create_index(run.image, tuple(dict.fromkeys(report.source for report in proved)), own)
     folder.write("index.json", json.dumps({"digest": digest, "own": own}))
     workflow.outputs(
@@ -80,8 +80,9 @@ def tag(environment: Mapping[str, str]) -> None:
     chosen = tags.chosen(environment.get("ROSLAB_TAGS", ""), run.image, what, head=head, releases=releases)
     for warning in chosen.warnings:
         workflow.warn(Problem(message=warning))
-    registry.put_tags(run.image, digest, chosen.moving)
-    names = (str(made["own"]), *chosen.moving)
+    moving = tuple(tags.dressed(reference, run.plan.tags) for reference in chosen.moving)
+    registry.put_tags(run.image, digest, moving)
+    names = (str(made["own"]), *moving)
     public = credentials.is_public(run.image, digest)
     folder.write("published.json", json.dumps({"digest": digest, "tags": names, "public": public}))
     workflow.outputs({"digest": digest, "tags": "\n".join(names)}, environment)

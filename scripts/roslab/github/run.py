@@ -36,6 +36,8 @@ class Run:
     push: bool
     reason: str
     cache: Cache
+    path: str = ""
+    """Folder of the checkout that is built, ``""`` for all of it."""
     revision: str = ""
     """Commit of the checkout that was planned for."""
     variant: str = ""

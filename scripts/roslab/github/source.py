@@ -8,7 +8,7 @@ from pathlib import Path
 from roslab.engine import docker as engine
 from roslab.errors import Problem
 from roslab.evidence.python import project
-from roslab.github import workflow
+from roslab.github import checkout, workflow
 from roslab.plan.version import of_projects
 from roslab.repository import fetching
 from roslab.repository.checkout import Repository
@@ -17,15 +17,19 @@ NAMED = 5
 """Files that a warning names."""
 
 
-def complete(root: Path, environment: Mapping[str, str]) -> None:
-    """Fetch what the checkout lacks; what cannot be fetched is a warning, and the plan says whether it is fatal."""
+def complete(top: Path, part: str, environment: Mapping[str, str]) -> None:
+    """Fetch what a checkout lacks in a folder of it, ``""`` for all.
+
+    What cannot be fetched is a warning, and the plan says whether it is fatal.
+    """
+    root = checkout.part(top, part)
     access = fetching.Access(
         server=environment.get("GITHUB_SERVER_URL") or "https://github.com",
         token=environment.get("ROSLAB_SOURCE_TOKEN", ""),
         key=environment.get("ROSLAB_SOURCE_KEY", ""),
     )
     with fetching.git(access) as git, workflow.group("Fetch submodules, large files and tags"):
-        missing = fetching.submodules(git, root)
+        missing = fetching.submodules(git, top, part=part)
         left, why = fetching.large_files(git, root)
         unread = fetching.tags(git, root) if _asks_for_tags(root) else ""
     for submodule in missing:

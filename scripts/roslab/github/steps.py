@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import posixpath
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -28,7 +29,7 @@ Environment = Mapping[str, str]
 
 def source(environment: Environment) -> None:
     """Complete the checkout."""
-    completion.complete(_workspace(environment), environment)
+    completion.complete(_workspace(environment), inputs.part(environment), environment)
 
 
 def plan(environment: Environment) -> None:
@@ -38,13 +39,17 @@ def plan(environment: Environment) -> None:
     """
     what = event.read(environment)
     asked = inputs.read(environment)
-    planned = plan_repository(
-        _workspace(environment),
-        branch=what.branch or what.base_branch or None,
-        config_file=asked.config,
-        overrides=asked.overrides,
-        folder_name=what.repository.partition("/")[2],
-    )
+    workspace = _workspace(environment)
+    root = checkout.part(workspace, asked.path)
+    with checkout.placed(asked.path):
+        planned = plan_repository(
+            root,
+            branch=what.branch or what.base_branch or None,
+            config_file=asked.config,
+            overrides=asked.overrides,
+            folder_name="-".join(filter(None, (what.repository.partition("/")[2], asked.path))),
+            top=workspace,
+        )
     publication = event.publication(what, asked.push)
     image = inputs.image(asked, owner=what.owner, name=planned.plan.name)
     if publication.push:
@@ -57,11 +62,13 @@ def plan(environment: Environment) -> None:
         push=publication.push,
         reason=publication.reason,
         cache=asked.cache,
-        revision=commits.head(_workspace(environment))[0] or what.sha,
+        path=asked.path,
+        revision=commits.head(workspace)[0] or what.sha,
         variant=asked.variant,
     )
     for warning in planned.plan.warnings:
-        origin = Place(file=warning.file, line=warning.line) if warning.file else None
+        file = posixpath.join(asked.path, warning.file) if warning.file else None
+        origin = Place(file=file, line=warning.line) if file else None
         workflow.warn(Problem(message=warning.message, origin=origin))
     if publication.warning:
         workflow.warn(Problem(message=publication.warning))
@@ -121,7 +128,7 @@ def dockerfile(environment: Environment) -> None:
     """Write the Dockerfile and name everything that docker/build-push-action needs."""
     folder = Folder.of(environment)
     run, what = folder.run, event.read(environment)
-    root = _workspace(environment)
+    root = checkout.part(_workspace(environment), run.path)
     folder.dockerfile.mkdir(exist_ok=True)
     dockerfile, context = write_plan(run.plan, root, folder.dockerfile)
     authored = run.plan.author_dockerfile
@@ -184,8 +191,8 @@ def nothing_built(problems: Sequence[str]) -> str:
 
 
 def _workspace(environment: Environment) -> Path:
-    """Return the checkout; ROSLAB_WORKSPACE names a folder of it, for a repository that is part of another."""
-    return Path(environment.get("ROSLAB_WORKSPACE") or environment.get("GITHUB_WORKSPACE") or ".").resolve()
+    """Return the checkout."""
+    return Path(environment.get("GITHUB_WORKSPACE") or ".").resolve()
 
 
 def _platforms(environment: Environment, run: Run) -> tuple[str, ...]:

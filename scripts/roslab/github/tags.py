@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from roslab.config.model import TagParts
 from roslab.errors import ConfigurationError, Problem
 from roslab.github.event import Event
 
@@ -71,6 +72,16 @@ def chosen(said: str, image: str, event: Event, *, head: str | None, releases: I
         moving = [name for name in moving if name not in behind]
         warnings += [f"{name}: not moved back to {event.tag}, since {later} is newer" for name in behind]
     return Chosen(moving=tuple(f"{image}:{name}" for name in moving), warnings=tuple(warnings))
+
+
+def dressed(reference: str, parts: TagParts) -> str:
+    """Return a reference whose tag has the prefix and the suffix of the caller's.
+
+    A tag has at most 128 characters: https://github.com/distribution/reference/blob/main/regexp.go
+    """
+    image, _, name = reference.rpartition(":")
+    kept = name[: 128 - len(parts.prefix) - len(parts.suffix)]
+    return f"{image}:{parts.prefix}{kept}{parts.suffix}"
 
 
 def _is_own(name: str, event: Event) -> bool:

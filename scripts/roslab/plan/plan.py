@@ -8,7 +8,18 @@ import re
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from roslab.config.model import BuildTool, Compatible, Config, Custom, Generation, Kind, Matlab, Source, Volume
+from roslab.config.model import (
+    BuildTool,
+    Compatible,
+    Config,
+    Custom,
+    Generation,
+    Kind,
+    Matlab,
+    Source,
+    TagParts,
+    Volume,
+)
 from roslab.decide.decision import Decision, Reason, Warning_
 from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.tools import PythonTools, python_tools
@@ -118,6 +129,7 @@ class Plan:
     proofs: tuple[Proof, ...]
     platforms: tuple[str, ...]
     platforms_refused: tuple[tuple[str, str], ...]
+    tags: TagParts
     ignore: tuple[str, ...]
     """Lines of the author's .dockerignore, kept."""
     warnings: tuple[Warning_, ...]
@@ -211,6 +223,7 @@ def make_plan(
         proofs=proofs(decision),
         platforms=decision.platforms,
         platforms_refused=decision.platforms_refused,
+        tags=config.tags,
         ignore=ignore,
         warnings=decision.warnings,
         reasons=decision.reasons,

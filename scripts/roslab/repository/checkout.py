@@ -57,15 +57,17 @@ class File:
 class Repository:
     """A folder on disk, listed once.
 
-    ``branch`` is what the caller says where there is no ``.git`` (a tarball, an action's shallow checkout).
+    ``branch`` is what the caller says where there is no ``.git`` (a tarball, an action's shallow checkout); ``top`` is
+    the checkout that the folder is a part of, whose ``.git`` is then its own.
     """
 
     root: Path
     branch_hint: str | None = None
+    top: Path | None = None
     _texts: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
 
     @classmethod
-    def open(cls, path: str | Path, *, branch: str | None = None) -> Repository:
+    def open(cls, path: str | Path, *, branch: str | None = None, top: Path | None = None) -> Repository:
         """Open a folder.
 
         Raises ``ConfigurationError`` where the path is no folder or cannot be read, ``NothingToBuildError``
@@ -88,7 +90,7 @@ class Repository:
                 )
         except (OSError, ValueError, RuntimeError) as error:
             raise ConfigurationError(Problem(message=f"cannot read {printable(str(path))}: {error}")) from None
-        return cls(root, branch)
+        return cls(root, branch, top)
 
     @cached_property
     def listing(self) -> Listing:
@@ -97,7 +99,7 @@ class Repository:
 
     def leaving_out(self, paths: Collection[str]) -> Repository:
         """Return the same folder without some of its files: nobody finds or reads them."""
-        other = Repository(self.root, self.branch_hint)
+        other = Repository(self.root, self.branch_hint, self.top)
         kept = tuple(file for file in self.listing.files if file.path not in paths)
         other.__dict__["listing"] = replace(self.listing, files=kept)  # where the cached property looks first
         return other
@@ -199,12 +201,12 @@ class Repository:
     @cached_property
     def git_folder(self) -> Path | None:
         """The git directory of the checkout: ``.git`` itself, or where a ``.git`` file points to."""
-        entry = self.root / ".git"
+        entry = (self.top or self.root) / ".git"
         try:
             if entry.is_dir():
                 return entry
             if entry.is_file() and (match := re.match(r"gitdir: (.+)", entry.read_text(errors="replace"))):
-                return (self.root / match[1].strip()).resolve()
+                return (entry.parent / match[1].strip()).resolve()
         except OSError:
             pass
         return None

@@ -104,10 +104,15 @@ def git(access: Access) -> Iterator[Git]:
         yield Git(configuration=file, by_ssh=bool(access.key))
 
 
-def submodules(git: Git, root: Path, *, above: str = "", depth: int = 0) -> tuple[Missing, ...]:
-    """Fetch the submodules of a checkout one by one, and theirs; return those that are missing then."""
+def submodules(git: Git, root: Path, *, part: str = "", above: str = "", depth: int = 0) -> tuple[Missing, ...]:
+    """Fetch the submodules of a checkout one by one, and theirs; return those that are missing then.
+
+    ``part`` is the folder of the checkout that is asked for, ``""`` for all of it.
+    """
     missing: list[Missing] = []
     for path, name in _entries(git, root)[:MOST]:
+        if part and not f"{path}/".startswith(f"{part}/"):
+            continue
         place = root / path
         shown = f"{above}{path}"
         if place.resolve() != root.resolve() / path:

@@ -30,7 +30,7 @@ def describe(root: Path) -> tuple[str, int] | None:
 
 def _read(root: Path, *command: str) -> str:
     """Return what git says of a checkout, ``""`` where it says nothing."""
-    settings = [word for setting in (f"safe.directory={root}", *_SETTINGS) for word in ("-c", setting)]
+    settings = [word for setting in (f"safe.directory={_top(root)}", *_SETTINGS) for word in ("-c", setting)]
     try:
         answer = subprocess.run(
             ["git", "--no-pager", "-C", str(root), *settings, *command],
@@ -45,3 +45,8 @@ def _read(root: Path, *command: str) -> str:
     except (OSError, subprocess.TimeoutExpired):  # no git on this machine
         return ""
     return answer.stdout.strip()
+
+
+def _top(root: Path) -> Path:
+    """Return the checkout that a folder is in: git asks whether that one is trusted."""
+    return next((folder for folder in (root, *root.parents) if (folder / ".git").exists()), root)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from roslab.config.model import TagParts
 from roslab.errors import ConfigurationError
 from roslab.github import tags
 from roslab.github.event import Event
@@ -79,3 +80,10 @@ def test_the_commits_own_tag() -> None:
         tags.own(f"{IMAGE}:main\n{IMAGE}:sha-abcdef0", IMAGE, what)
     with pytest.raises(ConfigurationError, match=r"were expected, not ghcr\.io/else/where:main"):
         tags.own("ghcr.io/else/where:main", IMAGE, what)
+
+
+def test_a_prefix_and_a_suffix_stand_around_every_tag() -> None:
+    parts = TagParts(prefix="ros-", suffix="-humble")
+    assert tags.dressed(f"{IMAGE}:main", parts) == f"{IMAGE}:ros-main-humble"
+    assert tags.dressed(f"127.0.0.1:5000/lab/robot:{'x' * 128}", parts).rpartition(":")[2].endswith("x-humble")
+    assert len(tags.dressed(f"{IMAGE}:{'x' * 128}", parts).rpartition(":")[2]) == 128

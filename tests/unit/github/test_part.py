@@ -1,0 +1,73 @@
+"""A folder of the repository is built as if it were the whole, and what is wrong in it is named by its whole path."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from roslab.errors import ConfigurationError, RefusedError
+from roslab.github import checkout, inputs, steps
+
+
+@pytest.fixture
+def environment(tmp_path: Path) -> dict[str, str]:
+    tree = tmp_path / "tree"
+    for path, text in {
+        "robots/arm/main.py": "import numpy\n",
+        "robots/arm/requirements.txt": "numpy\n",
+        "package.xml": "<package/>",
+        "robots/arm/roslab.yaml": "format: 3\nkind: python\ntags: {suffix: -arm}\n",
+    }.items():
+        (tree / path).parent.mkdir(parents=True, exist_ok=True)
+        (tree / path).write_text(text)
+    who = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
+    for words in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "x"]):
+        subprocess.run(["git", "-C", tree, *who, *words], check=True, capture_output=True)
+    return {
+        "GITHUB_WORKSPACE": str(tree),
+        "GITHUB_OUTPUT": str(tmp_path / "outputs"),
+        "GITHUB_EVENT_NAME": "push",
+        "GITHUB_REPOSITORY": "lab/robot",
+        "GITHUB_REF": "refs/heads/main",
+        "RUNNER_TEMP": str(tmp_path),
+        "INPUT_PATH": "./robots/arm/",
+    }
+
+
+def outputs(environment: dict[str, str]) -> dict[str, str]:
+    text = Path(environment["GITHUB_OUTPUT"]).read_text()
+    pattern = r"^(\S+)<<(\S+)\n(.*?)\n\2$"
+    return {name: value for name, _, value in re.findall(pattern, text, flags=re.MULTILINE | re.DOTALL)}
+
+
+def test_the_folder_is_planned_as_the_whole(environment: dict[str, str]) -> None:
+    steps.plan({**environment, "INPUT_TAG_PREFIX": "ros-"})
+    found = outputs(environment)
+    assert found["image"] == "ghcr.io/lab/robot-robots-arm"
+    plan = json.loads(Path(found["plan-file"]).read_text())
+    assert plan["kind"] == "python"
+    assert plan["python"]["requirements"] == ["requirements.txt"]
+    assert plan["tags"] == {"prefix": "ros-", "suffix": "-arm"}
+
+
+def test_a_mistake_is_named_by_its_path_in_the_repository(environment: dict[str, str]) -> None:
+    Path(environment["GITHUB_WORKSPACE"], "robots/arm/roslab.yaml").write_text("format: 3\nkind: pythn\n")
+    with pytest.raises(ConfigurationError, match=r"robots/arm/roslab\.yaml:2:7"):
+        steps.plan(environment)
+
+
+@pytest.mark.parametrize("path", ["..", "../other", "/etc", "link", ".git", "robots/../../x"])
+def test_nothing_outside_the_checkout_is_built(environment: dict[str, str], path: str) -> None:
+    tree = Path(environment["GITHUB_WORKSPACE"])
+    (tree / "link").symlink_to("/etc")
+    with pytest.raises(RefusedError, match="leads out of the repository"):
+        checkout.part(tree, inputs.part({"INPUT_PATH": path}))
+
+
+def test_a_folder_that_is_not_there(environment: dict[str, str]) -> None:
+    with pytest.raises(ConfigurationError, match="no folder nothing"):
+        checkout.part(Path(environment["GITHUB_WORKSPACE"]), "nothing")
