@@ -16,7 +16,7 @@ import pytest
 from roslab.errors import ConfigurationError
 from roslab.pipeline import plan_repository
 from roslab.repository import fetching
-from roslab.repository.git import describe
+from roslab.repository.git import describe, is_tag
 
 
 class Quiet(SimpleHTTPRequestHandler):
@@ -217,3 +217,31 @@ def test_required_submodules_stop_the_plan(tmp_path: Path) -> None:
     (tmp_path / "lib").mkdir()
     (tmp_path / "lib/lib.py").write_text("")
     assert plan_repository(tmp_path).plan.kind == "python"
+
+
+@pytest.mark.parametrize("server", [Smart], indirect=True)
+@pytest.mark.parametrize(
+    ("ref", "text", "tag"),
+    [("v1.2.0", "old", True), ("side", "side", False), ("COMMIT", "old", False), ("main", "new", False)],
+)
+def test_an_old_commit_is_checked_out(tmp_path: Path, server: str, ref: str, text: str, tag: bool) -> None:
+    origin = tmp_path / "served/origin"
+    (tmp_path / "served/gitconfig").write_text("[safe]\n\tdirectory = *\n[uploadpack]\n\tallowAnySHA1InWant = true\n")
+    old = repository(origin, {"a.txt": "old"})
+    git(origin, "tag", "v1.2.0")
+    git(origin, "checkout", "--quiet", "-b", "side")
+    (origin / "a.txt").write_text("side")
+    git(origin, "commit", "--quiet", "--all", "--message", "side")
+    git(origin, "checkout", "--quiet", "main")
+    (origin / "a.txt").write_text("new")
+    git(origin, "commit", "--quiet", "--all", "--message", "new")
+    git(tmp_path, "clone", "--quiet", "--depth", "1", "--no-tags", f"{server}/origin/.git", "checkout")
+    root = tmp_path / "checkout"
+    with fetching.git(fetching.Access()) as tool:
+        assert fetching.checkout(tool, root, old if ref == "COMMIT" else ref) == ""
+        assert (root / "a.txt").read_text() == text
+        assert is_tag(root, ref) == tag
+        assert fetching.checkout(tool, root, "v9") != ""
+        for hostile in ("--upload-pack=touch /tmp/x", "refs/pull/7/head", "pull/7/head", "a..b", "a b"):
+            assert fetching.checkout(tool, root, hostile) == "it is no commit, git tag or branch"
+    assert (root / "a.txt").read_text() == text

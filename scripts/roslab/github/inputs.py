@@ -48,6 +48,8 @@ LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}")
 class Inputs:
     """What the caller asked for."""
 
+    ref: str = ""
+    """Commit, git tag or branch to build in place of the event's."""
     path: str = ""
     """Folder of the repository that is built as if it were the whole, ``""`` for all of it."""
     config: Named | None = None
@@ -98,6 +100,7 @@ def read(environment: Mapping[str, str]) -> Inputs:
     if problems:
         raise ConfigurationError(*problems, *problems_of(overrides))
     return Inputs(
+        ref=said.get("ref", ""),
         path=part(environment),
         config=Named(path=path, origin=Input(name="config")) if (path := said.get("config")) else None,
         image=image,

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 
 from roslab.engine import credentials, registry
 from roslab.errors import BuildError, Problem, RefusedError
-from roslab.github import api, event, kept, tags, workflow
+from roslab.github import api, event, kept, rebuild, tags, workflow
+from roslab.github.event import Event
 from roslab.github.run import Folder, Run, reports_folder
 from roslab.render.outcome import PlatformReport, platforms_of
 
@@ -22,20 +23,28 @@ def index(environment: Mapping[str, str]) -> None:
     is not of this commit.
     """
     folder = Folder.of(environment)
-    run, what = folder.run, event.read(environment)
+    run, what, said = _asked(folder, environment)
     proved = platforms_of(kept.reports(kept.gather(reports_folder(folder, environment))), run.plan)
     missing = [p for p in run.plan.platforms if not any(r.platform == p and r.passed and r.source for r in proved)]
     if not run.push or missing:
         reason = f"no passed proof for {', '.join(missing)}" if missing else run.reason
         raise BuildError(Problem(message=f"nothing gets a tag: {reason}"))
     verify(run, proved)
-    own = tags.dressed(tags.own(environment.get("ROSLAB_TAGS", ""), run.image, what), run.plan.tags)
+    own = tags.dressed(tags.own(said, run.image, what), run.plan.tags)
     digest = registry.create_index(run.image, tuple(dict.fromkeys(report.source for report in proved)), own)
     folder.write("index.json", json.dumps({"digest": digest, "own": own}))
     workflow.outputs(
         {"digest": digest, "sign": "true" if what.signing and what.public else "false"},
         environment,
     )
+
+
+def _asked(folder: Folder, environment: Mapping[str, str]) -> tuple[Run, Event, str]:
+    """Return the run, the event of the commit that was built, and the tags that it asks for, one a line."""
+    run = folder.run
+    what = rebuild.event_of(event.read(environment), run.rebuilt, run.revision)
+    said = environment.get("ROSLAB_TAGS", "") if run.rebuilt is None else rebuild.names(what, run.image)
+    return run, what, said
 
 
 def verify(run: Run, reports: tuple[PlatformReport, ...]) -> None:
@@ -68,7 +77,7 @@ def tag(environment: Mapping[str, str]) -> None:
     ROSLAB_SIGNATURE is the outcome of the step that signed. Raises ``BuildError`` where the registry refuses.
     """
     folder = Folder.of(environment)
-    run, what = folder.run, event.read(environment)
+    run, what, said = _asked(folder, environment)
     made = json.loads(folder.read("index.json"))
     digest = str(made["digest"])
     if environment.get("ROSLAB_SIGNATURE") == "failure":
@@ -77,7 +86,7 @@ def tag(environment: Mapping[str, str]) -> None:
     ask = api.asker(environment)
     # Asked as late as can be: a push may have come while this commit was built
     head, releases = api.branch_head(what, ask), api.releases(what, ask)
-    chosen = tags.chosen(environment.get("ROSLAB_TAGS", ""), run.image, what, head=head, releases=releases)
+    chosen = tags.chosen(said, run.image, what, head=head, releases=releases)
     for warning in chosen.warnings:
         workflow.warn(Problem(message=warning))
     moving = tuple(tags.dressed(reference, run.plan.tags) for reference in chosen.moving)

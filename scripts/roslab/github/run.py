@@ -36,6 +36,8 @@ class Run:
     push: bool
     reason: str
     cache: Cache
+    rebuilt: str | None = None
+    """Of an old commit, its git tag's full name or ``""``; ``None`` where the event's own commit is built."""
     path: str = ""
     """Folder of the checkout that is built, ``""`` for all of it."""
     revision: str = ""

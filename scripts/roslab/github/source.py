@@ -6,12 +6,13 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from roslab.engine import docker as engine
-from roslab.errors import Problem
+from roslab.errors import ConfigurationError, Problem
 from roslab.evidence.python import project
 from roslab.github import checkout, workflow
 from roslab.plan.version import of_projects
 from roslab.repository import fetching
-from roslab.repository.checkout import Repository
+from roslab.repository.checkout import Repository, printable
+from roslab.values.origin import Input
 
 NAMED = 5
 """Files that a warning names."""
@@ -20,15 +21,21 @@ NAMED = 5
 def complete(top: Path, part: str, environment: Mapping[str, str]) -> None:
     """Fetch what a checkout lacks in a folder of it, ``""`` for all.
 
-    What cannot be fetched is a warning, and the plan says whether it is fatal.
+    What cannot be fetched is a warning, and the plan says whether it is fatal. INPUT_REF is a commit, git tag or branch
+    to build in place of the event's: raises ``ConfigurationError`` where there is none.
     """
-    root = checkout.part(top, part)
     access = fetching.Access(
         server=environment.get("GITHUB_SERVER_URL") or "https://github.com",
         token=environment.get("ROSLAB_SOURCE_TOKEN", ""),
         key=environment.get("ROSLAB_SOURCE_KEY", ""),
     )
+    asked = environment.get("INPUT_REF", "").strip()
     with fetching.git(access) as git, workflow.group("Fetch submodules, large files and tags"):
+        if asked and (why := fetching.checkout(git, top, asked)):
+            hint = "write a whole commit, a git tag or a branch of this repository"
+            message = f"{printable(asked)} cannot be checked out: {why}"
+            raise ConfigurationError(Problem(message=message, hint=hint, origin=Input(name="ref")))
+        root = checkout.part(top, part)
         missing = fetching.submodules(git, top, part=part)
         left, why = fetching.large_files(git, root)
         unread = fetching.tags(git, root) if _asks_for_tags(root) else ""

@@ -11,7 +11,7 @@ from pathlib import Path
 from roslab.engine import credentials
 from roslab.engine import docker as engine
 from roslab.errors import BuildError, Problem
-from roslab.github import access, builder, cache, checkout, disk, event, inputs, kept, report, workflow
+from roslab.github import access, builder, cache, checkout, disk, event, inputs, kept, rebuild, report, workflow
 from roslab.github import run as runs
 from roslab.github import source as completion
 from roslab.github.labels import labels
@@ -41,6 +41,10 @@ def plan(environment: Environment) -> None:
     asked = inputs.read(environment)
     workspace = _workspace(environment)
     root = checkout.part(workspace, asked.path)
+    revision = commits.head(workspace)[0] or what.sha
+    tag = f"{rebuild.TAG}{asked.ref}" if asked.ref and commits.is_tag(workspace, asked.ref) else ""
+    rebuilt = tag if asked.ref else None
+    what = rebuild.event_of(what, rebuilt, revision)
     with checkout.placed(asked.path):
         planned = plan_repository(
             root,
@@ -63,7 +67,8 @@ def plan(environment: Environment) -> None:
         reason=publication.reason,
         cache=asked.cache,
         path=asked.path,
-        revision=commits.head(workspace)[0] or what.sha,
+        rebuilt=rebuilt,
+        revision=revision,
         variant=asked.variant,
     )
     for warning in planned.plan.warnings:
@@ -88,6 +93,7 @@ def plan(environment: Environment) -> None:
             "plan-artifact": f"plan-{owned}",
             "run": line,
             "folder": str(folder.path),
+            "ref": revision if rebuilt is not None else "",
             "image": image,
             "registry": run.registry,
             "username": run.username,
@@ -127,7 +133,8 @@ def ready(environment: Environment) -> None:
 def dockerfile(environment: Environment) -> None:
     """Write the Dockerfile and name everything that docker/build-push-action needs."""
     folder = Folder.of(environment)
-    run, what = folder.run, event.read(environment)
+    run = folder.run
+    what = rebuild.event_of(event.read(environment), run.rebuilt, run.revision)
     root = checkout.part(_workspace(environment), run.path)
     folder.dockerfile.mkdir(exist_ok=True)
     dockerfile, context = write_plan(run.plan, root, folder.dockerfile)

@@ -25,6 +25,7 @@ DEEPEST = 8
 POINTER = b"version https://git-lfs.github.com/spec/v1"
 """Beginning of a file whose content lies elsewhere: https://github.com/git-lfs/git-lfs/blob/main/docs/spec.md"""
 LARGEST_POINTER = 1024
+REF = re.compile(r"[A-Za-z0-9_][\w./+-]{0,199}")
 SSH = (
     re.compile(r"ssh://(?:[\w.-]+@)?(?P<host>[\w.-]+)(?::\d+)?/"),
     re.compile(r"[\w.-]+@(?P<host>[\w.-]+):(?!/)"),
@@ -102,6 +103,28 @@ def git(access: Access) -> Iterator[Git]:
         file.touch(mode=0o600)
         file.write_text("\n".join(lines) + "\n", encoding="utf-8")
         yield Git(configuration=file, by_ssh=bool(access.key))
+
+
+def checkout(git: Git, root: Path, ref: str) -> str:
+    """Put a checkout at a commit, a git tag or a branch of its origin; return why that failed, ``""`` where not.
+
+    A git tag is there as one afterwards. Files of LFS stay pointers.
+    """
+    if not REF.fullmatch(ref) or ref.startswith(("-", "refs/", "pull/")) or ".." in ref:
+        return "it is no commit, git tag or branch"
+    tag = f"refs/tags/{ref}"
+    commit, why = "", ""
+    for asked in (f"+{tag}:{tag}", ref):
+        answer = git.run(root, "fetch", "--quiet", "--depth", "1", "--no-tags", "origin", asked)
+        if answer.returncode == 0:
+            commit = tag if asked != ref else "FETCH_HEAD"
+            break
+        why = _bare(_why(answer.stderr))
+    for name in (commit, tag, f"refs/remotes/origin/{ref}", ref):
+        if name and git.run(root, "rev-parse", "--quiet", "--verify", f"{name}^{{commit}}").returncode == 0:
+            answer = git.run(root, "checkout", "--quiet", "--force", "--detach", f"{name}^{{commit}}")
+            return _bare(_why(answer.stderr)) if answer.returncode else ""
+    return why or "there is none of that name"
 
 
 def submodules(git: Git, root: Path, *, part: str = "", above: str = "", depth: int = 0) -> tuple[Missing, ...]:

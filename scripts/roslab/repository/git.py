@@ -28,6 +28,12 @@ def describe(root: Path) -> tuple[str, int] | None:
     return (match[1], int(match[2])) if match else None
 
 
+def is_tag(root: Path, name: str) -> bool:
+    """Tell whether the commit of a checkout has this git tag."""
+    commit = _read(root, "rev-parse", "--quiet", "--verify", f"refs/tags/{name}^{{commit}}")
+    return bool(commit) and commit == head(root)[0]
+
+
 def _read(root: Path, *command: str) -> str:
     """Return what git says of a checkout, ``""`` where it says nothing."""
     settings = [word for setting in (f"safe.directory={_top(root)}", *_SETTINGS) for word in ("-c", setting)]

@@ -11,6 +11,7 @@ import pytest
 
 from roslab.errors import ConfigurationError, RefusedError
 from roslab.github import checkout, inputs, steps
+from roslab.github.run import from_line
 
 
 @pytest.fixture
@@ -71,3 +72,15 @@ def test_nothing_outside_the_checkout_is_built(environment: dict[str, str], path
 def test_a_folder_that_is_not_there(environment: dict[str, str]) -> None:
     with pytest.raises(ConfigurationError, match="no folder nothing"):
         checkout.part(Path(environment["GITHUB_WORKSPACE"]), "nothing")
+
+
+def test_an_old_tag_is_planned_as_that_tag(environment: dict[str, str]) -> None:
+    tree = environment["GITHUB_WORKSPACE"]
+    subprocess.run(["git", "-C", tree, "tag", "v1.2.3"], check=True)
+    steps.plan({**environment, "INPUT_REF": "v1.2.3", "GITHUB_SHA": "a" * 40})
+    found = outputs(environment)
+    commit = subprocess.check_output(["git", "-C", tree, "rev-parse", "HEAD"], text=True).strip()
+    assert found["ref"] == commit
+    assert found["latest"] == "false"
+    run = from_line(found["run"])
+    assert (run.rebuilt, run.revision) == ("refs/tags/v1.2.3", commit)

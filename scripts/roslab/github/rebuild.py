@@ -1,0 +1,30 @@
+"""Building an old commit or git tag of the caller in place of the event's: what its image is called."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+
+from roslab.github.event import Event
+from roslab.github.tags import RELEASE
+
+TAG = "refs/tags/"
+
+
+def event_of(what: Event, rebuilt: str | None, revision: str) -> Event:
+    """Return the event as that of the commit that is built; ``rebuilt`` is its git tag's full name, ``""`` for none.
+
+    ``None``: the event's own commit is built.
+    """
+    return what if rebuilt is None else dataclasses.replace(what, ref=rebuilt, sha=revision)
+
+
+def names(what: Event, image: str) -> str:
+    """Return the references that an old commit gets, one a line: its own, and its git tag's."""
+    found = [f"sha-{what.sha[:7]}"]
+    if what.tag:
+        found.insert(0, re.sub(r"[^a-zA-Z0-9._-]+", "-", what.tag)[:128])
+        if release := RELEASE.fullmatch(what.tag):
+            major, minor, patch = release.groups()
+            found += [f"{major}.{minor}.{patch}", f"{major}.{minor}"]
+    return "\n".join(f"{image}:{name}" for name in dict.fromkeys(found))
