@@ -7,7 +7,7 @@ import posixpath
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal, cast
+from typing import Any, Literal, cast
 
 from roslab.config import Override
 from roslab.config.locate import Named
@@ -19,6 +19,8 @@ from roslab.repository.checkout import printable
 from roslab.values.origin import Input
 
 Cache = Literal["auto", "registry", "none"]
+Runner = str | list[str] | dict[str, Any]
+"""A label, labels that a runner has all of, or ``group`` and ``labels``."""
 PUSH = ("auto", "true", "false")
 CACHE = ("auto", "registry", "none")
 SETTINGS = {
@@ -34,14 +36,17 @@ SETTINGS = {
     "tag-suffix": "tags.suffix",
 }
 """Inputs that say what a key of roslab.yaml says, and that key."""
-RUNNERS = "linux/amd64=ubuntu-24.04\nlinux/arm64=ubuntu-24.04-arm\nlinux/arm=ubuntu-24.04-arm"
+DEFAULT_RUNNER = "ubuntu-24.04"
+RUNNERS: dict[str, Runner] = {"linux/arm64": "ubuntu-24.04-arm", "linux/arm": "ubuntu-24.04-arm"}
 """Free for public repositories: https://docs.github.com/en/actions/reference/runners/github-hosted-runners"""
 HOST = re.compile(r"(?:[a-z0-9](?:[a-z0-9.-]*[a-z0-9])?|\[[0-9a-f:]+\])(?::\d{1,5})?", re.IGNORECASE)
 COMPONENT = re.compile(r"[a-z0-9]+(?:(?:\.|_|__|-+)[a-z0-9]+)*")
 """https://github.com/distribution/reference/blob/main/regexp.go"""
 VARIANT = ("path", "config", "kind", "distro", "build-tool", "cuda", "python", "tag-prefix", "tag-suffix")
 """Inputs by which one image may be built in several ways, each with a cache and artifacts of its own."""
-LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}")
+LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._:/=@+-]{0,255}")
+LONGEST = 256
+"""Characters of a group's name."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -61,8 +66,8 @@ class Inputs:
     cache: Cache = "auto"
     overrides: tuple[Override, ...] = ()
     """What the inputs say for keys of roslab.yaml: validated with it, so that every mistake of both is told at once."""
-    runners: tuple[tuple[str, str], ...] = ()
-    """Platforms (or the beginning of their names) and the label of the runner that builds them."""
+    runners: tuple[tuple[str, Runner], ...] = ()
+    """Platforms (or the beginning of their names) and the runner that builds them."""
     variant: str = ""
     """What tells this call from others for the same image."""
 
@@ -90,7 +95,7 @@ def read(environment: Mapping[str, str]) -> Inputs:
         hint = "write a host such as ghcr.io or registry.example.org:5000, without https://"
         problems.append(_wrong("registry", f"{printable(registry)!r} is no registry", hint))
     image, wrong_image = _image(said["image"], registry) if said.get("image") else (None, [])
-    runners, wrong_runners = _runners(said.get("runners") or RUNNERS)
+    runners, wrong_runners = _runners(said.get("runners") or "{}")
     problems += [*wrong_image, *wrong_runners]
     overrides = tuple(
         Override(key=key, text=text, origin=Input(name=name))
@@ -143,22 +148,50 @@ def _image(said: str, registry: str) -> tuple[str, list[Problem]]:
     return path, []
 
 
-def _runners(text: str) -> tuple[tuple[tuple[str, str], ...], list[Problem]]:
+def _runners(text: str) -> tuple[tuple[tuple[str, Runner], ...], list[Problem]]:
+    """Read the runners; the keys of the jobs that build nothing, ``plan`` and ``tag``, are the workflow's to read."""
+    hint = 'write JSON, for example {"linux/arm64": ["self-hosted", "arm64"], "plan": {"group": "small"}}'
+    try:
+        said = json.loads(text)
+    except ValueError as error:
+        return (), [_wrong("runners", f"no JSON: {error}", hint)]
+    if not isinstance(said, dict):
+        return (), [_wrong("runners", "no JSON object", hint)]
     found, problems = [], []
-    for line in filter(None, map(str.strip, re.split(r"[\n,]", text))):
-        platform, separator, label = (part.strip() for part in line.partition("="))
-        if not separator or not re.fullmatch(r"linux(/[a-z0-9]+){0,2}", platform) or not LABEL.fullmatch(label):
-            hint = "write PLATFORM=LABEL, one a line: linux/arm64=ubuntu-24.04-arm"
-            problems.append(_wrong("runners", f"{printable(line)!r} names no platform and runner", hint))
+    for name, value in said.items():
+        if not re.fullmatch(r"plan|tag|linux(/[a-z0-9]+){0,2}", name):
+            problems.append(_wrong("runners", f"{printable(name)!r} is no platform, nor `plan` or `tag`", hint))
+        elif not _is_runner(value):
+            problems.append(_wrong("runners", f"{name} names no label, list of labels or group", hint))
         else:
-            found.append((platform, label))
+            found.append((name, value))
     return tuple(found), problems
 
 
-def runner(platform: str, runners: tuple[tuple[str, str], ...]) -> str:
-    """Return the label of the runner for a platform: the longest beginning of its name wins."""
-    fitting = [(len(start), label) for start, label in runners if platform == start or platform.startswith(f"{start}/")]
-    return max(fitting)[1] if fitting else "ubuntu-24.04"
+def _is_runner(value: Any) -> bool:
+    """Tell whether ``runs-on`` takes a value, as the workflow syntax has it.
+
+    https://docs.github.com/en/actions/reference/workflows-and-actions/workflow-syntax#jobsjob_idruns-on
+    """
+    if isinstance(value, dict):
+        labels = value.get("labels", [])
+        group = value.get("group", "")
+        if not value or value.keys() - {"group", "labels"} or not isinstance(group, str) or len(group) > LONGEST:
+            return False
+        value = labels if isinstance(labels, list) else [labels]
+    elif not value:
+        return False
+    labels = value if isinstance(value, list) else [value]
+    return all(isinstance(label, str) and LABEL.fullmatch(label) for label in labels)
+
+
+def runner(platform: str, runners: tuple[tuple[str, Runner], ...]) -> Runner:
+    """Return what a platform's job runs on: the longest beginning of its name wins, the caller's first."""
+    for known in (dict(runners), RUNNERS):
+        fitting = [start for start in known if f"{platform}/".startswith(f"{start}/")]
+        if fitting:
+            return known[max(fitting, key=len)]
+    return DEFAULT_RUNNER
 
 
 def image(inputs: Inputs, *, owner: str, name: str) -> str:

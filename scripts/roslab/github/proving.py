@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from roslab.engine import docker as engine
-from roslab.engine import registry
+from roslab.engine import gpu, registry
 from roslab.errors import BuildError, Problem
 from roslab.github import disk, screen, workflow
 from roslab.github.run import Folder, Run, slug
@@ -54,7 +54,10 @@ def _prove_pushed(
     base = registry.base_layers(run.plan.base_image, image.platform)
     with workflow.group(f"Prove {reference} on {image.platform}"):
         registry.pull(reference, image.platform)
-        outcomes = containers.prove(reference, image.platform, run.plan.proofs, screenshots=folder.artifact)
+        given = _gpus(run)
+        outcomes = containers.prove(
+            reference, image.platform, run.plan.proofs, screenshots=folder.artifact, gpus=bool(given)
+        )
         engine.remove_image(reference)
     layers = tuple(LayerSize(size=x.size, text=x.created_by, base=x.digest in base) for x in image.layers)
     folder.write_report(
@@ -63,7 +66,7 @@ def _prove_pushed(
             digest=image.digest,
             source=source,
             layers=layers,
-            proofs=_proofs(outcomes),
+            proofs=_proofs(outcomes, given),
             build_seconds=seconds,
         )
     )
@@ -87,22 +90,30 @@ def _prove_loaded(folder: Folder, run: Run, platform: str, build: Mapping[str, s
     )
     with workflow.group(f"Load and prove {platform}"):
         digest, _ = engine.build(job, environment={"SOURCE_DATE_EPOCH": build["epoch"]} if build["epoch"] else None)
-        outcomes = containers.prove(candidate, platform, run.plan.proofs, screenshots=folder.artifact)
+        given = _gpus(run)
+        outcomes = containers.prove(candidate, platform, run.plan.proofs, screenshots=folder.artifact, gpus=bool(given))
         engine.remove_image(candidate)
-    proofs = _proofs(outcomes)
+    proofs = _proofs(outcomes, given)
     folder.write_report(
         PlatformReport(platform=platform, digest=digest, source="", layers=(), proofs=proofs, build_seconds=seconds)
     )
     return _failure(outcomes)
 
 
-def _proofs(outcomes: Sequence[containers.Outcome]) -> tuple[ProofReport, ...]:
+def _gpus(run: Run) -> tuple[str, ...]:
+    """Return the GPUs that a proof gets: all that the machine can give, where the image needs one."""
+    return gpu.usable() if run.plan.run.gpu else ()
+
+
+def _proofs(outcomes: Sequence[containers.Outcome], gpus: Sequence[str]) -> tuple[ProofReport, ...]:
+    """Return what the proofs came to, and on which GPU."""
+    used = f", on {' and '.join(dict.fromkeys(gpus))}" if gpus else ""
     return tuple(
         ProofReport(
             name=outcome.proof.name,
             command=describe(outcome.proof) if outcome.proof.command else "",
             passed=outcome.passed,
-            summary=outcome.summary,
+            summary=f"{outcome.summary}{used}",
             output="\n".join(outcome.output.splitlines()[-OUTPUT_LINES:])[-20_000:],
             screenshot=outcome.screenshot.file.name if outcome.screenshot and outcome.screenshot.file else "",
             screenshot_remark=outcome.screenshot.remark if outcome.screenshot else "",

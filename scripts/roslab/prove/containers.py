@@ -56,16 +56,19 @@ def prove(
     proofs: Sequence[Proof],
     *,
     screenshots: Path,
+    gpus: bool = False,
     tell: Say = say,
 ) -> tuple[Outcome, ...]:
     """Run an image's proofs on one platform, in order, up to the first that fails; never raises for a failed proof.
 
     ``screenshots`` is the folder for the pictures of proofs with a display; it is made where there is one to keep.
+    ``gpus`` gives the container all GPUs of the machine.
     """
+    given = ("--gpus", "all") if gpus else ()
     outcomes: list[Outcome] = []
     for proof in proofs:
         tell(f"[{platform}] {proof.name}: {describe(proof)}")
-        outcome = _prove_once(reference, platform, proof, screenshots)
+        outcome = _prove_once(reference, platform, proof, given, screenshots)
         tell("".join(f"    {line}\n" for line in outcome.output.splitlines()[-40:]) + f"[{platform}] {outcome.summary}")
         if outcome.screenshot:
             tell(f"[{platform}] {outcome.screenshot}")
@@ -75,14 +78,14 @@ def prove(
     return tuple(outcomes)
 
 
-def _prove_once(reference: str, platform: str, proof: Proof, screenshots: Path) -> Outcome:
+def _prove_once(reference: str, platform: str, proof: Proof, given: Sequence[str], screenshots: Path) -> Outcome:
     with ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="roslab-")))
         camera, without = _camera(stack, folder) if proof.display else (None, "")
         picture = screenshots / file_name(platform, proof.name)
         with suppress(OSError):
             picture.unlink()  # an older proof's
-        options = ["--platform", platform, *(camera.display.options() if camera else ())]
+        options = ["--platform", platform, *given, *(camera.display.options() if camera else ())]
         # What a program holds back would be lost where the proof ends it
         options += ["--env", "PYTHONUNBUFFERED=1"] if proof.may_run_on else []
         start = time.monotonic()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -80,7 +81,7 @@ def test_no_image(said: str) -> None:
 
 
 def test_runner_of_the_most_specific_platform() -> None:
-    runners = read(runners="linux=self-hosted\nlinux/arm=small\nlinux/arm/v7 = special").runners
+    runners = read(runners='{"linux": "self-hosted", "linux/arm": "small", "linux/arm/v7": "special"}').runners
     assert [inputs.runner(p, runners) for p in ("linux/amd64", "linux/arm/v6", "linux/arm/v7", "linux/arm64")] == [
         "self-hosted", "small", "special", "self-hosted",
     ]  # fmt: skip
@@ -92,3 +93,22 @@ def test_a_configuration_that_is_not_there_is_told_by_its_input(examples: Path) 
     with pytest.raises(ConfigurationError) as caught:
         plan_repository(examples / "python_filter", config_file=read(config="paper.yaml").config)
     assert str(caught.value) == "input config: no file paper.yaml in the repository (give a path relative to its root)"
+
+
+@pytest.mark.parametrize(
+    "value",
+    ["big", ["self-hosted", "gpu"], {"group": "arm runners"}, {"group": "a", "labels": ["b", "c"]}, {"labels": "b"}],
+)
+def test_a_runner_is_what_runs_on_takes(value: object) -> None:
+    found = read(runners=json.dumps({"plan": "small", "linux/arm64": value})).runners
+    assert inputs.runner("linux/arm64", found) == value
+    assert inputs.runner("linux/amd64", found) == "ubuntu-24.04"
+
+
+@pytest.mark.parametrize(
+    "text", ["ubuntu-24.04", "[]", '{"linux/amd64": ""}', '{"linux/amd64": [1]}', '{"windows": "a"}', '{"tag": {}}',
+             '{"plan": {"name": "a"}}', '{"linux/amd64": "${{ x }}"}'],
+)  # fmt: skip
+def test_anything_else_is_no_runner(text: str) -> None:
+    with pytest.raises(ConfigurationError, match=r"input runners: .*write JSON, for example"):
+        read(runners=text)
