@@ -167,10 +167,13 @@ def _extra(failure: Failure, case: _Case, position: int) -> Names:
 
 
 def _before(failure: Failure, case: _Case) -> Names | None:
-    """Return the names of an earlier step that failed silently, ``None`` where there is none."""
+    """Return the names of what an earlier step did or said, or of what this one does, ``None`` where there is none."""
+    pattern = compiled(failure.before)
+    if found := pattern.search(case.step.command):
+        return {**_groups([found]), "before_step": _shortened(case.step.command)}
     for earlier in case.log.before(case.step):
-        text = "\n".join(line.text for line in matter.lines(earlier))
-        if earlier.command.startswith("RUN") and (found := compiled(failure.before).search(text)):
+        text = "\n".join((earlier.command, *(line.text for line in matter.lines(earlier))))
+        if earlier.command.startswith("RUN") and (found := pattern.search(text)):
             return {**_groups([found]), "before_step": _shortened(earlier.command)}
     return None
 

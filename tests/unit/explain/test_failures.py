@@ -19,7 +19,19 @@ from roslab.knowledge.table import rows
 ALL = failures()
 PATTERNS = [(f"{row.id}.{name}", getattr(row, name)) for row in ALL for name in ("pattern", "also", "unless", "extra")]
 PATTERNS = [(name, pattern) for name, pattern in PATTERNS if pattern]
-LOOKED_UP = {"package", "release", "archive", "note", "why", "repair_words", "library", "low", "hint", "before_step"}
+LOOKED_UP = {
+    "name",
+    "package",
+    "release",
+    "archive",
+    "note",
+    "why",
+    "repair_words",
+    "library",
+    "low",
+    "hint",
+    "before_step",
+}
 
 
 def said(log: str) -> Answer:
