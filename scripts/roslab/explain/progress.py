@@ -8,23 +8,17 @@ from __future__ import annotations
 import base64
 import binascii
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
-from roslab.explain.reading import Line
 
+def plain(text: str, numbers: dict[str, int]) -> list[str] | None:
+    """Return what one line of rawjson progress tells, ``None`` for any other line.
 
-def plain(lines: Iterable[Line]) -> Iterator[Line]:
-    """Pass a log on, each line of rawjson progress as what it tells; other lines stay as they are."""
-    numbers: dict[str, int] = {}
-    for line in lines:
-        text = line.text
-        record = _record(text) if text[:1] == "{" and text[-1:] == "}" else None
-        if record is None:
-            yield line
-        else:
-            for told in _told(record, numbers):
-                yield Line(line.number, told)
+    ``numbers`` keeps the number of each step by its digest, from line to line.
+    """
+    record = _record(text) if text[-1:] == "}" else None
+    return None if record is None else list(_told(record, numbers))
 
 
 def _record(text: str) -> dict[str, Any] | None:
