@@ -74,7 +74,13 @@ def _reading_commands(commands: Commands) -> None:
     )
     explain = _command(commands, "explain", "Say in plain words why a build failed.")
     explain.add_argument("log", metavar="LOG", help="the saved log of a build, - for standard input")
-    explain.add_argument("--format", choices=("text", "json"), default="text", help="how to print it (default: text)")
+    _repository(explain)
+    _format(explain)
+    explain.add_argument(
+        "--apply",
+        action="store_true",
+        help="show what to add to roslab.yaml, and add it; the old one is kept as FILE.old",
+    )
 
 
 def _building_commands(commands: Commands) -> None:

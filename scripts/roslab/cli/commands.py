@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import difflib
 import json
 import os
 import shutil
@@ -224,7 +225,40 @@ def explain(options: argparse.Namespace) -> int:
     except OSError as error:
         raise ConfigurationError(Problem(message=f"cannot read {options.log}: {error.strerror}")) from None
     sys.stdout.write(words.as_json(answer) if options.format == "json" else words.text(answer))
+    if options.apply:
+        _apply(options, answer.repair)
     return 0
+
+
+def _apply(options: argparse.Namespace, repair: dict[str, tuple[str, ...]]) -> None:
+    """Show what a repair changes in roslab.yaml, and change it."""
+    from roslab.config.addition import added  # noqa: PLC0415
+    from roslab.files import replace_with_backup  # noqa: PLC0415
+
+    if not repair:
+        raise BuildError(
+            Problem(message="nothing is written: no cause here has lines for roslab.yaml that are certain")
+        )
+    planned = _plan(options)
+    if author := planned.plan.author_dockerfile:
+        raise BuildError(
+            Problem(
+                message=f"nothing is written: the image is built from {author.dockerfile}, not from lists",
+                hint="make the repair there: " + "; ".join(f"{key}: {', '.join(repair[key])}" for key in repair),
+            )
+        )
+    file = locate.find(planned.repository, _named(options))
+    old = locate.text(planned.repository, file) if file else None
+    name = file or locate.NAMES[0]
+    new = added(old, repair, file=name)
+    if new == old:
+        raise BuildError(Problem(message=f"nothing is written: {name} has these lines already"))
+    lines = difflib.unified_diff((old or "").splitlines(True), new.splitlines(True), name, name)
+    sys.stderr.write("".join(line if line.endswith("\n") else f"{line}\n" for line in lines))
+    if file:
+        replace_with_backup(planned.repository.root / file, new)
+    else:
+        (planned.repository.root / name).write_text(new, encoding="utf-8")
 
 
 def _argument(text: str) -> tuple[str, str]:

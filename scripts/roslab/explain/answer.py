@@ -46,6 +46,15 @@ class Answer:
     succeeded: bool
     """The log is of a build that went well."""
 
+    @property
+    def repair(self) -> dict[str, tuple[str, ...]]:
+        """What to add to which key of roslab.yaml, of the causes that are certain."""
+        found: dict[str, dict[str, None]] = {}
+        for explanation in self.explanations:
+            for key, values in explanation.repair if explanation.certainty == "certain" else ():
+                found.setdefault(key, {}).update(dict.fromkeys(values))
+        return {key: tuple(values) for key, values in found.items()}
+
 
 def explain(stream: IO[bytes]) -> Answer:
     """Read a log and explain it; never raises for what a log holds."""
@@ -103,8 +112,6 @@ def _repair(found: signatures.Match) -> tuple[tuple[str, tuple[str, ...]], ...]:
         return ((key, (fixed,)),)
     if key == "build_args":
         return ((key, ("-j1",)),)
-    if key == "skip_keys":
-        return ((key, tuple(found.names.get("key", "").split(", "))),)
     return ((key, tuple(found.names["package"].replace(",", " ").split())),) if key and found.known else ()
 
 
