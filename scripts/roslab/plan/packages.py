@@ -10,9 +10,6 @@ from roslab.decide.decision import Decision
 from roslab.knowledge.distros import distro
 from roslab.knowledge.on_request import packages
 
-ROS_TOOLS = ("catkin_make", "catkin_tools", "colcon")
-"""Build tools of a ROS workspace."""
-
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class ImagePackages:

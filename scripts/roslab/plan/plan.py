@@ -6,7 +6,7 @@ import dataclasses
 import json
 import re
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 from roslab.config.model import (
     BuildTool,
@@ -22,11 +22,14 @@ from roslab.config.model import (
 )
 from roslab.decide.decision import Decision, Reason, Warning_
 from roslab.errors import ConfigurationError, Problem
+from roslab.knowledge.distros import distro
+from roslab.knowledge.ros_packages import ros_packages
 from roslab.knowledge.tools import PythonTools, python_tools
-from roslab.plan.packages import ROS_TOOLS, image_packages
+from roslab.plan.packages import image_packages
 from roslab.plan.proof import Proof, proofs
 from roslab.plan.python import PythonPlan, python_plan
 from roslab.plan.version import SourceVersion
+from roslab.plan.workspace import Workspace, custom, library, workspace
 
 VERSION = 1
 """Of the plan's JSON; a reader refuses another."""
@@ -56,19 +59,14 @@ class Rosdep:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Workspace:
-    """What is compiled, and with which tool."""
+class RosSource:
+    """ROS's own package source, for a base that is not an image of ROS."""
 
-    layout: Literal["none", "overlay", "root", "source"]
-    """``overlay``: the repository lies in ``ws/src/NAME``; ``root``: the repository is the workspace itself;
-    ``source``: no ROS workspace, it lies in ``$HOME/NAME``."""
-    tool: BuildTool
-    arguments: tuple[str, ...]
-    cmake_options: str
-    cmake_folder: str
-    sources: tuple[Source, ...]
-    """Sister packages that are cloned into the workspace."""
-    python_projects: tuple[str, ...]
+    distro: str
+    ubuntu: str
+    url: str
+    key: str
+    """URL of the key that signs it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -99,8 +97,10 @@ class Plan:
     ros_distro: str | None
     ubuntu: str | None
     base_image: str
-    ros_source: bool
-    """The base has no ROS: its packages come from ROS's own package source."""
+    ros_source: RosSource | None
+    """``None`` where the base has ROS, or the image needs none."""
+    nvidia_source: bool
+    """The base brings NVIDIA's package source, signed in an older one by a key that NVIDIA replaced in 2022."""
     build_tool: BuildTool
     author_dockerfile: AuthorDockerfile | None
     repositories: tuple[str, ...]
@@ -177,6 +177,7 @@ def make_plan(
     libraries = tuple(s for s in decision.source if s not in in_workspace)
     packages = image_packages(decision, config, in_workspace)
     name = config.name or image_name(folder_name)
+    place = workspace(decision, config, in_workspace, name)
     run = Run(
         command=decision.command,
         candidates=decision.command_candidates,
@@ -195,7 +196,8 @@ def make_plan(
         ros_distro=decision.ros_distro,
         ubuntu=decision.ubuntu,
         base_image=decision.base_image,
-        ros_source=ros and not decision.dockerfile and not _has_ros(decision.base_image),
+        ros_source=_ros_source(decision),
+        nvidia_source=decision.base_image.startswith("nvidia/"),
         build_tool=decision.build_tool,
         author_dockerfile=author_dockerfile,
         repositories=config.repositories,
@@ -203,7 +205,7 @@ def make_plan(
         apt_tools=packages.tools,
         apt=packages.named,
         apt_guessed=decision.apt_guessed,
-        libraries=libraries,
+        libraries=tuple(library(source, config) for source in libraries),
         rosdep=(
             Rosdep(manifests=decision.packages, skip_keys=decision.skip_keys, rosdistro_tag=rosdistro_tag)
             if ros and (decision.packages or in_workspace)
@@ -213,8 +215,8 @@ def make_plan(
         python=python_plan(decision.python),
         python_tools=python_tools(decision.python.version, decision.ubuntu),
         source_version=source_version,
-        workspace=_workspace(decision, config, in_workspace),
-        custom=config.custom,
+        workspace=place,
+        custom=custom(config, place),
         env=config.env,
         notebook=bool(config.notebook),
         icub=config.base.icub,
@@ -230,28 +232,18 @@ def make_plan(
     )
 
 
-def _has_ros(image: str) -> bool:
-    """Tell whether a base has ROS by its name; one of the author's own that has it all the same gets nothing twice."""
-    return bool(re.match(r"(?:[^/]+/)*ros:", image))
+def _ros_source(decision: Decision) -> RosSource | None:
+    """Return where ROS comes from where the base has none.
 
-
-def _workspace(decision: Decision, config: Config, in_workspace: tuple[Source, ...]) -> Workspace:
-    layout: Literal["none", "overlay", "root", "source"] = "source"
-    if decision.kind in ("ros1", "ros2") and decision.build_tool not in ROS_TOOLS:
-        pass  # cmake or nothing: the repository is no package of a workspace, its sisters may be
-    elif decision.workspace != "none":
-        layout = decision.workspace
-    elif in_workspace:
-        layout = "none"  # only sister packages are compiled; the repository itself is copied beside them
-    return Workspace(
-        layout=layout,
-        tool=decision.build_tool,
-        arguments=config.build_args,
-        cmake_options=config.cmake_options,
-        cmake_folder=decision.cmake_folder,
-        sources=in_workspace,
-        python_projects=decision.python.projects,
-    )
+    A base has ROS by its name; one of the author's own that has it all the same gets nothing twice.
+    """
+    release = distro(decision.ros_distro)
+    if release is None or decision.kind not in ("ros1", "ros2") or decision.dockerfile:
+        return None
+    if re.match(r"(?:[^/]+/)*ros:", decision.base_image):
+        return None
+    source = ros_packages(release)
+    return RosSource(distro=release.name, ubuntu=release.ubuntu, url=source.url, key=source.key)
 
 
 def to_json(plan: Plan) -> str:

@@ -10,7 +10,7 @@ from packaging.version import Version
 
 from roslab.decide.decision import Decision
 from roslab.knowledge.distros import python_of_ubuntu
-from roslab.plan.packages import ROS_TOOLS
+from roslab.plan.workspace import ROS_TOOLS
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 

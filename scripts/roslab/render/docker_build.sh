@@ -7,6 +7,7 @@ set -euo pipefail
 image=example
 dockerfile=Dockerfile
 context=.
+# The first Docker that can read the Dockerfile; 0 for an author's own
 oldest_docker=23
 options=() # of docker build
 # ---- the same for every repository ----

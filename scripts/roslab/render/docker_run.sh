@@ -7,12 +7,16 @@ set -euo pipefail
 image=example
 context=.
 default_command=bash
+# The number of the container's user; empty where only the image knows it
 image_user=1000
+# Whether it opens windows, computes on the graphics card, has JupyterLab
 gui=yes
 gpu=yes
 notebook=yes
+# Of each volume: the folder here, the folder in the container, options
 volumes=()
 ports=()
+# Where this machine has MATLAB, and the address that its licence is for
 matlab=''
 mac_address=''
 # ---- the same for every repository ----

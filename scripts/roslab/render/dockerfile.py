@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
@@ -11,58 +12,75 @@ from roslab.render.layers import base, final, manifests, python, scripts, system
 
 Block = Callable[[Plan], str]
 
-STAGES_BEFORE: tuple[tuple[Block, ...], ...] = (
-    # 1. the base, its sources, the user
-    (base.start, base.answering_sources, base.ros_source, base.early_repositories),
-    (system.library_stages,),  # 3. libraries, each in a stage on the base: a new system package rebuilds none
-    (manifests.stage,),  # many manifests, out of the whole source
-)
-IMAGE: tuple[Block, ...] = (
-    system.packages,  # 2. what is declared …
-    system.tools,
-    system.guessed_packages,  # … and what was only read
-    system.icub,
-    system.newer_cmake,
-    python.environment,
-    python.jupyter,
-    system.libraries,
-    workspace.sister_sources,
-    workspace.rosdep,  # 4. what the manifests name
-    python.constraints,
-    python.packages,
-    python.guessed_packages,
-    workspace.copy_source,  # 5. everything below is repeated when a file changes
-    python.versions,
-    python.projects,
-    workspace.own_home,
-)
-IMAGE_OLD_FORMATS: tuple[Block, ...] = (  # the order of the old generators, in which later steps used earlier ones
-    system.first_packages,
-    system.tools,
-    python.environment,
-    python.jupyter,
-    system.icub,
-    system.newer_cmake,
-    base.repositories,
-    system.packages,
-    system.guessed_packages,
-    python.constraints,
-    python.packages,  # pip3 before pip
-    python.guessed_packages,
-    system.libraries,
-    workspace.sister_sources,
-    workspace.rosdep,
-    workspace.copy_source,
-    workspace.old_paths,
-    python.versions,
-    python.projects,
-    workspace.own_home,
-)
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Order:
+    """The blocks of a Dockerfile in their order; a block that a plan has no need of is empty."""
+
+    base: tuple[Block, ...]
+    """The stage that every other begins at."""
+    stages: tuple[Block, ...]
+    """Each makes stages of its own."""
+    image: tuple[Block, ...]
+
+
 END: tuple[Block, ...] = (
     workspace.compile_workspace,  # 6.
+    workspace.compile_program,
     final.custom,  # 7.
     final.environment,
     final.start,
+)
+TODAY = Order(
+    base=(base.start, base.answering_sources, base.ros_source, base.repositories),  # 1. sources of packages, the user
+    stages=(system.library_stages, manifests.stage),  # 3. libraries: a new system package rebuilds none
+    image=(
+        system.packages,  # 2. what is declared …
+        system.tools,
+        system.guessed_packages,  # … and what was only read
+        system.icub,
+        system.newer_cmake,
+        python.environment,
+        python.jupyter,
+        system.libraries,
+        workspace.sister_sources,
+        workspace.rosdep,  # 4. what the manifests name
+        python.constraints,
+        python.packages,
+        python.guessed_packages,
+        workspace.copy_source,  # 5. everything below is repeated when a file changes
+        python.versions,
+        python.projects,
+        workspace.own_projects,
+        *END,
+    ),
+)
+OLD_FORMATS = Order(  # the order of the old generators, in which later steps used earlier ones
+    base=(base.start, base.answering_sources, base.ros_source),
+    stages=(manifests.stage,),
+    image=(
+        system.first_packages,
+        system.tools,
+        python.environment,
+        python.jupyter,
+        system.icub,
+        system.newer_cmake,
+        base.repositories,
+        system.packages,
+        system.guessed_packages,
+        python.constraints,
+        python.packages,  # pip3 before pip
+        python.guessed_packages,
+        system.libraries_in_place,
+        workspace.sister_sources,
+        workspace.rosdep,
+        workspace.copy_source,
+        workspace.old_paths,
+        python.versions,
+        python.projects,
+        workspace.own_home,
+        *END,
+    ),
 )
 
 HEADER = """\
@@ -73,8 +91,9 @@ HEADER = """\
 
 def dockerfile(plan: Plan) -> str:
     """Return the text of the Dockerfile for a plan without a Dockerfile of the author's."""
-    base_stage, *stages = [text for blocks in STAGES_BEFORE if (text := _join(blocks, plan))]
-    image = _join((*(IMAGE_OLD_FORMATS if plan.compatible else IMAGE), *END), plan)
+    order = OLD_FORMATS if plan.compatible else TODAY
+    base_stage, image = _join(order.base, plan), _join(order.image, plan)
+    stages = [text for block in order.stages if (text := block(plan))]
     start = f"FROM {quote.image(plan.base_image)}"
     if stages:
         stages = [f"{start} AS base\n{base_stage}", *stages, f"FROM base\n{image}"]

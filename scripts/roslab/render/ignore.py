@@ -59,8 +59,9 @@ def _needed(plan: Plan) -> tuple[str, ...]:
     manifests = plan.rosdep.manifests if plan.rosdep else ()
     conda = (python.conda_file,) if python.conda_file else ()
     folders = (folder for folder in plan.workspace.python_projects if folder not in ("", "."))
-    program = (posixpath.join(plan.workspace.cmake_folder, "CMakeLists.txt"),) if plan.workspace.tool == "cmake" else ()
-    return tuple(sorted({*python.manifests, *python.requirements, *conda, *folders, *manifests, *program}))
+    program = plan.workspace.program
+    cmake = (posixpath.join(program.folder, "CMakeLists.txt"),) if program else ()
+    return tuple(sorted({*python.manifests, *python.requirements, *conda, *folders, *manifests, *cmake}))
 
 
 def _with_needed(lines: list[str], needed: tuple[str, ...]) -> list[str]:

@@ -17,7 +17,7 @@ DIGEST = re.compile(r"sha256:[0-9a-f]{64}")
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class ProofReport:
-    """What one proof came to."""
+    """The result of one proof."""
 
     name: str
     command: str

@@ -27,7 +27,7 @@ no space and no ``$`` pass."""
 
 
 def checked(text: str) -> str:
-    """Return the text itself. Raises ``ConfigurationError`` for a newline, NUL or another character without a face."""
+    """Return the text itself. Raises ``ConfigurationError`` for a newline or another invisible character."""
     if found := _FORBIDDEN.search(text):
         raise ConfigurationError(
             Problem(

@@ -1,4 +1,4 @@
-"""A shell script that is the same for every repository but for a head of quoted assignments.
+"""A shell script that is the same for every repository but for a head of quoted assignments and comments on them.
 
 The script itself is a file of its own, complete with a head, so that it can be read, run and linted as it stands.
 """
@@ -23,10 +23,10 @@ def script(name: str, values: Mapping[str, str | Sequence[Sequence[str]]]) -> st
     lines = Path(__file__).with_name(name).read_text(encoding="utf-8").splitlines()
     first = next(i for i, line in enumerate(lines) if line.startswith(HEAD)) + 1
     last = next(i for i, line in enumerate(lines) if line.startswith(BODY))
-    names = [line.partition("=")[0] for line in lines[first:last]]
-    if set(names) != set(values):
-        raise KeyError(*sorted(set(names) ^ set(values)))
-    head = [f"{variable}={_value(values[variable])}" for variable in names]
+    names = {line: line.partition("=")[0] for line in lines[first:last] if not line.startswith("#")}
+    if {*names.values()} != {*values}:
+        raise KeyError(*sorted({*names.values()} ^ {*values}))
+    head = [f"{names[line]}={_value(values[names[line]])}" if line in names else line for line in lines[first:last]]
     return "\n".join((*lines[:first], *head, *lines[last:])) + "\n"
 
 

@@ -15,14 +15,14 @@ MAX_ROWS = 60
 FEW = 5
 """Warnings that are shown without a click."""
 NOT_PROVED = "not proved"
-"""How the outcome of a proof begins that failed and was only guessed."""
+"""First words of the outcome of a proof that was only guessed and failed."""
 PASSED = "✅"
 PHONE = 40
 """Characters of a line of code that a phone shows."""
 
 
 def summary(report: Report) -> str:
-    """Return the summary as GitHub's Markdown, what is needed first in front.
+    """Return the summary as GitHub's Markdown; what a reader needs first comes first.
 
     Every text from the repository or a log is escaped. Nothing is wider than a phone but code, which scrolls.
     """
@@ -93,7 +93,7 @@ def _failed_proofs(report: Report) -> str:
 
 
 def _passed_proofs(report: Report) -> str:
-    """Return one section for each platform: with one for each proof, the list was longer than a phone."""
+    """Return one section for each platform: one for each proof would not fit on a phone."""
     parts = []
     for entry in report.platforms:
         passed = [proof for proof in entry.proofs if proof.passed]
@@ -124,7 +124,7 @@ def _short(proof: ProofReport) -> str:
 
 
 def _screens(report: Report) -> str:
-    """Return where the pictures are of the programs that open windows."""
+    """List the screenshots of programs that open windows, and why one is missing."""
     lines = []
     for entry in report.platforms:
         for proof in entry.proofs:

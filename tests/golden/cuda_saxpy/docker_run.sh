@@ -7,12 +7,16 @@ set -euo pipefail
 image=cuda_saxpy
 context=.
 default_command=saxpy
+# The number of the container's user; empty where only the image knows it
 image_user=1000
+# Whether it opens windows, computes on the graphics card, has JupyterLab
 gui=no
 gpu=yes
 notebook=no
+# Of each volume: the folder here, the folder in the container, options
 volumes=()
 ports=()
+# Where this machine has MATLAB, and the address that its licence is for
 matlab=''
 mac_address=''
 # ---- the same for every repository ----

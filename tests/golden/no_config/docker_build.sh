@@ -7,6 +7,7 @@ set -euo pipefail
 image=no_config
 dockerfile=Dockerfile
 context=.
+# The first Docker that can read the Dockerfile; 0 for an author's own
 oldest_docker=23
 options=()
 # ---- the same for every repository ----

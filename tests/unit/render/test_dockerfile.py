@@ -15,7 +15,8 @@ from roslab.decide.decision import Decision, Python
 from roslab.errors import ConfigurationError
 from roslab.plan.plan import Plan, from_json, image_name, make_plan, to_json
 from roslab.render import image_scripts
-from roslab.render.dockerfile import dockerfile
+from roslab.render.dockerfile import OLD_FORMATS, TODAY, dockerfile
+from roslab.render.layers import python
 from roslab.values.requirement import stated
 
 
@@ -80,6 +81,14 @@ def test_layers_go_from_rarely_to_often_changing() -> None:
     )
     assert order == sorted(order)
     assert "# syntax" not in text
+
+
+def test_both_orders_have_every_block_of_python() -> None:
+    own = {python.environment, python.jupyter, python.constraints, python.packages, python.guessed_packages}
+    own |= {python.versions, python.projects}
+    for order in (TODAY, OLD_FORMATS):
+        assert own <= {*order.image}
+        assert order.image.index(python.versions) < order.image.index(python.projects)
 
 
 def test_a_new_system_package_rebuilds_no_library() -> None:

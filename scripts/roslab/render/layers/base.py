@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from roslab.knowledge.distros import distro
-from roslab.knowledge.ros_packages import ros_packages
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
@@ -26,19 +24,18 @@ def start(_: Plan) -> str:
 
 def answering_sources(plan: Plan) -> str:
     """Leave out NVIDIA's package source where the base has its old key: CUDA itself is in the base."""
-    if not plan.base_image.startswith("nvidia/"):
+    if not plan.nvidia_source:
         return ""
     return shell.call("remove-unsigned-cuda-source", comment="Older images of CUDA know only NVIDIA's old key")
 
 
 def ros_source(plan: Plan) -> str:
     """Add ROS's own package source to a base that is not an image of ROS, such as NVIDIA's."""
-    release = distro(plan.ros_distro)
-    if not plan.ros_source or release is None:
+    source = plan.ros_source
+    if source is None:
         return ""
-    source = ros_packages(release)
     keyring = "/usr/share/keyrings/ros-archive-keyring.gpg"
-    line = f"deb [signed-by={keyring}] {source.url} {release.ubuntu} main"
+    line = f"deb [signed-by={keyring}] {source.url} {source.ubuntu} main"
     run = shell.run(
         "apt-get update",
         "apt-get install --yes --no-install-recommends ca-certificates curl gnupg",
@@ -47,12 +44,7 @@ def ros_source(plan: Plan) -> str:
         "rm -rf /var/lib/apt/lists/*",
         comment="ROS's package source, which this base lacks",
     )
-    return f"ENV ROS_DISTRO={quote.docker(release.name)}\n{run}"
-
-
-def early_repositories(plan: Plan) -> str:
-    """Add the extra sources before everything else; an image in an old way adds them where it always did."""
-    return "" if plan.compatible else repositories(plan)
+    return f"ENV ROS_DISTRO={quote.docker(source.distro)}\n{run}"
 
 
 def repositories(plan: Plan) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
-from roslab.render.layers.workspace import WS, build_folder, compiles_workspace, give_home, overlay, source_folder
+from roslab.render.layers.workspace import HOME, own_home, setups, source_folder
 
 ENTRY_POINT = "roslab-entrypoint"
 ENVIRONMENT = "/usr/local/share/roslab/environment.bash"
@@ -15,10 +15,7 @@ def custom(plan: Plan) -> str:
     """Run the commands of ``custom`` as their format always did."""
     if not plan.custom or not plan.custom.commands:
         return ""
-    home = "/home/${NB_USER}"
-    if plan.compatible == "paper" and plan.workspace.layout != "overlay":
-        home = source_folder(plan)  # the paper's generator put what is no ROS workspace into the home folder itself
-    workdir = {"root": "/", "home": home, "source": source_folder(plan)}[plan.custom.workdir]
+    workdir = {"root": "/", "home": HOME, "source": source_folder(plan)}[plan.custom.workdir]
     user = "root" if plan.custom.as_root else "${NB_USER}"
     if plan.custom.chained:
         # One shell for all, so that `cd` and variables carry over
@@ -28,24 +25,22 @@ def custom(plan: Plan) -> str:
     set_home = "ENV HOME=/home/${NB_USER}\n" if plan.custom.as_root else ""
     lines = [f"# Commands of roslab.yaml\n{set_home}USER {user}", f"WORKDIR {quote.docker_path(workdir)}", *runs]
     if plan.custom.as_root:
-        lines.append(give_home(plan))  # what they made in the source is the user's, who can make it again
+        lines.append(own_home(plan))  # what they made in the source is the user's, who can make it again
     return "\n".join(lines)
 
 
 def environment(plan: Plan) -> str:
     """Source ROS and the workspace in every shell and for every command."""
-    if plan.kind not in ("ros1", "ros2"):
+    # The setup scripts of ROS read the caller's arguments: hence the empty `--`
+    lines = [f"source {setup} --" for setup in setups(plan)]
+    if not lines:
         return ""
-    # ROS 1 and ROS 2 scripts read unset variables and the caller's arguments: hence the empty `--`
-    setups = ['source "/opt/ros/${ROS_DISTRO}/setup.bash" --']
-    if compiles_workspace(plan):
-        setups.append(f'source "{WS}/{overlay(plan)}/setup.bash" --')
     return "\n".join(
         (
             "# ROS and the workspace, for every command and every shell in the container",
             "USER root",
             f"RUN echo 'source {ENVIRONMENT}' >>/etc/bash.bashrc",
-            shell.copy_script(ENTRY_POINT) + shell.heredoc(ENVIRONMENT, "\n".join(setups)).rstrip(),
+            shell.copy_script(ENTRY_POINT) + shell.heredoc(ENVIRONMENT, "\n".join(lines)).rstrip(),
         )
     )
 
@@ -62,8 +57,8 @@ def _variables(plan: Plan) -> str:
     if plan.run.gpu:
         pairs += [("NVIDIA_VISIBLE_DEVICES", "all", True), ("NVIDIA_DRIVER_CAPABILITIES", "all", True)]
     path = "${PATH}"
-    if plan.workspace.layout == "source" and plan.workspace.tool == "cmake" and not plan.compatible:
-        path = f"{build_folder(plan)}:{path}"  # so that a program is called by its name
+    if plan.workspace.program and plan.workspace.program.on_path:
+        path = f"{HOME}/{plan.workspace.program.build}:{path}"
     if plan.run.matlab:  # which is only there while docker_run.sh mounts it
         path += ":" + quote.docker(f"{plan.run.matlab.host_path}/bin").strip('"')
     if path != "${PATH}":
@@ -76,7 +71,7 @@ def _variables(plan: Plan) -> str:
 def _command(plan: Plan) -> str:
     """Set the user, the folder it starts in, the entry point and the default command."""
     lines = ["USER ${NB_USER}", f"WORKDIR {quote.docker_path(source_folder(plan))}"]
-    if plan.kind in ("ros1", "ros2"):
+    if setups(plan):
         lines.append(f"ENTRYPOINT {quote.json_form([ENTRY_POINT])}")
     argv = ["bash", "-c", plan.run.command] if isinstance(plan.run.command, str) else list(plan.run.command)
     lines.append(f"CMD {quote.json_form(argv)}")

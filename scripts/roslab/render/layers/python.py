@@ -48,7 +48,7 @@ def environment(plan: Plan) -> str:
 
 
 def _both_pips(plan: Plan) -> str:
-    """Bring both pips to the last versions that their Pythons run: theirs of then take what does not run on these.
+    """Bring both pips to the newest versions that their Pythons run: older ones install packages that do not run there.
 
     ``pip`` is Python 3's, as it was; where the author has packages for Python 2 it becomes Python 2's with them.
     """

@@ -74,8 +74,6 @@ def library_stages(plan: Plan) -> str:
 
     A new system package of the repository therefore rebuilds none of them.
     """
-    if plan.compatible:
-        return ""
     stages: list[str] = []
     for index, library in enumerate(plan.libraries):
         lines = [f"FROM base AS {stage_name(index, library)}"]
@@ -96,15 +94,18 @@ def library_stages(plan: Plan) -> str:
 
 
 def libraries(plan: Plan) -> str:
-    """Bring the libraries into the image: out of their stages, or built in place as the old formats did."""
+    """Bring the libraries out of their stages into the image."""
     if not plan.libraries:
         return ""
-    if plan.compatible:
-        return "\n\n".join(_in_place(library) for library in plan.libraries)
     copies = "\n".join(
         f"COPY --from={stage_name(i, library)} /installed/ /" for i, library in enumerate(plan.libraries)
     )
     return f"# Libraries built from their source\n{copies}\nRUN ldconfig"
+
+
+def libraries_in_place(plan: Plan) -> str:
+    """Build the libraries in the image itself, as the old formats did."""
+    return "\n\n".join(_in_place(library) for library in plan.libraries)
 
 
 def stage_name(index: int, library: Source) -> str:
@@ -154,15 +155,11 @@ def clone(source: Source, folder: str) -> list[str]:
 
 def _compile(library: Source, *first: str) -> list[str]:
     folder = _folder(library)
-    staged = bool(first)
     if library.build == "pip":
         return [f"python3 -m pip install --no-cache-dir {folder}"]
     if library.build != "cmake":
         return []
-    words = shlex.split(library.cmake_options)
-    if staged and not any("CMAKE_BUILD_TYPE" in word for word in words):
-        words.insert(0, "-DCMAKE_BUILD_TYPE=Release")  # the old formats gave none: there it stays as it was
-    options = "".join(f" {quote.shell(word)}" for word in words)
+    options = "".join(f" {quote.shell(word)}" for word in shlex.split(library.cmake_options))
     make = library.make_command or f"make --jobs={shell.JOBS} install"
     return [
         f"mkdir --parents {folder}/build",

@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-import shlex
+from collections.abc import Iterable
 
 from roslab.config.model import Source
-from roslab.plan.packages import ROS_TOOLS
 from roslab.plan.plan import Plan
+from roslab.plan.workspace import WORKSPACE, RosBuild
 from roslab.render import quote
 from roslab.render.layers import manifests, shell
 from roslab.render.layers.system import fetch
 
-WS = "/home/${NB_USER}/ws"
-ROS_SETUP = 'source "/opt/ros/${ROS_DISTRO}/setup.bash"'
+HOME = f"/home/{quote.USER}"
+WS = f"{HOME}/{WORKSPACE}"
 
 
 def source_folder(plan: Plan) -> str:
     """Folder of the repository inside the image, with ``${NB_USER}`` for the user's name."""
-    if plan.workspace.layout == "overlay":
-        return f"{WS}/src/{plan.name}"
-    return WS if plan.workspace.layout == "root" else f"/home/${{NB_USER}}/{plan.name}"
+    return f"{HOME}/{plan.workspace.folder}"
 
 
 def sister_sources(plan: Plan) -> str:
@@ -66,114 +64,75 @@ def copy_source(plan: Plan) -> str:
 
 def old_paths(plan: Plan) -> str:
     """Keep the paths of an old image, which its commands and its README name."""
-    if not plan.compatible:
-        return ""
-    links = {}
-    if plan.workspace.layout == "overlay" or plan.workspace.sources:
-        links["catkin_ws"] = "ws"
-    if plan.workspace.layout == "overlay" and plan.name not in ("ws", "catkin_ws"):
-        links[plan.name] = f"ws/src/{plan.name}"
-    if not links:
+    if not plan.workspace.links:
         return ""
     commands = (
-        f"ln --symbolic {quote.shell(target)} {quote.shell_with_user(f'/home/{quote.USER}/{name}')}"
-        for name, target in links.items()
+        f"ln --symbolic {quote.shell(target)} {quote.shell_with_user(f'{HOME}/{name}')}"
+        for name, target in plan.workspace.links
     )
-    return f"# The paths of old\nUSER root\n{shell.run(*commands)}"
+    return f"# The paths of the old format's images\nUSER root\n{shell.run(*commands)}"
 
 
-def own_home(plan: Plan) -> str:
+def own_projects(plan: Plan) -> str:
+    """Give the user what pip wrote beside the projects that root installed."""
+    return own_home(plan) if plan.workspace.python_projects else ""
+
+
+def own_home(_: Plan) -> str:
     """Give the user what root made in its home; files that are its own already are not written to the layer again."""
-    if not plan.compatible and not plan.workspace.python_projects:
-        return ""
-    return give_home(plan)
-
-
-def give_home(_: Plan) -> str:
-    """Return the RUN that makes the user the owner of everything in its home."""
     why = "# What root made in the user's home\n"
     return (
         why + 'RUN find "/home/${NB_USER}" ! -user "${NB_UID}" -exec chown --no-dereference "${NB_UID}:${NB_UID}" {} +'
     )
 
 
+def setups(plan: Plan) -> list[str]:
+    """Return the setup scripts of ROS and of the compiled workspace, each quoted for a shell."""
+    found = ['"/opt/ros/${ROS_DISTRO}/setup.bash"'] if plan.workspace.underlay else []
+    if plan.workspace.ros:
+        found.append(f'"{HOME}/{plan.workspace.ros.setup}"')
+    return found
+
+
 def compile_workspace(plan: Plan) -> str:
-    """Compile the workspace and the CMake project as the user, who can then compile them again."""
-    blocks = []
-    if compiles_workspace(plan):
-        run = shell.run(ROS_SETUP, *_commands(plan))
-        blocks.append(f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{run}")
-    if plan.workspace.tool == "cmake":
-        blocks.append(_plain_cmake(plan))
-    return "\n\n".join(blocks)
+    """Compile the ROS workspace as the user, who can then compile it again."""
+    build = plan.workspace.ros
+    if build is None:
+        return ""
+    run = shell.run(f"source {setups(plan)[0]}", *_commands(build))
+    return f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{run}"
 
 
-def compiles_workspace(plan: Plan) -> bool:
-    """Tell whether there is a ROS workspace to compile: of the repository's packages, or of sisters alone."""
-    workspace = plan.workspace
-    return plan.kind in ("ros1", "ros2") and (workspace.layout in ("overlay", "root") or bool(workspace.sources))
-
-
-def workspace_tool(plan: Plan) -> str:
-    """Return the tool of the ROS workspace: where the repository is no package of it, that of its sisters."""
-    tools = (plan.workspace.tool, *(source.build for source in plan.workspace.sources))
-    return next((tool for tool in tools if tool in ROS_TOOLS), "catkin_make" if plan.kind == "ros1" else "colcon")
-
-
-def overlay(plan: Plan) -> str:
-    """Name of the workspace's folder whose ``setup.bash`` makes it known."""
-    return "install" if workspace_tool(plan) == "colcon" else "devel"
-
-
-def _commands(plan: Plan) -> list[str]:
-    # Options and arguments are the repository's: where it is no package of the workspace, they are its cmake's
-    own = plan.workspace.tool in ROS_TOOLS
-    options = (_cmake_options(plan) if own else "") + _sisters_options(plan)
+def _commands(build: RosBuild) -> list[str]:
+    options, arguments = _words(build.cmake_options), _words(build.arguments)
     cmake = f" \\\n      --cmake-args{options}" if options else ""
-    arguments = "".join(f" {quote.shell(word)}" for word in plan.workspace.arguments) if own else ""
-    match workspace_tool(plan):
+    match build.tool:
         case "catkin_make":
             return [f"catkin_make -j{shell.JOBS}{options}{arguments}"]
         case "catkin_tools":
             catkin = 'catkin build --no-status --jobs "${jobs}" --parallel-packages "${jobs}"'
             return [shell.SET_JOBS, f"{catkin}{cmake}{arguments}"]
-        case _:
+        case "colcon":
             colcon = 'colcon build --event-handlers console_direct+ --parallel-workers "${jobs}"'
             return [shell.SET_JOBS, f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" \\\n    {colcon}{cmake}{arguments}']
 
 
-def _cmake_options(plan: Plan) -> str:
-    words = shlex.split(plan.workspace.cmake_options)
-    if not plan.compatible and not any("CMAKE_BUILD_TYPE" in word for word in words):
-        words.insert(0, "-DCMAKE_BUILD_TYPE=Release")  # the old formats gave none: there it stays as it was
-    return "".join(f" {quote.shell(word)}" for word in words)
+def _words(items: Iterable[str]) -> str:
+    return "".join(f" {quote.shell(item)}" for item in items)
 
 
-def _sisters_options(plan: Plan) -> str:
-    """Return the options that sister packages need: a workspace has one set for all its packages."""
-    words = [word for source in plan.workspace.sources for word in shlex.split(source.cmake_options)]
-    return "".join(f" {quote.shell(word)}" for word in dict.fromkeys(words))
-
-
-def build_folder(plan: Plan) -> str:
-    """Folder in which a plain CMake project is compiled; the old formats did it inside the source."""
-    folder = source_folder(plan)
-    inside = f"{folder}/{plan.workspace.cmake_folder}".rstrip("/")
-    return f"{inside}/build" if plan.compatible else f"{folder}-build"
-
-
-def _plain_cmake(plan: Plan) -> str:
-    """Compile beside the source: a ``build`` folder that the repository ships is its own, not ours to fill."""
-    folder = source_folder(plan)
-    source = f"{folder}/{plan.workspace.cmake_folder}".rstrip("/")
-    build = build_folder(plan)
-    arguments = "".join(f" {quote.shell(word)}" for word in plan.workspace.arguments)
+def compile_program(plan: Plan) -> str:
+    """Compile a plain CMake project as the user."""
+    program = plan.workspace.program
+    if program is None:
+        return ""
+    source = f"{source_folder(plan)}/{program.folder}".rstrip("/")
+    build = quote.shell_with_user(f"{HOME}/{program.build}")
     run = shell.run(
-        *([ROS_SETUP] if plan.kind in ("ros1", "ros2") else []),
-        *([f'source "{WS}/{overlay(plan)}/setup.bash"'] if compiles_workspace(plan) else []),
-        f"mkdir --parents {quote.shell_with_user(build)}",
-        f"cd {quote.shell_with_user(build)}",
-        f"cmake{_cmake_options(plan)} {quote.shell_with_user(source)}",
-        f"make --jobs={shell.JOBS}{arguments}",
+        *(f"source {setup}" for setup in setups(plan)),
+        f"mkdir --parents {build}",
+        f"cd {build}",
+        f"cmake{_words(program.cmake_options)} {quote.shell_with_user(source)}",
+        f"make --jobs={shell.JOBS}{_words(program.arguments)}",
     )
     return f"# The program\nUSER ${{NB_USER}}\n{run}"

@@ -1,0 +1,135 @@
+"""Where the repository lies in the image, and what is compiled there."""
+
+from __future__ import annotations
+
+import shlex
+from dataclasses import dataclass, replace
+from typing import Literal, get_args
+
+from roslab.config.model import Config, Custom, Source
+from roslab.decide.decision import Decision
+
+RosTool = Literal["catkin_make", "catkin_tools", "colcon"]
+ROS_TOOLS: tuple[RosTool, ...] = get_args(RosTool)
+"""Build tools of a ROS workspace."""
+WORKSPACE = "ws"
+"""The folder of the ROS workspace; as every folder of this module, relative to the home of the image's user."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RosBuild:
+    """Compiling the ROS workspace: the repository's packages, or sisters alone."""
+
+    tool: RosTool
+    arguments: tuple[str, ...]
+    cmake_options: tuple[str, ...]
+    """For all packages: a workspace has one set of them."""
+    setup: str
+    """The script that makes the compiled workspace known."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Program:
+    """Compiling the repository as a CMake project that is no ROS package."""
+
+    folder: str
+    """Of its CMakeLists.txt, relative to the repository's root, ``""`` for the root itself."""
+    build: str
+    """The folder to compile in: beside the source, for a ``build`` folder that the repository ships is its own; the old
+    formats did it inside."""
+    arguments: tuple[str, ...]
+    cmake_options: tuple[str, ...]
+    on_path: bool
+    """A program is called by its name."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Workspace:
+    """The repository's place, and what is compiled."""
+
+    folder: str
+    """Of the repository."""
+    underlay: bool
+    """The base has ROS, whose setup script every shell sources."""
+    ros: RosBuild | None
+    program: Program | None
+    sources: tuple[Source, ...]
+    """Sister packages that are cloned into the workspace."""
+    python_projects: tuple[str, ...]
+    links: tuple[tuple[str, str], ...]
+    """Name and target of the links that keep the paths of an image in an old format."""
+
+
+def workspace(decision: Decision, config: Config, sisters: tuple[Source, ...], name: str) -> Workspace:
+    """Return what is compiled; ``name`` is the image's, which the repository's folder has too."""
+    ros = decision.kind in ("ros1", "ros2")
+    in_workspace = decision.workspace != "none" and not (ros and decision.build_tool not in ROS_TOOLS)
+    folder = name
+    if in_workspace:
+        folder = f"{WORKSPACE}/src/{name}" if decision.workspace == "overlay" else WORKSPACE
+    links = []
+    if config.compatible and (in_workspace or sisters):
+        links.append(("catkin_ws", WORKSPACE))
+        if in_workspace and name not in (WORKSPACE, "catkin_ws"):
+            links.append((name, folder))
+    return Workspace(
+        folder=folder,
+        underlay=ros,
+        ros=_ros_build(decision, config, sisters) if ros and (in_workspace or sisters) else None,
+        program=_program(decision, config, folder) if decision.build_tool == "cmake" else None,
+        sources=sisters,
+        python_projects=decision.python.projects,
+        links=tuple(links),
+    )
+
+
+def custom(config: Config, place: Workspace) -> Custom | None:
+    """Return the author's commands with the folder that they start in.
+
+    The generator of the 2019 paper put what is no ROS workspace into the home folder itself.
+    """
+    found = config.custom
+    in_workspace = place.folder.startswith(f"{WORKSPACE}/")
+    if found and config.compatible == "paper" and found.workdir == "home" and not in_workspace:
+        return replace(found, workdir="source")
+    return found
+
+
+def library(source: Source, config: Config) -> Source:
+    """Return a library with the build type that it is compiled with; the old formats gave none."""
+    if source.build != "cmake" or config.compatible or "CMAKE_BUILD_TYPE" in source.cmake_options:
+        return source
+    return replace(source, cmake_options=f"-DCMAKE_BUILD_TYPE=Release {source.cmake_options}".rstrip())
+
+
+def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) -> RosBuild:
+    # Where the repository is no package of the workspace, the tool is its sisters', and the options are its cmake's
+    tools = (decision.build_tool, *(source.build for source in sisters))
+    default: RosTool = "catkin_make" if decision.kind == "ros1" else "colcon"
+    tool = next((known for tool in tools for known in ROS_TOOLS if known == tool), default)
+    own = decision.build_tool in ROS_TOOLS
+    of_sisters = dict.fromkeys(word for source in sisters for word in shlex.split(source.cmake_options))
+    return RosBuild(
+        tool=tool,
+        arguments=config.build_args if own else (),
+        cmake_options=(*(_cmake_options(config) if own else ()), *of_sisters),
+        setup=f"{WORKSPACE}/{'install' if tool == 'colcon' else 'devel'}/setup.bash",
+    )
+
+
+def _program(decision: Decision, config: Config, folder: str) -> Program:
+    inside = f"{folder}/{decision.cmake_folder}".rstrip("/")
+    return Program(
+        folder=decision.cmake_folder,
+        build=f"{inside}/build" if config.compatible else f"{folder}-build",
+        arguments=config.build_args,
+        cmake_options=_cmake_options(config),
+        on_path=not config.compatible,
+    )
+
+
+def _cmake_options(config: Config) -> tuple[str, ...]:
+    words = tuple(shlex.split(config.cmake_options))
+    if config.compatible or any("CMAKE_BUILD_TYPE" in word for word in words):
+        return words
+    return ("-DCMAKE_BUILD_TYPE=Release", *words)

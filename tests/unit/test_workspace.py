@@ -1,0 +1,118 @@
+"""Where a repository lies in its image and what is compiled there: decided in the plan, only written by render."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from roslab.config.model import Config, Custom, Source
+from roslab.decide.decision import Decision, Python
+from roslab.plan.plan import Plan, make_plan
+
+SISTER = Source(
+    name="sister", repo="https://example.org/s.git", ref="v1", build="catkin_tools", cmake_options="-DS='1 2'"
+)
+LIBRARY = Source(name="library", repo="https://example.org/l.git", ref="v1", cmake_options="-DL=1")
+OLD: dict[str, Any] = {"file": "roslab.yaml", "generation": "later", "compatible": "later"}
+PAPER: dict[str, Any] = {"file": "roslab.yaml", "generation": "paper", "compatible": "paper"}
+HOME = Custom(commands=("make",), as_root=False, chained=False, workdir="home")
+
+
+def plan(config: Config | None = None, **changes: Any) -> Plan:
+    fields: dict[str, Any] = {
+        "kind": "ros1",
+        "ros_distro": "noetic",
+        "ubuntu": "focal",
+        "base_image": "ros:noetic-ros-base",
+        "build_tool": "catkin_make",
+        "python": Python(version="3.8", manager="system"),
+        "packages": ("package.xml",),
+        "workspace": "overlay",
+        **changes,
+    }
+    return make_plan(Decision(**fields), config or Config(), folder_name="paper")
+
+
+@pytest.mark.parametrize(
+    ("changes", "folder", "setup"),
+    [
+        ({}, "ws/src/paper", "ws/devel/setup.bash"),
+        ({"build_tool": "colcon", "kind": "ros2"}, "ws/src/paper", "ws/install/setup.bash"),
+        ({"workspace": "root"}, "ws", "ws/devel/setup.bash"),
+        ({"workspace": "none", "source": (SISTER,)}, "paper", "ws/devel/setup.bash"),
+        ({"build_tool": "cmake"}, "paper", None),
+        ({"build_tool": "cmake", "source": (SISTER,)}, "paper", "ws/devel/setup.bash"),
+    ],
+)
+def test_the_place_and_the_setup_script(changes: dict[str, Any], folder: str, setup: str | None) -> None:
+    found = plan(**changes).workspace
+    assert found.folder == folder
+    assert (found.ros.setup if found.ros else None) == setup
+    assert found.underlay
+
+
+def test_a_workspace_has_one_set_of_options_for_all_packages() -> None:
+    config = Config(cmake_options="-DA='b c'", build_args=("--only", "x"))
+    build = plan(config, source=(SISTER, SISTER)).workspace.ros
+    assert build
+    assert build.cmake_options == ("-DCMAKE_BUILD_TYPE=Release", "-DA=b c", "-DS=1 2")
+    assert build.arguments == ("--only", "x")
+
+
+def test_options_are_the_programs_where_the_repository_is_no_package() -> None:
+    config = Config(cmake_options="-DA=1", build_args=("VERBOSE=1",))
+    found = plan(config, build_tool="cmake", cmake_folder="cpp", source=(SISTER,)).workspace
+    assert found.ros
+    assert (found.ros.tool, found.ros.cmake_options, found.ros.arguments) == ("catkin_tools", ("-DS=1 2",), ())
+    assert found.program
+    assert found.program.cmake_options == ("-DCMAKE_BUILD_TYPE=Release", "-DA=1")
+    assert (found.program.folder, found.program.build, found.program.on_path) == ("cpp", "paper-build", True)
+
+
+def test_a_build_type_of_the_authors_is_kept() -> None:
+    build = plan(Config(cmake_options="-DCMAKE_BUILD_TYPE=Debug")).workspace.ros
+    assert build
+    assert build.cmake_options == ("-DCMAKE_BUILD_TYPE=Debug",)
+    (library,) = plan(source=(LIBRARY,)).libraries
+    assert library.cmake_options == "-DCMAKE_BUILD_TYPE=Release -DL=1"
+
+
+def test_an_old_format_gets_no_build_type_and_keeps_its_paths() -> None:
+    found = plan(Config(**OLD), source=(LIBRARY,))
+    assert found.libraries == (LIBRARY,)
+    assert found.workspace.ros
+    assert found.workspace.ros.cmake_options == ()
+    assert found.workspace.links == (("catkin_ws", "ws"), ("paper", "ws/src/paper"))
+    program = plan(
+        Config(**OLD), build_tool="cmake", cmake_folder="cpp", kind="cpp", workspace="none"
+    ).workspace.program
+    assert program
+    assert (program.build, program.on_path) == ("paper/cpp/build", False)
+
+
+def test_the_papers_home_folder_was_the_source_where_that_is_no_workspace() -> None:
+    inside = plan(Config(custom=HOME, **PAPER))
+    beside = plan(Config(custom=HOME, **PAPER), kind="python", build_tool="none", workspace="none", ros_distro=None)
+    assert inside.custom
+    assert inside.custom.workdir == "home"
+    assert beside.custom
+    assert beside.custom.workdir == "source"
+
+
+@pytest.mark.parametrize(
+    ("base", "source", "nvidia"),
+    [
+        ("ros:noetic-ros-base", False, False),
+        ("ghcr.io/someone/ros:noetic", False, False),
+        ("nvidia/cuda:11.8.0-devel-ubuntu20.04", True, True),
+        ("ubuntu:20.04", True, False),
+    ],
+)
+def test_where_ros_comes_from(base: str, source: bool, nvidia: bool) -> None:
+    found = plan(base_image=base)
+    assert bool(found.ros_source) == source
+    assert found.nvidia_source == nvidia
+    if found.ros_source:
+        assert (found.ros_source.distro, found.ros_source.ubuntu) == ("noetic", "focal")
+        assert found.ros_source.url.startswith("http")
