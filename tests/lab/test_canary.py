@@ -138,7 +138,7 @@ jobs:
 def plant(lab: Laboratory, caller: Path, place: Path, repository: str, canaries: Mapping[str, str]) -> Planted:
     """Push with the planted values and gather everything that is left."""
     names = ("GITHUB_TOKEN", "REGISTRY_PASSWORD", "DEPLOY_KEY")
-    environment = {**doors.builder(lab), "ROSLAB_SBOM": "true", "RUNNER_KEY": canaries["RUNNER_KEY"]}
+    environment = {**doors.builder(lab), "ROSLAB_SBOM": SCANNER, "RUNNER_KEY": canaries["RUNNER_KEY"]}
     with registry.account(USER, canaries["REGISTRY_PASSWORD"]):
         ran = run_workflow(
             lab, caller, "push", doors.payload(repository.partition("/")[2]), env=environment,

@@ -141,6 +141,52 @@ def test_the_runs_own_token_goes_to_ghcr_alone(path: Path) -> None:
             assert re.search(r"outputs\.registry == 'ghcr\.io' && github\.token\) \|\| '' \}\}$", line), line
 
 
+PINNED = {
+    "docker/setup-buildx-action": ("version", "driver-opts"),
+    "docker/setup-qemu-action": ("image",),
+    "docker/build-push-action": ("sbom",),
+}
+"""Settings by which an action is told which program or image to fetch, and fetches the newest where it is not."""
+FLOATING = re.compile(r"moby/buildkit|tonistiigi/binfmt|buildkit-syft-scanner|:latest\b|:stable\b")
+
+
+def _steps(path: Path) -> list[dict[str, Any]]:
+    found = load(path)
+    return (
+        found["runs"]["steps"] if "runs" in found else [s for j in found["jobs"].values() for s in j.get("steps", [])]
+    )
+
+
+@pytest.mark.parametrize("path", [ROOT / "action.yml", *CALLABLE], ids=lambda path: path.name)
+def test_what_a_build_fetches_is_pinned_in_one_table(path: Path) -> None:
+    for step in _steps(path):
+        for name in PINNED.get(str(step.get("uses")).partition("@")[0], ()):
+            assert re.fullmatch(r"\$\{\{ steps\.(ready|dockerfile)\.outputs\.[a-z-]+ \}\}", step["with"][name]), name
+    assert not FLOATING.search(path.read_text())
+
+
+def test_no_module_names_an_image_of_the_builders() -> None:
+    for path in (ROOT / "scripts").rglob("*.py"):
+        assert not re.search(r"moby/buildkit[:@]|tonistiigi/binfmt[:@]|syft-scanner[:@]", path.read_text()), path
+
+
+DOCKER = re.compile(r"^docker/(?!metadata-action)| github (?:explain|prove|index|tag)\b")
+
+
+@pytest.mark.parametrize(
+    "path", [ROOT / "action.yml", ROOT / ".github/workflows/image.yml"], ids=lambda path: path.name
+)
+def test_every_step_that_speaks_with_docker_has_the_private_folder(path: Path) -> None:
+    found = load(path)
+    jobs = [found["runs"]["steps"]] if "runs" in found else [job["steps"] for job in found["jobs"].values()]
+    expected = "${{ steps.ready.outputs.docker-config }}"
+    for steps in jobs:
+        speaking = [step for step in steps if DOCKER.search(str(step.get("uses")) + str(step.get("run")))]
+        assert [step["name"] for step in speaking if step.get("env", {}).get("DOCKER_CONFIG") != expected] == []
+        assert not speaking or steps[-1]["name"] == "Forget the password"
+        assert not speaking or steps[-1]["if"].startswith("always()")
+
+
 def test_the_action_has_at_most_twelve_inputs_and_each_has_a_sentence() -> None:
     found = load(ROOT / "action.yml")
     assert len(found["inputs"]) <= 12

@@ -177,7 +177,9 @@ def _screenshots(options: argparse.Namespace, planned: Planned) -> Path:
 def _prove(planned: Planned, candidate: str, platform: str, name: str, screenshots: Path) -> None:
     from roslab.prove import containers  # noqa: PLC0415
 
-    for outcome in containers.prove(candidate, platform, planned.plan.proofs, screenshots=screenshots):
+    for outcome in containers.prove(
+        candidate, platform, planned.plan.proofs, limits=planned.plan.proof_limits, screenshots=screenshots
+    ):
         if not outcome.passed:
             message = f"{name} was not named: on {platform}, {outcome.proof.name}: {outcome.summary}"
             raise BuildError(

@@ -106,6 +106,20 @@ class TagParts:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class ProofLimits:
+    """What the container of a proof may do and use."""
+
+    network: Literal["bridge", "none"] = "bridge"
+    """``none``: the loopback alone, which ROS is content with."""
+    memory: str | None = None
+    """``8g``, ``512m``; ``None``: nine tenths of the machine's."""
+    pids: int = 8192
+    """Processes and threads: a launch has hundreds, a fork bomb more."""
+    new_privileges: bool = False
+    """Programs such as sudo may raise what they are allowed."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Config:
     """roslab.yaml as one value; ``Config()`` is what a repository without the file has."""
 
@@ -155,6 +169,7 @@ class Config:
     """Stage of the author's own Dockerfile."""
     submodules: Literal["optional", "required"] | None = None
     tags: TagParts = field(default_factory=TagParts)
+    proof: ProofLimits = field(default_factory=ProofLimits)
     gui: bool | None = None
     gpu: bool | None = None
     volume: tuple[Volume, ...] = ()

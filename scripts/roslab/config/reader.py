@@ -120,6 +120,7 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
         target=reading.value(root, "target", "target"),
         submodules=cast(Literal["optional", "required"] | None, reading.value(root, "submodules", "submodules")),
         tags=running.tag_parts(reading, root),
+        proof=running.proof(reading, root),
         gui=shared if gui is None else gui,
         gpu=shared if gpu is None else gpu,
         volume=running.volumes(reading, root),

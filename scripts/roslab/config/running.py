@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import shlex
+from typing import Literal, cast
 
-from roslab.config.model import Custom, Generation, Matlab, TagParts, Volume
+from roslab.config.model import Custom, Generation, Matlab, ProofLimits, TagParts, Volume
 from roslab.config.node import Mapping, Node, Scalar, Sequence
 from roslab.config.reading import Reading
 
@@ -92,6 +93,20 @@ def tag_parts(reading: Reading, root: Mapping) -> TagParts:
     reading.note("tags", root.key("tags"))
     prefix, suffix = (reading.value(mapping, part, f"tags.{part}") or "" for part in ("prefix", "suffix"))
     return TagParts(prefix=prefix, suffix=suffix)
+
+
+def proof(reading: Reading, root: Mapping) -> ProofLimits:
+    """Read ``proof``: the limits of the container in which the image is proved."""
+    mapping = reading.mapping(root, "proof")
+    reading.note("proof", root.key("proof"))
+    usual = ProofLimits()
+    pids = reading.value(mapping, "pids", "proof.pids")
+    return ProofLimits(
+        network=cast(Literal["bridge", "none"], reading.value(mapping, "network", "proof.network") or usual.network),
+        memory=reading.value(mapping, "memory", "proof.memory"),
+        pids=int(pids) if pids else usual.pids,
+        new_privileges=reading.truth(mapping, "new_privileges", "proof.new_privileges") is True,
+    )
 
 
 def command(reading: Reading, root: Mapping, key: str) -> tuple[str, ...] | str | None:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any
 
 import yaml
 
-from roslab.config.model import Base, Config, Custom, Source
+from roslab.config.model import Base, Config, Custom, ProofLimits, Source
 
 FOLDERS = {"source": "source", "home": "home", "root": "/"}
 """Words of today for where custom commands run."""
@@ -43,6 +44,7 @@ def written(config: Config) -> str:
         "target": config.target,
         "submodules": config.submodules,
         "tags": _said(config.tags, ("prefix", "suffix")),
+        "proof": _proof(config.proof),
         "gui": config.gui,
         "gpu": config.gpu,
         "volume": [_said(v, ("host_path", "container_path", "options")) for v in config.volume],
@@ -83,6 +85,12 @@ def custom(custom: Custom) -> dict[str, Any]:
         "chained": custom.chained,
         "commands": list(custom.commands),
     }
+
+
+def _proof(limits: ProofLimits) -> dict[str, Any]:
+    """Return the limits that are not the usual ones."""
+    usual = asdict(ProofLimits())
+    return {name: value for name, value in asdict(limits).items() if value != usual[name]}
 
 
 def _pip(options: tuple[str, ...], lines: tuple[str, ...]) -> list[str]:

@@ -148,6 +148,12 @@ def native_platform() -> str:
     return answer.stdout.strip() or "linux/amd64"
 
 
+def machine_memory() -> int:
+    """Return the bytes of memory of the engine's machine, 0 where it does not say."""
+    said = output(["docker", "info", "--format", "{{.MemTotal}}"]).stdout.strip()
+    return int(said) if said.isdigit() else 0
+
+
 def commit_labels(root: Path) -> tuple[tuple[str, str], ...]:
     """Return the labels that name the commit of a checkout, none where there is no git or no commit.
 

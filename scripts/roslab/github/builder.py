@@ -7,27 +7,36 @@ import re
 from collections.abc import Mapping, Sequence
 
 from roslab.engine.docker import native_platform, output
+from roslab.knowledge.pins import pin
 
 
 def settings(environment: Mapping[str, str]) -> dict[str, str]:
-    """Return the inputs ``driver`` and ``endpoint`` of docker/setup-buildx-action.
+    """Return the inputs of docker/setup-buildx-action and docker/setup-qemu-action, each part at its pinned version.
 
-    A runner gets a BuildKit of its own in a container. A machine that has one already names it with
-    ROSLAB_BUILDX_DRIVER (``remote``) and ROSLAB_BUILDX_ENDPOINT (``unix:///…``): https://docs.docker.com/build/builders/drivers/
+    A runner gets a BuildKit of its own in a container. A machine that has one already, and the buildx that goes with
+    it, names it with ROSLAB_BUILDX_DRIVER (``remote``) and ROSLAB_BUILDX_ENDPOINT (``unix:///…``):
+    https://docs.docker.com/build/builders/drivers/
     """
+    driver = environment.get("ROSLAB_BUILDX_DRIVER", "")
     return {
-        "driver": environment.get("ROSLAB_BUILDX_DRIVER") or "docker-container",
+        "driver": driver or "docker-container",
         "endpoint": environment.get("ROSLAB_BUILDX_ENDPOINT", ""),
+        "buildx": "" if driver else pin("buildx").version,
+        "driver-opts": "" if driver else f"image={pin('buildkit').reference}",
+        "binfmt": pin("binfmt").reference,
     }
 
 
-def scanner(environment: Mapping[str, str], *, act: bool) -> bool:
-    """Tell whether the builder can pull the scanner that writes the bill of materials of an image.
+def scanner(environment: Mapping[str, str], *, wanted: bool, act: bool) -> str:
+    """Return the input ``sbom`` of docker/build-push-action: the scanner that writes an image's bill of materials.
 
-    Under act it is not asked for, since the machine may be offline; ROSLAB_SBOM (``true``, ``false``) says otherwise.
-    https://docs.docker.com/build/metadata/attestations/sbom/
+    Under act it is not asked for, since the machine may be offline; ROSLAB_SBOM (``true``, ``false`` or the reference
+    of another scanner) says otherwise. https://docs.docker.com/build/metadata/attestations/sbom/
     """
-    return (environment.get("ROSLAB_SBOM") or ("false" if act else "true")) == "true"
+    said = environment.get("ROSLAB_SBOM") or ("false" if act else "true")
+    if not wanted or said == "false":
+        return "false"
+    return f"generator={pin('scanner').reference if said == 'true' else said}"
 
 
 def emulated(platforms: Sequence[str]) -> tuple[str, ...]:

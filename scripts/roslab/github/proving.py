@@ -56,7 +56,12 @@ def _prove_pushed(
         registry.pull(reference, image.platform)
         given = _gpus(run)
         outcomes = containers.prove(
-            reference, image.platform, run.plan.proofs, screenshots=folder.artifact, gpus=bool(given)
+            reference,
+            image.platform,
+            run.plan.proofs,
+            limits=run.plan.proof_limits,
+            screenshots=folder.artifact,
+            gpus=bool(given),
         )
         engine.remove_image(reference)
     layers = tuple(LayerSize(size=x.size, text=x.created_by, base=x.digest in base) for x in image.layers)
@@ -91,7 +96,14 @@ def _prove_loaded(folder: Folder, run: Run, platform: str, build: Mapping[str, s
     with workflow.group(f"Load and prove {platform}"):
         digest, _ = engine.build(job, environment={"SOURCE_DATE_EPOCH": build["epoch"]} if build["epoch"] else None)
         given = _gpus(run)
-        outcomes = containers.prove(candidate, platform, run.plan.proofs, screenshots=folder.artifact, gpus=bool(given))
+        outcomes = containers.prove(
+            candidate,
+            platform,
+            run.plan.proofs,
+            limits=run.plan.proof_limits,
+            screenshots=folder.artifact,
+            gpus=bool(given),
+        )
         engine.remove_image(candidate)
     proofs = _proofs(outcomes, given)
     folder.write_report(

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from roslab.engine import credentials
 from roslab.engine import docker as engine
+from roslab.engine.client import private_client
 from roslab.errors import BuildError, Problem
 from roslab.github import access, builder, cache, checkout, disk, event, inputs, kept, rebuild, report, workflow
 from roslab.github import run as runs
@@ -127,7 +128,16 @@ def ready(environment: Environment) -> None:
         right = credentials.may_push(run.image, run.username, environment.get("ROSLAB_TOKEN", ""))
         access.require(right, image=run.image, event=event.read(environment))
     lacking = builder.emulated(_platforms(environment, run))
-    workflow.outputs({**builder.settings(environment), "emulate": ",".join(lacking)}, environment)
+    home = folder.path / "home"
+    workflow.outputs(
+        {
+            **builder.settings(environment),
+            "emulate": ",".join(lacking),
+            "home": str(home),
+            "docker-config": str(private_client(home, environment)),
+        },
+        environment,
+    )
 
 
 def dockerfile(environment: Environment) -> None:
@@ -167,7 +177,7 @@ def dockerfile(environment: Environment) -> None:
         "cache-to": "\n".join(layers.write),
         "epoch": str(seconds) if seconds is not None else "",
         "provenance": "mode=max" if what.public else "mode=min,inline-only=true",
-        "sbom": _flag(run.push and what.public and builder.scanner(environment, act=what.act)),
+        "sbom": builder.scanner(environment, wanted=run.push and what.public, act=what.act),
     }
     folder.write("build.json", json.dumps({**build, "started": time.time()}))
     workflow.outputs(build, environment)

@@ -16,6 +16,7 @@ from roslab.config.model import (
     Generation,
     Kind,
     Matlab,
+    ProofLimits,
     Source,
     TagParts,
     Volume,
@@ -127,6 +128,7 @@ class Plan:
     cmake_update: str | None
     run: Run
     proofs: tuple[Proof, ...]
+    proof_limits: ProofLimits
     platforms: tuple[str, ...]
     platforms_refused: tuple[tuple[str, str], ...]
     tags: TagParts
@@ -223,6 +225,7 @@ def make_plan(
         cmake_update=config.base.cmake_update,
         run=run,
         proofs=proofs(decision),
+        proof_limits=config.proof,
         platforms=decision.platforms,
         platforms_refused=decision.platforms_refused,
         tags=config.tags,

@@ -10,7 +10,8 @@ from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from roslab.engine.docker import Say, output, say
+from roslab.config.model import ProofLimits
+from roslab.engine.docker import Say, machine_memory, output, say
 from roslab.errors import BuildError
 from roslab.knowledge.launches import dead_nodes
 from roslab.plan.proof import Proof, describe
@@ -55,20 +56,23 @@ def prove(
     platform: str,
     proofs: Sequence[Proof],
     *,
+    limits: ProofLimits,
     screenshots: Path,
     gpus: bool = False,
     tell: Say = say,
 ) -> tuple[Outcome, ...]:
     """Run an image's proofs on one platform, in order, up to the first that fails; never raises for a failed proof.
 
+    ``limits`` are the plan's: what runs in the image is the repository's own, and the machine may hold more than it.
     ``screenshots`` is the folder for the pictures of proofs with a display; it is made where there is one to keep.
     ``gpus`` gives the container all GPUs of the machine.
     """
     given = ("--gpus", "all") if gpus else ()
     outcomes: list[Outcome] = []
+    fences = options(limits)
     for proof in proofs:
         tell(f"[{platform}] {proof.name}: {describe(proof)}")
-        outcome = _prove_once(reference, platform, proof, given, screenshots)
+        outcome = _prove_once(reference, platform, proof, [*fences, *given], screenshots)
         tell("".join(f"    {line}\n" for line in outcome.output.splitlines()[-40:]) + f"[{platform}] {outcome.summary}")
         if outcome.screenshot:
             tell(f"[{platform}] {outcome.screenshot}")
@@ -78,19 +82,31 @@ def prove(
     return tuple(outcomes)
 
 
-def _prove_once(reference: str, platform: str, proof: Proof, given: Sequence[str], screenshots: Path) -> Outcome:
+def options(limits: ProofLimits) -> tuple[str, ...]:
+    """Return the options of ``docker run`` that fence a proof in.
+
+    https://docs.docker.com/reference/cli/docker/container/run/
+    """
+    memory = limits.memory or (f"{total * 9 // 10}" if (total := machine_memory()) else "")
+    words = ["--network", limits.network, "--pids-limit", str(limits.pids)]
+    words += ["--memory", memory] if memory else []
+    words += [] if limits.new_privileges else ["--security-opt", "no-new-privileges"]
+    return tuple(words)
+
+
+def _prove_once(reference: str, platform: str, proof: Proof, fences: Sequence[str], screenshots: Path) -> Outcome:
     with ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="roslab-")))
         camera, without = _camera(stack, folder) if proof.display else (None, "")
         picture = screenshots / file_name(platform, proof.name)
         with suppress(OSError):
             picture.unlink()  # an older proof's
-        options = ["--platform", platform, *given, *(camera.display.options() if camera else ())]
+        words = [*fences, "--platform", platform, *(camera.display.options() if camera else ())]
         # What a program holds back would be lost where the proof ends it
-        options += ["--env", "PYTHONUNBUFFERED=1"] if proof.may_run_on else []
+        words += ["--env", "PYTHONUNBUFFERED=1"] if proof.may_run_on else []
         start = time.monotonic()
         log = folder / "log"
-        code, watched = _run([*options, reference, *proof.command], log, proof, camera)
+        code, watched = _run([*words, reference, *proof.command], log, proof, camera)
         seconds = time.monotonic() - start
         with log.open("rb") as stream:
             dead = dead_nodes(_text(stream.read(READ_OUTPUT))) if proof.may_run_on else ()

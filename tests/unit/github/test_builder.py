@@ -28,16 +28,3 @@ def test_platforms_that_a_builder_lists() -> None:
 def test_the_newest_failed_build() -> None:
     assert builder.newest_failure(HISTORY) == "middle"
     assert builder.newest_failure("") is None
-
-
-def test_a_runner_gets_a_buildkit_of_its_own_unless_a_machine_names_one() -> None:
-    assert builder.settings({}) == {"driver": "docker-container", "endpoint": ""}
-    named = {"ROSLAB_BUILDX_DRIVER": "remote", "ROSLAB_BUILDX_ENDPOINT": "unix:///run/buildkitd.sock"}
-    assert builder.settings(named) == {"driver": "remote", "endpoint": "unix:///run/buildkitd.sock"}
-
-
-def test_a_bill_of_materials_is_written_on_a_runner_and_under_act_where_it_is_asked_for() -> None:
-    assert builder.scanner({}, act=False)
-    assert not builder.scanner({}, act=True)
-    assert builder.scanner({"ROSLAB_SBOM": "true"}, act=True)
-    assert not builder.scanner({"ROSLAB_SBOM": "false"}, act=False)
