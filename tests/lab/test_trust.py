@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -64,3 +65,51 @@ def test_the_runs_own_token_is_sent_to_no_other_registry(
     assert "Main Log in" not in ran.log
     assert RUN_TOKEN not in ran.log
     assert f"{doors.OWNER}/{name}" not in registry.repositories()
+
+
+def test_a_report_of_another_job_is_not_believed(lab: Laboratory, tmp_path: Path, name: str) -> None:
+    """It looks like a later attempt's, and names an image that an older commit left in the same package."""
+    given = {"registry": lab.registry, "platforms": "linux/amd64"}
+    old = run_workflow(lab, doors.through_workflow(tmp_path / "old", given), "push", doors.payload(name),
+                       env=doors.builder(lab))  # fmt: skip
+    assert old.exit_code == 0, old.log
+    repository = f"{doors.OWNER}/{name}"
+    before = doors.tags(repository)
+    index, _ = registry.manifest(f"{repository}:main")
+    digest = next(e["digest"] for e in index["manifests"] if e["platform"]["architecture"] == "amd64")
+    proof = {"name": "the repository's test", "command": "", "passed": True, "summary": "passed", "output": ""}
+    report = {"platform": "linux/amd64", "digest": digest, "source": digest, "layers": [], "proofs": [proof],
+              "build_seconds": None}  # fmt: skip
+    job = {"platform": "linux/amd64", "attempt": 9, "failures": []}
+    caller = doors.through_workflow(
+        tmp_path / "new",
+        given,
+        {"fake/report-linux-amd64.json": json.dumps(report), "fake/job.json": json.dumps(job), "new": "a new commit"},
+    )
+    file = caller / ".github/workflows/caller.yml"
+    upload = "actions/upload-artifact@043fb46d1a93c77aae656e7c1c64a875d1fc6a0a"
+    file.write_text(
+        file.read_text()
+        + "  stranger:\n    runs-on: ubuntu-24.04\n    steps:\n"
+        + f"      - uses: {doors.CHECKOUT}\n      - uses: {upload}\n        with:\n"
+        + f"          name: {old.output('artifact')}-linux-amd64-9\n          path: fake\n"
+    )
+    ran = run_workflow(lab, caller, "push", doors.payload(name), env=doors.builder(lab))
+    assert ran.exit_code != 0
+    assert [error for error in doors.errors(ran) if "refused: the report for linux/amd64 names an image of" in error]
+    assert "refused: the report for linux/amd64" in ran.summary
+    assert doors.tags(repository) == before
+
+
+def test_the_password_is_gone_when_the_action_is_done(lab: Laboratory, tmp_path: Path, name: str) -> None:
+    """Before the job's end, whose own clean-up a job that is killed never reaches; and other jobs never see it."""
+    caller = doors.through_action(tmp_path / "caller", {"registry": lab.registry, "platforms": "linux/amd64"})
+    file = caller / ".github/workflows/image.yml"
+    look = (
+        """find "$RUNNER_TEMP" "$HOME" -path '*docker*' -name config.json -exec grep -l auth {} + | sed 's/^/LEFT /'"""
+    )
+    file.write_text(file.read_text() + f"      - run: {json.dumps(look)}\n")
+    ran = run_workflow(lab, caller, "push", doors.payload(name), env=doors.builder(lab))
+    assert ran.exit_code == 0, ran.log
+    assert "Main Log in" in ran.log
+    assert "LEFT /" not in ran.log

@@ -128,6 +128,16 @@ def test_a_runner_that_does_not_say_what_it_runs_is_told_so(
     assert (tmp_path / "elsewhere/kept").exists()
 
 
+NARROW = ("registry", "image", "config", "kind", "distro", "build-tool", "cuda", "python", "platforms")
+
+
+def test_a_concurrency_group_is_of_one_workflow_one_branch_and_one_call() -> None:
+    """Two that differ in anything by which the image differs would cancel or hold up each other."""
+    group = load(ROOT / ".github/workflows/image.yml")["concurrency"]["group"]
+    parts = ["github.workflow_ref", "github.ref", *(f"inputs.{name}" for name in NARROW)]
+    assert group == "repro-action:" + ":".join(f"${{{{ {part} }}}}" for part in parts)
+
+
 TOKEN = re.compile(r"github\.token|secrets\.GITHUB_TOKEN")
 API = re.compile(r"^\s*(?:ROSLAB_GITHUB_TOKEN|ROSLAB_SOURCE_TOKEN): ")
 """Settings that send it to GitHub itself: its API, and its repositories."""

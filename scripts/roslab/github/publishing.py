@@ -60,8 +60,11 @@ def verify(run: Run, reports: tuple[PlatformReport, ...]) -> None:
     for report in reports:
         found = configurations[report.source].get(report.platform)
         made_from = ((found or {}).get("config", {}).get("Labels") or {}).get(REVISION, "")
+        proofs = [proof.name for proof in report.proofs]
         if report.platform not in run.plan.platforms:
             problems.append(f"a report is for {report.platform}, which was not planned")
+        elif proofs != [proof.name for proof in run.plan.proofs]:
+            problems.append(f"the report for {report.platform} has not the proofs that were planned")
         elif found is None:
             problems.append(f"the report for {report.platform} names {report.source}, which holds no such image")
         elif made_from != run.revision:
