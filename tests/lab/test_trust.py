@@ -89,7 +89,7 @@ def test_a_report_of_another_job_is_not_believed(lab: Laboratory, tmp_path: Path
     file = caller / ".github/workflows/caller.yml"
     upload = "actions/upload-artifact@043fb46d1a93c77aae656e7c1c64a875d1fc6a0a"
     file.write_text(
-        file.read_text()
+        file.read_text().replace("  image:\n", "  image:\n    needs: stranger\n")
         + "  stranger:\n    runs-on: ubuntu-24.04\n    steps:\n"
         + f"      - uses: {doors.CHECKOUT}\n      - uses: {upload}\n        with:\n"
         + f"          name: {old.output('artifact')}-linux-amd64-9\n          path: fake\n"
@@ -105,9 +105,8 @@ def test_the_password_is_gone_when_the_action_is_done(lab: Laboratory, tmp_path:
     """Before the job's end, whose own clean-up a job that is killed never reaches; and other jobs never see it."""
     caller = doors.through_action(tmp_path / "caller", {"registry": lab.registry, "platforms": "linux/amd64"})
     file = caller / ".github/workflows/image.yml"
-    look = (
-        """find "$RUNNER_TEMP" "$HOME" -path '*docker*' -name config.json -exec grep -l auth {} + | sed 's/^/LEFT /'"""
-    )
+    look = "find $RUNNER_TEMP $HOME -path '*docker*' -name config.json -exec grep -l auth {} +"
+    look += r" | xargs -r printf '%s %s\n' LEFT"
     file.write_text(file.read_text() + f"      - run: {json.dumps(look)}\n")
     ran = run_workflow(lab, caller, "push", doors.payload(name), env=doors.builder(lab))
     assert ran.exit_code == 0, ran.log

@@ -128,7 +128,10 @@ def test_a_runner_that_does_not_say_what_it_runs_is_told_so(
     assert (tmp_path / "elsewhere/kept").exists()
 
 
-NARROW = ("registry", "image", "config", "kind", "distro", "build-tool", "cuda", "python", "platforms")
+NARROW = (
+    "ref", "registry", "image", "tag-prefix", "tag-suffix", "path", "config", "kind", "distro", "build-tool", "cuda",
+    "python", "platforms",
+)  # fmt: skip
 
 
 def test_a_concurrency_group_is_of_one_workflow_one_branch_and_one_call() -> None:
@@ -180,7 +183,7 @@ def test_no_module_names_an_image_of_the_builders() -> None:
         assert not re.search(r"moby/buildkit[:@]|tonistiigi/binfmt[:@]|syft-scanner[:@]", path.read_text()), path
 
 
-DOCKER = re.compile(r"^docker/(?!metadata-action)| github (?:explain|prove|index|tag)\b")
+DOCKER = re.compile(r"^docker/(?!metadata-action)| github (?:dockerfile|explain|prove|index|tag)\b")
 
 
 @pytest.mark.parametrize(
