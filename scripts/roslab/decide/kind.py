@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import cast
 
 from roslab.config.model import Config, Kind
-from roslab.decide.cuda.signs import framework
+from roslab.decide.cuda.signs import sign_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
 from roslab.decide.ros.workspace import packages_of, ros_versions
@@ -176,7 +176,7 @@ def _meta(evidence: Evidence) -> list[Reason]:
 def _python(evidence: Evidence) -> list[Reason]:
     """Return what speaks for plain Python, and for CUDA where a framework or CUDA sources show."""
     place = _python_place(evidence)
-    found = framework(evidence)
+    found = sign_of_cuda(evidence)
     reasons = []
     if place:
         at, why, weight = place

@@ -11,6 +11,7 @@ import pytest
 
 import roslab.knowledge
 from roslab.knowledge import libraries, released
+from roslab.knowledge.apt_renames import name_in
 from roslab.knowledge.distros import distros, distros_of, rosdistro_tag, ubuntus
 from roslab.knowledge.never import never
 from roslab.knowledge.recipes import recipe
@@ -125,3 +126,9 @@ def test_drivers_are_never_installed() -> None:
         for name in ("nvidia-driver-535", "docker.io", "linux-headers-generic", "librealsense2-dkms")
     )
     assert not any(never().match(name) for name in ("libopencv-dev", "nvidia-cuda-toolkit", "cmake"))
+
+
+def test_a_package_has_its_name_of_each_release() -> None:
+    assert [name_in("libgl1", release) for release in ("xenial", "noble")] == ["libgl1-mesa-glx", "libgl1"]
+    assert [name_in("libgl1-mesa-glx", release) for release in ("focal", "noble")] == ["libgl1-mesa-glx", "libgl1"]
+    assert name_in("libgl1-mesa-glx", "bookworm") == "libgl1"

@@ -15,7 +15,7 @@ from roslab.values.requirement import Requirement
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Framework:
+class Sign:
     """Where it shows, and what."""
 
     file: str
@@ -23,33 +23,33 @@ class Framework:
     why: str
 
 
-def framework(evidence: Evidence) -> Framework | None:
+def sign_of_cuda(evidence: Evidence) -> Sign | None:
     """Return the first sign of CUDA, manifests before code before sources; ``None`` where there is none."""
     if found := next(_named(evidence), None):
         return found
     if evidence.cuda_files:
-        return Framework(file=evidence.cuda_files[0], line=1, why="CUDA sources")
+        return Sign(file=evidence.cuda_files[0], line=1, why="CUDA sources")
     for project in evidence.cmake:
         if "cuda" in project.macros and not places.vendored(project.file) and not places.example(project.file):
-            return Framework(file=project.file, line=project.line, why="its CMake needs CUDA")
+            return Sign(file=project.file, line=project.line, why="its CMake needs CUDA")
     return None
 
 
-def _named(evidence: Evidence) -> Iterator[Framework]:
+def _named(evidence: Evidence) -> Iterator[Sign]:
     """Yield where a framework is named: to pip, to ``import``, to conda."""
     names = accelerated()
     for asked in _pip(evidence):
         if asked.key in names and ANY.may(asked):
-            yield Framework(file=asked.file, line=asked.line, why=f"it needs {asked.key}")
+            yield Sign(file=asked.file, line=asked.line, why=f"it needs {asked.key}")
     for used in evidence.code:
         name = canonicalize_name(used.name) if used.namespace == "import" and used.strength == "used" else ""
         if name in names:
-            yield Framework(file=used.file, line=used.line, why=f"it needs {name}")
+            yield Sign(file=used.file, line=used.line, why=f"it needs {name}")
     for environment in evidence.conda:
         for package in environment.packages:
             if package.name in names:
                 why = f"its environment has {package.name}"
-                yield Framework(file=environment.file, line=environment.line, why=why)
+                yield Sign(file=environment.file, line=environment.line, why=why)
 
 
 def _pip(evidence: Evidence) -> Iterator[Requirement]:

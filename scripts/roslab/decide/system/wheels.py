@@ -5,17 +5,10 @@ from __future__ import annotations
 from roslab.decide.decision import Python
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency, Evidence
+from roslab.knowledge.apt_renames import name_in
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.frameworks import imports, wheels
 from roslab.values.requirement import Requirement
-
-_RENAMED: dict[str, dict[str, str]] = {
-    "libgl1": {"xenial": "libgl1-mesa-glx", "trusty": "libgl1-mesa-glx"},
-    "libegl1": {"xenial": "libegl1-mesa", "trusty": "libegl1-mesa"},
-    "libgl1-mesa-glx": {"noble": "libgl1", "resolute": "libgl1", "bookworm": "libgl1"},
-    "libosmesa6": {"resolute": "libosmesa6"},
-}
-"""https://packages.ubuntu.com, read 2026-08-22."""
 
 
 def apt_for_wheels(
@@ -25,7 +18,7 @@ def apt_for_wheels(
     found: dict[str, Dependency | Requirement] = {}
     for asked in installed:
         for apt in wheels().get(asked.key, ()):
-            found.setdefault(_RENAMED.get(apt, {}).get(ubuntu or "bookworm", apt), asked)
+            found.setdefault(name_in(apt, ubuntu or "bookworm"), asked)
     if python.manager == "system":
         for dependency in evidence.code:
             if dependency.namespace != "import" or dependency.strength != "used" or places.test(dependency.file):
