@@ -13,7 +13,7 @@ from roslab.plan.plan import to_json
 from roslab.render.outcome import Report
 from roslab.render.report import inspection_json, inspection_text
 from roslab.render.summary import summary
-from roslab.repository import checkout
+from roslab.repository import listing
 from roslab.repository.checkout import Repository
 
 TOO_MANY = "the tree holds more than 3 files: what comes after them was not read"
@@ -22,7 +22,7 @@ TOO_MANY = "the tree holds more than 3 files: what comes after them was not read
 @pytest.fixture(autouse=True)
 def few(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let a tree of four files be too large: half a million take a minute to make."""
-    monkeypatch.setattr(checkout, "MAX_FILES", 3)
+    monkeypatch.setattr(listing, "MAX_FILES", 3)
 
 
 def tree(root: Path, *, files: int, folder: str = "data") -> Path:

@@ -6,51 +6,23 @@ import datetime as dt
 import io
 import os
 import re
-import stat
 from collections.abc import Callable, Collection
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
-from roslab.repository import git
+from roslab.repository import git, listing
+from roslab.repository.listing import File, Listing, list_tree
+
+__all__ = ["MAX_TEXT", "File", "Repository", "printable"]
 
 MAX_TEXT = 2 * 1024 * 1024
 """Bytes read of one file: beyond it a file is data, whatever its name says."""
 MAX_KEPT = 256 * 1024
 """Bytes of a text that is kept for the next reader; longer ones are read anew."""
-MAX_FILES = 500_000
-"""Files listed; a larger tree is read as far as that, with a warning (``Repository.problems``)."""
 MAX_NAMED = 80
 """Characters of a folder's path that a message quotes."""
-SKIPPED_FOLDERS = frozenset(
-    {".git", ".hg", ".svn", "__pycache__", "node_modules", ".venv", ".tox", ".mypy_cache", ".pytest_cache"}
-)
-"""Folders that hold no source of the author's."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class File:
-    """A regular file: its path relative to the root (``/`` between parts) and its size in bytes."""
-
-    path: str
-    size: int
-
-    @property
-    def name(self) -> str:
-        """Last part of the path."""
-        return self.path.rpartition("/")[2]
-
-    @property
-    def suffix(self) -> str:
-        """Suffix of the name, lower-cased, with its dot; ``""`` for none and for ``.bashrc``."""
-        stem, dot, suffix = self.name.rpartition(".")
-        return f".{suffix.lower()}" if dot and stem else ""
-
-    @property
-    def folder(self) -> str:
-        """Path of the folder it lies in, ``""`` for the root."""
-        return self.path.rpartition("/")[0]
 
 
 @dataclass(frozen=True)
@@ -95,7 +67,7 @@ class Repository:
     @cached_property
     def listing(self) -> Listing:
         """Everything in the tree, sorted by path; folders that cannot be listed are left out and named."""
-        return _list(self.root)
+        return list_tree(self.root)
 
     def leaving_out(self, paths: Collection[str]) -> Repository:
         """Return the same folder without some of its files: nobody finds or reads them."""
@@ -109,7 +81,7 @@ class Repository:
         """``(message, file, line)``: which parts of the tree nobody reads, and why; the place may be the whole tree."""
         found: list[tuple[str, str | None, int | None]] = []
         if self.listing.truncated:
-            message = f"the tree holds more than {MAX_FILES} files: what comes after them was not read"
+            message = f"the tree holds more than {listing.MAX_FILES} files: what comes after them was not read"
             found.append((message, None, None))
         if folders := self.listing.unreadable:
             named = ", ".join(_short(folder) for folder in folders[:3])
@@ -238,21 +210,6 @@ class Repository:
             return ""
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Listing:
-    """What a walk of the tree found."""
-
-    files: tuple[File, ...]
-    links: frozenset[str]
-    """Files among ``files`` that are links to a regular file inside the tree."""
-    outside: tuple[str, ...]
-    """Links that lead out of the tree or nowhere; never read."""
-    unreadable: tuple[str, ...]
-    """Folders that could not be listed: no permission, or a path longer than the system takes."""
-    truncated: bool
-    """There are more than ``MAX_FILES`` files: the rest is not in ``files``."""
-
-
 def _read_up_to(stream: io.RawIOBase | io.FileIO, size: int) -> bytes:
     parts: list[bytes] = []
     while size > 0 and (part := stream.read(size)):
@@ -267,55 +224,6 @@ def _decode(data: bytes) -> str:
             return data.decode("utf-16", errors="replace")
         return ""
     return data.decode("utf-8-sig", errors="replace").replace("\r\n", "\n").replace("\r", "\n")
-
-
-def _list(root: Path) -> Listing:
-    files: list[File] = []
-    links: set[str] = set()
-    outside: list[str] = []
-    unreadable: list[str] = []
-    pending = [""]
-    while pending and len(files) < MAX_FILES:
-        folder = pending.pop()
-        try:
-            with os.scandir(root / folder) as entries:
-                for entry in entries:
-                    if len(files) == MAX_FILES:
-                        pending.append(folder)  # not all of it was seen
-                        break
-                    path = f"{folder}/{entry.name}" if folder else entry.name
-                    if entry.is_symlink():
-                        _follow(root, path, files, links, outside)
-                    elif entry.is_dir(follow_symlinks=False):
-                        if entry.name not in SKIPPED_FOLDERS:
-                            pending.append(path)
-                    elif entry.is_file(follow_symlinks=False):
-                        files.append(File(path=path, size=entry.stat(follow_symlinks=False).st_size))
-        except OSError:
-            unreadable.append(folder)
-    return Listing(
-        files=tuple(sorted(files, key=lambda file: file.path)),
-        links=frozenset(links),
-        outside=tuple(sorted(outside)),
-        unreadable=tuple(sorted(unreadable)),
-        truncated=bool(pending),
-    )
-
-
-def _follow(root: Path, path: str, files: list[File], links: set[str], outside: list[str]) -> None:
-    """Keep a link to a regular file of the tree; a link to a folder is left out, so no walk can run in circles."""
-    try:
-        target = (root / path).resolve(strict=True)
-        inside = target.is_relative_to(root) and ".git" not in target.relative_to(root).parts
-        status = target.stat()
-    except (OSError, RuntimeError):
-        outside.append(path)
-        return
-    if not inside:
-        outside.append(path)
-    elif stat.S_ISREG(status.st_mode):
-        files.append(File(path=path, size=status.st_size))
-        links.add(path)
 
 
 def _short(folder: str) -> str:

@@ -1,0 +1,104 @@
+"""What lies in a tree: a walk that never leaves it, with a bound on the files."""
+
+from __future__ import annotations
+
+import os
+import stat
+from dataclasses import dataclass
+from pathlib import Path
+
+MAX_FILES = 500_000
+"""Files listed; a larger tree is read as far as that, with a warning (``Repository.problems``)."""
+SKIPPED_FOLDERS = frozenset(
+    {".git", ".hg", ".svn", "__pycache__", "node_modules", ".venv", ".tox", ".mypy_cache", ".pytest_cache"}
+)
+"""Folders that hold no source of the author's."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class File:
+    """A regular file: its path relative to the root (``/`` between parts) and its size in bytes."""
+
+    path: str
+    size: int
+
+    @property
+    def name(self) -> str:
+        """Last part of the path."""
+        return self.path.rpartition("/")[2]
+
+    @property
+    def suffix(self) -> str:
+        """Suffix of the name, lower-cased, with its dot; ``""`` for none and for ``.bashrc``."""
+        stem, dot, suffix = self.name.rpartition(".")
+        return f".{suffix.lower()}" if dot and stem else ""
+
+    @property
+    def folder(self) -> str:
+        """Path of the folder it lies in, ``""`` for the root."""
+        return self.path.rpartition("/")[0]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Listing:
+    """What a walk of the tree found."""
+
+    files: tuple[File, ...]
+    links: frozenset[str]
+    """Files among ``files`` that are links to a regular file inside the tree."""
+    outside: tuple[str, ...]
+    """Links that lead out of the tree or nowhere; never read."""
+    unreadable: tuple[str, ...]
+    """Folders that could not be listed: no permission, or a path longer than the system takes."""
+    truncated: bool
+    """There are more than ``MAX_FILES`` files: the rest is not in ``files``."""
+
+
+def list_tree(root: Path) -> Listing:
+    """Walk a tree; folders that cannot be listed are named, links to folders are left out."""
+    files: list[File] = []
+    links: set[str] = set()
+    outside: list[str] = []
+    unreadable: list[str] = []
+    pending = [""]
+    while pending and len(files) < MAX_FILES:
+        folder = pending.pop()
+        try:
+            with os.scandir(root / folder) as entries:
+                for entry in entries:
+                    if len(files) == MAX_FILES:
+                        pending.append(folder)  # not all of it was seen
+                        break
+                    path = f"{folder}/{entry.name}" if folder else entry.name
+                    if entry.is_symlink():
+                        _follow(root, path, files, links, outside)
+                    elif entry.is_dir(follow_symlinks=False):
+                        if entry.name not in SKIPPED_FOLDERS:
+                            pending.append(path)
+                    elif entry.is_file(follow_symlinks=False):
+                        files.append(File(path=path, size=entry.stat(follow_symlinks=False).st_size))
+        except OSError:
+            unreadable.append(folder)
+    return Listing(
+        files=tuple(sorted(files, key=lambda file: file.path)),
+        links=frozenset(links),
+        outside=tuple(sorted(outside)),
+        unreadable=tuple(sorted(unreadable)),
+        truncated=bool(pending),
+    )
+
+
+def _follow(root: Path, path: str, files: list[File], links: set[str], outside: list[str]) -> None:
+    """Keep a link to a regular file of the tree; a link to a folder is left out, so no walk can run in circles."""
+    try:
+        target = (root / path).resolve(strict=True)
+        inside = target.is_relative_to(root) and ".git" not in target.relative_to(root).parts
+        status = target.stat()
+    except (OSError, RuntimeError):
+        outside.append(path)
+        return
+    if not inside:
+        outside.append(path)
+    elif stat.S_ISREG(status.st_mode):
+        files.append(File(path=path, size=status.st_size))
+        links.add(path)
