@@ -55,3 +55,21 @@ def test_a_base_that_cannot_fit_is_told_before_the_build(lab: Laboratory, tmp_pa
     assert ran.exit_code != 0
     assert [error for error in doors.errors(ran) if "library/python:3.11 alone needs about 0.7 GB" in error], ran.log
     assert "Main Build" not in ran.log
+
+
+@pytest.mark.parametrize("builder", ["the engine's own", "another"])
+def test_a_pull_requests_image_is_exported_once(lab: Laboratory, tmp_path: Path, builder: str) -> None:
+    """Where nothing names another, the engine's own BuildKit builds it, and the engine has it without a copy."""
+    repository = lab.fresh_repository(f"{doors.OWNER}/robot").partition("/")[2]
+    files = {"Dockerfile": "FROM ubuntu:24.04\nRUN uname -m >/machine\n"}
+    caller = doors.through_action(tmp_path, {"registry": lab.registry, "platforms": "linux/amd64"}, files)
+    payload = doors.payload(repository.partition("/")[2], head=repository)
+    named = doors.builder(lab) if builder == "another" else {}
+    ran = run_workflow(lab, caller, "pull_request", payload, env=named)
+    assert ran.exit_code == 0, ran.log
+    assert ran.output("driver") == ("remote" if builder == "another" else "docker")
+    built, _, prove = ran.log.partition("Load and prove")
+    assert "[1/2] FROM" in built
+    assert "[1/2] FROM" not in prove, "the proof builds nothing again"
+    assert "x86_64" in prove
+    assert "Built and proved, not published" in ran.summary

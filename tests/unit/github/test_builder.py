@@ -28,3 +28,9 @@ def test_platforms_that_a_builder_lists() -> None:
 def test_the_newest_failed_build() -> None:
     assert builder.newest_failure(HISTORY) == "middle"
     assert builder.newest_failure("") is None
+
+
+def test_one_platform_that_is_not_pushed_is_built_by_the_engine_unless_a_machine_names_another() -> None:
+    assert builder.settings({}, direct=True)["driver"] == "docker"
+    assert builder.settings({}, direct=True)["driver-opts"] == ""
+    assert builder.settings({"ROSLAB_BUILDX_DRIVER": "remote"}, direct=True)["driver"] == "remote"
