@@ -10,19 +10,20 @@ from roslab.engine.docker import native_platform, output
 from roslab.knowledge.pins import pin
 
 
-def settings(environment: Mapping[str, str]) -> dict[str, str]:
+def settings(environment: Mapping[str, str], *, direct: bool = False) -> dict[str, str]:
     """Return the inputs of docker/setup-buildx-action and docker/setup-qemu-action, each part at its pinned version.
 
-    A runner gets a BuildKit of its own in a container. A machine that has one already, and the buildx that goes with
-    it, names it with ROSLAB_BUILDX_DRIVER (``remote``) and ROSLAB_BUILDX_ENDPOINT (``unix:///…``):
-    https://docs.docker.com/build/builders/drivers/
+    ``direct`` asks for the engine's own BuildKit: enough for one platform that is not pushed, and its image lies on the
+    disk once, where another's would be copied to the engine. Else a runner gets a BuildKit of its own in a container.
+    A machine that has one already, and the buildx that goes with it, names it with ROSLAB_BUILDX_DRIVER (``remote``)
+    and ROSLAB_BUILDX_ENDPOINT (``unix:///…``): https://docs.docker.com/build/builders/drivers/
     """
     driver = environment.get("ROSLAB_BUILDX_DRIVER", "")
     return {
-        "driver": driver or "docker-container",
+        "driver": driver or ("docker" if direct else "docker-container"),
         "endpoint": environment.get("ROSLAB_BUILDX_ENDPOINT", ""),
         "buildx": "" if driver else pin("buildx").version,
-        "driver-opts": "" if driver else f"image={pin('buildkit').reference}",
+        "driver-opts": "" if driver or direct else f"image={pin('buildkit').reference}",
         "binfmt": pin("binfmt").reference,
     }
 

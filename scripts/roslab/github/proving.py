@@ -11,7 +11,8 @@ from roslab.engine import docker as engine
 from roslab.engine import gpu, registry
 from roslab.errors import BuildError, Problem
 from roslab.github import disk, screen, workflow
-from roslab.github.run import Folder, Run, slug
+from roslab.github import run as runs
+from roslab.github.run import Folder, Run
 from roslab.plan.proof import describe
 from roslab.prove import containers
 from roslab.render.outcome import PlatformReport, ProofReport
@@ -42,7 +43,7 @@ def prove(environment: Mapping[str, str]) -> None:
                 disk.before_pull(image, environment)
                 failed.append(_prove_pushed(folder, run, image, digest, seconds))
         else:
-            failed = [_prove_loaded(folder, run, platform, build, seconds) for platform in platforms]
+            failed = [_prove_loaded(folder, run, platform, build, seconds, digest) for platform in platforms]
     if problems := [problem for problem in failed if problem]:
         raise BuildError(*problems)
 
@@ -78,9 +79,11 @@ def _prove_pushed(
     return _failure(outcomes)
 
 
-def _prove_loaded(folder: Folder, run: Run, platform: str, build: Mapping[str, str], seconds: float) -> Problem | None:
-    """Take one platform's image out of the builder, which holds every layer of it, and run it."""
-    candidate = f"{run.plan.name}:{folder.path.name.lower()}-{slug(platform)}"
+def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
+    folder: Folder, run: Run, platform: str, build: Mapping[str, str], seconds: float, digest: str
+) -> Problem | None:
+    """Run one platform's image, which is loaded, or is taken out of the builder first: it holds every layer of it."""
+    candidate = runs.candidate(folder, run, platform)
     pairs = tuple((line.partition("=")[0], line.partition("=")[2]) for line in build["labels"].splitlines())
     authored = run.plan.author_dockerfile
     job = engine.Build(
@@ -94,7 +97,9 @@ def _prove_loaded(folder: Folder, run: Run, platform: str, build: Mapping[str, s
         extra=("--provenance=false",),
     )
     with workflow.group(f"Load and prove {platform}"):
-        digest, _ = engine.build(job, environment={"SOURCE_DATE_EPOCH": build["epoch"]} if build["epoch"] else None)
+        if not build["exporter"].startswith("type=docker,"):
+            epoch = {"SOURCE_DATE_EPOCH": build["epoch"]} if build["epoch"] else None
+            digest, _ = engine.build(job, environment=epoch)
         given = _gpus(run)
         outcomes = containers.prove(
             candidate,

@@ -141,6 +141,11 @@ class Folder:
         file.write_text(report_json(report), encoding="utf-8")
 
 
+def candidate(folder: Folder, run: Run, platform: str) -> str:
+    """Return the name under which the engine holds an image that is proved and not pushed."""
+    return f"{run.plan.name}:{folder.path.name.lower()}-{slug(platform)}"
+
+
 def slug(platform: str) -> str:
     """Return a platform as part of a file name: ``linux-arm-v7``."""
     return platform.replace("/", "-")

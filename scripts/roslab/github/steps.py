@@ -127,11 +127,13 @@ def ready(environment: Environment) -> None:
     if run.push:
         right = credentials.may_push(run.image, run.username, environment.get("ROSLAB_TOKEN", ""))
         access.require(right, image=run.image, event=event.read(environment))
-    lacking = builder.emulated(_platforms(environment, run))
+    platforms = _platforms(environment, run)
+    lacking = builder.emulated(platforms)
+    direct = not run.push and len(platforms) == 1 and not lacking
     home = folder.path / "home"
     workflow.outputs(
         {
-            **builder.settings(environment),
+            **builder.settings(environment, direct=direct),
             "emulate": ",".join(lacking),
             "home": str(home),
             "docker-config": str(private_client(home, environment)),
@@ -164,6 +166,7 @@ def dockerfile(environment: Environment) -> None:
     layers = cache.layers(what, publication, run.cache, image=run.image, part=part, variant=run.variant)
     engine.say(f"layer cache: {layers.reason}")
     by_digest = f"type=image,name={run.image},push=true,push-by-digest=true,name-canonical=true"
+    loaded = f"type=docker,name={runs.candidate(folder, run, platforms[0])}" if len(platforms) == 1 else ""
     build = {
         "dockerfile": str(dockerfile),
         "context": str(context),
@@ -171,12 +174,12 @@ def dockerfile(environment: Environment) -> None:
         "platforms": ",".join(platforms),
         "build-args": "\n".join(f"{name}={value}" for name, value in authored.args) if authored else "",
         "target": (authored.target or "") if authored else "",
-        # A pull request's images stay in the builder, and are loaded one after the other to be proved
-        "exporter": by_digest if run.push else "type=cacheonly",
+        # A pull request's image goes to the engine at once; several stay in the builder and are loaded one by one
+        "exporter": by_digest if run.push else loaded or "type=cacheonly",
         "cache-from": "\n".join(layers.read),
         "cache-to": "\n".join(layers.write),
         "epoch": str(seconds) if seconds is not None else "",
-        "provenance": "mode=max" if what.public else "mode=min,inline-only=true",
+        "provenance": ("mode=max" if what.public else "mode=min,inline-only=true") if run.push else "false",
         "sbom": builder.scanner(environment, wanted=run.push and what.public, act=what.act),
     }
     folder.write("build.json", json.dumps({**build, "started": time.time()}))
