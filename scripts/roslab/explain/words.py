@@ -45,12 +45,20 @@ def problems(answer: Answer) -> tuple[Problem, ...]:
 def _problem(found: Explanation) -> Problem:
     platform = f" on {found.platform}" if found.platform else ""
     if found.id is not None:
-        return Problem(message=f"{found.cause.rstrip('.')}{platform}: {found.error}", hint=found.fix)
+        return Problem(
+            message=f"{found.cause.rstrip('.')}{platform}: {found.error}", hint=f"{found.fix}{_lines(found)}"
+        )
     step = f" in `{_flat(found.step, 120)}`" if found.step else ""
     return Problem(
         message=f"the build failed{platform}{step}: {found.error or 'its log does not say why'}",
         hint="no known cause: the lines before it in the log say more",
     )
+
+
+def _lines(found: Explanation) -> str:
+    """Return the lines for roslab.yaml, as a sentence."""
+    lines = "; ".join(f"{key}: [{', '.join(values)}]" for key, values in found.repair)
+    return f" In roslab.yaml: `{lines}`." if lines else ""
 
 
 def as_json(answer: Answer) -> str:

@@ -1,0 +1,29 @@
+"""An answer as what stopped a build, for annotations and summaries."""
+
+from __future__ import annotations
+
+from roslab.engine.docker import why
+
+MISSING = """\
+#6 [3/4] RUN make
+#6 1.2 src/a.cpp:3:10: fatal error: glog/logging.h: No such file or directory
+#6 ERROR: process "/bin/sh -c make" did not complete successfully: exit code: 2
+"""
+
+
+def test_a_known_cause_comes_with_its_line_and_what_to_write() -> None:
+    (problem,) = why(MISSING)
+    assert "header glog/logging.h is missing" in problem.message
+    assert "src/a.cpp:3:10" in problem.message
+    assert problem.hint is not None
+    assert problem.hint.endswith("In roslab.yaml: `apt: [libgoogle-glog-dev]`.")
+
+
+def test_an_unknown_cause_names_the_step_and_its_first_error() -> None:
+    (problem,) = why(MISSING.replace("fatal error: glog/logging.h: No such file or directory", "error: odd"))
+    assert problem.message == "the build failed in `RUN make`: src/a.cpp:3:10: error: odd"
+    assert "no known cause" in (problem.hint or "")
+
+
+def test_a_log_that_says_nothing_still_stops_the_build() -> None:
+    assert why("Successfully built 0123456789ab\n")[0].message == "the build failed"
