@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import IO
 
 from roslab.explain import matter, names, signatures, steps
 from roslab.explain.reading import Line, lines
 from roslab.explain.steps import Log, Step
+
+_IMAGE = re.compile(r" ---> ([0-9a-f]{12})$")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -87,7 +90,7 @@ def _step(log: Log, step: Step, image: names.Image) -> Explanation:
             error=_short(first),
             error_line=first.number if first else 0,
             lines=tuple(_short(one) for one in matter.telling(said)),
-            reproduce=reproduce(step),
+            reproduce=reproduce(log, step),
         )
     return Explanation(
         step=step.command,
@@ -102,7 +105,7 @@ def _step(log: Log, step: Step, image: names.Image) -> Explanation:
         fix=found.fix,
         certainty=found.failure.certainty,
         repair=_repair(found),
-        reproduce=reproduce(step),
+        reproduce=reproduce(log, step),
     )
 
 
@@ -115,13 +118,18 @@ def _repair(found: signatures.Match) -> tuple[tuple[str, tuple[str, ...]], ...]:
     return ((key, tuple(found.names["package"].replace(",", " ").split())),) if key and found.known else ()
 
 
-def reproduce(step: Step) -> str:
-    """Return the command that builds up to the failed step and opens a shell there; ``""`` where no step is known.
+def reproduce(log: Log, step: Step) -> str:
+    """Return the command that opens a shell where a step failed; ``""`` where no such step is known.
 
-    ``buildx debug build`` keeps the state of the step that failed: https://docs.docker.com/reference/cli/docker/buildx/debug/
+    The classic builder has an image of every step; buildx keeps the state of the one that failed:
+    https://docs.docker.com/reference/cli/docker/buildx/debug/
     """
     if not step.command.startswith("RUN"):
         return ""
+    if not step.name.startswith("["):
+        lines = (line.text for earlier in log.before(step) for line in reversed(earlier.lines))
+        image = next((found[1] for text in lines if (found := _IMAGE.match(text))), "")
+        return f"docker run --rm -it {image} /bin/sh" if image else ""
     platform = f" --platform {step.platform}" if step.platform else ""
     file = f" --file {step.place[0]}" if step.place and step.place[0] != "Dockerfile" else ""
     return f"BUILDX_EXPERIMENTAL=1 docker buildx debug --invoke /bin/sh build{platform}{file} ."

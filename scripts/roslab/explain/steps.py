@@ -32,7 +32,7 @@ class Step:
     @property
     def command(self) -> str:
         """The instruction alone: ``RUN make``."""
-        return re.sub(r"^(?:\[[^\]]{0,200}\]|(?:Step|STEP) \d+/\d+ ?:) ?", "", self.name).strip()
+        return re.sub(r"^(?:\[[^\]]{0,200}\]|(?:Step|STEP) \d+(?:/\d+)? ?:) ?", "", self.name).strip()
 
     @property
     def platform(self) -> str:

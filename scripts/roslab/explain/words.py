@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 from dataclasses import asdict
 
 from roslab.errors import Problem
@@ -29,12 +30,22 @@ def _one(found: Explanation) -> str:
         likely = "" if found.certainty == "certain" else " (likely)"
         out += [f"cause{likely}: {found.cause}", f"fix:   {found.fix}"]
         out += [f"roslab.yaml: {key}: [{', '.join(values)}]" for key, values in found.repair]
+        out += [f"or in a Dockerfile of your own, before this step: {line}" for line in dockerfile_lines(found)]
     else:
         out.append("no known cause. The lines that matter:")
         out += [f"  {line}" for line in found.lines] or ["  (none: the log is empty or cut off)"]
         if found.reproduce:
             out.append(f"To try this step in a shell: {found.reproduce}")
     return "\n".join(out) + "\n"
+
+
+def dockerfile_lines(found: Explanation) -> list[str]:
+    """Return the instructions that repair an author's own Dockerfile; none where the repair is no package."""
+    install = {
+        "apt": "RUN apt-get update && apt-get install -y --no-install-recommends {}",
+        "pip": "RUN pip install {}",
+    }
+    return [install[key].format(" ".join(map(shlex.quote, values))) for key, values in found.repair if key in install]
 
 
 def problems(answer: Answer) -> tuple[Problem, ...]:

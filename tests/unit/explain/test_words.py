@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import io
+
 from roslab.engine.docker import why
+from roslab.explain.answer import explain
+from roslab.explain.words import text
 
 MISSING = """\
 #6 [3/4] RUN make
@@ -27,3 +31,15 @@ def test_an_unknown_cause_names_the_step_and_its_first_error() -> None:
 
 def test_a_log_that_says_nothing_still_stops_the_build() -> None:
     assert why("Successfully built 0123456789ab\n")[0].message == "the build failed"
+
+
+def test_the_lines_for_an_author_s_own_dockerfile_are_shown_too() -> None:
+    said = text(explain(io.BytesIO(MISSING.encode())))
+    assert "RUN apt-get update && apt-get install -y --no-install-recommends libgoogle-glog-dev" in said
+
+
+def test_a_step_of_the_classic_builder_is_tried_in_the_image_before_it() -> None:
+    log = "Step 1/2 : FROM ubuntu:22.04\n ---> 0123456789ab\nStep 2/2 : RUN ./odd\n ---> Running in 1a2b3c4d5e6f\n"
+    log += "odd: it is odd\nThe command '/bin/sh -c ./odd' returned a non-zero code: 1\n"
+    (found,) = explain(io.BytesIO(log.encode())).explanations
+    assert found.reproduce == "docker run --rm -it 0123456789ab /bin/sh"
