@@ -131,3 +131,27 @@ def test_every_row_of_a_table_has_a_source_and_a_date(table: str) -> None:
 def test_a_change_of_an_api_has_a_bounded_pattern(row: dict[str, str]) -> None:
     test_a_pattern_is_bounded("", row["pattern"])
     assert not row["fix"].endswith(".")
+
+
+def test_absent_lists_are_no_renamed_package() -> None:
+    """Without lists every name is unknown, one that was renamed too."""
+    log = """
+Step 2/9 : RUN apt-get install -y libpng12-dev git
+ ---> Running in 1a2b3c4d5e6f
+Reading package lists...
+E: Unable to locate package libpng12-dev
+E: Unable to locate package git
+The command '/bin/sh -c apt-get install -y libpng12-dev git' returned a non-zero code: 100
+"""
+    assert [found.id for found in said(log).explanations] == ["apt-lists-absent"]
+
+
+def test_the_failed_step_s_first_error_wins_over_what_follows_from_it() -> None:
+    log = """
+#8 [3/4] RUN make -j8
+#8 9.0 a.cpp:3:10: fatal error: glog/logging.h: No such file or directory
+#8 9.0 b.o: undefined reference to `robot_move(int)'
+#8 9.0 make: *** [all] Error 2
+#8 ERROR: process "/bin/sh -c make -j8" did not complete successfully: exit code: 2
+"""
+    assert [found.id for found in said(log).explanations] == ["header-missing"]
