@@ -143,9 +143,15 @@ def _hidden(names: Names, _: Image) -> Names:
     return {"hint": "For CUDA, start FROM a -devel tag of nvidia/cuda." if cuda else ""}
 
 
+def _advice(names: Names, _: Image) -> Names:
+    name = (names.get("package") or names.get("tool") or "").lower().replace("_", "-")
+    return {"advice": next((row["advice"] for row in rows("package_advice") if row["package"] == name), "")}
+
+
 LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "release": _release,
     "apt": _renamed,
+    "advice": _advice,
     "api": _api,
     "argument": _argument,
     "cmake": _library("cmake", "name"),

@@ -20,6 +20,7 @@ ALL = failures()
 PATTERNS = [(f"{row.id}.{name}", getattr(row, name)) for row in ALL for name in ("pattern", "also", "unless", "extra")]
 PATTERNS = [(name, pattern) for name, pattern in PATTERNS if pattern]
 LOOKED_UP = {
+    "advice",
     "name",
     "package",
     "release",
@@ -118,7 +119,9 @@ def test_a_line_of_three_megabytes_is_read_in_time() -> None:
         assert time.process_time() - begun < 3
 
 
-@pytest.mark.parametrize("table", ["ended", "programs", "apt_names", "shared_objects", "api_changes", "headers"])
+@pytest.mark.parametrize(
+    "table", ["ended", "programs", "apt_names", "shared_objects", "api_changes", "headers", "package_advice"]
+)
 def test_every_row_of_a_table_has_a_source_and_a_date(table: str) -> None:
     assert rows(table)
     for row in rows(table):
