@@ -23,6 +23,19 @@ class PythonTools:
 
 
 @cache
+def python2_installers() -> tuple[str, ...]:
+    """Return the last installers that run on Python 2.7, whose first pip knows no markers."""
+    row = next(row for row in rows("python_tools") if row["python"] == "2.7")
+    return tuple(row[name] for name in INSTALLERS)
+
+
+@cache
+def tool_image(tool: str) -> str:
+    """Return the image that a program is copied from, with its tag."""
+    return next(row["image"] for row in rows("tool_images") if row["tool"] == tool)
+
+
+@cache
 def _table() -> dict[str, PythonTools]:
     return {
         row["python"]: PythonTools(

@@ -6,11 +6,10 @@ from roslab.config.model import Kind
 from roslab.decide.decision import Reason
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus
 from roslab.knowledge.frameworks import cuda_image, nearest_cuda_image
+from roslab.knowledge.python_images import python_images
 
 PREFERRED = ("focal", "jammy", "noble", "bionic", "xenial")
 """Where nothing decides: old enough for the code of papers, young enough to have packages."""
-_DEBIAN = {"3.5": None, "3.6": "bullseye"}
-"""``python:VERSION-slim-…`` that exists: https://hub.docker.com/_/python, read 2026-08-22; bookworm from 3.7 on."""
 
 
 def system_ubuntu(python_version: str | None, among: tuple[str, ...] = PREFERRED) -> str | None:
@@ -40,7 +39,7 @@ def base_for(
         chosen = ubuntu or ("bionic" if python_version else "jammy")
         image = f"ubuntu:{version_of(chosen)}"
         return image, chosen, (_reason(image, "asked for" if ubuntu else "the default"),)
-    image = f"python:{python_version}-slim-{_DEBIAN.get(python_version) or 'bookworm'}"
+    image = f"python:{python_version}-slim-{python_images().get(python_version, 'bookworm')}"
     return image, None, (_reason(image, f"no Ubuntu has Python {python_version}"),)
 
 

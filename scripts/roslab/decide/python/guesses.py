@@ -12,22 +12,9 @@ from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.frameworks import imports
+from roslab.knowledge.guesses import same_module, tooling
 from roslab.values.requirement import Requirement, stated
 
-_TOOLS = frozenset(
-    [
-        "pip", "setuptools", "wheel", "virtualenv", "virtualenvwrapper", "conda", "uv", "pipenv", "poetry",
-        "pipx", "twine", "build", "tox", "nox", "mamba",
-    ]
-)  # fmt: skip
-_CI_TOOLS = frozenset(
-    [
-        "black", "flake8", "isort", "pylint", "mypy", "pytest", "pytest-cov", "coverage", "codecov", "coveralls",
-        "cpp-coveralls", "ros-buildfarm", "catkin-lint",
-        "pre-commit", "sphinx", "ruff", "autopep8", "clang-format", "clang-tidy", "cpplint", "cmakelang",
-        "cmake-format", "codespell", "gcovr", "yapf", "bandit", "pydocstyle", "pycodestyle", "mkdocs",
-    ]
-)  # fmt: skip
 _FOR_DEVELOPERS = re.compile(
     r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|(?:bitbucket|azure)-pipelines\.|docs?\d?/)"
 )
@@ -48,11 +35,12 @@ def guesses(
             or _repository(pin.requirement.url) in urls
             or pin.name in known
             or pin.name == "pip"
-            or (pin.name in _TOOLS and not pin.release)
-            or (aside and pin.name in _CI_TOOLS)
+            or (pin.name in tooling("installers") and not pin.release)
+            or (aside and pin.name in tooling("developers"))
         ):
             continue
         found.setdefault(pin.name, pin.requirement)
+    tools = tooling("installers") | tooling("developers")
     heavy = bool(known & {"torch", "tensorflow", "jax"})
     strengths = {"used"} if manifests else {"used", "optional"}
     for dependency in evidence.code:
@@ -60,8 +48,8 @@ def guesses(
             continue
         package, apt = imports().get(dependency.name) or (None, None)
         name = canonicalize_name(package) if package else ""
-        covered = name in known or name in found or any(_same(name, other) for other in (*known, *found))
-        if not package or covered or name in _TOOLS | _CI_TOOLS or (heavy and name in _FRAMEWORKS):
+        covered = name in known or name in found or any(same_module(name, other) for other in (*known, *found))
+        if not package or covered or name in tools or (heavy and name in _FRAMEWORKS):
             continue
         if ros and (apt or name in _FRAMEWORKS):  # a ROS image's Python is the system's: what apt has comes from there
             continue
@@ -73,18 +61,6 @@ def _repository(url: str) -> str:
     """Return the repository of a ``git+`` URL, so that two spellings of one package are not both installed."""
     match = re.search(r"git\+\w+://(?:[^@/]*@)?([\w.-]+/[\w.-]+/[\w.-]+?)(?:\.git)?(?:[@#].*)?$", url)
     return match[1].lower() if match else ""
-
-
-def _same(name: str, other: str) -> bool:
-    """Tell whether two packages bring the same module: the builds of OpenCV, the spellings of scikit-learn."""
-    stems = ("opencv-", "mmcv", "scikit-learn", "protobuf", "pin", "cupy")
-    return any(name.startswith(stem) and other.startswith(stem) for stem in stems) or {name, other} in (
-        {"scikit-learn", "sklearn"},
-        {"pyyaml", "yaml"},
-        {"mujoco-py", "free-mujoco-py"},
-        {"hydra-core", "hydra"},
-        {"torch", "pytorch"},
-    )
 
 
 def _specific(pin: Pin) -> tuple[int, int, int]:

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from roslab.knowledge.tools import python2_installers, tool_image
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import manifests, shell
 
-MICROMAMBA = "mambaorg/micromamba:2.3.2"
-"""Statically linked, amd64 and arm64. https://hub.docker.com/r/mambaorg/micromamba, 2026-08-22."""
-PYTHON2_TOOLS = ("pip<21", "setuptools<45", "wheel<0.38")
-"""The last that run on Python 2.7. https://pip.pypa.io/en/stable/news/#v21-0, 2026-08-22."""
 GET_PIP = "https://bootstrap.pypa.io/pip/2.7/get-pip.py"
 
 
@@ -54,7 +51,7 @@ def _both_pips(plan: Plan) -> str:
     """
     return f"""\
 RUN if python2 -m pip --version >/dev/null 2>&1; then \\
-      python2 -m pip install --no-cache-dir --upgrade{_words(PYTHON2_TOOLS)}; \\
+      python2 -m pip install --no-cache-dir --upgrade{_words(python2_installers())}; \\
     fi; \\
     python3 -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}"""
 
@@ -87,7 +84,7 @@ def _conda(plan: Plan) -> str:
     create = f"micromamba create --yes --quiet --prefix /opt/conda {source}"
     return (
         "# A conda environment: the author's own, or for a Python that the base does not have\n"
-        f"COPY --from={MICROMAMBA} /bin/micromamba /usr/local/bin/micromamba\n{copy}"
+        f"COPY --from={tool_image('micromamba')} /bin/micromamba /usr/local/bin/micromamba\n{copy}"
         "ENV MAMBA_ROOT_PREFIX=/opt/mamba \\\n    CONDA_PREFIX=/opt/conda \\\n    PATH=/opt/conda/bin:${PATH}\n"
         + shell.run(create, "micromamba clean --all --yes --quiet")
     )
@@ -112,7 +109,7 @@ def packages(plan: Plan) -> str:
         blocks.append(
             shell.run(
                 f"if ! python2 -m pip --version >/dev/null 2>&1; then curl --fail --silent {GET_PIP} | python2; fi",
-                f"python2 -m pip install --no-cache-dir --upgrade{_words(PYTHON2_TOOLS)}",
+                f"python2 -m pip install --no-cache-dir --upgrade{_words(python2_installers())}",
                 "ln --symbolic --force pip2 /usr/local/bin/pip",
                 f"python2 -m pip install --no-cache-dir{options}{shell.words(_arguments(python.python2))}",
                 comment="Packages of Python 2",
