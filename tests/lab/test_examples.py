@@ -118,7 +118,7 @@ def test_a_compiler_error_is_told(roslab: Callable[..., CompletedProcess[str]], 
     assert answer.returncode == 5
     assert answer.stdout == ""
     assert "no_such_header.hpp: No such file or directory" in answer.stderr
-    assert "roslab: error: the build failed: " in answer.stderr
+    assert "roslab: error: The header no_such_header.hpp is missing: " in answer.stderr
 
 
 @pytest.mark.parametrize("example", ["python_filter"], indirect=True)
