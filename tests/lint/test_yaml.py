@@ -266,9 +266,12 @@ def _uses_of_ours(text: str) -> list[tuple[str, dict[str, Any]]]:
 
 
 def _snippets() -> list[tuple[str, str]]:
-    readme = (ROOT / "README.md").read_text()
-    blocks = re.findall(r"^```ya?ml\n(.*?)^```", readme, flags=re.MULTILINE | re.DOTALL)
-    return [(path.name, path.read_text()) for path in STARTERS] + [("README.md", block) for block in blocks]
+    pages = [ROOT / "README.md", ROOT / "workflows/README.md", *sorted((ROOT / "docs").glob("*.md"))]
+    found = [(path.name, path.read_text()) for path in STARTERS]
+    for page in pages:
+        blocks = re.findall(r"^```ya?ml\n(.*?)^```", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+        found += [(str(page.relative_to(ROOT)), block) for block in blocks]
+    return found
 
 
 @pytest.mark.parametrize(("name", "text"), _snippets())
