@@ -125,12 +125,19 @@ def _built_with(names: Names, where: Image) -> Names:
     return {"library": f"what it is built against (in {folder[1]})" if folder else "what it is built against"}
 
 
+_SECRET = re.compile(r"(?i)key|token|licen[cs]e|secret|pass|user|auth|credential")
 _VARIABLE = re.compile(r"\$\{?([A-Za-z_]\w{1,60})")
 
 
 def _argument(names: Names, where: Image) -> Names:
     found = _VARIABLE.findall(where.instruction)
     return {"name": names["name"]} if names.get("name") else ({"name": found[0]} if found else {})
+
+
+def _secret(_: Names, where: Image) -> Names:
+    """Name the variable of an instruction that holds a key, not the one that holds an address."""
+    found = [name for name in _VARIABLE.findall(where.instruction) if _SECRET.search(name)]
+    return {"name": found[0]} if found else {}
 
 
 def _ros(names: Names, where: Image) -> Names:
@@ -164,5 +171,6 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "pkg-config": _library("pkg-config", "module"),
     "program": _table("programs", "program", "apt", "program"),
     "ros": _ros,
+    "secret": _secret,
     "shared": _table("shared_objects", "library", "apt", "library"),
 }
