@@ -141,8 +141,11 @@ def _secret(_: Names, where: Image) -> Names:
 
 
 def _ros(names: Names, where: Image) -> Names:
-    name = names.get("name", "").split(", ")[0].replace("_", "-")
-    return {"package": f"ros-{where.ros}-{name}"} if where.ros and name else {}
+    """Name the package of a ROS package; nothing for what is known as a library of CMake's."""
+    name = names.get("name", "").split(", ")[0]
+    if not name or libraries.library("cmake", name, where.ubuntu) is not None:
+        return {}
+    return {"package": f"ros-{where.ros}-{name.replace('_', '-')}" if where.ros else ""}
 
 
 def _hidden(names: Names, _: Image) -> Names:

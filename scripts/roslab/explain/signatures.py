@@ -91,12 +91,13 @@ def _one(failure: Failure, case: _Case) -> tuple[int, Match] | None:
         return None
     text = case.text.text
     matches = list(islice(compiled(failure.pattern).finditer(text), 200))
-    if not matches or not _fits(failure, text, case.raw):
+    whole = f"{text}\n{case.step.command}"
+    if not matches or not _fits(failure, text, whole, case.raw):
         return None
     earlier = _before(failure, case) if failure.before else {}
     if earlier is None:
         return None
-    also = compiled(failure.also).search(text) if failure.also else None
+    also = compiled(failure.also).search(whole) if failure.also else None
     for at, found in enumerate(matches):
         names = {
             **(_groups([also]) if also else {}),
@@ -123,8 +124,8 @@ def _match(failure: Failure, case: _Case, found: re.Match[str], names: Names) ->
     )
 
 
-def _fits(failure: Failure, text: str, raw: str) -> bool:
-    if failure.also and not compiled(failure.also).search(text):
+def _fits(failure: Failure, text: str, whole: str, raw: str) -> bool:
+    if failure.also and not compiled(failure.also).search(whole):
         return False
     if failure.unless and (compiled(failure.unless).search(text) or compiled(failure.unless).search(raw[-200_000:])):
         return False

@@ -5,7 +5,7 @@ A failure is one table ``[id]`` in a file ``failures_WORLD.toml``:
 =============  =========================================================================================
 ``pattern``    regular expression on the failed step's lines, joined; named groups are the captured names,
                ``name2`` being another place of ``name``; every repetition has an upper bound
-``also``       must match too; ``unless`` must not; both anywhere in the failed step
+``also``       must match too, anywhere in the step's lines or its instruction; ``unless`` must not, in its lines
 ``before``     must match in the instruction or the lines of an earlier step, or in this one's instruction
 ``command``    must match the step's instruction (empty where the log tells of no step)
 ``extra``      more names, searched in all lines of the step (``where = "command"``: in the instruction;

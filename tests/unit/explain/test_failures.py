@@ -158,3 +158,17 @@ def test_the_failed_step_s_first_error_wins_over_what_follows_from_it() -> None:
 #8 ERROR: process "/bin/sh -c make -j8" did not complete successfully: exit code: 2
 """
     assert [found.id for found in said(log).explanations] == ["header-missing"]
+
+
+@pytest.mark.parametrize(("name", "known"), [("nav2_msgs", "ros-package-missing"), ("glog", "cmake-package")])
+def test_a_workspace_s_missing_package_is_told_from_a_library(name: str, known: str) -> None:
+    log = f"""
+#9 [5/6] RUN . /opt/ros/humble/setup.sh && colcon build
+#9 9.2 CMake Error at CMakeLists.txt:12 (find_package):
+#9 9.2   By not providing "Find{name}.cmake" in CMAKE_MODULE_PATH this project has
+#9 9.3 Failed   <<< robot [4.20s, exited with code 1]
+#9 ERROR: process "/bin/sh -c colcon build" did not complete successfully: exit code: 1
+"""
+    found = said(log).explanations[0]
+    assert found.id == known
+    assert known != "ros-package-missing" or found.repair == (("apt", ("ros-humble-nav2-msgs",)),)
