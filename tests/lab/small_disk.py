@@ -12,14 +12,13 @@ import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Any
 
 from . import buildkit, engine, facts
 from .command import LabError, run
 from .laboratory import Laboratory
 
-BRIDGE = "docker0"
-"""Of an engine's own network: https://docs.docker.com/engine/network/drivers/bridge/"""
+BRIDGE = "lab-small-disk"
+"""Name of the second engine's bridge: at most 15 characters."""
 
 
 @contextmanager
@@ -46,8 +45,14 @@ def small_disk(lab: Laboratory, megabytes: int) -> Iterator[Laboratory]:
 
 @contextmanager
 def _engine(store: Path, place: Path) -> Iterator[str]:
-    """Run one more engine, without a network of its own, and yield its address."""
+    """Run one more engine on a bridge of its own, and yield its address.
+
+    Without a bridge it would take the other engine's away: ``bridge: none`` removes docker0.
+    """
     place.mkdir()
+    run(["ip", "link", "add", "name", BRIDGE, "type", "bridge"])
+    run(["ip", "address", "add", "172.31.250.1/24", "dev", BRIDGE])
+    run(["ip", "link", "set", BRIDGE, "up"])
     host = f"unix://{place}/docker.sock"
     settings = {
         "data-root": str(store),
@@ -56,7 +61,7 @@ def _engine(store: Path, place: Path) -> Iterator[str]:
         "hosts": [host],
         "features": {"containerd-snapshotter": True},
         "registry-mirrors": [f"http://127.0.0.1:{facts.number('registry', 'mirror_port')}"],
-        "bridge": "none",
+        "bridge": BRIDGE,
         "iptables": False,
         "ip6tables": False,
     }
@@ -64,7 +69,6 @@ def _engine(store: Path, place: Path) -> Iterator[str]:
     daemon = shutil.which("dockerd", path=os.environ.get("PATH", "") + ":/usr/sbin:/usr/local/sbin")
     if not daemon:
         raise LabError("dockerd is not on PATH: a second engine cannot be started")
-    bridge = _bridge()
     with (place / "log").open("w") as log:
         process = subprocess.Popen(
             [daemon, "--config-file", str(place / "daemon.json")], stdin=subprocess.DEVNULL, stdout=log, stderr=log
@@ -75,28 +79,9 @@ def _engine(store: Path, place: Path) -> Iterator[str]:
             if process.poll() is not None or time.monotonic() > deadline:
                 raise LabError(f"a second engine does not answer; its log: {(place / 'log').read_text()}")
             time.sleep(0.2)
-        _put_back(bridge)
         yield host
     finally:
         process.terminate()
         process.wait(60)
         engine.unmount_below(place)
-
-
-def _bridge() -> dict[str, Any] | None:
-    """Return the bridge of the machine's first engine as `ip` describes it, None where there is none."""
-    answer = subprocess.run(
-        ["ip", "-json", "address", "show", "dev", BRIDGE], capture_output=True, text=True, check=False
-    )
-    return next(iter(json.loads(answer.stdout)), None) if answer.returncode == 0 else None
-
-
-def _put_back(bridge: dict[str, Any] | None) -> None:
-    """Make the first engine's bridge again: an engine without a network removes it when it starts."""
-    if bridge is None or _bridge() is not None:
-        return
-    run(["ip", "link", "add", "name", BRIDGE, "mtu", str(bridge["mtu"]), "type", "bridge"])
-    for address in bridge["addr_info"]:
-        if address["family"] == "inet":
-            run(["ip", "address", "add", f"{address['local']}/{address['prefixlen']}", "dev", BRIDGE])
-    run(["ip", "link", "set", BRIDGE, "up"])
+        subprocess.run(["ip", "link", "delete", BRIDGE], check=False, capture_output=True)
