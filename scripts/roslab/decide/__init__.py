@@ -9,7 +9,7 @@ from roslab.decide.author_dockerfile import decide_dockerfile
 from roslab.decide.base import decide_base, of_dockerfile
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.command import decide_command
-from roslab.decide.cuda.version import CudaChoice, decide_cuda, of_image
+from roslab.decide.cuda.version import NO_CUDA, decide_cuda, of_image
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.kind import decide_kind
 from roslab.decide.old_formats import as_it_was, narrowed
@@ -48,8 +48,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     distro = release.answer.name if release.answer else None
     mentioned = pins(evidence)
     cuda = decide_cuda(evidence, config, mentioned)
-    version = decide_version(evidence, config, kind.answer, pins=mentioned, ros_distro=distro, cuda=cuda.cuda)
-    base = decide_base(evidence, config, kind.answer, chosen=release, cuda=cuda, python=version.answer.version)
+    version = decide_version(evidence, config, kind.answer, pins=mentioned, ros_distro=distro, cuda=cuda.answer.version)
+    base = decide_base(evidence, config, kind.answer, chosen=release, cuda=cuda.answer, python=version.answer.version)
     python = decide_python(
         evidence,
         config,
@@ -58,7 +58,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         own=version,
         ubuntu=base.answer.ubuntu,
         ros_distro=distro,
-        cuda=cuda.cuda,
+        cuda=cuda.answer.version,
     )
     everything = installed(evidence, python.answer)
     own = decide_dockerfile(evidence, config, kind.answer, distro)
@@ -106,11 +106,11 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     sources = with_recipes(sources, recipes_for(recipes, base.answer.ubuntu))
 
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
-    cuda = cuda if on_cuda else CudaChoice()
+    cuda = cuda if on_cuda else NO_CUDA
     command = decide_command(evidence, config, kind.answer, own.answer.file if own.answer else None)
     test = decide_test(config)
     platforms = decide_platforms(
-        evidence, config, kind.answer, base.answer.image, distro, cuda.cuda, python.answer, everything
+        evidence, config, kind.answer, base.answer.image, distro, cuda.answer.version, python.answer, everything
     )
     choices = (kind, release, base, build_tool, layout, python, cuda, own, command, test, platforms, sources, system)
     return Decision(
@@ -139,14 +139,14 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         test=test.answer,
         platforms=platforms.answer.built,
         platforms_refused=platforms.answer.refused,
-        cuda=cuda.cuda,
-        cudnn=cuda.cudnn,
+        cuda=cuda.answer.version,
+        cudnn=cuda.answer.cudnn,
         gpu=on_cuda if config.gpu is None else config.gpu,
         gui=command.answer.gui,
         warnings=(
             *(Warning_(message=message, file=file, line=line) for message, file, line in evidence.problems),
             *(warn(message, origin) for message, origin in config.warnings),
-            *(warning for choice in choices for warning in getattr(choice, "warnings", ())),
+            *(warning for choice in choices for warning in choice.warnings),
         ),
         reasons=tuple(reason for choice in choices for reason in choice.reasons),
     )

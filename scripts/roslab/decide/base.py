@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from roslab.config.model import Config, Kind
-from roslab.decide.cuda.version import CudaChoice
+from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.base import base_for
 from roslab.decide.reasons import because, configured, ranked, strongest
@@ -47,7 +47,7 @@ def decide_base(
     kind: Kind,
     *,
     chosen: Choice[Distro | None],
-    cuda: CudaChoice,
+    cuda: Cuda,
     python: str | None,
 ) -> Choice[BaseImage]:
     """Return the image to start from."""
@@ -58,10 +58,10 @@ def decide_base(
         return Choice(answer=BaseImage(image=base.image, ubuntu=ubuntu), reasons=(said,))
     if chosen.answer:
         return _ros(evidence, config, chosen.answer, chosen.reasons[0], cuda)
-    if kind == "cpp" and not cuda.cuda:
+    if kind == "cpp" and not cuda.version:
         return _cpp(evidence, config)
     python = None if kind == "cpp" else python  # C++ starts from an Ubuntu for its own sake
-    image, ubuntu, reasons = base_for(kind, cuda.cuda, cuda.cudnn if cuda.cudnn_named else None, base.ubuntu, python)
+    image, ubuntu, reasons = base_for(kind, cuda.version, cuda.cudnn if cuda.cudnn_named else None, base.ubuntu, python)
     return Choice(answer=BaseImage(image=image, ubuntu=ubuntu), reasons=reasons)
 
 
@@ -79,12 +79,14 @@ def of_dockerfile(
     return replace(choice, answer=answer, reasons=(why, *others))
 
 
-def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: CudaChoice) -> Choice[BaseImage]:
+def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: Cuda) -> Choice[BaseImage]:
     variant = config.base.ros.partition("-")[2] if config.base.ros else ""
     on_top = (f"ros-{distro.name}-{variant}",) if variants().get(variant) is False else ()
     authored = _nvidia_dockerfile(evidence)
-    if cuda.cuda and (config.base.cuda or authored):
-        image, _, reasons = base_for("cuda", cuda.cuda, cuda.cudnn if cuda.cudnn_named else None, distro.ubuntu, None)
+    if cuda.version and (config.base.cuda or authored):
+        image, _, reasons = base_for(
+            "cuda", cuda.version, cuda.cudnn if cuda.cudnn_named else None, distro.ubuntu, None
+        )
         if config.base.cuda or authored is None:
             said = configured(config, "base_image", image, "base.cuda")
         else:

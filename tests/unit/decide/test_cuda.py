@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 from roslab.config.model import Base, Config
-from roslab.decide.cuda.version import CudaChoice
+from roslab.decide.cuda.version import Cuda
 from roslab.decide.cuda.version import decide_cuda as from_pins
+from roslab.decide.decision import Choice
 from roslab.decide.python.base import base_for
 from roslab.decide.python.pins import pins
 from roslab.evidence.facts import CondaEnvironment, Evidence, Mention, RequirementFile
@@ -28,7 +29,7 @@ def asked(*lines: str) -> RequirementFile:
     )
 
 
-def decide_cuda(evidence: Evidence, config: Config) -> CudaChoice:
+def decide_cuda(evidence: Evidence, config: Config) -> Choice[Cuda]:
     return from_pins(evidence, config, pins(evidence))
 
 
@@ -51,11 +52,11 @@ def said(value: str, text: str = "") -> Mention:
     ],
 )
 def test_frameworks_decide(evidence: Evidence, cuda: str) -> None:
-    assert decide_cuda(evidence, Config()).cuda == cuda
+    assert decide_cuda(evidence, Config()).answer.version == cuda
 
 
 def test_nothing_asks_for_it() -> None:
-    assert decide_cuda(Evidence(), Config()).cuda is None
+    assert decide_cuda(Evidence(), Config()).answer.version is None
 
 
 def test_conda_toolkit_beats_the_default_wheel() -> None:
@@ -65,20 +66,20 @@ def test_conda_toolkit_beats_the_default_wheel() -> None:
         file="environment.yml", line=1, name=None, python="3.9", packages=packages, requirements=(),
     )  # fmt: skip
     choice = decide_cuda(Evidence(conda=(environment,)), Config())
-    assert (choice.cuda, choice.cudnn) == ("11.6", "8")
+    assert (choice.answer.version, choice.answer.cudnn) == ("11.6", "8")
     assert [reason.decisive for reason in choice.reasons] == [True, False]
 
 
 def test_a_deleted_image_is_replaced_with_a_warning() -> None:
     choice = decide_cuda(Evidence(requirements=(asked("tensorflow-gpu==1.13.1"),)), Config())
-    assert choice.cuda == "11.0"
+    assert choice.answer.version == "11.0"
     assert "CUDA 10.0" in choice.warnings[0].message
     assert choice.warnings[0].file == "requirements.txt"
 
 
 def test_the_configuration_wins() -> None:
     choice = decide_cuda(Evidence(requirements=(asked("torch==2.0.1"),)), Config(base=Base(cuda="12.1")))
-    assert choice.cuda == "12.1"
+    assert choice.answer.version == "12.1"
 
 
 @pytest.mark.parametrize(

@@ -48,7 +48,7 @@ def evidence_of(tmp_path: Path, files: dict[str, str]) -> Evidence:
 def chosen(evidence: Evidence, config: Config, kind: Kind, ubuntu: str | None = None, ros: str | None = None) -> Python:
     """Decide on Python alone, on an Ubuntu that is given."""
     mentioned = pins(evidence)
-    cuda = decide_cuda(evidence, config, mentioned).cuda
+    cuda = decide_cuda(evidence, config, mentioned).answer.version
     own = decide_version(evidence, config, kind, pins=mentioned, ros_distro=ros, cuda=cuda)
     return decide_python(
         evidence, config, kind, pins=mentioned, own=own, ubuntu=ubuntu, ros_distro=ros, cuda=cuda

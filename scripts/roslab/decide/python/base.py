@@ -10,6 +10,8 @@ from roslab.knowledge.python_images import python_images
 
 PREFERRED = ("focal", "jammy", "noble", "bionic", "xenial")
 """Where nothing decides: old enough for the code of papers, young enough to have packages."""
+_WEIGHT = 50
+"""There is one base for a Python or a CUDA: nothing speaks against it."""
 
 
 def system_ubuntu(python_version: str | None, among: tuple[str, ...] = PREFERRED) -> str | None:
@@ -75,4 +77,4 @@ def _cuda(
 
 
 def _reason(answer: str, why: str, source: str | None = None) -> Reason:
-    return Reason(question="base_image", answer=answer, reason=f"{why} ({source})" if source else why, weight=50)
+    return Reason(question="base_image", answer=answer, reason=f"{why} ({source})" if source else why, weight=_WEIGHT)

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from roslab.decide.decision import Choice, Reason
+from roslab.decide.python.weights import PackageWeight
 from roslab.decide.reasons import because
 from roslab.evidence.facts import Removed
 from roslab.knowledge.removals import removals
 from roslab.values.requirement import Requirement
 
 Constraints = tuple[Requirement, ...]
-_WEIGHT = 30
 
 
 def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choice[Constraints]:
@@ -22,11 +22,11 @@ def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choi
     bounds: dict[Requirement, Reason] = {}
     for use in chosen:
         why = f"the code uses {use.what}, which newer versions no longer have"
-        bounds[use.bound] = because("dependencies", use.bound.written, why, use, weight=_WEIGHT)
+        bounds[use.bound] = because("dependencies", use.bound.written, why, use, weight=PackageWeight.BOUND)
         needed = beside.get(use.bound)
         if needed and not limited.get(needed.key):
             why = f"{use.bound.written} was compiled against it; {why}"
-            bounds.setdefault(needed, because("dependencies", needed.written, why, use, weight=_WEIGHT))
+            bounds.setdefault(needed, because("dependencies", needed.written, why, use, weight=PackageWeight.BOUND))
     # One bound a package: of two, the lower is the one that the code itself asks for
     own = {use.bound for use in chosen}
     names = {bound.key for bound in own}

@@ -19,6 +19,7 @@ from roslab.decide.python.pins import Pin
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, repair, right
+from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import packages_of, ros_versions, types
 from roslab.decide.system.cmake_version import from_pip
@@ -117,7 +118,10 @@ def _kept(evidence: Evidence, asked: Sequence[Requirement]) -> Iterator[tuple[Re
                 kept = stated(line, "table", manifest.file, manifest.line)
                 if kept.key not in named:
                     named.add(kept.key)
-                    yield kept, because("dependencies", line, f"{build_type}: {why}", manifest, weight=40)
+                    yield (
+                        kept,
+                        because("dependencies", line, f"{build_type}: {why}", manifest, weight=Weight.MANIFEST),
+                    )
 
 
 def _of_manifests(evidence: Evidence, chosen: Chosen) -> list[Requirement]:
@@ -151,12 +155,12 @@ def _file_options(evidence: Evidence, chosen: Chosen, repaired: Repaired) -> lis
 
 def _reasons(chosen: Chosen) -> Iterator[Reason]:
     for file in chosen.files:
-        yield because("dependencies", file.file, "requirements of the project", file, weight=40)
+        yield because("dependencies", file.file, "requirements of the project", file, weight=Weight.MANIFEST)
     for project in chosen.projects:
-        yield because("dependencies", project.folder or ".", "installable project", project, weight=40)
+        yield because("dependencies", project.folder or ".", "installable project", project, weight=Weight.MANIFEST)
     for asked in chosen.guessed:
         why = _WHY.get(asked.origin, "named in an install line")
-        yield because("dependencies", asked.text, why, asked, weight=10)
+        yield because("dependencies", asked.text, why, asked, weight=Weight.GUESS)
     if chosen.conda:
         place = Place(file=chosen.conda, line=1)
-        yield because("dependencies", chosen.conda, "the project's conda environment", place, weight=45)
+        yield because("dependencies", chosen.conda, "the project's conda environment", place, weight=Weight.CONDA_FILE)

@@ -11,6 +11,7 @@ from roslab.decide.cuda.local import cuda_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.bounds import Constraints
 from roslab.decide.python.pins import Pin
+from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.knowledge.frameworks import framework
 from roslab.values.requirement import Requirement, stated
@@ -39,7 +40,9 @@ def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str 
         for pin in (leading, *(p for p in said if p.name in _BESIDE[name] and p.name in free)):
             if pin.requirement.file == leading.requirement.file:
                 exact = stated(f"{pin.name}=={pin.release}")
-                found.setdefault(exact, because("dependencies", exact.written, _WHY, pin.requirement, weight=30))
+                found.setdefault(
+                    exact, because("dependencies", exact.written, _WHY, pin.requirement, weight=Weight.BOUND)
+                )
     return Choice(answer=tuple(found), reasons=tuple(found.values()))
 
 

@@ -11,6 +11,7 @@ from roslab.decide.python.base import cuda_ubuntu
 from roslab.decide.python.packages import Chosen, choose
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.version import python_version
+from roslab.decide.python.weights import VersionWeight
 from roslab.decide.reasons import because, warn
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import distro, python_of_ubuntu
@@ -55,7 +56,7 @@ def decide_version(
     own = OwnPython(version=number, system=False, wanted=said.answer, chosen=chosen)
     if said.answer:
         return Choice(answer=own, reasons=said.reasons)
-    why = because("python", number, "nothing is said: the Python of the base", weight=1)
+    why = because("python", number, "nothing is said: the Python of the base", weight=VersionWeight.DEFAULT)
     return Choice(answer=own, reasons=(why, *said.reasons))
 
 

@@ -12,6 +12,7 @@ from packaging.version import Version
 from roslab.decide.decision import Reason
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pythons import PREFERRED
+from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import Placed, because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
@@ -52,7 +53,7 @@ def ranges_by_use(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Range]:
         row = last_below(use.bound.key, below) if below and use.bound.key not in pinned else None
         if row is not None:
             why = f"the code uses {use.what}: {use.bound.written} has wheels up to Python {row.python_max}"
-            yield _up_to(row, f"≤ {row.python_max}", why, use, 20)
+            yield _up_to(row, f"≤ {row.python_max}", why, use, Weight.USED)
 
 
 def _declared(evidence: Evidence) -> Iterator[Range]:
@@ -64,13 +65,13 @@ def _declared(evidence: Evidence) -> Iterator[Range]:
         allowed = specifiers(said) if said else None
         if said and allowed is not None:
             why = f"{project.name or 'the project'} requires {said}"
-            weight = 45 - 10 * bool(project.folder)
+            weight = Weight.REQUIRES_BELOW if project.folder else Weight.REQUIRES
             yield Range(_those(partial(admits, allowed)), because("python", said, why, project, weight=weight))
         elif numbers := sorted(Version(m[1]) for line in project.classifiers if (m := _CLASSIFIER.search(line))):
             first, last = numbers[0], numbers[-1]
             lowest = Version("0") if first >= Version("3") else first
             highest = Version(f"{last.major}.{last.minor + _AFTER}")
-            reason = because("python", f"≥ {first}", "its classifiers name them", project, weight=10)
+            reason = because("python", f"≥ {first}", "its classifiers name them", project, weight=Weight.CLASSIFIERS)
             yield Range(_between(lowest, highest), reason)
 
 
@@ -83,7 +84,7 @@ def _pinned(pin: Pin) -> Iterator[Range]:
     row = framework(pin.name, release) if release and pin.trust else None
     if row is not None:
         why = f"{asked.written} has wheels for Python {row.python_min} to {row.python_max}"
-        reason = because("python", f"{row.python_min}…{row.python_max}", why, asked, weight=30 + pin.trust)
+        reason = because("python", f"{row.python_min}…{row.python_max}", why, asked, weight=Weight.PINS + pin.trust)
         lowest = Version(row.python_min) if pin.release else Version("0")
         yield Range(_between(lowest, Version(row.python_max)), reason)
 
@@ -94,7 +95,7 @@ def _lowest(pin: Pin) -> Iterator[Range]:
     row = framework(pin.name, asked.at_least) if asked.at_least else None
     if row is not None:
         why = f"{asked.written} needs Python {row.python_min} or newer"
-        reason = because("python", f"≥ {row.python_min}", why, asked, weight=29 + pin.trust)
+        reason = because("python", f"≥ {row.python_min}", why, asked, weight=Weight.LOWER_BOUND + pin.trust)
         yield Range(_between(Version(row.python_min), _ANY), reason)
 
 

@@ -13,6 +13,7 @@ from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pythons import PREFERRED
 from roslab.decide.python.ranges import Range, ranges, ranges_by_use
+from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because, configured, outweighed
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
@@ -20,8 +21,6 @@ from roslab.knowledge.distros import python_of_ubuntu, ubuntus
 from roslab.values.version import version_of
 
 _OLDEST = Version("2.7")
-_BELIEVED = 70
-"""The weight from which a version that is written down counts although a pinned package has no wheel for it."""
 _UBUNTU = re.compile(r"(?:^|/|-)ubuntu:?(\d\d\.04)")
 _BOTH = re.compile(
     r"python\s*3|\b3\.\d|as well as|\bstill\b|or (?:later|newer|above)|\balso\b|\+|≥|>="
@@ -39,7 +38,7 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
     known = tuple(ranges(evidence, pins, _telling(evidence)))
     named = sorted(_named(evidence, pins), key=_order)
     fitting = _fitting(known)
-    chosen = next((reason for reason in named if reason.answer in fitting or reason.weight >= _BELIEVED), None)
+    chosen = next((reason for reason in named if reason.answer in fitting or reason.weight >= Weight.BELIEVED), None)
     if chosen is None and (older := tuple(ranges_by_use(evidence, pins))):  # nobody says which: what the code uses does
         known = (*known, *older)
         fitting = [python for python in fitting if all(python in each.pythons for each in older)] or fitting
@@ -49,7 +48,7 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
         return Choice(answer=chosen.answer, reasons=(chosen, *outweighed(others, chosen)))
     if not known:
         return Choice(answer=None, reasons=tuple(replace(reason, decisive=False) for reason in named))
-    fits = because("python", fitting[0], "fits every pin below", weight=30)
+    fits = because("python", fitting[0], "fits every pin below", weight=Weight.PINS)
     return Choice(answer=fits.answer, reasons=(fits, *reasons))
 
 
@@ -71,7 +70,7 @@ def _named(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Reason]:
     """Yield the versions that are written down as such."""
     for environment in evidence.conda:
         if environment.python and not places.vendored(environment.file):
-            weight = {0: 80, 1: 55}.get(environment.file.count("/"), 20)
+            weight = Weight.CONDA.get(environment.file.count("/"), Weight.CONDA_DEEP)
             yield because("python", environment.python, "the conda environment has it", environment, weight=weight)
     three = any("Python :: 3" in line for p in evidence.python if not p.folder for line in p.classifiers)
     for mention in evidence.mentions:
@@ -81,21 +80,21 @@ def _named(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Reason]:
     yield from _of_images(evidence)
     for pin in pins:
         if pin.trust and pin.requirement.wheel and (python := pin.requirement.wheel.python):
-            yield because("python", python, "a wheel of it is named", pin.requirement, weight=42)
+            yield because("python", python, "a wheel of it is named", pin.requirement, weight=Weight.WHEEL)
 
 
 def _mentioned(mention: Mention, *, three: bool) -> Iterator[Reason]:
     """Yield a version that a page or the code names; ``three``: the project's classifiers have Python 3."""
     if mention.source == "code":
         why = "print is a statement in most of its modules"
-        yield because("python", mention.value, why, mention, weight=0 if three else 39)
+        yield because("python", mention.value, why, mention, weight=0 if three else Weight.PRINT_STATEMENT)
         return
     if mention.value.startswith("2") and (three or _BOTH.search(mention.text)):
         return  # Python 3 does as well
-    weight = {"readme": 40, "dockerfile": 24, "ci": 12, "script": 16}.get(mention.source, 8)
-    weight -= 4 * min(mention.file.count("/"), 3)
-    weight += 12 if "create" in mention.text and "python" in mention.text else 0
-    weight -= 8 if _at_least(mention.value, mention.text) else 0
+    weight = Weight.SAID.get(mention.source, Weight.SAID_ELSEWHERE)
+    weight -= Weight.DEEPER * min(mention.file.count("/"), 3)
+    weight += Weight.CREATES if "create" in mention.text and "python" in mention.text else 0
+    weight -= Weight.AT_LEAST if _at_least(mention.value, mention.text) else 0
     yield because("python", mention.value, f"“{mention.text[:80]}”", mention, weight=weight)
 
 
@@ -114,7 +113,7 @@ def _of_images(evidence: Evidence) -> Iterator[Reason]:
         number = python_of_ubuntu().get(ubuntus().get(tag[1], "")) if tag else None
         if number and authored.requirements:
             why = f"the Python of {authored.base}"
-            weight = 16 - 4 * min(authored.file.count("/"), 3)
+            weight = Weight.IMAGE - Weight.DEEPER * min(authored.file.count("/"), 3)
             yield replace(because("python", number, why, authored, weight=weight), line=authored.base_line)
 
 

@@ -1,0 +1,37 @@
+"""What each sign of a Python version, and of a Python package, weighs."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+
+class VersionWeight:
+    """What speaks for a version of Python, the strongest first: what is run before what is said, near before deep."""
+
+    CONDA: ClassVar = {0: 80, 1: 55}  # by folders above it: an environment file is made to be installed
+    CONDA_DEEP = 20
+    BELIEVED = 70  # from here on a version counts although a pinned package has no wheel for it
+    REQUIRES = 45  # requires-python of the project
+    REQUIRES_BELOW = 35  # of a project in a folder
+    WHEEL = 42  # a wheel for one version is named
+    SAID: ClassVar = {"readme": 40, "dockerfile": 24, "script": 16, "ci": 12}
+    SAID_ELSEWHERE = 8
+    DEEPER = 4  # what each folder takes from what is said, up to three
+    CREATES = 12  # on top for a line that makes an environment with it
+    AT_LEAST = 8  # what a sentence loses that names only the oldest one
+    PRINT_STATEMENT = 39  # Python 2, unless the classifiers have Python 3
+    PINS = 30  # with the trust of the pin on top; also the version that fits them all
+    LOWER_BOUND = 29  # with the trust of the pin on top
+    USED = 20  # what the code uses, where nobody says which
+    IMAGE = 16  # the Python of the Ubuntu that a Dockerfile starts from
+    CLASSIFIERS = 10  # hardly anybody keeps them up to date
+    DEFAULT = 1
+
+
+class PackageWeight:
+    """What tells that a package is installed, the surest first."""
+
+    CONDA_FILE = 45
+    MANIFEST = 40  # a requirements file, a project, and what the build itself needs
+    BOUND = 30  # a limit on a package that is installed anyway
+    GUESS = 10  # an import, a line of a page
