@@ -1,4 +1,4 @@
-"""Writing files beside the author's: all of them or none, and never over a file that roslab did not write."""
+"""Writing files next to the author's: all or none, and never over a file that roslab did not write."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from roslab.repository.checkout import printable
 from roslab.values.origin import Place
 
 MARKED_LINES = 6
-"""The mark stands in the first lines of a file; further down it is a quotation."""
+"""The mark counts only in the first lines of a file; further down it may be a quotation."""
 ELSEWHERE = "write to another folder with --output DIR"
 MAX_SIZE = 64 * 1024 * 1024
-"""Bytes read of a file that is there: nothing that roslab writes is longer."""
+"""Bytes read of an existing file: roslab writes nothing longer."""
 Action = Literal["created", "replaced", "unchanged"]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Written:
-    """What became of one file."""
+    """What happened to one file."""
 
     path: str
     action: Action
@@ -39,8 +39,8 @@ class Written:
 def write_all(files: Sequence[OutputFile], folder: str | Path, *, force: bool = False) -> tuple[Written, ...]:
     """Write every file to a folder, or none of them.
 
-    The folder is made where it is missing. A file that is there with the same text stays; one that roslab wrote
-    before is replaced with ``force``; anything else in the way stops everything before the first byte is written.
+    The folder is made if it is missing. An existing file with the same text stays; one that roslab wrote earlier is
+    replaced with ``force``; any other obstacle stops the call before the first byte is written.
 
     Raises ``RefusedError`` naming every file in the way, ``ConfigurationError`` where the folder cannot be written.
     """
@@ -60,21 +60,21 @@ def write_all(files: Sequence[OutputFile], folder: str | Path, *, force: bool = 
 
 
 def replace_with_backup(path: str | Path, text: str) -> Path:
-    """Replace an author's file with their consent; return the copy of the old one, ``NAME.old``.
+    """Replace a file of the author's, with their consent; return the path of the old one, ``NAME.old``.
 
-    Raises ``RefusedError`` where the path is a link or another ``NAME.old`` is there.
+    Raises ``RefusedError`` where the path is a link or ``NAME.old`` already exists.
     """
     path = Path(path)
     backup = path.with_name(path.name + ".old")
     try:
         if not stat.S_ISREG(path.lstat().st_mode):
             raise RefusedError(
-                Problem(message=f"{printable(str(path))} is no regular file", hint="name the file itself")
+                Problem(message=f"{printable(str(path))} is not a regular file", hint="name the file itself")
             )
         old = path.read_bytes()
         if os.path.lexists(backup) and (backup.is_symlink() or not backup.is_file() or backup.read_bytes() != old):
             name = printable(str(backup))
-            raise RefusedError(Problem(message=f"{name} is there already", hint="move it away first"))
+            raise RefusedError(Problem(message=f"{name} already exists", hint="move it away first"))
         mode = stat.S_IMODE(path.stat().st_mode)
         _replace([(backup, old, False), (path, text.encode(), False)])
         path.chmod(mode)
@@ -100,7 +100,7 @@ def _encoded(file: OutputFile) -> bytes:
 def _examine(
     files: Sequence[OutputFile], contents: dict[str, bytes], folder: Path, *, force: bool
 ) -> dict[str, Action]:
-    """Say what is to become of each file; touch nothing."""
+    """Decide what happens to each file; touch nothing."""
     actions: dict[str, Action] = {}
     problems: list[Problem] = []
     try:
@@ -114,7 +114,7 @@ def _examine(
                 continue
             actions[file.path] = _action(folder / file.path, file, contents[file.path])
             if actions[file.path] == "replaced" and not force:
-                message = "roslab wrote it earlier, and would now write another text"
+                message = "roslab wrote it earlier and would now write something else"
                 problems.append(Problem(message=message, hint="--force replaces it", origin=Place(file=file.path)))
     except OSError as error:
         raise _unwritable(folder, error) from None
@@ -124,20 +124,20 @@ def _examine(
 
 
 def _obstacle(folder: Path, relative: str) -> str | None:
-    """Say what is in the way of a file that is not roslab's own, ``None`` where nothing is."""
+    """Return what is in the way of a file and was not written by roslab, ``None`` if nothing is."""
     *parts, _ = PurePosixPath(relative).parts
     for part in parts:
         folder /= part
         if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
-            return f"{printable(part)} is no folder, but a link or a file"
+            return f"{printable(part)} is a link or a file, not a folder"
     path = folder / PurePosixPath(relative).name
     if not os.path.lexists(path):
         return None
     mode = path.lstat().st_mode
     if stat.S_ISLNK(mode):
-        return "it is a link, and roslab writes through none"
+        return "it is a link, and roslab does not write through links"
     if not stat.S_ISREG(mode):
-        return "it is a folder" if stat.S_ISDIR(mode) else "it is no regular file"
+        return "it is a folder" if stat.S_ISDIR(mode) else "it is not a regular file"
     return None if generated(path.name, _content(path)) else "roslab did not write it"
 
 
@@ -154,7 +154,7 @@ def _content(path: Path) -> bytes:
 
 
 def generated(name: str, content: bytes) -> bool:
-    """Tell whether a file carries roslab's mark: in its first lines, or in a notebook's metadata."""
+    """Tell whether a file has roslab's mark: in its first lines, or in a notebook's metadata."""
     text = content.decode(errors="replace")
     if not name.endswith(".ipynb"):
         return any(line.startswith(("#", "//")) and MARKER in line for line in text.splitlines()[:MARKED_LINES])
@@ -166,7 +166,7 @@ def generated(name: str, content: bytes) -> bool:
 
 
 def _make_folders(folder: Path, files: Sequence[OutputFile]) -> list[Path]:
-    """Make what is missing, parents first; return it."""
+    """Make the missing folders, parents first, and return them."""
     made: list[Path] = []
     try:
         for target in dict.fromkeys([folder, *((folder / file.path).parent for file in files)]):
@@ -204,7 +204,7 @@ def _replace(files: Sequence[tuple[Path, bytes, bool]]) -> None:
                     path.unlink()
                 else:
                     kept.replace(path)
-                    kept.unlink(missing_ok=True)  # where both are names of one file, `replace` does nothing
+                    kept.unlink(missing_ok=True)  # `replace` does nothing if both names are the same file
         for temporary, _ in pending:
             with contextlib.suppress(OSError):
                 temporary.unlink()
@@ -215,20 +215,20 @@ def _replace(files: Sequence[tuple[Path, bytes, bool]]) -> None:
 
 
 def _write(path: Path, content: bytes, *, executable: bool) -> None:
-    # The caller's umask decides who else may read it, as for any file that a program writes
+    # The caller's umask decides who may read it, as for any new file
     descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o777 if executable else 0o666)
     with os.fdopen(descriptor, "wb") as stream:
         stream.write(content)
 
 
 def _kept(path: Path) -> Path | None:
-    """Give a file that is there a second name until all is done; ``None`` where there is none."""
+    """Give an existing file a second name until all is done; ``None`` if there is no file."""
     if not os.path.lexists(path):
         return None
     kept = _temporary(path)
     try:
         kept.hardlink_to(path)
-    except OSError:  # a file system without hard links: for a moment the name is free
+    except OSError:  # no hard links on this file system: the name is briefly unused
         path.rename(kept)
     return kept
 

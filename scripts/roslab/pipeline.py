@@ -1,4 +1,4 @@
-"""The one way through, from a folder to a plan and to the files that are built."""
+"""From a folder to its plan, and from the plan to the files that are built."""
 
 from __future__ import annotations
 
@@ -45,10 +45,10 @@ def plan_repository(
     folder_name: str | None = None,
     top: Path | None = None,
 ) -> Planned:
-    """Read a repository and plan its image; nothing of it is executed and no network is used.
+    """Read a repository and plan its image; nothing in it is executed and no network is used.
 
     ``config_file`` is read in place of the roslab.yaml at the root; ``overrides`` win over what it says;
-    ``folder_name`` names the image where nothing else does; ``top`` is the checkout that ``path`` is a folder of.
+    ``folder_name`` names the image if nothing else does; ``top`` is the checkout that ``path`` is a folder of.
     Raises ``ConfigurationError``, ``NothingToBuildError`` or ``RefusedError``.
     """
     repository = _without_own_files(Repository.open(path, branch=branch, top=top))
@@ -86,21 +86,21 @@ def _require_submodules(repository: Repository) -> None:
 def _with_version(
     decision: Decision, evidence: Evidence, repository: Repository
 ) -> tuple[Decision, SourceVersion | None]:
-    """Read the tags where a project takes its version from git; a checkout without any is a warning."""
+    """Read the version from git's tags if a project needs it; warn if the checkout has none."""
     if decision.dockerfile:
         return decision, None
     asking = of_projects(evidence.python, decision.python.projects)
     version = source_version(asking, commits.describe(repository.root) if asking else None)
     if version and not version.tag:
         first = next(iter(asking))
-        message = f"its version is git's, and no tag of the checkout names one: it is installed as {version.version}"
+        message = f"its version comes from git, but no tag here has one: it is installed as {version.version}"
         warning = Warning_(message=message, file=first.file, line=first.line)
         decision = replace(decision, warnings=(*decision.warnings, warning))
     return decision, version
 
 
 def _without_own_files(repository: Repository) -> Repository:
-    """Leave out what ``create`` wrote: it is no evidence, and its Dockerfile is not the author's."""
+    """Leave out files that ``create`` wrote: they are no evidence, and their Dockerfile is not the author's."""
     candidates = repository.named(*(posixpath.basename(file.path) for file in FILES))
     if not candidates:
         return repository
@@ -112,20 +112,20 @@ def _without_own_files(repository: Repository) -> Repository:
 
 
 def _what_is_there(repository: Repository) -> str:
-    """Say in a few words what a folder holds in which nothing was recognised."""
+    """Summarise the files of a folder in which nothing was recognised."""
     counts = sorted(
         ((len(files), suffix or "without a suffix") for suffix, files in repository.by_suffix.items()), reverse=True
     )
     unread = "".join(f"; {message}" for message, _, _ in repository.problems)
     if not counts:
-        return f"there is no file at all{unread}"
+        return f"there are no files{unread}"
     kinds = ", ".join(f"{count} {printable(suffix)}" for count, suffix in counts[:5])
     more = f" and {len(counts) - 5} kinds more" if len(counts) > 5 else ""
     return f"there is only {kinds}{more}{unread}"
 
 
 def _folder_name(repository: Repository) -> str:
-    """Name a checkout as its origin does: a runner's folder may be called anything."""
+    """Return the name in the origin's URL, else the folder's: on a runner the folder may be called anything."""
     if repository.origin:
         return repository.origin.rstrip("/").rpartition("/")[2].removesuffix(".git")
     return repository.root.name
@@ -161,7 +161,7 @@ def write_dockerfile(planned: Planned, folder: Path) -> tuple[Path, Path]:
 
 
 def write_plan(plan: Plan, root: Path, folder: Path) -> tuple[Path, Path]:
-    """Do what ``write_dockerfile`` does with a plan from elsewhere; ``root`` is the checkout that it was made for."""
+    """Like ``write_dockerfile``, for a plan that was made elsewhere; ``root`` is the checkout it was made for."""
     if authored := plan.author_dockerfile:
         return root / authored.dockerfile, root / authored.context
     context = os.path.relpath(root, folder.resolve())

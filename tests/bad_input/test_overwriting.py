@@ -80,7 +80,7 @@ def test_a_link_in_the_way(roslab: Roslab, robot: Path, name: str) -> None:
     (robot / name).symlink_to(target)
     answer = roslab("create", robot, "--force")
     assert answer.returncode == 4
-    assert f"{name}: error: it is a link, and roslab writes through none\n" in answer.stderr
+    assert f"{name}: error: it is a link, and roslab does not write through links\n" in answer.stderr
     assert target.read_text() == AUTHORS
 
 
@@ -108,7 +108,7 @@ def test_its_own_older_file_needs_force(roslab: Roslab, robot: Path) -> None:
     answer = roslab("create", robot)
     assert answer.returncode == 4
     assert answer.stderr == (
-        "Dockerfile: error: roslab wrote it earlier, and would now write another text\n  --force replaces it\n"
+        "Dockerfile: error: roslab wrote it earlier and would now write something else\n  --force replaces it\n"
     )
     assert listing(robot) == before
     again = roslab("create", robot, "--force")

@@ -258,7 +258,7 @@ def test_deep_folders(roslab: Roslab, tmp_path: Path) -> None:
         subprocess.run(["rm", "-rf", str(folder / "d")], check=True)
     for answer in answers:
         assert answer.returncode == 0, answer.stderr
-        assert "a folder could not be listed, and nothing in there was read: d/d" in answer.stdout
+        assert "a folder could not be listed, and nothing inside was read: d/d" in answer.stdout
 
 
 @pytest.mark.parametrize("command", ["inspect", "plan", "create"])
@@ -317,7 +317,7 @@ def test_unreadable_folders(roslab: Roslab, tmp_path: Path) -> None:
     for command in ("inspect", "plan"):
         answer = roslab(command, folder)
         assert answer.returncode == 0, answer.stderr
-        assert "a folder could not be listed, and nothing in there was read: locked" in answer.stdout
+        assert "a folder could not be listed, and nothing inside was read: locked" in answer.stdout
 
 
 def test_the_repository_is_not_executed(roslab: Roslab, tmp_path: Path) -> None:

@@ -243,5 +243,5 @@ def test_an_old_commit_is_checked_out(tmp_path: Path, server: str, ref: str, tex
         assert is_tag(root, ref) == tag
         assert fetching.checkout(tool, root, "v9") != ""
         for hostile in ("--upload-pack=touch /tmp/x", "refs/pull/7/head", "pull/7/head", "a..b", "a b"):
-            assert fetching.checkout(tool, root, hostile) == "it is no commit, git tag or branch"
+            assert fetching.checkout(tool, root, hostile) == "it is not a commit, git tag or branch"
     assert (root / "a.txt").read_text() == text

@@ -83,9 +83,9 @@ def test_every_file_of_the_authors_is_named_and_none_is_touched(tmp_path: Path, 
         ("a", "roslab did not write it"),
         ("b", "roslab did not write it"),
         ("c", "it is a folder"),
-        ("d", "it is a link, and roslab writes through none"),
-        ("e", "it is a link, and roslab writes through none"),
-        ("f", "it is no regular file"),
+        ("d", "it is a link, and roslab does not write through links"),
+        ("e", "it is a link, and roslab does not write through links"),
+        ("f", "it is not a regular file"),
     ]
     assert caught.value.exit_code == 4
     assert tree(tmp_path) == before
@@ -212,7 +212,7 @@ def test_a_backup_is_kept(tmp_path: Path) -> None:
     assert replace_with_backup(path, "new\n") == tmp_path / "roslab.yaml.old"
     assert tree(tmp_path) == {"roslab.yaml": b"new\n", "roslab.yaml.old": b"old\n"}
     assert stat.S_IMODE(path.stat().st_mode) == 0o640
-    with pytest.raises(RefusedError, match=r"roslab.yaml.old is there already"):
+    with pytest.raises(RefusedError, match=r"roslab.yaml.old already exists"):
         replace_with_backup(path, "newer\n")
     assert path.read_text() == "new\n"
 

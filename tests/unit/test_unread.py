@@ -16,7 +16,7 @@ from roslab.render.summary import summary
 from roslab.repository import listing
 from roslab.repository.checkout import Repository
 
-TOO_MANY = "the tree holds more than 3 files: what comes after them was not read"
+TOO_MANY = "the tree holds more than 3 files: the rest was not read"
 
 
 @pytest.fixture(autouse=True)

@@ -36,7 +36,7 @@ _ROS: frozenset[Kind] = frozenset({"ros1", "ros2"})
 
 
 def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
-    """Answer every question about a repository; ``folder_name`` is its name where nothing else names it.
+    """Answer every question about a repository; ``folder_name`` is its name if nothing else gives one.
 
     roslab.yaml and the action's inputs, already one ``Config``, win over the evidence, which wins over defaults.
     Raises ``NothingToBuildError`` where there is nothing to decide on.
@@ -153,7 +153,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
 
 
 def _names(packages: Packages, kind: Kind) -> tuple[str, ...]:
-    """Name what is found by ``rospack`` or ``ros2 pkg``; rospack knows no metapackages.
+    """Return the packages that ``rospack`` or ``ros2 pkg`` must find; rospack does not list metapackages.
 
     https://github.com/ros/rospack/issues/26
     """
@@ -162,7 +162,7 @@ def _names(packages: Packages, kind: Kind) -> tuple[str, ...]:
 
 
 def _something(evidence: Evidence, config: Config) -> None:
-    """Raise where the folder holds nothing to build an image around, and roslab.yaml says nothing either."""
+    """Raise ``NothingToBuildError`` where neither the folder nor roslab.yaml gives anything to build."""
     found = (
         *(evidence.manifests, evidence.cmake, evidence.python, evidence.requirements, evidence.conda),
         *(evidence.dockerfiles, evidence.programs, evidence.sources, evidence.code, evidence.cuda_files),

@@ -1,4 +1,4 @@
-"""Whether the author's own Dockerfile can be believed."""
+"""Whether the author's own Dockerfile can be built in place of a generated one."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from roslab.knowledge.frameworks import cuda_image
 from roslab.values.origin import Place
 
 MOST_REASONS = 20
-"""Dockerfiles that are spoken of; a collection of robots has hundreds."""
+"""Most Dockerfiles that the reasons mention; a collection of robots has hundreds."""
 _CUDA = re.compile(r"(?:^|/)nvidia/cuda:(\d+\.\d+)(\.\d+)?")
 _ROS = re.compile(r"(?:^|/)ros:([a-z]+)")
 _PUBLISHED = (
@@ -36,9 +36,9 @@ _UBUNTU_TAG = re.compile(r"ubuntu[:_-]?(\d\d)\.\d\d")
 
 
 class Weight:
-    """What speaks for a Dockerfile of the author's."""
+    """How much each reason for or against an author's Dockerfile counts."""
 
-    BELIEVED = 60  # it passed every doubt, and comes first among those that did
+    BELIEVED = 60  # no doubt applies, and it ranks first among such files
     DOUBTED = -1  # why it is not built
 
 
@@ -53,9 +53,9 @@ class Dockerfile:
 def decide_dockerfile(
     evidence: Evidence, config: Config, kind: Kind, ros_distro: str | None
 ) -> Choice[Dockerfile | None]:
-    """Return the author's Dockerfile where it can be believed, ``None`` to generate one.
+    """Return the author's Dockerfile if it can be used, ``None`` to generate one.
 
-    It can be where it is the project's, brings its source and can be built.
+    It can be used if it belongs to the project, copies the source and can be built.
     """
     if config.dockerfile:
         said = configured(config, "dockerfile", config.dockerfile, "dockerfile")
@@ -87,12 +87,12 @@ def _about(authored: AuthorDockerfile, why: str, weight: int) -> Reason:
 
 
 def doubt(authored: AuthorDockerfile, kind: Kind, ros_distro: str | None) -> str | None:  # noqa: PLR0911 - one doubt a line
-    """Return why a Dockerfile cannot be believed, ``None`` where it can."""
+    """Return why a Dockerfile cannot be used, ``None`` if it can."""
     if authored.purpose != "project":
         return {
             "documentation": "it is for the documentation",
             "vendored": "it belongs to a copy of other people's code",
-            "ci": "it is for CI, or an environment without the source",
+            "ci": "it is for CI, or sets up an environment without the source",
             "deploy": "it is for one robot's or machine's deployment",
             "broken": f"it does not parse: {authored.problem}",
         }[authored.purpose]
@@ -110,7 +110,7 @@ def doubt(authored: AuthorDockerfile, kind: Kind, ros_distro: str | None) -> str
 
 
 def _chained(authored: AuthorDockerfile, evidence: Evidence) -> str | None:
-    """Doubt a Dockerfile that starts from another one's image: its base is tagged like the other's folder."""
+    """Return a doubt if the base is the image of another Dockerfile here: its tag is that one's folder."""
     name, _, tag = (authored.base or "").partition(":")
     if "/" not in name or name.startswith(_PUBLISHED) or not tag:
         return None
@@ -121,12 +121,12 @@ def _chained(authored: AuthorDockerfile, evidence: Evidence) -> str | None:
 
 
 def _base_doubt(base: str, kind: Kind, ros_distro: str | None) -> str | None:
-    """Return why an image should not be started from: it is gone, or it is for something else."""
+    """Return why an image is unsuitable as a base: it no longer exists, or it is for something else."""
     named = _ROS.search(base)
     if gone := _gone(base):
         return gone
     if named and kind in {"python", "cpp"}:
-        return f"it tries the code with ROS ({base}), which the repository does not need"
+        return f"it tests the code with ROS ({base}), which the repository does not need"
     release = distro(named[1]) if named else None
     if release and kind in {"ros1", "ros2"} and ros_distro and release.name != ros_distro:
         return f"it is for {release.name}, the repository for {ros_distro}"
@@ -134,7 +134,7 @@ def _base_doubt(base: str, kind: Kind, ros_distro: str | None) -> str | None:
 
 
 def _gone(base: str) -> str | None:
-    """Return why nothing can be built on an image any more."""
+    """Return why an image can no longer serve as a base."""
     if match := _CUDA.search(base):
         row = cuda_image(match[1])
         if row is None or not row.tag or (match[2] and match[1] + match[2] != row.tag):
@@ -145,10 +145,10 @@ def _gone(base: str) -> str | None:
 def _rank(
     authored: AuthorDockerfile, kind: Kind, ros_distro: str | None
 ) -> tuple[bool, bool, bool, int, bool, int, int, str]:
-    """Return the order of believable Dockerfiles, the smallest first.
+    """Return the sort key of usable Dockerfiles; the smallest is the best.
 
-    What counts, in this order: no other distribution in the path; a base that everybody can pull; one that suits the
-    kind; few folders deep; the repository's distribution or nothing in the name; the newer Ubuntu.
+    In this order: no other distribution in the path; a base that anybody can pull; a base that suits the kind; few
+    folders deep; the repository's distribution, or none, in the name; the newer Ubuntu.
     """
     path, base = authored.file.lower(), (authored.base or "").lower()
     mine = bool(ros_distro and ros_distro in path)
@@ -156,7 +156,7 @@ def _rank(
     private = "/" in base and not base.startswith(_PUBLISHED)
     unlike = kind in {"cuda", "cpp", "python"} and bool(_ACCELERATED.search(base)) != (kind == "cuda")
     plain = path.rpartition("/")[2] == "dockerfile"
-    below = 0 if mine else max(0, path.count("/") - 1)  # docker/Dockerfile is as good as one at the root
+    below = 0 if mine else max(0, path.count("/") - 1)  # docker/Dockerfile counts as one at the root
     release = _UBUNTU_TAG.search(base) if kind not in {"ros1", "ros2"} else None
     newest = -int(release[1]) if release else 0
     return (other, private, unlike, below, not (mine or plain), path.count("/"), newest, authored.file)

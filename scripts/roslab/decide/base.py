@@ -15,25 +15,25 @@ from roslab.evidence.facts import AuthorDockerfile, Dependency, Evidence
 from roslab.knowledge.distros import Distro, distros, ubuntus, variants
 
 DEFAULT_UBUNTU = "jammy"
-"""Of plain C++ where nothing is said: old enough for yesterday's code, new enough for today's."""
+"""The Ubuntu of plain C++ when nothing names one: old enough for older code, new enough for today's."""
 _NVIDIA = ("nvidia/", "nvcr.io/")
 _ROOTS = (*_NVIDIA, "ros:", "osrf/ros:", "ubuntu:", "debian:", "python:")
 
 
 class Weight:
-    """What speaks for a base or its Ubuntu."""
+    """How much each reason for a base or its Ubuntu counts."""
 
-    BUILT = 800  # the author's Dockerfile is built as it is: nothing of ours comes before its FROM
-    AUTHORS_IMAGE = 700  # it ran there
+    BUILT = 800  # the author's Dockerfile is built unchanged, from its own FROM
+    AUTHORS_IMAGE = 700  # the code ran on it
     SAID: ClassVar = {"ci": 400, "readme": 300, "script": 200}
     SAID_ELSEWHERE = 100
-    NEW_ENOUGH = 50  # for the CMake that the build asks for: what the author names goes before it, CMake comes from pip
+    NEW_ENOUGH = 50  # has the CMake that the build asks for; what the author names wins: CMake can come from pip
     DEFAULT = 1
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class BaseImage:
-    """The FROM, its Ubuntu codename (``None`` on Debian or unknown), and ROS packages that the image lacks."""
+    """The FROM, its Ubuntu codename (``None`` on Debian or unknown), and the ROS packages to install on it."""
 
     image: str
     ubuntu: str | None
@@ -68,7 +68,7 @@ def decide_base(
 def of_dockerfile(
     choice: Choice[BaseImage], evidence: Evidence, config: Config, dockerfile: str | None
 ) -> Choice[BaseImage]:
-    """Return the FROM of the author's own Dockerfile where that is built, with all that spoke for another base."""
+    """Return the FROM of the author's own Dockerfile if that is built, with the reasons for other bases."""
     authored = next((r for r in evidence.dockerfiles if r.file == dockerfile and r.base and "$" not in r.base), None)
     if authored is None or authored.base is None or config.base.image:
         return choice
@@ -93,7 +93,7 @@ def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: 
             said = because(
                 "base_image",
                 image,
-                f"the author's image is FROM {authored.base}",
+                f"the author's image starts from {authored.base}",
                 authored,
                 weight=Weight.AUTHORS_IMAGE,
             )
@@ -109,9 +109,9 @@ def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: 
 
 
 def _nvidia_dockerfile(evidence: Evidence) -> AuthorDockerfile | None:
-    """Return the project's own image where it is on CUDA: the plainest Dockerfile nearest to the root.
+    """Return the project's Dockerfile that starts from CUDA: the plainest one, nearest to the root.
 
-    An image of the author's own making (``lab/robot:base``) says nothing: another Dockerfile builds it.
+    A base that the author built (``lab/robot:base``) tells nothing: another Dockerfile makes it.
     """
     own = [
         authored
@@ -129,13 +129,13 @@ def _nvidia_dockerfile(evidence: Evidence) -> AuthorDockerfile | None:
 
 
 def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
-    reasons = [because("ubuntu", DEFAULT_UBUNTU, "nothing is said: the default", weight=Weight.DEFAULT)]
+    reasons = [because("ubuntu", DEFAULT_UBUNTU, "no Ubuntu is named: the default", weight=Weight.DEFAULT)]
     if config.base.ubuntu:
         reasons.append(configured(config, "ubuntu", config.base.ubuntu, "base.ubuntu"))
     for authored in evidence.dockerfiles:
         codename = _codename(authored.base or "")
         if codename and authored.purpose in {"project", "ci"}:
-            why = f"the author's image is FROM {authored.base}"
+            why = f"the author's image starts from {authored.base}"
             reasons.append(because("ubuntu", codename, why, authored, weight=Weight.AUTHORS_IMAGE))
     for mention in evidence.mentions:
         codename = ubuntus().get(mention.value, mention.value)
@@ -151,9 +151,9 @@ def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
 
 
 def _new_enough(reasons: list[Reason], demand: Dependency | None) -> list[Reason]:
-    """Offer the oldest Ubuntu from the default on whose own CMake will do, where the default's is too old.
+    """Add the oldest Ubuntu, not older than the default, whose CMake is new enough, if the default's is too old.
 
-    What the author names goes before it: CMake can come from pip there.
+    An Ubuntu that the author names wins over it: there CMake can come from pip.
     """
     if has_it(DEFAULT_UBUNTU, demand):
         return reasons

@@ -1,4 +1,4 @@
-"""With which tool the workspace or the project is built."""
+"""Which tool builds the workspace or the project."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from roslab.evidence.facts import Evidence
 
 
 class Weight:
-    """A kind that has one tool has one reason for it: nothing is weighed against these."""
+    """Weights for kinds with only one tool: nothing competes with them."""
 
     ROS2 = 500
     CPP = 100

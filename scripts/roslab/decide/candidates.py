@@ -1,4 +1,4 @@
-"""The commands that could be the default: what the pages run, launch files, what is compiled or installed."""
+"""The commands that could be the default: what the README runs, launch files, what is compiled or installed."""
 
 from __future__ import annotations
 
@@ -15,28 +15,28 @@ _PLACEHOLDER = re.compile(
     r"YOUR|your[_-]|path[/_-]to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])",
     re.IGNORECASE,
 )
-"""``yyy-yy`` too: one letter repeated stands for a value of the reader's."""
+"""Also ``yyy-yy``: a repeated letter stands for a value that the reader fills in."""
 _TEST = re.compile(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
-"""Words of the shortest command that starts something."""
+"""Fewest words of a command that starts something."""
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
-"""Files that serve a project; none of them is what it is for."""
+"""Files that serve a project without being its purpose."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Candidate:
-    """A command that starts something, and where it stands."""
+    """A command that starts something, and where it was found."""
 
     argv: tuple[str, ...]
     why: str
     file: str
     line: int
     strong: bool
-    """Somebody wrote that this is what one runs."""
+    """The author's text says to run it."""
 
 
 def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
-    """Yield what could be run, what the README runs first."""
+    """Yield what could be run; what the README runs comes first."""
     ros = kind in {"ros1", "ros2"}
     compiled = kind == "cpp" or (kind == "cuda" and _only_compiled(evidence))
     yield from _written(evidence, ros=ros, compiled=compiled)
@@ -49,7 +49,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
 
 
 def _only_compiled(evidence: Evidence) -> bool:
-    """Tell whether the root is a CMake project that no tool of Python's knows."""
+    """Tell whether the root is a CMake project and no Python project."""
     manifests = [p.file for p in evidence.python] + [r.file for r in evidence.requirements]
     manifests += [environment.file for environment in evidence.conda]
     root = any(project.top_level and "/" not in project.file for project in evidence.cmake)
@@ -57,7 +57,7 @@ def _only_compiled(evidence: Evidence) -> bool:
 
 
 def _written(evidence: Evidence, *, ros: bool, compiled: bool) -> Iterator[Candidate]:
-    """Yield what READMEs run; what only a page of a part runs, an example or a compiled program's script, is weaker."""
+    """Yield what READMEs run; a subfolder's page, examples and helper scripts of compiled code are weaker."""
     programs = [script.file for script in evidence.programs]
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
     said = [m for m in said if not places.vendored(m.file)]
@@ -71,12 +71,12 @@ def _written(evidence: Evidence, *, ros: bool, compiled: bool) -> Iterator[Candi
 
 
 def _runnable(text: str, programs: list[str], *, ros: bool, compiled: bool) -> tuple[str, ...] | None:
-    """Return the argv of a command as it can be run from the root; ``None`` where it starts nothing of the tree."""
+    """Return the argv of a command as it can be run from the root; ``None`` if it starts nothing from the tree."""
     argv = tuple(text.split())
     if _PLACEHOLDER.search(text) or any(part.rpartition("/")[2] in TOOLS for part in argv):
         return None
     if len(argv) < _WORDS.get(argv[0], 1) or argv[-1].endswith(":="):
-        return None  # a sentence about the command, or an argument whose value the reader is to fill in
+        return None  # a sentence about the command, or a placeholder for the reader to fill in
     if not argv[0].startswith("python"):
         return argv if ros else None
     here = _here(argv, programs)

@@ -1,4 +1,4 @@
-"""What the image runs when nothing is said."""
+"""The image's default command."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ MAX_CANDIDATES = 30
 _WINDOWS = frozenset(
     {"PyQt5", "PyQt6", "PySide2", "PySide6", "tkinter", "Tkinter", "pygame", "wx", "pyglet", "vispy", "mayavi", "kivy"}
 )
-"""Python's libraries that open windows."""
+"""Python libraries that open windows."""
 _ARGUMENT = re.compile(r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|--help\b|(?:^|\s)-h\b|--show-args\b|\s(?:-s|--ros-args)$")
-"""An argument that names a file, or asks for help: no command to start by default."""
+"""An argument that names a file or asks for help: such a command is no default."""
 
 
 class Weight:
-    """What speaks for a command."""
+    """How much each reason for a command counts."""
 
-    AUTHORS_IMAGE = 60  # its CMD: the image is the author's, and so is what it starts
-    ONLY_ONE = 30  # of all that was found, one is meant without a doubt
-    WRITTEN = 20  # a page runs it
-    SHELL = 10  # several could be meant: more than a file that nobody names
-    FOUND = 5  # it can be started, which nobody says
+    AUTHORS_IMAGE = 60  # the CMD of the author's Dockerfile, which is built
+    ONLY_ONE = 30  # one candidate is clearly meant
+    WRITTEN = 20  # a README runs it
+    SHELL = 10  # several candidates; wins over a file that nobody mentions
+    FOUND = 5  # it can be started, but nobody mentions it
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -65,7 +65,7 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
 
 
 def _authors(evidence: Evidence, dockerfile: str | None) -> tuple[tuple[str, ...], Reason] | None:
-    """Return what the author's own Dockerfile starts, where that is built and says it."""
+    """Return the command of the author's Dockerfile, if that is built and has one."""
     authored = next((each for each in evidence.dockerfiles if each.file == dockerfile and each.command), None)
     if authored is None:
         return None
@@ -75,7 +75,7 @@ def _authors(evidence: Evidence, dockerfile: str | None) -> tuple[tuple[str, ...
 
 
 def _obvious(evidence: Evidence, found: list[Candidate], dockerfile: str | None) -> tuple[tuple[str, ...], Reason]:
-    """Return the one program that can be meant, else a shell."""
+    """Return the one obvious program, else a shell."""
     ours = [c for c in found if _own(c.argv, evidence)]
     obvious = [c for c in ours if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
     obvious = _barest(obvious if dockerfile or any(c.strong for c in ours) else ours)
@@ -83,26 +83,26 @@ def _obvious(evidence: Evidence, found: list[Candidate], dockerfile: str | None)
         only = obvious[0]
         why = f"the only one: {only.why}"
         return only.argv, because("command", shlex.join(only.argv), why, only, weight=Weight.ONLY_ONE)
-    why = f"{len(found)} programs could be meant" if found else "no program stands out"
-    said = because("command", "bash", f"{why}: a shell; set `command` in roslab.yaml", weight=Weight.SHELL)
+    why = f"{len(found)} programs could be the default" if found else "no program stands out"
+    said = because("command", "bash", f"{why}, so it is a shell; set `command` in roslab.yaml", weight=Weight.SHELL)
     return ("bash",), said
 
 
 def _found(candidate: Candidate) -> Reason:
-    """Return what speaks for a candidate: one of many decides nothing."""
+    """Return the reason for a candidate, not decisive: it is one of several."""
     weight = Weight.WRITTEN if candidate.strong else Weight.FOUND
     return because("command", shlex.join(candidate.argv), candidate.why, candidate, weight=weight, decisive=False)
 
 
 def _own(argv: tuple[str, ...], evidence: Evidence) -> bool:
-    """Tell whether a command starts something of the repository's: a viewer beside it is no default."""
+    """Tell whether a command starts something that the repository contains, not just a viewer."""
     package = argv[2:3] if argv[0] == "ros2" else argv[1:2] if argv[0] in {"roslaunch", "rosrun"} else ()
     names = {manifest.name for manifest in evidence.manifests}
     return not package or not names or package[0] in names
 
 
 def _others(evidence: Evidence, only: Candidate) -> bool:
-    """Tell whether the same page runs further Python files of the tree, which have no guard to be known by."""
+    """Tell whether the same page also runs other Python files of the tree that have no ``__main__`` guard."""
     programs = [script.file for script in evidence.programs]
     folders = {file.rpartition("/")[0] for file in (*programs, *(d.file for d in evidence.code))} | {""}
     for mention in evidence.mentions:
@@ -115,7 +115,7 @@ def _others(evidence: Evidence, only: Candidate) -> bool:
 
 
 def _barest(candidates: list[Candidate]) -> list[Candidate]:
-    """Keep of each program the call with the fewest arguments: variants of one call leave no doubt about it."""
+    """Keep the call with the fewest arguments for each program: variants of one call are no ambiguity."""
     programs: dict[tuple[str, ...], Candidate] = {}
     for candidate in candidates:
         argv = candidate.argv

@@ -26,7 +26,7 @@ class Reason:
     file: str | None = None
     line: int | None = None
     weight: int = 0
-    """Its rank among the evidence for the question; negative: it speaks against the answer."""
+    """Rank among the evidence for the question; a negative one speaks against the answer."""
     decisive: bool = True
     """False for evidence that was outweighed: only ``--explain`` shows it."""
 
@@ -63,7 +63,7 @@ class Python:
     interpreter: Interpreter = ANY
     """The Pythons that it may be, for the markers of requirements."""
     pip: tuple[Requirement, ...] = ()
-    """Declared: they must install."""
+    """Declared in a manifest: they must install."""
     pip_guessed: tuple[Requirement, ...] = ()
     """Read from imports or prose: installed where pip can, reported where not."""
     requirements: tuple[str, ...] = ()
@@ -73,24 +73,24 @@ class Python:
     projects: tuple[str, ...] = ()
     """Folders to ``pip install``, ``.`` for the root; installed in this order, editable, after the source is copied."""
     alone: tuple[str, ...] = ()
-    """Those of ``projects`` that pip installs without their dependencies: one of these is nowhere to be had."""
+    """Those of ``projects`` to install without their dependencies, because one of these cannot be had anywhere."""
     conda_file: str | None = None
     first: tuple[Requirement, ...] = ()
-    """What must be there before the others are built (numpy, torch, Cython)."""
+    """What must be installed before the others are built (numpy, torch, Cython)."""
     bounds: tuple[Requirement, ...] = ()
-    """Constraints on what is installed: newer versions no longer have what the code uses, or are not what it is for."""
+    """pip constraints: newer versions lack what the code uses, or do not fit its compiled parts or the CUDA."""
     options: tuple[str, ...] = ()
     """pip options: index URLs and find-links of the framework's own wheels."""
     pip_options: tuple[str, ...] = ()
-    """Options that stood among the lines of ``pip`` (``--upgrade``), for these lines alone."""
+    """Options among the lines of ``pip`` in roslab.yaml (``--upgrade``), for these lines only."""
     python2: tuple[Requirement, ...] = ()
-    """For a Python 2 beside it (``pip`` of the old formats)."""
+    """Requirements for a Python 2 beside the image's Python (``pip`` in the old formats)."""
     python2_options: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Decision:
-    """The whole answer; ``plan`` turns it into what is built."""
+    """All decisions about a repository; ``plan`` turns them into what is built."""
 
     kind: Kind
     ros_distro: str | None
@@ -98,21 +98,21 @@ class Decision:
     base_image: str
     build_tool: BuildTool
     rosdep: tuple[str, ...] = ()
-    """Keys of the repository's package.xml files, sorted, its own packages left out."""
+    """Keys of the repository's package.xml files, sorted, without the repository's own packages."""
     skip_keys: tuple[str, ...] = ()
-    """Keys known to be no package (or built from source): rosdep is told to skip them."""
+    """Keys that name no package or are built from source: rosdep is told to skip them."""
     apt: tuple[str, ...] = ()
     """Declared: must install."""
     apt_guessed: tuple[str, ...] = ()
     """Only read in prose or guessed: installed where the image's apt knows them, reported where not."""
     python: Python
     pip: tuple[Requirement, ...] = ()
-    """Everything that pip and conda install, what files, projects and conda environments ask for too: a report."""
+    """Everything that pip and conda install, also what files, projects and environments ask for; for the report."""
     source: tuple[SourceDependency, ...] = ()
     vcs: tuple[str, ...] = ()
     """vcs files to import into the workspace, relative to the root."""
     packages: tuple[str, ...] = ()
-    """Paths of the package.xml files that are built (not ignored, no asset)."""
+    """Paths of the package.xml files that are built (neither ignored nor an asset)."""
     package_names: tuple[str, ...] = ()
     """Names of those packages, sorted; without metapackages of ROS 1."""
     workspace: Literal["none", "overlay", "root"] = "none"
@@ -127,7 +127,7 @@ class Decision:
     """roslab.yaml, an input or an option names the command: it must start."""
     command_candidates: tuple[tuple[str, ...], ...] = ()
     test: tuple[str, ...] | str | None = None
-    """What proves the image in place of the default proofs; a string runs in ``bash -c``."""
+    """The command that tests the image in place of the default proofs; a string runs in ``bash -c``."""
     platforms: tuple[str, ...] = ("linux/amd64", "linux/arm64")
     platforms_refused: tuple[tuple[str, str], ...] = ()
     cuda: str | None = None

@@ -14,38 +14,41 @@ from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.knowledge.distros import distro, distros
 
 SMALL_WRAPPER = 3
-"""A program in Python with at most so many ROS packages below its root has a ROS wrapper; it is no ROS repository."""
+"""A Python program with at most this many ROS packages below its root only has a ROS wrapper."""
 
 
 class Weight:
-    """What speaks for a kind: what only one kind has before what several have, the root before what lies deeper."""
+    """How much each reason for a kind counts.
+
+    What only one kind has counts more than what several have; the root counts more than folders below it.
+    """
 
     PACKAGES = 500  # only ROS's tools build them
-    BINDINGS = 450  # a C++ project with a setup.py that only wraps it: more than that setup.py
+    BINDINGS = 450  # a C++ project whose setup.py only wraps it: wins over that setup.py
     INSTALLABLE = 400  # pip installs the repository itself
-    CONDA = 380  # made for this code, but perhaps only to develop it
-    OWN_LIST = 370  # a list that only ROS's tools read: more than requirements, which a collection may have too
-    ROSBUILD = 365  # more than CMake, by which rosbuild works
-    CMAKE = 360  # more than requirements, which a C++ project has for its scripts
+    CONDA = 380  # it fits this code, but perhaps only its development
+    OWN_LIST = 370  # a list that only ROS's tools read: wins over requirements, which a collection may have too
+    ROSBUILD = 365  # wins over CMake, which rosbuild uses itself
+    CMAKE = 360  # wins over requirements, which a C++ project may have for its scripts
     REQUIREMENTS = 350
-    LIST = 300  # of repositories, in a folder, or as submodules
-    INSTALLABLE_BELOW = 250  # what lies in a folder may be a part or a tool
+    LIST = 300  # a list of repositories in a folder, or as submodules
+    INSTALLABLE_BELOW = 250  # in a subfolder it may be a part or a tool
     CONDA_BELOW = 240
     REQUIREMENTS_BELOW = 230
-    WRAPPER = 200  # ROS packages that only wrap a Python program: less than any manifest of that
+    WRAPPER = 200  # ROS packages that only wrap a Python program: any manifest of the program wins
     CMAKE_BELOW = 150  # where most of the code is C++
     CUDA_SIGN = 130  # code or CUDA sources without any manifest
     PROGRAM = 120
-    CODE = 100  # it may be a library, or a script of something else
-    ROSBUILD_PART = 90  # one such folder in a program is an example
+    CODE = 100  # it may belong to a library or be a helper script
+    ROSBUILD_PART = 90  # one such folder may be an example
     CMAKE_PART = 90
     DEFAULT = 1
-    DESCRIPTION = -10  # a robot's description is read by programs of every kind
-    OF_FRAMEWORK = 5  # on top of the same manifest's weight for Python: with a framework it is CUDA's
+    DESCRIPTION = -10  # programs of every kind read robot descriptions
+    OF_FRAMEWORK = 5  # added to the manifest's weight for Python: with a framework the kind is cuda
 
 
 class Lean:
-    """What tells the side of a repository that is made for both versions of ROS; each outweighs all below it."""
+    """What decides between ROS 1 and 2 for a repository made for both; each outweighs all below it."""
 
     BY_SOURCE = (("branch", 60), ("dockerfile", 12), ("ci", 10), ("readme", 6), ("filename", 4))
     MORE_PACKAGES = 5
@@ -63,7 +66,7 @@ def decide_kind(evidence: Evidence, config: Config) -> Choice[Kind]:
         reasons.append(configured(config, "kind", "cuda", "base.cuda"))
     reasons += [*_ros(evidence), *_python(evidence), *_cpp(evidence)]
     if not reasons:
-        reasons.append(because("kind", "python", "nothing says what it is", weight=Weight.DEFAULT))
+        reasons.append(because("kind", "python", "nothing shows what it is: the default", weight=Weight.DEFAULT))
     kind = cast("Kind", strongest(reasons).answer)
     return Choice(answer=kind, reasons=ranked(reasons, kind), warnings=_warnings(evidence, kind))
 
@@ -77,13 +80,13 @@ def _ros(evidence: Evidence) -> list[Reason]:
         weight = Weight.ROSBUILD if _all_rosbuild(evidence) else Weight.ROSBUILD_PART
         reasons.append(because("kind", "ros1", "it is built by rosbuild", rosbuild[0], weight=weight))
     for manifest in packages.assets[:1]:
-        why = "a package.xml with nothing to build beside it: a robot's description"
+        why = "a package.xml with nothing to build beside it: the description of a robot"
         reasons.append(because("kind", "ros1", why, manifest, weight=Weight.DESCRIPTION))
     return reasons
 
 
 def _packages(evidence: Evidence, built: tuple[PackageManifest, ...]) -> list[Reason]:
-    """Return what the packages speak for: the ROS that builds them; where they are for both, what leans to one."""
+    """Return the reasons that packages give: the ROS that builds them, and for packages of both what favours one."""
     macros = {project.file.rpartition("/")[0]: project.macros for project in evidence.cmake}
     by_version: dict[int, list[PackageManifest]] = {1: [], 2: []}
     for manifest in built:
@@ -105,29 +108,29 @@ def _packages(evidence: Evidence, built: tuple[PackageManifest, ...]) -> list[Re
 
 
 def _all_rosbuild(evidence: Evidence) -> bool:
-    """Tell whether rosbuild builds every CMake project that lies nearest to the root; else it builds only a part."""
+    """Tell whether rosbuild builds every CMake project nearest to the root, not only a part."""
     tops = [project for project in evidence.cmake if not places.vendored(project.file)]
     nearest = min((project.file.count("/") for project in tops), default=0)
     return all("rosbuild" in project.macros for project in tops if project.file.count("/") == nearest)
 
 
 def _warnings(evidence: Evidence, kind: Kind) -> tuple[Warning_, ...]:
-    """Say what of the repository is not built although its kind is clear."""
+    """Warn about rosbuild packages, which are not built."""
     old = next((project for project in evidence.cmake if "rosbuild" in project.macros), None)
     if kind != "ros1" or old is None or packages_of(evidence).built:
         return ()
     message = "rosbuild's packages (manifest.xml) are not built: catkin and colcon do not know them"
-    hint = "the image has what they need; build them under `custom` in roslab.yaml, by rosmake"
+    hint = "what they need is installed; build them with rosmake under `custom` in roslab.yaml"
     return (warn(f"{message}; {hint}", old),)
 
 
 def _wrapper(evidence: Evidence, manifests: list[str]) -> bool:
-    """Tell whether the ROS packages are an addition to a Python program: few, deep, its own code outside them."""
+    """Tell whether the ROS packages only wrap a Python program: few, deep, and most code lies outside them."""
     folders = {file.rpartition("/")[0] for file in manifests}
     if not manifests or "" in folders or len(folders) > SMALL_WRAPPER:
         return False
     compiled = any(project.executables and _within(project.file, folders) for project in evidence.cmake)
-    depth = 0 if compiled else 2  # packages of C++ nodes outweigh a script's requirements somewhere in the tree
+    depth = 0 if compiled else 2  # packages of C++ nodes count more than requirements of some script
     own = [p.file for p in evidence.python if p.installable] + [c.file for c in evidence.conda]
     own += [r.file for r in evidence.requirements if r.purpose == "run"]
     if not any(f.count("/") <= depth and not _within(f, folders) and not places.vendored(f) for f in own):
@@ -142,7 +145,7 @@ def _within(file: str, folders: set[str]) -> bool:
 
 
 def _leaning(evidence: Evidence, version: int, majority: int) -> int:
-    """Weigh one side of a repository made for both: the branch, then images, CI and README, then the packages."""
+    """Return how strongly a repository made for both favours a version: by branch, images, CI, README, packages."""
     sides_of = {name: found.ros for name, found in distros().items()} | {"ros1": 1, "ros2": 2}
     score = Lean.MORE_PACKAGES * (majority > 0) + Lean.NEWER * (version == 2)
     for source, rank in Lean.BY_SOURCE:
@@ -155,7 +158,8 @@ def _leaning(evidence: Evidence, version: int, majority: int) -> int:
 def _meta(evidence: Evidence) -> list[Reason]:
     """Read a repository that only lists others: its vcs files, its submodules and the distributions that pages name.
 
-    A list at the root that only ROS's tools read outweighs requirements; submodules count with one of ROS's builders.
+    A list at the root that only ROS's tools read outweighs requirements; submodules count only if the text uses one of
+    ROS's build tools.
     """
     listed = [source for source in evidence.sources if source.kind == "vcs"]
     sides = [found.ros for m in evidence.mentions if m.topic == "distro" and (found := distro(m.value))]
@@ -168,13 +172,13 @@ def _meta(evidence: Evidence) -> list[Reason]:
         return []
     lead = sides.count(2) - sides.count(1)
     version = 2 if lead > 0 or (lead == 0 and listed[0].file.endswith(".repos")) else 1
-    why = f"{len(listed)} repositories to import" + (f" and a ROS {version} distribution to do it for" if sides else "")
+    why = f"{len(listed)} repositories to import" + (f", and a ROS {version} distribution is named" if sides else "")
     weight = Weight.OWN_LIST if own else Weight.LIST
     return [because("kind", f"ros{version}", why, (own or listed)[0], weight=weight)]
 
 
 def _python(evidence: Evidence) -> list[Reason]:
-    """Return what speaks for plain Python, and for CUDA where a framework or CUDA sources show."""
+    """Return the reasons for plain Python, and for CUDA if there is a framework or CUDA source."""
     place = _python_place(evidence)
     found = sign_of_cuda(evidence)
     reasons = []
@@ -188,7 +192,7 @@ def _python(evidence: Evidence) -> list[Reason]:
 
 
 def _python_place(evidence: Evidence) -> tuple[Placed, str, int] | None:
-    """Return the best place that speaks for Python, with why and its weight."""
+    """Return the strongest sign of Python: its place, the reason and its weight."""
     for project in evidence.python:
         if project.installable and not places.vendored(project.file):
             weight = Weight.INSTALLABLE_BELOW if project.folder else Weight.INSTALLABLE
@@ -208,7 +212,7 @@ def _python_place(evidence: Evidence) -> tuple[Placed, str, int] | None:
 
 
 def _cpp(evidence: Evidence) -> list[Reason]:
-    """Return what the CMake project nearest to the root speaks for: C++, or CUDA where it compiles that."""
+    """Return the reasons that the CMake project nearest to the root gives: C++, or CUDA if it compiles that."""
     tops = [p for p in evidence.cmake if p.top_level and not places.vendored(p.file)]
     if not tops:
         return []
@@ -218,7 +222,7 @@ def _cpp(evidence: Evidence) -> list[Reason]:
     answer = "cuda" if "cuda" in top.macros and compiled else "cpp"
     bindings = any(not project.folder and "cmake" in project.extensions for project in evidence.python)
     if root and bindings and _mostly_cpp(evidence):
-        return [because("kind", answer, "a CMake project; Python only binds it", top, weight=Weight.BINDINGS)]
+        return [because("kind", answer, "a CMake project with Python bindings", top, weight=Weight.BINDINGS)]
     below = Weight.CMAKE_BELOW if _mostly_cpp(evidence) else Weight.CMAKE_PART
     weight = Weight.CMAKE if root else below
     return [because("kind", answer, "a CMake project", top, weight=weight)]

@@ -1,8 +1,8 @@
-"""What an old file's image is made of: what the file names, the packages' own keys, and nothing else that is certain.
+"""The image of a roslab.yaml in an old format: it requires what the file and the package.xml files name, nothing else.
 
-The old generators read roslab.yaml, package.xml and nothing more. An image that takes its requirements from elsewhere
-too is another image, and one that breaks where the old one worked: a requirements.txt of 2018 for Python 2 does not
-install on Python 3. What else stands in the tree is therefore left aside, and named where somebody may miss it.
+The old generators read only roslab.yaml and package.xml. An image that also took requirements from elsewhere could
+break where the old one worked: a requirements.txt of 2018 for Python 2 does not install on Python 3. Other manifests
+are therefore ignored, and a warning names those at the root that would be installed today.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _KEPT_TOPICS = frozenset({"command", "distro", "ubuntu", "build_tool"})
 
 
 def narrowed(evidence: Evidence, config: Config) -> tuple[Evidence, Config]:
-    """Return the evidence that an old file leaves room for, and the file with what its format took for granted."""
+    """Return the evidence that an old file allows, and the configuration with the defaults of its format filled in."""
     if not config.compatible:
         return evidence, config
     files = {*(config.requirements or ()), *(config.vcs or ()), config.conda, config.dockerfile}
@@ -42,7 +42,7 @@ def narrowed(evidence: Evidence, config: Config) -> tuple[Evidence, Config]:
 
 
 def _named(evidence: Evidence, files: set[str | None]) -> Evidence:
-    """Return the evidence of the files that roslab.yaml names, of the packages and of what says how they are built."""
+    """Return the evidence from files that roslab.yaml names, from the packages, and on how these are built."""
     return replace(
         evidence,
         python=(),
@@ -59,7 +59,7 @@ def _named(evidence: Evidence, files: set[str | None]) -> Evidence:
 
 
 def _left_out(evidence: Evidence, files: set[str | None]) -> list[Warned]:
-    """Warn of what lies at the root, would be installed today, and is not named."""
+    """Warn about manifests at the root that would be installed today but are not named."""
     left = [file.file for file in evidence.requirements if file.purpose == "run" and "/" not in file.file]
     left += [project.file for project in evidence.python if project.installable and not project.folder]
     return [
@@ -69,7 +69,7 @@ def _left_out(evidence: Evidence, files: set[str | None]) -> list[Warned]:
 
 
 def _with_refs(named: tuple[Source, ...], evidence: Evidence) -> tuple[tuple[Source, ...], list[Warned]]:
-    """Give the sources without a ref the one that a package.xml names, and warn of every one that had none."""
+    """Give sources without a ref the one that a package.xml names, and warn about each that had none."""
     sources: list[Source] = []
     warnings: list[Warned] = []
     for source in named:
@@ -79,13 +79,13 @@ def _with_refs(named: tuple[Source, ...], evidence: Evidence) -> tuple[tuple[Sou
             text = f"{source.name} has no `ref`; {git.ref} is built, which {git.file}:{git.line} asks for"
             warnings.append((text, source.place or Place(file=git.file, line=git.line)))
         elif source.repo and not source.ref:
-            text = f"{source.name} has no `ref`: its newest state of today is built, which may no longer fit this base"
+            text = f"{source.name} has no `ref`: its latest commit is built, which may no longer fit this base"
             warnings.append((text, source.place))
     return tuple(sources), warnings
 
 
 def _kind(evidence: Evidence, config: Config) -> Kind | None:
-    """Return the kind of an image without ROS: the later format had none where ``base.ros`` was not said."""
+    """Return the kind of an image without ROS: the later format installed no ROS unless ``base.ros`` was set."""
     if config.kind or config.base.ros or config.compatible == "paper" or config.build in _ROS_TOOLS:
         return config.kind
     if config.base.cuda:
@@ -95,9 +95,9 @@ def _kind(evidence: Evidence, config: Config) -> Kind | None:
 
 
 def _pinned(source: Source, evidence: Evidence) -> GitSource | None:
-    """Return where a package.xml names the branch of a source that roslab.yaml takes from the newest state.
+    """Return the place in a package.xml that names a branch for a source that has no ref in roslab.yaml.
 
-    The newest state of today is not the one that the file was written for.
+    Today's latest commit is not what the file was written for.
     """
     if source.ref or not source.repo:
         return None
@@ -119,9 +119,9 @@ def as_it_was(
     sources: Choice[Sources],
     layout: Choice[Layout],
 ) -> tuple[Choice[Python], Choice[SystemPackages], Choice[Sources], Choice[Layout]]:
-    """Return what an image installs and where its source lies, as the old format had it.
+    """Return what an image installs and where its source lies, as in the old format.
 
-    ``base_packages`` are those of ROS that the base image lacks.
+    ``base_packages`` are the ROS packages that the base image lacks.
     """
     if not config.compatible:
         return python, system, sources, layout
@@ -134,14 +134,14 @@ def as_it_was(
 
 
 def _python(python: Python, config: Config) -> Python:
-    """Take the distribution's own Python, where ``python`` and ``pip`` were what they are there."""
+    """Take the distribution's own Python, as the old formats did."""
     if config.conda or config.base.python:
         return python
     return replace(python, manager="system", version=None, projects=(), pip_guessed=())
 
 
 def _system(system: SystemPackages, named: set[str]) -> SystemPackages:
-    """Take as certain only what the file names: what CMake files ask for besides must not stop a build."""
+    """Require only what the file names: what CMake files ask for besides must not stop a build."""
     others = (name for name in system.apt if name not in named)
     return replace(
         system,
@@ -152,10 +152,10 @@ def _system(system: SystemPackages, named: set[str]) -> SystemPackages:
 
 
 def _sources(sources: Sources, config: Config) -> Sources:
-    """Take the sources of the file alone, in its order, unless it names files that list more."""
+    """Take only the sources of the file, in its order, unless it names vcs files."""
     return sources if config.vcs else replace(sources, sources=config.source, libraries=())
 
 
 def _layout(layout: Layout) -> Layout:
-    """Make the repository a folder of the workspace, which it always was."""
+    """Make the repository a folder of the workspace, as it always was in the old formats."""
     return replace(layout, workspace="overlay") if layout.workspace == "root" else layout

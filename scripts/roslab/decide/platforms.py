@@ -1,4 +1,4 @@
-"""For which platforms the image can exist."""
+"""Which platforms the image can be built for."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ AMD64, ARM64 = "linux/amd64", "linux/arm64"
 
 
 class Weight:
-    """What speaks for a choice of platforms."""
+    """How much each reason for the platforms counts."""
 
-    AGAINST = 50  # one thing that has no arm64 is enough
+    AGAINST = 50  # one thing without arm64 is enough
     NOTHING_AGAINST = 10
 
 
@@ -35,7 +35,7 @@ class Platforms:
 
 
 Against = tuple[str, Placed | None]
-"""Why there can be no arm64 image, and where that stands."""
+"""Why there can be no arm64 image, and the place that shows it."""
 
 
 def decide_platforms(  # noqa: PLR0917 - the order in which the questions are answered
@@ -59,7 +59,7 @@ def decide_platforms(  # noqa: PLR0917 - the order in which the questions are an
         or _of_conda(evidence, python)
     )
     if against is None:
-        why = f"{base_image} exists for both, and nothing speaks against it"
+        why = f"{base_image} exists for both platforms, and nothing rules one out"
         both = because("platforms", f"{AMD64}, {ARM64}", why, weight=Weight.NOTHING_AGAINST)
         return Choice(answer=Platforms(), reasons=(both,))
     why, place = against
@@ -89,7 +89,7 @@ def _of_wheels(python: Python, installed: tuple[Requirement, ...]) -> Against | 
     on_arm64 = python.interpreter.on(ARM64)
     for asked in installed:
         if asked in python.pip_guessed or not on_arm64.may(asked):
-            continue  # a guess that cannot be installed is reported, and breaks nothing
+            continue  # a guess that cannot be installed is reported, but does not fail the build
         if asked.wheel and asked.wheel.amd64_only:
             return f"{asked.key} is a wheel for amd64", asked
         if asked.key not in arm64_wheels():
@@ -99,7 +99,7 @@ def _of_wheels(python: Python, installed: tuple[Requirement, ...]) -> Against | 
             return f"{asked.key} has no arm64 wheels", asked
         release = version_of(asked.release) if asked.release else None
         if release and release < first:
-            return f"{asked.key} has arm64 wheels from {first} on, {asked.release} is pinned", asked
+            return f"{asked.key} has arm64 wheels from {first} on, but {asked.release} is pinned", asked
     return None
 
 

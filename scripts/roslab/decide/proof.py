@@ -1,4 +1,4 @@
-"""What proves the image, where somebody says it: roslab.yaml, an input or an option."""
+"""The command that tests the image, if roslab.yaml, an input or an option names one."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from roslab.decide.reasons import configured
 
 
 def decide_test(config: Config) -> Choice[tuple[str, ...] | str | None]:
-    """Return the command that proves the image, ``None`` for the default proofs of its kind."""
+    """Return the command that tests the image, ``None`` for the default proofs of its kind."""
     if not config.test:
         return Choice(answer=None)
     text = config.test if isinstance(config.test, str) else shlex.join(config.test)

@@ -1,4 +1,4 @@
-"""How every decision gives its reasons: from a fact, from roslab.yaml, and by weight."""
+"""Building and sorting the reasons of a decision."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ CONFIGURED = 1000
 
 
 class Placed(Protocol):
-    """Anything that says where it stands: a fact of the evidence, or an origin; an input or an option has no file."""
+    """Anything with a place: a fact of the evidence, or an origin; an input or an option has no file."""
 
     @property
     def file(self) -> str | None: ...  # noqa: D102
@@ -26,7 +26,7 @@ class Placed(Protocol):
 def because(
     question: str, answer: str, why: str, at: Placed | None = None, *, weight: int, decisive: bool = True
 ) -> Reason:
-    """Return the reason for an answer that a fact gives; not ``decisive``: it was known, and not enough."""
+    """Return the reason that a fact gives for an answer; pass ``decisive=False`` if it did not decide."""
     return Reason(
         question=question,
         answer=answer,
@@ -39,15 +39,15 @@ def because(
 
 
 def warn(message: str, at: Placed | None = None) -> Warning_:
-    """Return a warning, with its place where it has one; that of an input or an option begins with its name."""
+    """Return a warning with its place; one about an input or an option begins with its name instead."""
     message = f"{at}: {message}" if isinstance(at, Input | Option) else message
     return Warning_(message=message, file=at.file if at else None, line=at.line if at else None)
 
 
 def configured(config: Config, question: str, answer: str, path: str) -> Reason:
-    """Return the reason of an answer that roslab.yaml, an input or an option gives; it outweighs all evidence.
+    """Return the reason for an answer set by roslab.yaml, an input or an option; it outweighs all evidence.
 
-    ``path`` is the key's, with dots. An input or an option has no place: the reason itself names it.
+    ``path`` is that of the key, with dots. An input or an option has no place, so the reason names it.
     """
     origin = config.origin(path) or (Place(file=config.file) if config.file else None)
     named = origin if isinstance(origin, Input | Option) else path
@@ -55,19 +55,19 @@ def configured(config: Config, question: str, answer: str, path: str) -> Reason:
 
 
 def strongest(reasons: Iterable[Reason]) -> Reason:
-    """Return the reason that weighs most, the first of equals."""
+    """Return the reason with the highest weight, the first of equals."""
     return max(reasons, key=lambda reason: reason.weight)
 
 
 def ranked(reasons: Iterable[Reason], answer: str) -> tuple[Reason, ...]:
-    """Return the reasons by weight; only the strongest that speaks for the answer is decisive."""
+    """Return the reasons sorted by weight; only the strongest one for the answer is decisive."""
     ordered = sorted(reasons, key=lambda reason: -reason.weight)
     best = next((reason for reason in ordered if reason.answer == answer), None)
     return tuple(reason if reason is best else replace(reason, decisive=False) for reason in ordered)
 
 
 def outweighed(reasons: Iterable[Reason], by: Reason) -> tuple[Reason, ...]:
-    """Return the reasons in their order; those that answer the question of ``by`` otherwise are not decisive."""
+    """Return the reasons in their order; those with another answer to the question of ``by`` are not decisive."""
     return tuple(
         replace(reason, decisive=False) if reason.question == by.question and reason.answer != by.answer else reason
         for reason in reasons

@@ -9,5 +9,5 @@ from roslab.knowledge.table import rows
 
 @cache
 def accelerated() -> frozenset[str]:
-    """Return the names, as pip, conda and ``import`` call them."""
+    """Return their names, as pip, conda and ``import`` spell them."""
     return frozenset(row["name"] for row in rows("accelerated"))

@@ -1,4 +1,4 @@
-"""What exists for amd64 alone, and since when the others exist for arm64 too."""
+"""What exists only for amd64, and since which version other things exist for arm64 too."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from roslab.knowledge.table import rows
 
 @cache
 def amd64_only(what: Literal["image", "conda"]) -> tuple[str, ...]:
-    """Return the names of conda packages, or the beginnings of the names of images."""
+    """Return names of conda packages, or prefixes of image names, that exist only for amd64."""
     return tuple(row["name"] for row in rows("amd64_only") if row["what"] == what)
 
 
 @cache
 def arm64_since(what: Literal["cuda image", "cuda wheels", "conda python"]) -> Version:
-    """Return the first CUDA with images or with frameworks' wheels, or the first Python of conda's, for arm64."""
+    """Return the first version for arm64: of CUDA with images, of CUDA with wheels, or of conda's Python."""
     return next(Version(row["first"]) for row in rows("arm64_since") if row["what"] == what)
 
 

@@ -16,29 +16,29 @@ class Distro:
     name: str
     ros: Literal[1, 2]
     ubuntu: str
-    """Codename of the Ubuntu that its official image has."""
+    """Codename of the Ubuntu under its official image."""
     python: str
     released: str
     eol: str | None
-    """``None`` for the one that never ends."""
+    """``None`` for rolling, which never ends."""
     rosdistro_tag: str | None
-    """Tag of ros/rosdistro to resolve keys with, where the newest tables no longer know its Ubuntu."""
+    """Tag of ros/rosdistro to resolve keys with, if the newest tables no longer have its Ubuntu."""
     arm64: bool
     preference: int
-    """Where a repository speaks for several distributions alike, the highest number is taken: one with long support
-    before a newer one, for which packages are still being released."""
+    """If several distributions have equal evidence, the highest number is taken: one with long support wins over
+    a newer one, for which packages are still being released."""
     default: bool
-    """It is taken where nothing is said: the last of ROS 1, and the ROS 2 that most of 120 repositories work on."""
+    """It is used when nothing names one: the last of ROS 1, and the ROS 2 on which most of 120 repositories work."""
 
     @property
     def never_ends(self) -> bool:
-        """The one that development goes on in: it has no release of its own to end."""
+        """Whether it is rolling, which is developed continuously."""
         return self.eol is None
 
 
 @cache
 def distros() -> dict[str, Distro]:
-    """Return every distribution that an image exists for by its name, the oldest first, ROS 1 before ROS 2."""
+    """Return every distribution with an image, by name: the oldest first, ROS 1 before ROS 2."""
     return {
         row["name"]: Distro(
             name=row["name"],
@@ -59,22 +59,22 @@ def distros() -> dict[str, Distro]:
 
 @cache
 def releases_of() -> dict[str, tuple[str, ...]]:
-    """Return the Ubuntu codenames that each distribution has packages for; none is named that has them for no Ubuntu.
+    """Return, for each distribution with packages, the codenames of its Ubuntu releases.
 
-    Those without an image are among them: roslab.yaml may say them, and so do pages.
+    Distributions without an image are included: roslab.yaml and pages may name them.
     """
     return {row["name"]: tuple(row["releases"].split()) for row in rows("distros") if row["releases"]}
 
 
 @cache
 def english_words() -> frozenset[str]:
-    """Return the distributions whose names are words of other things too."""
+    """Return the distributions whose names are also ordinary words."""
     return frozenset(row["name"] for row in rows("distros") if row["word"] == "yes")
 
 
 @cache
 def ever() -> frozenset[str]:
-    """Return the names of all distributions that ever were: they stand in names of apt packages."""
+    """Return the names of all distributions there ever were, as found in names of apt packages."""
     return frozenset(row["name"] for row in rows("distros"))
 
 
@@ -86,7 +86,7 @@ def ubuntus() -> dict[str, str]:
 
 @cache
 def ubuntus_with_python2() -> frozenset[str]:
-    """Return the codenames of those where ``python`` is Python 2, as ROS 1's Python there is.
+    """Return the codenames of the releases where ``python``, and the Python of ROS 1, is Python 2.
 
     https://wiki.ubuntu.com/FocalFossa/ReleaseNotes#Python3_by_default
     """
@@ -109,7 +109,7 @@ def python_of_ubuntu() -> dict[str, str]:
 def variants() -> dict[str, bool]:
     """Return ``{variant: whether every distribution has an official image of it}``: ``ros-base``, ``desktop``.
 
-    The images of the others exist for one platform or for some distributions: they are installed over ``ros-base``.
+    Other variants have images for one platform or some distributions only: they are installed on ``ros-base``.
     """
     return {row["variant"]: row["image"] == "yes" for row in rows("ros_variants")}
 
@@ -120,12 +120,12 @@ def distro(name: str | None) -> Distro | None:
 
 
 def default_distro(ros: Literal[1, 2]) -> Distro:
-    """Return the distribution of a ROS version that is taken where nothing is said."""
+    """Return the distribution of a ROS version that is used when nothing names one."""
     return next(found for found in distros().values() if found.ros == ros and found.default)
 
 
 def rosdistro_tag(name: str | None) -> str | None:
-    """Return the tag of ros/rosdistro that still answers for a distribution, ``None`` where the newest tables do."""
+    """Return the tag of ros/rosdistro whose tables still have a distribution, ``None`` if the newest have it."""
     found = distro(name)
     return found.rosdistro_tag if found else None
 

@@ -8,7 +8,7 @@ A failure is one table ``[id]`` in a file ``failures_WORLD.toml``:
 ``also``       must match too, anywhere in the step's lines or its instruction; ``unless`` must not, in its lines
 ``before``     must match in the instruction or the lines of an earlier step, or in this one's instruction
 ``command``    must match the step's instruction (empty where the log tells of no step)
-``extra``      more names, searched in all lines of the step (``where = "command"``: in the instruction;
+``extra``      more names, searched for in all lines of the step (``where = "command"``: in the instruction;
                ``extra_before = true``: the nearest one before the matched line)
 ``every``      collect the names of all matches, not of the first alone
 ``errors``     match only where the step says CMake Error, ERROR or the like
@@ -17,7 +17,7 @@ A failure is one table ``[id]`` in a file ``failures_WORLD.toml``:
 ``cause``      in plain words, with ``{name}`` of what was captured
 ``fix``        what to do; ``otherwise`` where the lookup found nothing
 ``repair``     the key of roslab.yaml that a found ``{package}`` is added to; ``key:value`` for a fixed value
-``certainty``  ``certain`` (default), or ``likely``: told so, and never applied without being asked
+``certainty``  ``certain`` (default), or ``likely``: reported as such, and never applied without being asked
 ``rank``       1 to 9 (default 5): a lower one wins over a higher one, then the earlier line
 ``source``     addresses where the fact stands, ``date`` when it was read
 ``sample``     a log of our own making that it explains, ``unlike`` one that looks alike and that it must not

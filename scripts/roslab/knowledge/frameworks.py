@@ -1,4 +1,4 @@
-"""Frameworks, CUDA images, wheels and imports: the tables of the Python side, loaded when asked for."""
+"""Frameworks, CUDA images, wheels and imports: the tables about Python, loaded on first use."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from roslab.values.version import minor_of, version_of
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Framework:
-    """What one release series of a package runs with."""
+    """The Python and CUDA versions that one release series of a package runs with."""
 
     package: str
     first: str
     cuda: tuple[str, ...]
-    """CUDA of the wheel that pip gets by default, then those of the others."""
+    """CUDA of the wheel that pip installs by default, then those of its other wheels."""
     cudnn: str | None
     python_min: str
     python_max: str
@@ -27,7 +27,7 @@ class Framework:
 
 @cache
 def _frameworks() -> dict[str, list[tuple[Version, Framework]]]:
-    """Return the series of each package with their first releases, the newest first."""
+    """Return the release series of each package, each with its first release, the newest first."""
     found: dict[str, list[tuple[Version, Framework]]] = {}
     for row in rows("frameworks"):
         series = Framework(
@@ -60,25 +60,25 @@ def framework_on_cuda(package: str) -> str | None:
 
 
 def framework(package: str, release: str) -> Framework | None:
-    """Return the row for a release, ``None`` for what the table does not know."""
+    """Return the row for a release, ``None`` if the table has none."""
     numbers = _numbers(release)
     series = _frameworks().get(tabled(package), ())
     return next((row for first, row in series if numbers and first <= numbers), None)
 
 
 def newest_framework(package: str) -> Framework | None:
-    """Return the row for the newest release, ``None`` for a package that the table does not know."""
+    """Return the row for the newest release, ``None`` for a package that is not in the table."""
     return next((row for _, row in _frameworks().get(tabled(package), ())), None)
 
 
 def last_below(package: str, release: str) -> Framework | None:
-    """Return the row of the newest release before one, ``None`` for what the table does not know."""
+    """Return the row of the newest release before this one, ``None`` if the table has none."""
     numbers = _numbers(release)
     return next((row for first, row in _frameworks().get(package, ()) if numbers and first < numbers), None)
 
 
 def _numbers(release: str) -> Version | None:
-    """Return a release without what follows its numbers: a candidate of 2.0 runs with what 2.0 runs with."""
+    """Return only the numbers of a release: a candidate of 2.0 runs with the same versions as 2.0."""
     version = version_of(release)
     return Version(version.base_version) if version else None
 
@@ -118,7 +118,7 @@ def cuda_image(cuda: str) -> CudaImage | None:
 
 
 def nearest_cuda_image(cuda: str) -> CudaImage:
-    """Return the oldest image that exists and is not older, else the newest there is."""
+    """Return the oldest existing image that is not older than ``cuda``, else the newest one."""
     existing = [image for image in cuda_images() if image.tag]
     asked = Version(minor_of(cuda) or cuda)
     return next((image for image in existing if Version(image.cuda) >= asked), existing[-1])
@@ -126,7 +126,7 @@ def nearest_cuda_image(cuda: str) -> CudaImage:
 
 @cache
 def wheels() -> dict[str, tuple[str, ...]]:
-    """Return the apt packages that each pip package needs and does not carry."""
+    """Return the apt packages that each pip package needs but does not contain."""
     return {row["pip"]: tuple(row["apt"].split()) for row in rows("wheels")}
 
 
@@ -138,7 +138,7 @@ def build_needs() -> dict[str, tuple[str, ...]]:
 
 @cache
 def kept_for_build_types() -> dict[str, tuple[tuple[str, str], ...]]:
-    """Return, for each build type of a ROS package, what pip must not replace by a newer one, each with the reason."""
+    """Return, for each build type of a ROS package, what pip must not replace with a newer one, and why."""
     types = dict.fromkeys(row["build_type"] for row in rows("build_types"))
     return {
         name: tuple((row["pip"], row["why"]) for row in rows("build_types") if row["build_type"] == name)
@@ -148,7 +148,7 @@ def kept_for_build_types() -> dict[str, tuple[tuple[str, str], ...]]:
 
 @cache
 def conda_names() -> dict[str, str | None]:
-    """Return ``conda → pip`` for packages that the index has by another name, ``None`` for those it does not have."""
+    """Return ``conda → pip`` for packages with another name on pip's index, ``None`` for those not on it."""
     return {row["conda"]: row["pip"] or None for row in rows("conda_names")}
 
 

@@ -1,4 +1,4 @@
-"""What a launch prints about nodes that died: it runs on without them, and its exit code does not tell."""
+"""What a launch prints about nodes that died: it goes on without them, and its exit code does not show it."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 def dead_nodes(log: str) -> tuple[str, ...]:
-    """Return what became of each node that died or did not start, ``talker-2 died with exit code 1``, in their order.
+    """Return a message for each node that died or did not start, in their order: ``talker-2 died with exit code 1``.
 
-    A node that ended with 0 or was respawned after that did not die; one that dies again and again is named once.
+    A node that exited with 0 or was respawned does not count; one that dies repeatedly is named once.
     """
     text = _COLOUR.sub("", log)
     found: dict[str, int] = {}

@@ -1,4 +1,4 @@
-"""Names of libraries, as CMake, pkg-config, the linker and the compiler call them, and the packages that hold them."""
+"""Names of libraries in CMake, pkg-config, link lines and includes, and the packages that contain them."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ _TABLES: dict[Naming, tuple[str, str]] = {
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Library:
-    """Where a library comes from; all three may be empty, where the compiler or CMake itself brings it."""
+    """Where a library comes from; nothing is set if the compiler or CMake itself brings it."""
 
     apt: tuple[str, ...] = ()
     ros: str = ""
-    """A ROS package that holds it, preferred where the image has ROS."""
+    """A ROS package that contains it, preferred if the image has ROS."""
     beside: tuple[str, ...] = ()
-    """What code that uses it usually needs too: headers it exposes, what its own build looks for."""
+    """Packages that code using it usually needs too: headers that it exposes, libraries that its build looks for."""
     recipe: str = ""
-    """A row of ``recipes.toml`` that builds it, where no package holds it."""
+    """A row of ``recipes.toml`` that builds it, if no package contains it."""
 
 
 @cache
 def _table(naming: Naming) -> dict[str, list[tuple[tuple[str, ...], Library]]]:
-    """Return the rows by name; those for some releases of Ubuntu stand before that for all others."""
+    """Return the rows by name; rows for certain Ubuntu releases come before the one for all others."""
     name, key = _TABLES[naming]
     found: dict[str, list[tuple[tuple[str, ...], Library]]] = {}
     for row in rows(name):
@@ -49,9 +49,9 @@ def _table(naming: Naming) -> dict[str, list[tuple[tuple[str, ...], Library]]]:
 
 
 def library(naming: Naming, name: str, ubuntu: str | None) -> Library | None:
-    """Return where a library comes from on an Ubuntu; ``None`` for a name that no table has.
+    """Return where a library comes from on an Ubuntu; ``None`` for a name that is in no table.
 
-    A name that is known but has no row for this Ubuntu gives an empty ``Library``.
+    A name in the table without a row for this Ubuntu gives an empty ``Library``.
     """
     entries = _table(naming).get(name)
     if entries is None:
@@ -60,7 +60,7 @@ def library(naming: Naming, name: str, ubuntu: str | None) -> Library | None:
 
 
 def header(path: str, ubuntu: str | None) -> Library | None:
-    """Return what an included header comes from: by its whole path, or by the folder it begins with."""
+    """Return where an included header comes from: by its whole path, or by its first folder."""
     parts = path.split("/")
     for length in range(len(parts), 0, -1):
         stem = "/".join(parts[:length]) + ("/" if length < len(parts) else "")

@@ -1,4 +1,4 @@
-"""Packages that pages name but no image can use: drivers, kernels, the engine itself."""
+"""Packages that pages name but no image can use: drivers, kernels, the Docker engine itself."""
 
 from __future__ import annotations
 
@@ -10,5 +10,5 @@ from roslab.knowledge.table import rows
 
 @cache
 def never() -> re.Pattern[str]:
-    """Return one pattern that matches the whole of each such name."""
+    """Return one pattern that matches the full name of each of them."""
     return re.compile("(?:" + "|".join(row["pattern"] for row in rows("never")) + r")\Z")

@@ -1,4 +1,4 @@
-"""Names that people require and pip's index does not have, or has only to raise an error."""
+"""Names that people require although pip's index lacks them, or has only a placeholder that raises an error."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class NotOnIndex:
 
 @cache
 def not_on_index() -> dict[str, NotOnIndex]:
-    """Return the table, by names as the index compares them."""
+    """Return the table by normalised name."""
     return {
         canonicalize_name(row["pip"]): NotOnIndex(instead=row["instead"], why=row["why"], source=row["source"])
         for row in rows("not_on_index")

@@ -17,5 +17,5 @@ def _table() -> dict[tuple[str, str], tuple[str, ...]]:
 
 
 def packages(key: str, ubuntu: str | None) -> tuple[str, ...]:
-    """Return the packages of a key; none where this Ubuntu does not have them, or the base is no Ubuntu."""
+    """Return the packages of a key, none if this Ubuntu does not have them or the base is not Ubuntu."""
     return _table().get((key, ubuntu or ""), ())

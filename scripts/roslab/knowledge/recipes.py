@@ -1,4 +1,4 @@
-"""Libraries without a package: where their source is, at which ref, and how it is configured."""
+"""Libraries without a package: where their source is, which ref to build, and how to configure it."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ class Recipe:
     name: str
     repo: str
     ref: str
-    """A tag or a commit: what is built is the same in ten years."""
+    """A tag or a commit, so that the same is built in ten years."""
     depends: tuple[str, ...]
     """apt packages that its build needs."""
     options: tuple[str, ...]
 
 
 def recipe(name: str, ubuntu: str | None) -> tuple[Recipe, ...]:
-    """Return what to build for a library, what it needs first; empty for one that the table does not have."""
+    """Return what to build for a library, its own needs first; empty if the table does not have it."""
     found = _table().get(name)
     if not isinstance(found, dict):
         return ()

@@ -1,6 +1,6 @@
-"""Which ROS packages a distribution released, and which other keys rosdep knows: for warnings, to tell names apart.
+"""Which ROS packages a distribution released, and which other keys rosdep has: for warnings, and to tell names apart.
 
-The truth is in the image, where rosdep and apt answer; this table only says beforehand what they will probably say.
+rosdep and apt decide inside the image; this table only predicts what they will answer.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from roslab.knowledge.table import rows
 def released(distro: str) -> frozenset[str]:
     """Return the names of the packages that a distribution released, an empty set for an unknown one.
 
-    One without a row of its own, short-lived or quite new, has those of the distribution before it.
+    A short-lived or very new one without a row of its own has those of the distribution before it.
     """
     known = {row["distro"]: row["packages"] for row in rows("released")}
     this = distros().get(distro)
@@ -27,5 +27,5 @@ def released(distro: str) -> frozenset[str]:
 
 @cache
 def rosdep_keys() -> frozenset[str]:
-    """Return the keys of rosdep's own tables that hold a package for some Ubuntu."""
+    """Return the keys of rosdep's own tables that have a package for some Ubuntu."""
     return released("rosdep")

@@ -1,4 +1,4 @@
-"""Names that a Python package no longer has: code that uses one runs only on the versions before."""
+"""Names that a Python package no longer has: code that uses one runs only with older versions."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ class Removal:
 
     package: str
     bound: Requirement
-    """What still has it, ``matplotlib<3.5``."""
+    """The versions that still have it, ``matplotlib<3.5``."""
     beside: Requirement | None
-    """A bound on another package that these versions need: what was compiled against NumPy 1 does not load with NumPy 2
+    """A bound that these versions need on another package: code compiled against NumPy 1 does not load with NumPy 2
     (https://numpy.org/doc/stable/numpy_2_0_migration_guide.html)."""
     hint: str
-    """A literal that stands wherever the pattern matches: a file without it need not be searched."""
+    """A literal that every match contains: files without it are not searched."""
     pattern: re.Pattern[str]
     what: str
     source: str
@@ -29,7 +29,7 @@ class Removal:
 
 @cache
 def removals() -> tuple[Removal, ...]:
-    """Return the table; a package's lowest bound stands first."""
+    """Return the table; the lowest bound of a package comes first."""
     return tuple(
         Removal(
             package=row["package"],

@@ -1,4 +1,4 @@
-"""Where the packages of a ROS distribution are served, and the key that signs them."""
+"""The apt sources of ROS distributions, and the keys that sign them."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from roslab.knowledge.table import rows
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class PackageSource:
-    """A package source of apt: its address, and that of its key."""
+    """An apt source: its address and that of its key."""
 
     url: str
     key: str
 
 
 def ros_packages(release: Distro) -> PackageSource:
-    """Return the package source; of a distribution whose tables are pinned, for it has ended, the last snapshot."""
+    """Return the apt source; for an ended distribution, whose tables are pinned, the last snapshot."""
     which = "ended" if release.rosdistro_tag else f"ros{release.ros}"
     row = next(row for row in rows("ros_packages") if row["which"] == which)
     return PackageSource(url=row["url"].format(name=release.name), key=row["key"])

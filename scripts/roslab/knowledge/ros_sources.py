@@ -16,9 +16,9 @@ class RosSource:
     repo: str
     ref: str
     library: str
-    """A row of ``recipes.toml`` that it links, ``""`` for none."""
+    """The row of ``recipes.toml`` for a library that it links, ``""`` for none."""
     prepare: str
-    """Shell text that makes the checkout a package, run in its folder (it holds a manifest for each ROS version)."""
+    """Shell commands that make the checkout a package, run in its folder (it has a manifest for each ROS version)."""
     options: str
     """CMake options that its build needs; ``{distro}`` stands for the ROS distribution."""
 
@@ -29,7 +29,7 @@ def _table() -> dict[tuple[str, str], dict[str, str]]:
 
 
 def ros_sources(package: str, ros: int) -> tuple[RosSource, ...]:
-    """Return what to clone for a package, what it needs first; empty for one that the table does not have."""
+    """Return what to clone for a package, its own needs first; empty if the table does not have it."""
     row = _table().get((package, str(ros)))
     if row is None:
         return ()

@@ -1,4 +1,4 @@
-"""What GitHub's own runners carry that no image is built with, the heaviest first."""
+"""Large folders on GitHub's runners that no image build uses, the largest first."""
 
 from __future__ import annotations
 
@@ -9,5 +9,5 @@ from roslab.knowledge.table import rows
 
 @cache
 def runner_weight() -> tuple[tuple[str, str], ...]:
-    """Return folders and what they hold."""
+    """Return each folder with a description of its contents."""
     return tuple((row["path"], row["holds"]) for row in rows("runner_weight"))

@@ -1,4 +1,4 @@
-"""Reading the tables: CSV rows as dictionaries, once, and only those that are asked for."""
+"""Reading the CSV tables, each once, on first use."""
 
 from __future__ import annotations
 
@@ -11,6 +11,6 @@ _FOLDER = Path(__file__).parent
 
 @cache
 def rows(name: str) -> tuple[dict[str, str], ...]:
-    """Return the rows of ``NAME.csv``; every one has a ``source`` and a ``date`` on which that was read."""
+    """Return the rows of ``NAME.csv``; each has a ``source`` and the ``date`` on which it was read."""
     with (_FOLDER / f"{name}.csv").open(encoding="utf-8", newline="") as stream:
         return tuple(csv.DictReader(stream))

@@ -14,12 +14,12 @@ JUPYTER = ("jupyterlab", "notebook", "bash_kernel")
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class PythonTools:
-    """Requirement lines of the tools; each pin holds by its marker only where the interpreter is as old as expected."""
+    """Requirement lines of the tools; each pin has a marker, so that it holds only for an interpreter that old."""
 
     installers: tuple[str, ...] = INSTALLERS
     jupyter: tuple[str, ...] = JUPYTER
     pinned: bool = False
-    """The interpreter is too old for the newest of them."""
+    """The interpreter is too old for their newest versions."""
 
 
 @cache
@@ -58,7 +58,7 @@ def _lines(row: dict[str, str], names: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _beside(row: dict[str, str]) -> tuple[str, ...]:
-    """Return pins of what JupyterLab brings along and does not bound: newer ones have no wheel for that Python."""
+    """Return pins of JupyterLab's dependencies that it does not bound: newer ones have no wheel for that Python."""
     major, minor = map(int, row["python"].split("."))
     return tuple(f'{pin}; python_version < "{major}.{minor + 1}"' for pin in row["beside"].split())
 

@@ -1,4 +1,4 @@
-"""Tools by which a Python project takes its version from git, and what they read where there is no git."""
+"""Tools that give a Python project its version from git, and what they read where there is no git."""
 
 from __future__ import annotations
 

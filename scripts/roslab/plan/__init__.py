@@ -1,1 +1,1 @@
-"""The plan: all that is built, run and published, as one versioned value."""
+"""The plan: everything that is built, run and published, as one versioned value."""

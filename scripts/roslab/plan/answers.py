@@ -1,4 +1,4 @@
-"""A plan's answers: what another job reads of it, of a few kilobytes whatever the repository's size."""
+"""The short fields of a plan that other jobs read: a few kilobytes, however large the repository is."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import Any
 from roslab.plan.plan import Plan
 
 LONGEST = 4_000
-"""Characters of a command that is given whole."""
+"""Characters of a command; a longer one is cut."""
 
 
 def answers(plan: Plan) -> dict[str, Any]:
-    """Return the plan's short fields under their own names, and how long its lists are.
+    """Return the plan's short fields under their own names, and the lengths of its lists.
 
     Lists that grow with the repository (manifests, packages, reasons) are counted only: all outputs of a job together
     may have 1 MiB as UTF-16, and the job fails above it.

@@ -16,9 +16,9 @@ class ImagePackages:
     """Packages in the order in which they are installed."""
 
     first: tuple[str, ...] = ()
-    """What every image of the old formats had, and ROS; empty for a file of today."""
+    """ROS, and what every image of the old formats had; empty for a current roslab.yaml."""
     tools: tuple[str, ...] = ()
-    """Installed where the base's apt knows them; where one is missing, the step that uses it says so."""
+    """Installed if the base's apt has them; if one is missing, the step that uses it fails and says so."""
     named: tuple[str, ...]
 
 
@@ -30,7 +30,7 @@ def image_packages(decision: Decision, config: Config, in_workspace: tuple[Sourc
     tools = _ros_tools(decision, in_workspace)
     if not config.compatible:
         return ImagePackages(tools=tuple(tools), named=tuple(dict.fromkeys((*needs, *decision.apt))))
-    # An old image's own packages come before JupyterLab and ROS, what its author names after them
+    # In an old format its own packages come before JupyterLab and ROS, those that the author names after them
     ros = tuple(name for name in decision.apt if name not in config.apt)
     always = packages("old-image", decision.ubuntu)
     tools += [name for name in packages("old-tools", decision.ubuntu) if name not in needs]
@@ -39,7 +39,7 @@ def image_packages(decision: Decision, config: Config, in_workspace: tuple[Sourc
 
 
 def _needs(decision: Decision, config: Config) -> list[str]:
-    """Return what the steps of the plan need that every base may lack: a compiler, git, Python's tools."""
+    """Return what the plan's steps need and any base may lack: a compiler, git, Python's tools."""
     needs: list[str] = []
     compiled = decision.build_tool == "cmake" and decision.kind not in ("ros1", "ros2")  # a ROS base has a compiler
     if compiled:
@@ -50,9 +50,9 @@ def _needs(decision: Decision, config: Config) -> list[str]:
 
 
 def _python_needs(decision: Decision, *, notebook: bool) -> list[str]:
-    """Return what the image's Python needs of the system."""
+    """Return the system packages that the image's Python needs."""
     python = decision.python
-    own_python = decision.base_image.rpartition("/")[2].startswith("python:")  # with pip and venv in /usr/local
+    own_python = decision.base_image.rpartition("/")[2].startswith("python:")  # it has pip and venv in /usr/local
     asked = (*python.pip, *python.pip_guessed, *python.first, *python.python2)
     needs = ["ca-certificates", "git"] if any(each.vcs for each in asked) else []
     if python.manager == "conda":
@@ -65,7 +65,7 @@ def _python_needs(decision: Decision, *, notebook: bool) -> list[str]:
 
 
 def _ros_tools(decision: Decision, in_workspace: tuple[Source, ...]) -> list[str]:
-    """Return the tools of a workspace that not every image of ROS has."""
+    """Return the workspace tools that not every ROS image has."""
     release = distro(decision.ros_distro)
     if release is None:
         return []

@@ -1,4 +1,4 @@
-"""The plan: all that is built, run and published, as one versioned value; after it nothing reads the repository."""
+"""The plan: all that is built, run and published, as one versioned value; nothing after it reads the repository."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from roslab.plan.version import SourceVersion
 from roslab.plan.workspace import Workspace, custom, library, workspace
 
 VERSION = 1
-"""Of the plan's JSON; a reader refuses another."""
+"""Version of the plan's JSON; a reader refuses any other."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -56,7 +56,7 @@ class Rosdep:
     """package.xml files of the packages that are built, relative to the root."""
     skip_keys: tuple[str, ...]
     rosdistro_tag: str | None
-    """Tag of ros/rosdistro whose tables still hold this distro's Ubuntu; ``None`` where the newest do."""
+    """Tag of ros/rosdistro whose tables still have this distribution's Ubuntu; ``None`` if the newest have it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -72,7 +72,7 @@ class RosSource:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Run:
-    """What a container of the image needs when it is started."""
+    """What a container of the image needs to start."""
 
     command: tuple[str, ...] | str
     candidates: tuple[tuple[str, ...], ...]
@@ -92,9 +92,9 @@ class Plan:
     """Image name without registry and owner, lower case."""
     kind: Kind
     generation: Generation
-    """The format that roslab.yaml is in, for the report: what it changes stands in the other fields."""
+    """The format of roslab.yaml, for the report only: its effects are in the other fields."""
     compatible: Compatible | None
-    """The old format whose ways the image keeps: its order, its paths, its folders to build in."""
+    """The old format that the image follows in its order of steps, its paths and its build folders."""
     ros_distro: str | None
     ubuntu: str | None
     base_image: str
@@ -107,9 +107,9 @@ class Plan:
     repositories: tuple[str, ...]
     """PPAs, added before the packages."""
     apt_first: tuple[str, ...]
-    """Of an image in an old way: what was in every image, and ROS, before what the author names."""
+    """Of an image in an old format: ROS and what every image had, installed before what the author names."""
     apt_tools: tuple[str, ...]
-    """Tools that the base may have already or not know: installed where its apt knows them, reported where not."""
+    """Tools that the base may already have, or that its apt may lack: installed if possible, reported if not."""
     apt: tuple[str, ...]
     apt_guessed: tuple[str, ...]
     libraries: tuple[Source, ...]
@@ -119,7 +119,7 @@ class Plan:
     python: PythonPlan
     python_tools: PythonTools
     source_version: SourceVersion | None
-    """Of projects that take their version from git; ``None`` where none does."""
+    """Version of projects that take it from git; ``None`` if no project does."""
     workspace: Workspace
     custom: Custom | None
     env: tuple[tuple[str, str], ...]
@@ -133,7 +133,7 @@ class Plan:
     platforms_refused: tuple[tuple[str, str], ...]
     tags: TagParts
     ignore: tuple[str, ...]
-    """Lines of the author's .dockerignore, kept."""
+    """Lines of the author's .dockerignore, which are kept."""
     warnings: tuple[Warning_, ...]
     reasons: tuple[Reason, ...]
 
@@ -160,7 +160,7 @@ def make_plan(
 ) -> Plan:
     """Turn one decision into the plan of an image.
 
-    ``folder_name`` names the image where roslab.yaml does not; ``ignore`` are the lines of the author's .dockerignore.
+    ``folder_name`` names the image if roslab.yaml does not; ``ignore`` are the lines of the author's .dockerignore.
     """
     author_dockerfile = (
         AuthorDockerfile(
@@ -238,7 +238,7 @@ def make_plan(
 def _ros_source(decision: Decision) -> RosSource | None:
     """Return where ROS comes from where the base has none.
 
-    A base has ROS by its name; one of the author's own that has it all the same gets nothing twice.
+    The name of a base tells whether it has ROS; if another one has it too, apt finds its packages installed.
     """
     release = distro(decision.ros_distro)
     if release is None or decision.kind not in ("ros1", "ros2") or decision.dockerfile:
@@ -250,7 +250,7 @@ def _ros_source(decision: Decision) -> RosSource | None:
 
 
 def to_json(plan: Plan) -> str:
-    """Return the plan as indented JSON, keys in the order of the fields, the same bytes for the same plan."""
+    """Return the plan as indented JSON, keys in the order of the fields; equal plans give equal bytes."""
     return json.dumps(dataclasses.asdict(plan), indent=2, ensure_ascii=True) + "\n"
 
 
@@ -264,7 +264,7 @@ def from_json(text: str) -> Plan:
         if not isinstance(data, dict) or data.get("version") != VERSION:
             found = data.get("version") if isinstance(data, dict) else type(data).__name__
             raise ConfigurationError(
-                Problem(message=f"a plan of version {found!r}, this program reads version {VERSION}")
+                Problem(message=f"the plan has version {found!r}, but this program reads version {VERSION}")
             )
         converter = Converter(forbid_extra_keys=True)
         converter.register_structure_hook(

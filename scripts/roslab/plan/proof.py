@@ -15,7 +15,7 @@ from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 
 LONGEST = 200
-"""Letters of a command that are shown."""
+"""Most characters of a command that are shown."""
 IMPORT_SCRIPT = """\
 import importlib, importlib.metadata as metadata, sys
 names, failed = sys.argv[1:], {}
@@ -37,7 +37,7 @@ for name in names:
 print("imported", len(names) - len(failed), "of", len(names), "packages")
 sys.exit("\\n".join(f"{name}: {why}" for name, why in failed.items()) or 0)
 """
-"""A distribution's name is not its module's (``opencv-python`` is ``cv2``): its own record says what to import."""
+"""A package and its module may have different names (``opencv-python``, ``cv2``): the package's files tell."""
 
 AMENT_SCRIPT = """\
 import os, sys
@@ -56,17 +56,17 @@ https://github.com/ament/ament_cmake/blob/rolling/ament_cmake_core/doc/resource_
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Proof:
-    """One thing that is run in a container of the image."""
+    """One command that is run in a container of the image."""
 
     name: str
     command: tuple[str, ...]
     """An argv, started through the image's entry point."""
     required: bool = True
-    """A failure keeps the image from its tag; what was only guessed is tried and told: it breaks nothing."""
+    """If it fails, the image gets no tag; a guessed command is only tried and reported."""
     may_run_on: bool = False
-    """A program that has no end: still alive after the proof's seconds counts as passed, as ending with 0 does."""
+    """It may run without an end: still running after the proof's seconds counts as passed, like exit code 0."""
     display: bool = False
-    """It opens windows: it runs with a virtual display, and a picture of that is kept."""
+    """It opens windows: it runs with a virtual display, of which a picture is kept."""
 
 
 def proofs(decision: Decision) -> tuple[Proof, ...]:
@@ -86,7 +86,7 @@ def proofs(decision: Decision) -> tuple[Proof, ...]:
         if beside := _names(decision.python.python2, on_python2):
             command = ("python2", "-m", "pip", "show", *beside)
             found.append(Proof(name="declared packages of Python 2 are installed", command=command))
-    # An author's own Dockerfile says itself what it starts: its CMD, which an empty command runs.
+    # The author's Dockerfile has a CMD of its own, which an empty command runs.
     start: tuple[str, ...] | str = () if decision.dockerfile else decision.command
     argv = ("bash", "-c", start) if isinstance(start, str) else start
     said = bool(decision.dockerfile or decision.command_named) or argv[:1] == ("bash",)
@@ -111,7 +111,7 @@ def _workspace_proofs(decision: Decision) -> list[Proof]:
 
 def _import_proof(version: str | None, distributions: list[str]) -> Proof:
     if version and Version(version) < Version("3.8"):
-        # No importlib.metadata before 3.8: pip itself must know each of them
+        # No importlib.metadata before 3.8: ask pip for each package
         python = "python2" if version.startswith("2") else "python3"
         return Proof(
             name="declared Python packages are installed", command=(python, "-m", "pip", "show", *distributions)
@@ -120,7 +120,7 @@ def _import_proof(version: str | None, distributions: list[str]) -> Proof:
 
 
 def _declared_distributions(decision: Decision) -> list[str]:
-    """Return what must be there: not what was guessed, and not what conda calls by names of its own."""
+    """Return the declared packages, without guesses and without conda packages, which have names of their own."""
     python = decision.python
     others = {*python.pip_guessed, *python.python2} - {*python.pip}
     asked = python.pip if python.manager == "conda" else decision.pip
@@ -128,15 +128,15 @@ def _declared_distributions(decision: Decision) -> list[str]:
 
 
 def _names(asked: Iterable[Requirement], image: Interpreter) -> list[str]:
-    """Return the names that are installed by pip on every platform: one proof is run on all of them.
+    """Return the packages that pip installs on every platform: the same proof runs on all of them.
 
-    What comes from a URL is left out: its name may be only what the URL seems to tell.
+    Bare URLs are left out: the name was only guessed from the URL.
     """
     return sorted({each.name for each in asked if each.package and each.name and not each.url and image.must(each)})
 
 
 def describe(proof: Proof) -> str:
-    """Return the command as a person would type it; of a script of several lines the first, of a long one its begin."""
+    """Return the command as a person would type it; of a script only the first line, of a long one only the start."""
     words = [
         f"{first} …" if (first := word.partition("\n")[0]) != (whole := word.rstrip("\n")) else whole
         for word in proof.command

@@ -1,4 +1,4 @@
-"""The version of projects that take it from git, which an image's build does not see."""
+"""The version of projects that take it from git, which is not available in the image's build."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from roslab.evidence.facts import PythonProject
 from roslab.knowledge.version_tools import version_tools
 
 UNKNOWN = "0.1.dev0"
-"""Where no tag says a version: what setuptools_scm begins with."""
+"""If no tag has a version: the first version of setuptools_scm."""
 PLAIN = re.compile(r"[A-Za-z0-9_./+-]+")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class SourceVersion:
-    """What the tags of the checkout say, and the projects that ask for it."""
+    """The version by the tags of the checkout, and the projects that ask for it."""
 
     version: str
     """As PEP 440 writes it."""
     tag: str
-    """The nearest tag, ``""`` where there is none that has a version."""
+    """The nearest tag with a version, ``""`` if there is none."""
     distributions: tuple[tuple[str, str], ...] = ()
     """Folder and name of each project that reads a source distribution's PKG-INFO."""
     archives: tuple[str, ...] = ()
@@ -43,7 +43,7 @@ def of_projects(projects: Iterable[PythonProject], folders: Iterable[str]) -> di
 
 
 def _tools(project: PythonProject) -> list[str]:
-    """Return canonical names of what its build needs."""
+    """Return the canonical names of the packages that its build needs."""
     return [asked.key for asked in project.build_requires] + [canonicalize_name(n) for n in project.setup_imports]
 
 
@@ -69,7 +69,7 @@ def source_version(asking: dict[PythonProject, str], description: tuple[str, int
 
 
 def from_tag(tag: str, distance: int) -> str | None:
-    """Return the version that a tag names, after it the next one's development version; ``None`` for no version.
+    """Return the version of a tag, or the next development version after it; ``None`` if the tag has no version.
 
     The rule is setuptools_scm's default: https://setuptools-scm.readthedocs.io/en/latest/extending/#version-scheme
     """

@@ -81,13 +81,13 @@ class Repository:
         """``(message, file, line)``: which parts of the tree nobody reads, and why; the place may be the whole tree."""
         found: list[tuple[str, str | None, int | None]] = []
         if self.listing.truncated:
-            message = f"the tree holds more than {listing.MAX_FILES} files: what comes after them was not read"
+            message = f"the tree holds more than {listing.MAX_FILES} files: the rest was not read"
             found.append((message, None, None))
         if folders := self.listing.unreadable:
             named = ", ".join(_short(folder) for folder in folders[:3])
             more = f" and {len(folders) - 3} more" if len(folders) > 3 else ""
             what = "a folder" if len(folders) == 1 else "folders"
-            found.append((f"{what} could not be listed, and nothing in there was read: {named}{more}", None, None))
+            found.append((f"{what} could not be listed, and nothing inside was read: {named}{more}", None, None))
         return tuple(found)
 
     @property

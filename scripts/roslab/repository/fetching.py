@@ -111,7 +111,7 @@ def checkout(git: Git, root: Path, ref: str) -> str:
     A git tag is there as one afterwards. Files of LFS stay pointers.
     """
     if not REF.fullmatch(ref) or ref.startswith(("-", "refs/", "pull/")) or ".." in ref:
-        return "it is no commit, git tag or branch"
+        return "it is not a commit, git tag or branch"
     tag = f"refs/tags/{ref}"
     commit, why = "", ""
     for asked in (f"+{tag}:{tag}", ref):
@@ -124,7 +124,7 @@ def checkout(git: Git, root: Path, ref: str) -> str:
         if name and git.run(root, "rev-parse", "--quiet", "--verify", f"{name}^{{commit}}").returncode == 0:
             answer = git.run(root, "checkout", "--quiet", "--force", "--detach", f"{name}^{{commit}}")
             return _bare(_why(answer.stderr)) if answer.returncode else ""
-    return why or "there is none of that name"
+    return why or "the origin has none of that name"
 
 
 def submodules(git: Git, root: Path, *, part: str = "", above: str = "", depth: int = 0) -> tuple[Missing, ...]:
@@ -139,7 +139,7 @@ def submodules(git: Git, root: Path, *, part: str = "", above: str = "", depth: 
         place = root / path
         shown = f"{above}{path}"
         if place.resolve() != root.resolve() / path:
-            missing.append(Missing(path=shown, url="", reason="a link stands in its way"))
+            missing.append(Missing(path=shown, url="", reason="a link is in its way"))
             continue
         if not (place / ".git").exists():
             url = git.run(root, "config", "--file", ".gitmodules", "--get", f"submodule.{name}.url").stdout.strip()

@@ -335,7 +335,7 @@ def test_well_known_unreleased_packages_come_from_their_table(tmp_path: Path) ->
         "livox_ros_driver",
     ]
     assert all(source.ref for source in found.source)
-    assert not [warning for warning in found.warnings if "rosdep knows no" in warning.message]
+    assert not [warning for warning in found.warnings if "rosdep has no key" in warning.message]
 
 
 AMENT_PYTHON = (

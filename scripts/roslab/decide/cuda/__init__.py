@@ -1,1 +1,1 @@
-"""Decisions on CUDA: whether, and which."""
+"""Decisions on CUDA: whether it is needed, and which version."""

@@ -8,7 +8,7 @@ _LOCAL = re.compile(r"\+cu(\d{2,3})\b|/cu(\d{2,3})\b|[-_]cu(?:da)?(\d{2,3})\b")
 
 
 def cuda_of(text: str) -> str | None:
-    """Return ``11.8`` for a ``+cu118`` or ``/cu118`` in a release, a URL or an option of pip."""
+    """Return ``11.8`` if a release, a URL or a pip option has ``+cu118`` or ``/cu118`` in it."""
     match = _LOCAL.search(text)
     digits = next((group for group in match.groups() if group), "") if match else ""
     return f"{digits[:-1]}.{digits[-1]}" if digits else None

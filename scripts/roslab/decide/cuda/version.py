@@ -28,17 +28,17 @@ from roslab.values.origin import Place
 from roslab.values.version import minor_of, version_of
 
 DEFAULT = "11.8"
-"""Where nothing is said: the version that most frameworks of 2022 to 2025 have wheels for."""
+"""The version when nothing names one: most frameworks of 2022 to 2025 have wheels for it."""
 _OLDEST = Version("8")
 _WHY = {"tensorflow": "loads it", "torch": "has it in its wheel", "jax": "is built for it"}
 _BUILT_FOR = frozenset({"torch", "torchvision", "torchaudio", "torch-scatter", "mmcv-full", "jaxlib", "cupy"})
 _OF_CONDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda-toolkit", "cuda"})
 _OF_JAX = {"cuda11": "11.8", "cuda12": "12.3"}
-"""By how an extra of JAX begins. https://docs.jax.dev/en/latest/installation.html, read 2026-08-22."""
+"""CUDA by the first letters of a JAX extra. https://docs.jax.dev/en/latest/installation.html, read 2026-08-22."""
 _IMAGE = re.compile(r"(?:^|/)cuda(?:gl)?:(\d+\.\d+)|(?:^|/)[\w./-]+:[\w.-]*cuda(\d+\.\d+)")
 _LEAST = re.compile(r"or (?:above|higher|newer|later|greater)|>=|≥|\d\+(?!cu)|at least|minimum", re.IGNORECASE)
 _SHOWN = 20
-"""Reasons that are kept of all that name a CUDA."""
+"""Most reasons that are kept."""
 
 
 class Weight:
@@ -111,7 +111,7 @@ Candidate = tuple[Reason, tuple[str, ...]]
 
 
 def _candidates(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Candidate]:
-    """Yield every answer, whatever its weight."""
+    """Yield every answer that anything speaks for."""
     for pin in pins:
         yield from _of_pin(pin)
     for file in evidence.requirements:
@@ -136,7 +136,7 @@ def _of_pin(pin: Pin) -> Iterator[Candidate]:
     asked, table = pin.requirement, framework_on_cuda(pin.name)
     local = (cuda_of(asked.url) or cuda_of(pin.release or "")) if pin.name in _BUILT_FOR else None
     row = framework(table, pin.release) if table and pin.release else None
-    if not pin.trust:  # an example's, or something deep in the tree
+    if not pin.trust:  # from an example, or deep in the tree
         if answer := local or (row.cuda[0] if row else None):
             yield because("cuda", answer, f"{asked.written} goes with it", asked, weight=Weight.ASIDE), ()
     elif local:

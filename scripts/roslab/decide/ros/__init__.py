@@ -1,1 +1,1 @@
-"""Decisions on ROS: distribution, keys, workspace, sister repositories."""
+"""Decisions on ROS: distribution, rosdep keys, workspace, sister repositories."""

@@ -1,4 +1,4 @@
-"""catkin_make or catkin_tools: what people type to build a workspace of ROS 1, and what its packages need."""
+"""catkin_make or catkin_tools for ROS 1: by what people type to build, and by what the packages need."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ from roslab.values.origin import Place
 
 
 class Weight:
-    """What speaks for a tool, by who typed it and where."""
+    """How much each reason for a tool counts, by who uses it and where."""
 
     MENTION: ClassVar = {
-        "dockerfile": 420,  # it built this code
+        "dockerfile": 420,  # this code was built that way
         "readme": 400,
-        "ci": 380,  # hardly ever what people do
+        "ci": 380,  # CI often builds in other ways than people
         "script": 300,
     }
     ELSEWHERE = 100
-    PLAIN_CMAKE = 350  # catkin_make refuses it: more than a script, less than what people type
-    CATKIN_SIMPLE = 250  # its authors build with catkin_tools; catkin_make knows it too
+    PLAIN_CMAKE = 350  # catkin_make refuses plain CMake packages: wins over a script, not over what people type
+    CATKIN_SIMPLE = 250  # its authors build with catkin_tools, but catkin_make can build it too
     DEFAULT = 1
-    DEEPER = 30  # what a folder deeper in the tree takes off: it tells of a part
-    DEEPER_DOCKERFILE = 5  # Dockerfiles have folders of their own
-    VENDORED = 200  # what it takes off that others wrote the page
+    DEEPER = 30  # subtracted for each folder above it: deeper files are about a part
+    DEEPER_DOCKERFILE = 5  # subtracted for a Dockerfile instead, which often has its own folder
+    VENDORED = 200  # subtracted for a file copied from another project
     DOCUMENTATION = 50
     ISOLATED = 100  # an isolated build is what CI runs
 
 
 def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
-    """Return the tool with everything that speaks for either."""
+    """Return the tool, with the reasons for both."""
     reasons = [
         because("build_tool", mention.value, mention.text[:120], mention, weight=_weight(mention))
         for mention in evidence.mentions

@@ -1,4 +1,4 @@
-"""Which ROS distribution: evidence is ranked, and what the packages declare rules out what cannot be meant."""
+"""The ROS distribution: evidence is ranked, and keys that the packages declare rule out older distributions."""
 
 from __future__ import annotations
 
@@ -48,10 +48,11 @@ def _preference(name: str) -> int:
 
 
 def _unknown_keys(evidence: Evidence, ros: int) -> dict[str, frozenset[str]]:
-    """Return, for each distribution of a ROS version, the declared keys that only came after it.
+    """Return, for each distribution of a ROS version, the declared keys that were only added after it.
 
-    A package needs what its authors' distribution has, so such keys rule out the older ones. A key that an older one
-    had says nothing: its package may be built from source since. Rolling's list has gaps and rules out nothing.
+    A package needs what its authors' distribution has, so such keys rule out older ones. A key that an older one had
+    and this one lacks tells nothing: its package may now be built from source. Rolling's list has gaps, so it rules out
+    nothing.
     """
     packages = packages_of(evidence)
     variables = {"ROS_VERSION": str(ros)}
@@ -68,7 +69,7 @@ def _unknown_keys(evidence: Evidence, ros: int) -> dict[str, frozenset[str]]:
 
 
 def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
-    """Weigh a distribution less that lacks what the packages declare: its mention is older than they are."""
+    """Lower the weight of a distribution without a declared key: its mention is older than the packages."""
     missing = sorted(unknown.get(reason.answer, ()))
     if not missing:
         return reason
@@ -77,7 +78,7 @@ def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
 
 
 def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[Reason]:
-    """Offer the best distribution that has every declared key, where one that is named lacks some."""
+    """Add the best distribution with every declared key, if a named one lacks some."""
     if not any(unknown.get(reason.answer) for reason in reasons):
         return []
     best = max((name for name, missing in unknown.items() if not missing), key=_preference)
@@ -85,17 +86,17 @@ def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[
 
 
 def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]]) -> Choice[Distro | None]:
-    """Return the distribution of the last commit's time, else the default; where it lacks a key, one that has all."""
+    """Return the distribution of the last commit's time, else the default; if that lacks a key, one with every key."""
     date = dated(evidence)
     answer = of_its_time(kind, date.value if date else None)
-    why = "nothing is said: the default"
+    why = "no distribution is named: the default"
     if date:
         default = default_distro(1 if kind == "ros1" else 2).name
-        usual = "the default is" if answer == default else f"it is older than {default}, the default:"
-        why = f"nothing is said; the last commit is of {date.value}: {usual} of that time"
+        usual = "the default fits" if answer == default else f"{answer}, not the default {default}, fits"
+        why = f"no distribution is named; {usual} the last commit, of {date.value}"
     if unknown.get(answer):
         answer = max((name for name, missing in unknown.items() if not missing), key=_preference)
-        why = "nothing is said: the default of those with every key that the packages declare"
-    message = f"nothing says which ROS distribution this is for: {answer} is taken; name it as base.ros in roslab.yaml"
+        why = "no distribution is named: the default of those that have every key that the packages declare"
+    message = f"nothing says which ROS distribution this is for: {answer} is used; set base.ros in roslab.yaml"
     reason = because("ros_distro", answer, why, date, weight=Weight.DEFAULT)
     return Choice(answer=distros()[answer], reasons=(reason,), warnings=(warn(message),))

@@ -1,4 +1,4 @@
-"""Dates against release windows: the weakest evidence for a distribution, and better than none."""
+"""The distribution by date, from release windows: the weakest evidence, but better than none."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ commit fell into the first year of a newer one, had not moved to it."""
 
 
 def dated(evidence: Evidence) -> Mention | None:
-    """Return the newest date that the repository has of itself."""
+    """Return the newest date that the repository gives."""
     return max((m for m in evidence.mentions if m.topic == "date"), key=lambda m: m.value, default=None)
 
 
 def of_its_time(kind: Kind, date: str | None) -> str:
     """Return the distribution that code of a date (``YYYY-MM-DD``) was most likely written for.
 
-    The default where its window holds the date; else the preferred one of those that were a year old and had not
-    ended; for a date after all ends or before all releases, the nearest.
+    The default if the date is in its window; else the preferred one of those that were a year old and still supported;
+    for a date before every release or after every end, the nearest.
     """
     line = [d for d in distros().values() if d.ros == (1 if kind == "ros1" else 2) and d.eol]
     default = default_distro(1 if kind == "ros1" else 2)

@@ -1,4 +1,4 @@
-"""What each mention of a distribution weighs: by where it stands and what its sentence says, never by how often."""
+"""The weight of each mention of a distribution: by its place and its sentence, never by how often it is named."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from roslab.knowledge.distros import distros, distros_of, ubuntus
 from roslab.values.origin import Place
 
 FAMILY = 2
-"""Images of more distributions than this are a family, one for each: none of them says which is meant."""
+"""Dockerfiles for more distributions than this are a family: none of them tells which distribution is meant."""
 QUOTED = 160
-"""Letters of a sentence that are quoted."""
+"""Most characters of a sentence that are quoted."""
 _AGAINST = re.compile(
     r"not (?:been )?(?:tested|supported|work)|n't work|unsupported|no longer|deprecated|end[- ]of[- ]life|\beol\b|"
     r"coming soon|todo|"
@@ -30,7 +30,7 @@ _FOR = re.compile(
     r">=|≥|develop(?:ed)? (?:on|with|under|in)|recommend|using ros|\bros[ :_-]",
     re.IGNORECASE,
 )
-"""The sentence tells what to have."""
+"""The sentence tells what to install or use."""
 _RECOMMENDED = re.compile(r"\brecommend", re.IGNORECASE)
 _LIST = (".repos", ".rosinstall")
 _SENTENCE = re.compile(r"(?<=[.;!?])\s+|\s*\|\s*")
@@ -38,44 +38,44 @@ _WHAT = {"filename": "a file is named", "ci": "CI:", "dockerfile": "the author's
 
 
 class Weight:
-    """What speaks for a distribution, the strongest first: what is run before what is said, the newest word first."""
+    """How much each reason for a distribution counts; what is run counts more than what is only written."""
 
-    BRANCH = 900  # a branch of that name is for that distribution, whatever its files still say
+    BRANCH = 900  # a branch of that name is for that distribution, even if its files still name another
     DOCKERFILE: ClassVar = {
         "project": 700,  # it was built with this code
-        "ci": 520,  # of the environment in which the code is tried
-        "deploy": 450,  # one robot's or machine's own
+        "ci": 520,  # the environment in which CI tests the code
+        "deploy": 450,  # for one robot or machine
         "documentation": 300,
         "broken": 200,
         "vendored": 50,
     }
-    COPIES = 20  # on top for a Dockerfile that brings this very source
+    COPIES = 20  # added for a Dockerfile that copies this source
     CI_IMAGE = 520
-    FAMILY = 440  # one of several images, one for each distribution
+    FAMILY = 440  # one of a family of images, one for each distribution
     PLACE: ClassVar = {
-        "ci": 500,  # it is tried there at every push
-        "dockerfile": 430,  # a line of it, not its base
+        "ci": 500,  # it is tested there at every push
+        "dockerfile": 430,  # a line other than its FROM
         "filename": 420,
         "script": 330,
     }
-    RECOMMENDED = 420  # where a page names several
+    RECOMMENDED = 420  # if a page names several
     TELLS_TO_HAVE = 400  # "tested on", "install", "requires"
     SPEAKS_OF_IT = 300
-    AGAINST = 180  # what a sentence loses that speaks of another time or branch
-    ROS2_BRANCH = 410  # development follows rolling: more than any sentence but a recommendation
-    LIST = 390  # a list for one distribution holds what that one lacks: others may need no list
-    UBUNTU: ClassVar = {"dockerfile": 260, "ci": 240, "readme": 230}  # it only has that distribution
-    HAS_EVERY_KEY = 100  # nothing names it
-    VENDORED = 20  # others wrote it
+    AGAINST = 180  # subtracted if the sentence is about another time or branch
+    ROS2_BRANCH = 410  # development follows rolling: wins over any sentence but a recommendation
+    LIST = 390  # a list of repositories for one distribution has what that one lacks; others may need no list
+    UBUNTU: ClassVar = {"dockerfile": 260, "ci": 240, "readme": 230}  # an Ubuntu that has only this distribution
+    HAS_EVERY_KEY = 100  # nothing names it, but it fits
+    VENDORED = 20  # in a file copied from another project
     DEFAULT = 1
-    LACKS_A_KEY = 400  # what a distribution loses: a Dockerfile older than the packages falls below a page
-    DEEPER = 5  # a folder deeper in the tree: nearer to a part than to the whole
+    LACKS_A_KEY = 400  # subtracted if it lacks a declared key: an outdated Dockerfile then counts less than a page
+    DEEPER = 5  # subtracted for each folder above the file: deeper files are about a part
     DEEPER_PAGE = 15
-    DOCUMENTATION = 60  # what a page among the documentation loses against the README
+    DOCUMENTATION = 60  # subtracted for a page in a documentation folder
 
 
 def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
-    """Return the best reason for each distribution of a ROS version that anything names."""
+    """Return the best reason for each distribution of a ROS version that is named anywhere."""
     found: dict[str, Reason] = {}
     for reason in (*_dockerfiles(evidence), *_mentions(evidence, ros), *_branches(evidence, ros)):
         known = distros().get(reason.answer)
@@ -87,12 +87,12 @@ def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
 
 
 def _dockerfiles(evidence: Evidence) -> Iterator[Reason]:
-    """Read the author's images: the project's own before CI's, near the root before deep ones; a family is a list."""
+    """Yield the distributions of the author's Dockerfiles: the project's before CI's, then by depth."""
     named = {name for authored in evidence.dockerfiles for name in _names(authored.base or "")}
     for authored in evidence.dockerfiles:
         for name in _names(authored.base or ""):
             weight = _dockerfile_weight(authored) if len(named) <= FAMILY else Weight.FAMILY
-            why = f"the author's image is FROM {authored.base}"
+            why = f"the author's image starts from {authored.base}"
             place = Place(file=authored.file, line=authored.base_line)
             yield because("ros_distro", name, why, place, weight=weight)
 
@@ -120,23 +120,23 @@ def _mentions(evidence: Evidence, ros: int) -> Iterator[Reason]:
 
 
 def _ubuntu(mention: Mention, ros: int) -> Iterator[Reason]:
-    """Take an Ubuntu for the distribution that lives on it."""
+    """Yield the distribution that belongs to a mentioned Ubuntu."""
     codename = ubuntus().get(mention.value, mention.value)
     if codename == mention.value and mention.source == "readme" and "ubuntu" not in mention.text.lower():
-        return  # "bionic" is also an arm, "focal" a length
+        return  # "bionic" and "focal" are also ordinary words
     weight = Weight.UBUNTU[mention.source] - Weight.DEEPER * mention.file.count("/")
     for name in distros_of(codename, 1 if ros == 1 else 2)[:1]:
         yield because("ros_distro", name, f"Ubuntu {mention.value}: {mention.text[:120]}", mention, weight=weight)
 
 
 def _weighed(mention: Mention) -> tuple[str, int]:
-    """Return why a distribution's name counts, and how much."""
-    depth = mention.file.count("/") * (not mention.file.startswith("."))  # .github is a root's, as Jenkinsfile is
+    """Return the reason that a mention of a distribution gives, and its weight."""
+    depth = mention.file.count("/") * (not mention.file.startswith("."))  # .github counts as the root
     deeper = Weight.DEEPER * depth
     if mention.source == "branch":
         return f"the branch is {mention.text}", Weight.BRANCH
     if places.vendored(mention.file):
-        return "a copied file names it", Weight.VENDORED
+        return "a file copied from another project names it", Weight.VENDORED
     if mention.source == "filename" and mention.file.endswith(_LIST):
         return f"a list is named {mention.text}", Weight.LIST - deeper
     if mention.source in Weight.PLACE:
@@ -147,13 +147,13 @@ def _weighed(mention: Mention) -> tuple[str, int]:
 
 
 def _quoted(mention: Mention) -> str:
-    """Return the sentence that names a distribution, marked where it is cut."""
+    """Return the sentence that names a distribution, cut with an ellipsis if it is long."""
     said = next(iter(_sentences(mention.text, mention.value))).strip().rstrip(";:,")
     return said if len(said) <= QUOTED else said[: QUOTED - 1].rstrip() + "…"
 
 
 def _sentences(text: str, value: str) -> list[str]:
-    """Return the sentences and table cells that hold a name, the whole text where cutting loses it."""
+    """Return the sentences and table cells that contain a name, the whole text if none does."""
     return [part for part in _SENTENCE.split(text) if value in part.lower()] or [text]
 
 
@@ -164,10 +164,10 @@ def _spoken(sentence: str) -> int:
 
 
 def _branches(evidence: Evidence, ros: int) -> Iterator[Reason]:
-    """Read a branch ``ros2`` as where development goes on: it follows rolling, releases have branches of their own."""
+    """Yield rolling for a branch named ``ros2``: development happens there; releases have branches of their own."""
     rolling = [found.name for found in distros().values() if found.ros == ros == 2 and found.never_ends]
     for mention in evidence.mentions:
         if mention.source == "branch" and mention.text == "ros2":
-            why = "the branch is ros2: where ROS 2 development goes on"
+            why = "the branch is ros2, where ROS 2 development goes on"
             for name in rolling:
                 yield because("ros_distro", name, why, mention, weight=Weight.ROS2_BRANCH)

@@ -1,4 +1,4 @@
-"""The keys of the package.xml files that are built, and those of them that rosdep cannot know."""
+"""The rosdep keys of the package.xml files that are built, and those among them that rosdep does not have."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _NOT_INSTALLED = frozenset({"doc"})
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Translated:
-    """What a key stands for that is no key but a library's name, and what to tell the author."""
+    """What to install for a key that is a library's name and no rosdep key, and the warning about it."""
 
     apt: tuple[str, ...] = ()
     recipe: str = ""
@@ -48,21 +48,21 @@ def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Depen
 
 
 def translate(key: Dependency, target: Target, *, cloned: bool, submodules: tuple[str, ...] = ()) -> Translated:
-    """Return what a key comes to that rosdep cannot resolve: a library's packages or recipe, else a warning.
+    """Return what to do about a key that rosdep cannot resolve: a library's packages or recipe, else a warning.
 
-    ``cloned``: there are sister repositories, whose packages are only known once they are cloned; ``submodules`` are
-    the folders of submodules: one of the key's name would have its package.xml in it if it were checked out.
+    ``cloned``: there are sister repositories, whose packages are not known before they are cloned. ``submodules``: the
+    folders of submodules; one that is named like the key and has no package.xml is not checked out.
     """
     name = key.name
     if name in rosdep_keys() or name in released(target.ros_distro or ""):
         return Translated()
     found = library("cmake", name, target.ubuntu)
     if found is None or not (found.apt or found.recipe):
-        message = f"rosdep knows no {name} for ROS {target.ros_distro}"
+        message = f"rosdep has no key {name} for ROS {target.ros_distro}"
         hint = _hint(name, target, cloned=cloned, submodules=submodules)
         return Translated(warning=warn(f"{message}: {hint}", key))
-    instead = " ".join(found.apt) or f"{found.recipe}, from its source,"
-    message = f"{name} is no key of rosdep but a library's name: {instead} is installed for it"
+    instead = " ".join(found.apt) or f"{found.recipe}, built from source,"
+    message = f"{name} is the name of a library, not a key of rosdep: {instead} is installed for it"
     return Translated(
         apt=found.apt,
         recipe="" if found.apt else found.recipe,
@@ -74,7 +74,7 @@ def translate(key: Dependency, target: Target, *, cloned: bool, submodules: tupl
 def _hint(name: str, target: Target, *, cloned: bool, submodules: tuple[str, ...]) -> str:
     folder = next((path for path in submodules if path.rpartition("/")[2] == name), None)
     if folder:
-        return f"the submodule {folder} may hold it and is not checked out: git submodule update --init --recursive"
+        return f"the submodule {folder} may hold it, but is not checked out: git submodule update --init --recursive"
     near = _nearest(name, rosdep_keys() | released(target.ros_distro or ""))
     where = "one of the cloned repositories may hold it" if cloned else "nothing here says where it comes from"
     meant = f"correct the name (is {near} meant?)" if near else "correct the name"
@@ -82,6 +82,6 @@ def _hint(name: str, target: Target, *, cloned: bool, submodules: tuple[str, ...
 
 
 def _nearest(name: str, known: frozenset[str]) -> str | None:
-    """Return the known name that differs by a letter or two; only names that begin alike are compared."""
+    """Return the known name that differs by a letter or two; only names with the same first letters are compared."""
     alike = sorted(each for each in known if each[:4] == name[:4] and abs(len(each) - len(name)) <= 1)
     return next(iter(get_close_matches(name, alike, n=1, cutoff=0.92)), None)

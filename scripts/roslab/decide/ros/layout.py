@@ -14,7 +14,7 @@ from roslab.evidence.facts import Evidence
 from roslab.values.origin import Place
 
 LAYOUT = 100
-"""One fact decides: there is nothing to weigh it against."""
+"""A single fact decides, so the weight has nothing to compete with."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -27,7 +27,7 @@ class Layout:
 
 
 def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[Layout]:
-    """Return where the repository lies; it is the workspace itself where every package lies in its ``src``."""
+    """Return where the repository lies; it is the workspace itself if every package lies in its ``src``."""
     if kind not in {"ros1", "ros2"}:
         tops = [project for project in evidence.cmake if project.top_level and not places.vendored(project.file)]
         top = min(tops, key=lambda project: (project.file.count("/"), project.file), default=None)

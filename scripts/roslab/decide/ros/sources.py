@@ -1,4 +1,4 @@
-"""What is built from its source: vcs files, clones that a manifest asks for, libraries of the table of recipes."""
+"""What is built from source: vcs files, clones that a manifest asks for, libraries from the table of recipes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _EXTRA = re.compile(
 )
 _WORDS = re.compile(r"[a-z]+")
 SHORTEST = 4
-"""Letters of a word that tells one family of packages from another."""
+"""Fewest letters of a word that can identify a family of packages."""
 _COMMON = frozenset({"msgs", "driver", "drivers", "common", "robot", "core", "tools", "utils", "ros1", "ros2"})
 _TOOLS = frozenset({"catkin", "ament_cmake", "ament_package", "cmake"})
 _IN_WORKSPACE: dict[BuildTool, Literal["catkin_make", "catkin_tools", "colcon"]] = {
@@ -34,11 +34,11 @@ _IN_WORKSPACE: dict[BuildTool, Literal["catkin_make", "catkin_tools", "colcon"]]
 
 
 class Weight:
-    """What speaks for a source; none speaks against another, so that this only orders them for the reader."""
+    """Weights of the reasons for a source; sources do not compete, so they only order the report."""
 
     LISTED = 500  # a vcs file or a clone line
     RECIPE = 400  # the program's own table
-    SUBMODULE = 10  # it comes with the checkout, not with the image
+    SUBMODULE = 10  # it comes with the checkout and is not cloned
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -48,9 +48,9 @@ class Sources:
     sources: tuple[Source, ...] = ()
     vcs: tuple[str, ...] = ()
     libraries: tuple[tuple[str, Dependency], ...] = ()
-    """Rows of the table of recipes that they link, with what asks for each."""
+    """Names of rows in the table of recipes that these sources link, with what asks for each."""
     names: frozenset[str] = frozenset()
-    """Names that these sources answer for: no key and no package is needed for them."""
+    """Names that these sources provide: they need no rosdep key and no package."""
 
 
 def decide_sources(
@@ -64,7 +64,7 @@ def decide_sources(
     own: frozenset[str],
     folder_name: str,
 ) -> Choice[Sources]:
-    """Return the sources; ``needed`` are the names that a manifest or CMake asks for, ``own`` the repository's own."""
+    """Return the sources; ``needed``: names that a manifest or CMake asks for, ``own``: the repository's packages."""
     chosen = _Chosen(build_tool=build_tool)
     chosen.configure(config)
     chosen.submodules(evidence)
@@ -87,7 +87,7 @@ def decide_sources(
 
 @dataclass
 class _Chosen:
-    """What was chosen so far."""
+    """The sources chosen so far."""
 
     build_tool: BuildTool
     sources: dict[str, Source] = field(default_factory=dict)
@@ -96,7 +96,7 @@ class _Chosen:
     libraries: dict[str, Dependency] = field(default_factory=dict)
 
     def add(self, git: GitSource, why: str) -> bool:
-        """Take a repository, unless one of that name or URL is there already; tell whether it was taken."""
+        """Add a repository unless one of that name or URL was added before; tell whether it was added."""
         name = re.sub(r"[^\w.-]+", "_", git.name.strip("/").rpartition("/")[2]).strip(".") or "source"
         urls = {_url(source.repo) for source in self.sources.values() if source.repo}
         if name in self.sources or _url(git.url) in urls:
@@ -112,30 +112,30 @@ class _Chosen:
         return True
 
     def configure(self, config: Config) -> None:
-        """Take what roslab.yaml names; nothing replaces it."""
+        """Add what roslab.yaml names; nothing replaces it."""
         for index, source in enumerate(config.source):
             self.sources[source.name] = source
             self.reasons.append(configured(config, "source", source.name, f"source.{index}"))
 
     def clone(self, git: GitSource, asked: Dependency, elsewhere: frozenset[str]) -> None:
-        """Take what a page or a manifest clones; warn where rosdep has a package of that name too."""
+        """Add what a page or a manifest clones; warn if rosdep has a package of that name too."""
         new = self.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
         if new and asked.namespace == "rosdep" and asked.name in elsewhere:
             message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
-            more = "the package of that name that rosdep knows may be another one: the clone is used"
+            more = "rosdep has a package of the same name, which may be another one: the clone is used"
             self.warnings.append(warn(f"{message}; {more}", asked))
 
     def submodules(self, evidence: Evidence) -> None:
-        """Note the submodules: they come with the checkout, not with the image."""
+        """Report the submodules: they come with the checkout and are not cloned."""
         for git in evidence.sources:
             if git.kind == "submodule":
-                why = f"a submodule, {git.url}: check it out with the repository"
+                why = f"a submodule ({git.url}): check it out with the repository"
                 self.reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
 
     def known(self, needed: Iterable[Dependency], elsewhere: frozenset[str], ros: int, distro: str) -> None:
-        """Take what the table of unreleased packages holds for the names that nothing else answers for.
+        """Add unreleased packages from the table for names that nothing else provides.
 
-        A clone of the same repository that the author names keeps its own ref, and gets all else that the table knows.
+        If the author already clones the same repository, its ref is kept and the rest comes from the table.
         """
         for asked in needed:
             if asked.namespace not in {"rosdep", "ros", "cmake"} or asked.name in elsewhere:
@@ -164,15 +164,15 @@ class _Chosen:
         self.sources[found.package] = replace(source, prepare=found.prepare, cmake_options=options)
 
     def loose(self) -> tuple[Warning_, ...]:
-        """Warn of sources without a ref: another day gives another image."""
+        """Warn about sources without a ref: a later build may get other code."""
         names = sorted(source.name for source in self.sources.values() if source.repo and not source.ref)
         if not names:
             return ()
-        message = f"cloned without a fixed ref: {', '.join(names)}; another day gives another image"
-        return (warn(f"{message}: name a tag or a commit where they are listed, or under source"),)
+        message = f"cloned without a fixed ref: {', '.join(names)}; a later build may get other code"
+        return (warn(f"{message}: name a tag or a commit where they are listed, or under source in roslab.yaml"),)
 
     def choice(self, files: tuple[str, ...]) -> Choice[Sources]:
-        """Return all of it."""
+        """Return the sources with their reasons and warnings."""
         return Choice(
             answer=Sources(
                 sources=tuple(self.sources.values()),
@@ -203,7 +203,7 @@ def _is(git: GitSource, names: set[str]) -> bool:
 
 
 def _wanted(needed: Iterable[Dependency]) -> dict[str, Dependency]:
-    """Return the needed names in one spelling; what a package is built with comes from the base image."""
+    """Return the needed names in one spelling, without build tools, which the base image has."""
     found: dict[str, Dependency] = {}
     for dependency in needed:
         if dependency.role == "buildtool" and dependency.name in _TOOLS:
@@ -215,9 +215,9 @@ def _wanted(needed: Iterable[Dependency]) -> dict[str, Dependency]:
 
 
 def _asked(git: GitSource, wanted: dict[str, Dependency], known: frozenset[str]) -> Dependency | None:
-    """Return what asks for a clone: a package of its name, or one that nobody released and whose name begins so.
+    """Return what needs a clone: a name equal to the clone's, or an unreleased package whose name begins with it.
 
-    A key that rosdep cannot know is also asked of a clone with the key's first word in its name: ``vikit_ros`` of
+    A key that rosdep does not have also matches a clone with the key's first word in its name: ``vikit_ros`` matches
     ``rpg_vikit``.
     """
     name = _plain(git.name)
@@ -231,9 +231,9 @@ def _asked(git: GitSource, wanted: dict[str, Dependency], known: frozenset[str])
 
 
 def _clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
-    """Return what manifests and pages clone: a package.xml's word first, then what has a ref, then the nearest page.
+    """Return what manifests and pages clone: from a package.xml first, then with a ref, then from the nearest page.
 
-    What an author's image for another distribution clones is for that one.
+    Clones in a Dockerfile for another distribution are left out.
     """
     dockerfiles = {authored.file: _distros(authored.base or "") for authored in evidence.dockerfiles}
     found = [git for git in evidence.sources if git.kind in {"clone", "git_url"} and not places.vendored(git.file)]
@@ -261,20 +261,20 @@ def _vcs_files(evidence: Evidence, config: Config, ros_distro: str | None) -> tu
 
 
 def _plainest(files: list[str]) -> list[str]:
-    """Return the lists of what no distribution released, where there are some, without those for tests or tools."""
+    """Return the lists of unreleased packages if there are any, else all lists, without those for tests or tools."""
     files = [file for file in files if "not-released" in file] or files
     plain = [file for file in files if not _EXTRA.search(file.rpartition("/")[2])]
     return plain or [file for file in files if "ssh" not in file] or files
 
 
 def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]]) -> Choice[Sources]:
-    """Put libraries of the table of recipes before the sister packages that link them."""
+    """Put libraries from the table of recipes before the sister packages that link them."""
     added: dict[str, Source] = {}
     reasons = list(choice.reasons)
     for source, asked in recipes:
         if source.name not in choice.answer.names and source.name not in added:
             added[source.name] = source
-            why = f"{asked.name} is needed and no package of this Ubuntu holds it"
+            why = f"{asked.name} is needed, and no package of this Ubuntu contains it"
             reasons.append(because("source", source.name, why, asked, weight=Weight.RECIPE))
     answer = replace(
         choice.answer,

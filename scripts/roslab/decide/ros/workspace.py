@@ -14,25 +14,25 @@ from roslab.evidence.ros.conditions import holds
 
 RosVersion = Literal[1, 2]
 _ASSET = re.compile(r"(?:^|/)(?:assets?|data|resources?|urdfs?|meshes|models)(?:/|$)", re.IGNORECASE)
-"""Folders of robot descriptions: a package there is read by a program, not built with it."""
+"""Folders of robot descriptions: programs read a package there, it is not built."""
 
 _CATKIN = frozenset({"catkin", "catkin_simple", "roscpp", "rospy"})
 _AMENT = frozenset({"ament_cmake", "ament_python", "ament_cmake_auto", "ament_cmake_ros", "rosidl_default_generators"})
-"""Who is built with one of these is built by catkin or by ament, whatever its build type says."""
+"""A package built with one of these is a catkin or ament package, whatever its build type says."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Packages:
-    """The packages of a repository; each manifest stands in one of the three."""
+    """The packages of a repository; each manifest is in one of the three groups."""
 
     built: tuple[PackageManifest, ...]
     assets: tuple[PackageManifest, ...]
-    """Among assets, or no CMakeLists.txt and no setup.py beside it: a robot's description that a program reads."""
+    """Robot descriptions that programs read: in a folder of assets, or without CMakeLists.txt and setup.py."""
     left_out: tuple[PackageManifest, ...]
     """Ignored by a marker, copied in, nested in another package, or unreadable."""
 
     names: frozenset[str]
-    """Names of all, also of what is not built: none of them is a key for rosdep."""
+    """Names of all packages, also of those not built: none of them is a key for rosdep."""
 
 
 def packages_of(evidence: Evidence) -> Packages:
@@ -63,7 +63,7 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
             kept.add(folder)
     vendored = [m for m in built if places.vendored(m.file)]
     if len(vendored) < len(built) and all(types(m) <= {"cmake"} for m in vendored):
-        left_out += vendored  # libraries that another package of the tree adds itself
+        left_out += vendored  # another package of the tree builds these itself
         built = [m for m in built if m not in vendored]
     return Packages(
         built=tuple(sorted(built, key=lambda m: m.file)),
@@ -83,7 +83,7 @@ def _below(folder: str, folders: set[str]) -> bool:
 
 
 def types(manifest: PackageManifest, ros: RosVersion | None = None) -> frozenset[str]:
-    """Return the build types that hold for a ROS version, for either where none is given."""
+    """Return the build types for a ROS version, for both versions if none is given."""
     versions: Iterable[RosVersion] = (ros,) if ros else (1, 2)
     return frozenset(
         name
@@ -96,7 +96,8 @@ def types(manifest: PackageManifest, ros: RosVersion | None = None) -> frozenset
 def ros_versions(manifest: PackageManifest, macros: tuple[str, ...] = ()) -> frozenset[int]:
     """Return the ROS versions that a package is made for; none for plain CMake.
 
-    ``macros`` are the families that its CMakeLists.txt calls. A package for both that has no condition is ament's.
+    ``macros`` are the macro families that its CMakeLists.txt calls. A package with build types of both versions and no
+    condition counts as one for ROS 2.
     """
     found = set()
     if _for_catkin(manifest, macros):
@@ -113,7 +114,7 @@ def _for_catkin(manifest: PackageManifest, macros: tuple[str, ...]) -> bool:
         return False
     if manifest.build_types != (("catkin", None),) or _built_with(manifest, 1) & _CATKIN:
         return True
-    return "catkin" in macros  # the file says nothing: catkin is only the standard's default
+    return "catkin" in macros  # the file names no build type, and catkin is only the default of the standard
 
 
 def _for_ament(manifest: PackageManifest) -> bool:

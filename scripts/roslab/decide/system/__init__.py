@@ -1,1 +1,1 @@
-"""Decisions on system packages."""
+"""Decisions on system packages: what apt installs, and what is built from source instead."""

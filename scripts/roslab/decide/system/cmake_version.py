@@ -1,4 +1,4 @@
-"""Which CMake the build asks for, and whether the Ubuntu has it."""
+"""Which CMake version the build asks for, and whether the Ubuntu has it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from roslab.values.requirement import Requirement, stated
 
 
 def needed_cmake(evidence: Evidence) -> Dependency | None:
-    """Return the highest version that a CMakeLists.txt of the build demands, at the line that demands it."""
+    """Return the highest version that any CMakeLists.txt of the build requires, with the line that requires it."""
     folders = {manifest.file.rpartition("/")[0] for manifest in packages_of(evidence).built}
     demands = [
         project.minimum
@@ -31,9 +31,9 @@ def has_it(ubuntu: str, demand: Dependency | None) -> bool:
 
 
 def from_pip(evidence: Evidence, kind: Kind, ubuntu: str | None) -> Requirement | None:
-    """Return CMake as a requirement where the Ubuntu's own is too old, never newer than the demand's generation.
+    """Return CMake as a pip requirement if the Ubuntu's is too old, below the next major version.
 
-    CMake 4 refuses projects that ask for a version before 3.5, and a dependency of the repository may be one.
+    CMake 4 refuses projects that ask for a version before 3.5, and a dependency of the repository may be one of them.
     """
     demand = needed_cmake(evidence) if kind in {"ros1", "ros2", "cpp"} else None
     if demand is None or ubuntu is None or has_it(ubuntu, demand):

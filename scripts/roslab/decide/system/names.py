@@ -1,4 +1,4 @@
-"""Names that the readers found, turned into apt packages of one image."""
+"""From the names that readers found to the apt packages of one image."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ class Target:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Resolved:
-    """What one name comes to."""
+    """The packages that one name stands for."""
 
     apt: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
-    """Guessed on top, whoever is asked."""
+    """Packages that are only guessed, even if the name itself is certain."""
     recipe: str = ""
     known: bool = True
     """False for a name that no table has."""
@@ -60,7 +60,7 @@ def resolve(dependency: Dependency, target: Target) -> Resolved:
 
 
 def _library(found: Library, target: Target) -> Resolved:
-    """Prefer a ROS package of the image's own distribution: the others were built with it."""
+    """Prefer a ROS package of the image's distribution: its other packages were built with it."""
     if found.ros and target.knows(found.ros):
         return Resolved(apt=(target.ros(found.ros),), beside=found.beside)
     return Resolved(apt=found.apt, beside=found.beside, recipe=found.recipe if not found.apt else "")
@@ -84,7 +84,7 @@ def _include(path: str, target: Target) -> Resolved:
 
 
 def _apt(name: str, target: Target) -> tuple[str, ...]:
-    """Fill in the distribution of a name from prose, whichever one it was written for."""
+    """Put the image's distribution into an apt name from prose, whichever one it was written for."""
     match = _PLACEHOLDER.match(name)
     if match and written_for(name):
         if not target.ros_distro:
@@ -94,6 +94,6 @@ def _apt(name: str, target: Target) -> tuple[str, ...]:
 
 
 def written_for(name: str) -> str | None:
-    """Return the distribution in an apt name, ``{distro}`` for a placeholder; ``ros-dev-tools`` has none."""
+    """Return the distribution in an apt name, ``{distro}`` for a placeholder, ``None`` for ``ros-dev-tools``."""
     match = _PLACEHOLDER.match(name)
     return match[1] if match and (match[1] in ever() or match[1] == "{distro}") else None

@@ -1,4 +1,4 @@
-"""Everything that a repository needs beyond its keys, from the surest to the vaguest."""
+"""Everything that a repository needs beyond its rosdep keys, the most certain first."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ _STARTED = re.compile(r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch))\s+(?:--?\S+
 def needs(
     evidence: Evidence, packages: Packages, kind: Kind, ros_distro: str | None
 ) -> Iterator[tuple[Dependency, bool]]:
-    """Yield what is needed, and whether its place is trusted: what the build really runs through."""
+    """Yield each need, and whether it is trusted: whether the build really uses the file that names it."""
     yield from _cmake(evidence, packages, compiled=kind in {"ros1", "ros2", "cpp"})
     for dependency in evidence.code:
-        started_by = dependency.role == "shebang" and kind in {"ros1", "ros2"}  # an environment has its own `python`
+        started_by = dependency.role == "shebang" and kind in {"ros1", "ros2"}  # others have a `python` of their own
         if dependency.namespace == "include" or started_by:
             yield dependency, False
     for dependency in started(evidence, kind):
@@ -31,7 +31,7 @@ def needs(
 
 
 def code_needs(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
-    """Yield what CMake files look for, outside copies and the packages that are not built."""
+    """Yield what CMake files look for, except in vendored code and in packages that are not built."""
     skipped = frozenset(m.file.rpartition("/")[0] for m in packages.left_out if m.ignored)
     for project in evidence.cmake:
         if places.vendored(project.file) or _inside(project.file, skipped):
@@ -51,7 +51,7 @@ def _cmake(evidence: Evidence, packages: Packages, *, compiled: bool) -> Iterato
 
 
 def _inside(path: str, folders: frozenset[str]) -> bool:
-    """Tell whether a path lies in one of the folders; as many steps as it is deep, however many folders there are."""
+    """Tell whether a path lies in one of the folders; the cost grows with its depth, not with the number of folders."""
     folder = path
     while folders and folder:
         folder = folder.rpartition("/")[0]
@@ -61,11 +61,11 @@ def _inside(path: str, folders: frozenset[str]) -> bool:
 
 
 def started(evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
-    """Yield the ROS packages that launch and parameter files name, Python imports, and pages tell people to run."""
+    """Yield the ROS packages that launch and parameter files name, that Python imports, and that pages say to run."""
     if kind not in {"ros1", "ros2"}:
         return
     for launch in evidence.launch:
-        if kind == f"ros{launch.ros}":  # a repository that moved on keeps the launch files of its past
+        if kind == f"ros{launch.ros}":  # a ported repository may keep launch files of the other version
             yield from launch.dependencies
     for dependency in evidence.code:
         if dependency.namespace == "ros":
@@ -80,9 +80,9 @@ def started(evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
 
 
 def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependency]:
-    """Yield what pages, CI and the author's own images install by apt.
+    """Yield what pages, CI and the author's Dockerfiles install by apt.
 
-    A page with lines for this distribution has those for the others beside them: only its own count.
+    If a page has lines for this distribution, its lines for other distributions do not count.
     """
     written = [dependency for dependency in evidence.prose if dependency.namespace == "apt"]
     ours = {d.file for d in written if ros_distro and written_for(d.name) == ros_distro}

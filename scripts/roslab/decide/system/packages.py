@@ -1,4 +1,4 @@
-"""System packages: what is declared and must install, what is guessed and is installed where apt knows it."""
+"""System packages: declared ones, which must install, and guessed ones, installed if apt has them."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _HOW = {
 
 
 class Weight:
-    """What speaks for a package; none speaks against another, so that this only orders them for the reader."""
+    """Weights of the reasons for a package; packages do not compete, so they only order the report."""
 
     KEY = 500  # of a package.xml
     DECLARED = 400  # must install
@@ -43,7 +43,7 @@ class Weight:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class SystemPackages:
-    """Keys, packages in two levels of trust, and the libraries that no package holds."""
+    """rosdep keys, declared and guessed packages, and libraries that no package contains."""
 
     rosdep: tuple[str, ...] = ()
     skip_keys: tuple[str, ...] = ()
@@ -55,7 +55,7 @@ class SystemPackages:
 
 @dataclass
 class _Found:
-    """What was gathered so far, each name with the first that asked for it."""
+    """What was found so far, each name with the first place that asked for it."""
 
     declared: dict[str, Dependency | None] = field(default_factory=dict)
     guessed: dict[str, Dependency | Requirement] = field(default_factory=dict)
@@ -78,7 +78,7 @@ def decide_system(
 ) -> Choice[SystemPackages]:
     """Return the system packages.
 
-    ``installed`` is what pip puts into the image, ``sisters`` are the names that sources in the workspace answer for.
+    ``installed`` is what pip installs, ``sisters`` are names that sources in the workspace provide.
     """
     keys = declared_keys(packages, target, kind) if target.ros_distro else ()
     found = _Found(declared=dict.fromkeys((*config.apt, *base_packages)))
@@ -134,7 +134,7 @@ def _translate(key: Dependency, target: Target, found: _Found, *, cloned: bool, 
 
 
 def _add(dependency: Dependency, target: Target, found: _Found, known: frozenset[str], *, trusted: bool) -> None:
-    """Take what a name comes to: must install where the build requires it and Ubuntu has it, else a guess."""
+    """Add the packages of a name: declared if the build requires it and Ubuntu has it, else guessed."""
     meant = resolve(dependency, target)
     sure = trusted and dependency.strength == "declared" and dependency.namespace in {"cmake", "pkg-config"}
     if meant.recipe and trusted and dependency.strength != "optional":
@@ -152,7 +152,7 @@ def _add(dependency: Dependency, target: Target, found: _Found, known: frozenset
 
 
 def _covered(apt: str, target: Target, known: frozenset[str]) -> bool:
-    """Tell whether a ROS package is a key already, the repository's own, a sister's, or in every image of ROS."""
+    """Tell whether a ROS package is there anyway: a key, the repository's own, from a source, or in every ROS image."""
     name = apt.split("-", 2)[2].replace("-", "_")
     return name in known or apt in {target.ros(each) for each in _IN_ANY_ROS}
 
@@ -169,6 +169,6 @@ def _explained(
             yield because("dependencies", name, why, place, weight=Weight.GUESSED)
         elif dependency is not None:
             how = _HOW.get(dependency.role) or _HOW.get(dependency.namespace, "{} is named")
-            why = how.format(dependency.name) + (", but need not be there" if dependency.strength == "optional" else "")
+            why = how.format(dependency.name) + (", which is optional" if dependency.strength == "optional" else "")
             weight = Weight.DECLARED if name in declared else Weight.GUESSED
             yield because("dependencies", name, why, dependency, weight=weight)

@@ -1,4 +1,4 @@
-"""Libraries that no package of the Ubuntu holds, as sources to build."""
+"""Libraries that no package of the Ubuntu contains, as sources to build."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from roslab.knowledge.recipes import Recipe, recipe
 
 
 def recipes_for(wanted: Iterable[tuple[str, Dependency]], ubuntu: str | None) -> tuple[tuple[Source, Dependency], ...]:
-    """Return the sources of several libraries with what asked for each, every one once, in the order to build them."""
+    """Return the sources of libraries, each once with what asked for it, in the order to build them."""
     found: dict[str, tuple[Source, Dependency]] = {}
     for name, dependency in wanted:
         for built in recipe(name, ubuntu):
