@@ -1,4 +1,4 @@
-"""The facts that readers return; every one says where it stands. Readers report, ``decide`` judges."""
+"""The facts that readers return, each with its place. Readers report, ``decide`` judges."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Strength = Literal["declared", "used", "optional", "prose"]
 ``QUIET``; ``prose``: written for humans (README) or for another machine (an author's Dockerfile, CI).
 """
 Namespace = Literal["rosdep", "apt", "cmake", "ros", "pkg-config", "include", "import", "link"]
-"""Whose name it is: ``ros`` is a ROS package, ``cmake`` a name given to ``find_package``."""
+"""What kind of name it is: ``ros`` is a ROS package, ``cmake`` a name given to ``find_package``."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -30,14 +30,14 @@ class Dependency:
     line: int
     version: str | None = None
     role: str = ""
-    """``build``, ``exec``, ``test``, ``doc`` … as its source has it."""
+    """``build``, ``exec``, ``test``, ``doc`` … as in its source."""
     condition: str | None = None
     """Its condition as written (``$ROS_VERSION == 1``, a CMake ``if``)."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class GitSource:
-    """A repository that should be cloned beside this one or built before it."""
+    """A repository to clone beside this one or to build before it."""
 
     name: str
     url: str
@@ -46,7 +46,7 @@ class GitSource:
     file: str
     line: int
     kind: Literal["vcs", "submodule", "git_url", "clone", "fetch"]
-    """Where it was named: a vcs file, .gitmodules, package.xml's export, a clone line, CMake's FetchContent."""
+    """What names it: a vcs file, .gitmodules, package.xml's export, a clone line, CMake's FetchContent."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -58,14 +58,14 @@ class PackageManifest:
     name: str | None
     format: int
     build_types: tuple[tuple[str, str | None], ...]
-    """``(type, condition)``: ``catkin``, ``ament_cmake``, ``ament_python``, ``cmake`` …; catkin where none is said."""
+    """``(type, condition)``: ``catkin``, ``ament_cmake``, ``ament_python``, ``cmake`` …; catkin if none is given."""
     dependencies: tuple[Dependency, ...]
     sources: tuple[GitSource, ...] = ()
     metapackage: bool = False
     ignored: bool = False
-    """Below a COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE."""
+    """In or below a folder with COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE."""
     malformed: str | None = None
-    """The parser's message where it is no well-formed XML; what could be read is here all the same."""
+    """The parser's message if the XML is not well-formed; the other fields hold what could be read."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -81,11 +81,11 @@ class CMakeProject:
     macros: tuple[str, ...]
     """Macro families that it calls: ``catkin``, ``ament``, ``rosbuild``, ``cuda``."""
     executables: tuple[tuple[str, int], ...]
-    """Targets of ``add_executable`` and its kin, with their lines."""
+    """Targets of ``add_executable`` and similar calls, with their lines."""
     dependencies: tuple[Dependency, ...]
     sources: tuple[GitSource, ...] = ()
     minimum: Dependency | None = None
-    """What ``cmake_minimum_required`` demands, as its version."""
+    """The CMake version that ``cmake_minimum_required`` asks for, as ``version``."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -107,18 +107,18 @@ class PythonProject:
     """What it compiles: ``c``, ``cuda``, ``cython``, ``cmake``."""
     classifiers: tuple[str, ...] = ()
     setup_imports: tuple[str, ...] = ()
-    """Modules that its setup.py cannot start without; ``.`` for the package that it installs."""
+    """Modules that its setup.py imports; ``.`` for the package that it installs."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class RequirementFile:
-    """A requirements file, in any spelling."""
+    """A requirements file, under any usual name."""
 
     file: str
     line: int
     requirements: tuple[Requirement, ...]
     includes: tuple[str, ...]
-    """Paths of files that it includes by ``-r``, relative to the repository's root."""
+    """Paths of files that it includes with ``-r``, relative to the repository's root."""
     constraints: tuple[str, ...]
     options: tuple[str, ...]
     """Lines such as ``--extra-index-url …`` and ``-f …``."""
@@ -140,33 +140,33 @@ class CondaEnvironment:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class AuthorDockerfile:
-    """A Dockerfile of the author's."""
+    """A Dockerfile that the author wrote."""
 
     file: str
     line: int
     base: str | None
-    """The FROM of the last stage that has one outside the file, ARGs filled in with their defaults."""
+    """The FROM of the last stage that starts from an external image, with the defaults of ARGs filled in."""
     base_line: int
     copies_repository: bool
     clones: tuple[GitSource, ...]
     dependencies: tuple[Dependency, ...]
-    """What it installs by apt."""
+    """What it installs with apt."""
     requirements: tuple[Requirement, ...]
     command: tuple[str, ...]
     purpose: Literal["project", "documentation", "vendored", "ci", "deploy", "broken"]
-    """What it seems to be for; ``broken`` where it does not parse."""
+    """What it seems to be for; ``broken`` if it does not parse."""
     problem: str | None = None
     context: str | None = None
-    """Build context that its COPY lines fit, relative to the root; ``None`` where nothing is copied."""
+    """Build context that its COPY lines fit, relative to the root; ``None`` if nothing is copied."""
     command_line: int | None = None
-    """Where ``command`` stands."""
+    """The line of ``command``."""
     clones_itself: bool = False
-    """It clones the repository it lies in: what it builds is not this checkout."""
+    """It clones this repository instead of building the checkout."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Mention:
-    """A name of the world (a distro, an Ubuntu, a CUDA or Python version) written somewhere."""
+    """A mention of a distribution, an Ubuntu, a CUDA or Python version or the like."""
 
     topic: Literal[
         "distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command", "date", "vcs_file"
@@ -178,7 +178,7 @@ class Mention:
     file: str
     line: int
     text: str
-    """The words around it, for the reason that a person reads."""
+    """The words around it, which the reason quotes."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -188,16 +188,16 @@ class LaunchFile:
     file: str
     line: int
     package: str | None
-    """The package.xml's name of the folder it lies in."""
+    """The name of the package that it belongs to."""
     ros: Literal[1, 2]
     dependencies: tuple[Dependency, ...]
     gui: bool
-    """It starts rviz, rqt, Gazebo's client or the like."""
+    """Whether it starts rviz, rqt, Gazebo's client or the like."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Program:
-    """A Python program that can be started: it has a ``__main__`` guard or lies where programs lie."""
+    """A Python program that can be started: it has a ``__main__`` guard or lies in a folder for programs."""
 
     file: str
     line: int
@@ -206,7 +206,7 @@ class Program:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Removed:
-    """A use of what newer versions of a Python package no longer have."""
+    """A use of a name that newer versions of a Python package no longer have."""
 
     bound: Requirement
     """The versions that still have it: ``matplotlib<3.5``."""
@@ -230,20 +230,20 @@ class Evidence:
     code: tuple[Dependency, ...] = ()
     """Includes and imports."""
     prose: tuple[Dependency, ...] = ()
-    """What install lines of README and scripts ask apt for."""
+    """What install lines in READMEs and scripts install with apt."""
     prose_pip: tuple[Requirement, ...] = ()
-    """What they ask pip and conda for."""
+    """What they install with pip and conda."""
     sources: tuple[GitSource, ...] = ()
     mentions: tuple[Mention, ...] = ()
     bounds: tuple[Removed, ...] = ()
-    """How old a Python package must be, by what the code uses of it."""
+    """Upper bounds of Python packages, from removed names that the code uses."""
     cuda_files: tuple[str, ...] = ()
     problems: tuple[tuple[str, str | None, int | None], ...] = ()
-    """``(message, file, line)``: what was malformed or could not be read, and so passed over; a place may be none."""
+    """``(message, file, line)``: what could not be read and was skipped; file and line may be ``None``."""
 
 
 class Prose(NamedTuple):
-    """What a text for humans, or for another machine, says in passing (README, CI, install scripts)."""
+    """What texts for people or for other machines tell: READMEs, CI files, install scripts, Dockerfiles."""
 
     dependencies: tuple[Dependency, ...] = ()
     requirements: tuple[Requirement, ...] = ()

@@ -1,4 +1,4 @@
-"""All readers, one after the other: a repository's evidence."""
+"""Calling every reader: a repository's evidence."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, 
 from roslab.repository.checkout import Repository
 
 PROSE = (
-    author_dockerfile.prose,  # the author's own image: the nearest thing to the truth
-    ci.read,  # another machine that had to make it work
-    readme.read,  # what humans are told, perhaps years ago
+    author_dockerfile.prose,  # the author's own image: the most reliable
+    ci.read,  # another machine on which the build works
+    readme.read,  # what people are told, perhaps years ago
     install_scripts.read,  # install scripts, called by any of the three
 )
 
@@ -56,7 +56,7 @@ def gather(repository: Repository) -> Evidence:
 
 
 def _malformed(manifest: PackageManifest) -> tuple[str, str, int]:
-    """Say what the parser said, at the line where it stopped rather than where the file begins."""
+    """Return the parser's message with the line where it stopped, if it gives one."""
     match = re.match(r"line (\d+): (.+)", manifest.malformed or "")
     if match is None:
         return f"not well-formed: {manifest.malformed}", manifest.file, manifest.line

@@ -1,4 +1,4 @@
-"""What a path says about a file before it is opened: copied in, documentation, a test, an example."""
+"""What a path tells about a file: vendored, documentation, a test, an example."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _EXAMPLE = re.compile(r"(?:^|/)(?:examples?|demos?|samples?|templates?|tutorials
 
 
 def vendored(path: str) -> bool:
-    """Tell whether a path lies among copies of other people's code."""
+    """Tell whether a path belongs to vendored code, copied from another project."""
     return bool(_VENDORED.search(path.rpartition("/")[0]))
 
 

@@ -18,9 +18,9 @@ from roslab.repository.listing import File, Listing, list_tree
 __all__ = ["MAX_TEXT", "File", "Repository", "printable"]
 
 MAX_TEXT = 2 * 1024 * 1024
-"""Bytes read of one file: beyond it a file is data, whatever its name says."""
+"""Most bytes read of one file; a longer one is treated as data."""
 MAX_KEPT = 256 * 1024
-"""Bytes of a text that is kept for the next reader; longer ones are read anew."""
+"""Texts below this many bytes are cached; longer ones are read again."""
 MAX_NAMED = 80
 """Characters of a folder's path that a message quotes."""
 
@@ -29,8 +29,8 @@ MAX_NAMED = 80
 class Repository:
     """A folder on disk, listed once.
 
-    ``branch`` is what the caller says where there is no ``.git`` (a tarball, an action's shallow checkout); ``top`` is
-    the checkout that the folder is a part of, whose ``.git`` is then its own.
+    ``branch`` is given by the caller if ``.git`` does not tell it (a tarball, an action's shallow checkout); ``top`` is
+    the checkout that the folder is a part of, whose ``.git`` is then used.
     """
 
     root: Path
@@ -42,8 +42,8 @@ class Repository:
     def open(cls, path: str | Path, *, branch: str | None = None, top: Path | None = None) -> Repository:
         """Open a folder.
 
-        Raises ``ConfigurationError`` where the path is no folder or cannot be read, ``NothingToBuildError``
-        where it is empty.
+        Raises ``ConfigurationError`` if the path is not a folder or cannot be read, ``NothingToBuildError`` if it is
+        empty.
         """
         root = Path(path)
         try:
@@ -70,15 +70,15 @@ class Repository:
         return list_tree(self.root)
 
     def leaving_out(self, paths: Collection[str]) -> Repository:
-        """Return the same folder without some of its files: nobody finds or reads them."""
+        """Return the same folder without some of its files: no reader sees them."""
         other = Repository(self.root, self.branch_hint, self.top)
         kept = tuple(file for file in self.listing.files if file.path not in paths)
-        other.__dict__["listing"] = replace(self.listing, files=kept)  # where the cached property looks first
+        other.__dict__["listing"] = replace(self.listing, files=kept)  # fills the cached property
         return other
 
     @property
     def problems(self) -> tuple[tuple[str, str | None, int | None], ...]:
-        """``(message, file, line)``: which parts of the tree nobody reads, and why; the place may be the whole tree."""
+        """``(message, file, line)``: parts of the tree that are not read, and why; file and line may be ``None``."""
         found: list[tuple[str, str | None, int | None]] = []
         if self.listing.truncated:
             message = f"the tree holds more than {listing.MAX_FILES} files: the rest was not read"
@@ -139,7 +139,7 @@ class Repository:
         return frozenset(found)
 
     def read(self, file: File | str, *, limit: int = MAX_TEXT) -> str:
-        """Return a file's text, ``""`` for one that is missing, binary, unreadable or outside the tree.
+        """Return a file's text, ``""`` if it is missing, binary, unreadable or outside the tree.
 
         At most ``limit`` bytes are read, invalid UTF-8 becomes U+FFFD. Texts of ordinary size are kept.
         """
@@ -148,7 +148,7 @@ class Repository:
             return self._texts[path]
         data = self.read_bytes(path, limit=limit)
         text = _decode(data)
-        if len(data) < min(limit, MAX_KEPT):  # the whole file: a reader with another limit gets the same
+        if len(data) < min(limit, MAX_KEPT):  # the whole file was read, so the limit does not matter
             self._texts[path] = text
         return text
 
@@ -165,7 +165,7 @@ class Repository:
                 os.O_RDONLY | os.O_NONBLOCK | (0 if path in self.listing.links else os.O_NOFOLLOW),
             )
             with os.fdopen(descriptor, "rb", buffering=0) as stream:
-                # No more than the file has: a buffer of the whole limit for each of ten thousand files costs a second
+                # Not the whole limit: allocating such a buffer for ten thousand files takes a second
                 return _read_up_to(stream, min(limit, os.fstat(descriptor).st_size))
         except (OSError, ValueError):
             return b""
@@ -185,7 +185,7 @@ class Repository:
 
     @cached_property
     def branch(self) -> str | None:
-        """Name of the branch: the caller's word, else what ``.git/HEAD`` says, ``None`` where it is detached."""
+        """Name of the branch: as the caller gave it, else from ``.git/HEAD``, ``None`` if that is detached."""
         if self.branch_hint:
             return self.branch_hint
         head = self._git_text("HEAD")
@@ -199,7 +199,7 @@ class Repository:
 
     @cached_property
     def committed(self) -> dt.datetime | None:
-        """The time of the checkout's commit in UTC, as git tells it; ``None`` where there is no commit or no git."""
+        """Time of the checkout's commit in UTC; ``None`` if there is no commit or no git."""
         seconds = git.head(self.root)[1] if self.git_folder else None
         return None if seconds is None else dt.datetime.fromtimestamp(seconds, tz=dt.timezone.utc)
 

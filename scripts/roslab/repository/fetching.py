@@ -1,7 +1,7 @@
-"""What belongs to a checkout and lies elsewhere: submodules, large files, tags; each is fetched, or named as missing.
+"""Fetching what a checkout lacks: submodules, large files, tags; what cannot be fetched is reported.
 
-Git runs with a configuration of its own: addresses of https (of http too, since a commit's name tells its content, and
-of ssh where there is a key), no hooks, no other program than ssh. .gitmodules can name addresses and nothing else.
+Git runs with a configuration of its own: it fetches by https, by http (safe, because a commit's hash proves its
+content) and, with a key, by ssh; it runs no hooks and no program but ssh. .gitmodules can only give addresses.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from pathlib import Path
 SECONDS = 900.0
 """How long one submodule may take."""
 MOST = 300
-"""Submodules, those of submodules included."""
+"""Most submodules, nested ones included."""
 DEEPEST = 8
 POINTER = b"version https://git-lfs.github.com/spec/v1"
-"""Beginning of a file whose content lies elsewhere: https://github.com/git-lfs/git-lfs/blob/main/docs/spec.md"""
+"""First line of a file whose content is in LFS: https://github.com/git-lfs/git-lfs/blob/main/docs/spec.md"""
 LARGEST_POINTER = 1024
 REF = re.compile(r"[A-Za-z0-9_][\w./+-]{0,199}")
 SSH = (
@@ -35,13 +35,13 @@ SSH = (
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Access:
-    """What private addresses ask for."""
+    """Credentials for private addresses."""
 
     server: str = "https://github.com"
-    """The token is sent there and nowhere else."""
+    """Address of the server that gets the token; it is sent to no other."""
     token: str = ""
     key: str = ""
-    """A private key for addresses of ssh; without one they are asked by https."""
+    """A private key for ssh; without one, https is used instead."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -61,7 +61,7 @@ class Git:
     by_ssh: bool
 
     def run(self, root: Path, *words: str, seconds: float = SECONDS) -> subprocess.CompletedProcess[str]:
-        """Run a command of git's in a folder; exit code 124 where it took too long."""
+        """Run a git command in a folder; exit code 124 if it took too long."""
         environment = {
             **os.environ,
             "GIT_CONFIG_GLOBAL": str(self.configuration),
@@ -83,7 +83,7 @@ class Git:
 
 @contextmanager
 def git(access: Access) -> Iterator[Git]:
-    """Give a git that may fetch, for as long as the block lasts: its credentials lie in a private folder."""
+    """Yield a git that may fetch; its credentials are in a private folder that is removed afterwards."""
     with tempfile.TemporaryDirectory(prefix="roslab-git-") as name:
         folder = Path(name)
         lines = [f"[include]\n\tpath = {Path.home()}/.gitconfig"] if (Path.home() / ".gitconfig").is_file() else []
@@ -106,9 +106,9 @@ def git(access: Access) -> Iterator[Git]:
 
 
 def checkout(git: Git, root: Path, ref: str) -> str:
-    """Put a checkout at a commit, a git tag or a branch of its origin; return why that failed, ``""`` where not.
+    """Check out a commit, a git tag or a branch of the origin; return why that failed, ``""`` on success.
 
-    A git tag is there as one afterwards. Files of LFS stay pointers.
+    A git tag also exists in the checkout afterwards. LFS files stay pointers.
     """
     if not REF.fullmatch(ref) or ref.startswith(("-", "refs/", "pull/")) or ".." in ref:
         return "it is not a commit, git tag or branch"
@@ -128,9 +128,9 @@ def checkout(git: Git, root: Path, ref: str) -> str:
 
 
 def submodules(git: Git, root: Path, *, part: str = "", above: str = "", depth: int = 0) -> tuple[Missing, ...]:
-    """Fetch the submodules of a checkout one by one, and theirs; return those that are missing then.
+    """Fetch the submodules of a checkout one by one, nested ones too; return those that are still missing.
 
-    ``part`` is the folder of the checkout that is asked for, ``""`` for all of it.
+    ``part`` is the folder of the checkout to fetch for, ``""`` for all of it.
     """
     missing: list[Missing] = []
     for path, name in _entries(git, root)[:MOST]:
@@ -165,10 +165,10 @@ def _entries(git: Git, root: Path) -> list[tuple[str, str]]:
 
 
 def _fetch(git: Git, root: Path, path: str, name: str, url: str) -> str:
-    """Fetch one submodule; return why it failed, ``""`` where it did not. Nothing half-fetched stays."""
+    """Fetch one submodule; return why it failed, ``""`` on success. A failed fetch leaves nothing behind."""
     reason = ""
     for address in dict.fromkeys([url, by_https(url)] if git.by_ssh else [by_https(url)]):
-        # One commit is enough where the server gives single commits; some give whole histories alone
+        # Some servers give single commits, others only whole histories
         for shallow in (["--depth", "1"], []):
             git.run(root, "submodule", "init", "--", path)
             if address != url:
@@ -185,26 +185,26 @@ def _fetch(git: Git, root: Path, path: str, name: str, url: str) -> str:
 
 
 def by_https(url: str) -> str:
-    """Return an address that needs no key: https for ssh and for git's own protocol, which hosts have given up."""
+    """Return an address that needs no key: https for ssh and for git's own protocol, which hosts have dropped."""
     if match := SSH[0].match(url) or SSH[1].match(url):
         return f"https://{match['host']}/{url[match.end() :]}"
     return re.sub(r"^git://", "https://", url)
 
 
 def _why(text: str) -> str:
-    """Return the line of git's that says why: the first that a remote or git itself calls fatal."""
+    """Return the line of git's output that says why: the first that a remote or git calls fatal."""
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     said = next((line for line in lines if line.startswith(("fatal: ", "remote: ", "error: "))), "")
     return said or (lines[-1] if lines else "")
 
 
 def _bare(text: str) -> str:
-    """Leave out a password that an address carries."""
+    """Return a text without the passwords in its addresses."""
     return re.sub(r"//[^/@\s]*@", "//", text)
 
 
 def pointers(root: Path) -> tuple[str, ...]:
-    """Return the files whose content lies in LFS and was not fetched, sorted, relative to the checkout."""
+    """Return the files whose LFS content was not fetched, sorted, relative to the checkout."""
     found = []
     for place, folders, names in os.walk(root):
         folders[:] = [name for name in folders if name != ".git"]
@@ -222,7 +222,7 @@ def pointers(root: Path) -> tuple[str, ...]:
 
 
 def large_files(git: Git, root: Path) -> tuple[tuple[str, ...], str]:
-    """Fetch what LFS pointers stand for, also in submodules; return those that are left, and why."""
+    """Fetch the content of LFS pointers, also in submodules; return the pointers that remain, and why."""
     before = pointers(root)
     if not before:
         return (), ""
@@ -237,13 +237,13 @@ def large_files(git: Git, root: Path) -> tuple[tuple[str, ...], str]:
 
 
 def _top(root: Path, path: str) -> Path:
-    """Return the checkout that a file belongs to: a submodule's, or the whole one."""
+    """Return the checkout that a file belongs to: its submodule, or the repository itself."""
     folders = (folder for folder in (root / path).parents if folder == root or (folder / ".git").exists())
     return next(folders, root)
 
 
 def tags(git: Git, root: Path) -> str:
-    """Fetch the tags and the commits since them, without their files; return why that failed, ``""`` where not."""
+    """Fetch the tags and the commits since them, without their files; return why that failed, ``""`` on success."""
     if git.run(root, "describe", "--tags", "--match", "*[0-9]*").returncode == 0:
         return ""
     shallow = git.run(root, "rev-parse", "--is-shallow-repository").stdout.strip() == "true"

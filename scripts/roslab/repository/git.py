@@ -1,4 +1,4 @@
-"""The commit of a checkout, read by git without running what the repository's own configuration could name."""
+"""The commit of a checkout, read by git without running programs that the repository's configuration names."""
 
 from __future__ import annotations
 
@@ -8,21 +8,21 @@ import subprocess
 from pathlib import Path
 
 SECONDS = 30.0
-"""How long git may take: it reads one object."""
+"""Seconds that git may take: it reads one object."""
 _SETTINGS = ("log.showSignature=false", "core.fsmonitor=false")
 _ENVIRONMENT = {"GIT_ALLOW_PROTOCOL": "none", "GIT_NO_LAZY_FETCH": "1", "GIT_TERMINAL_PROMPT": "0"}
-"""An object that is not there is fetched from nowhere. https://git-scm.com/docs/git#_environment_variables"""
+"""A missing object is not fetched. https://git-scm.com/docs/git#_environment_variables"""
 
 
 def head(root: Path) -> tuple[str, int | None]:
-    """Return the commit of a checkout and its time in seconds since 1970, ``("", None)`` where there is none."""
+    """Return the commit of a checkout and its time in seconds since 1970, ``("", None)`` if there is none."""
     answer = _read(root, "log", "-1", "--format=%H %ct")
     match = re.fullmatch(r"([0-9a-f]{40,64}) (\d+)", answer)
     return (match[1], int(match[2])) if match else ("", None)
 
 
 def describe(root: Path) -> tuple[str, int] | None:
-    """Return the nearest tag with a number in it and the commits since then, ``None`` where the checkout has none."""
+    """Return the nearest tag with a digit in it and the number of commits since, ``None`` if there is no such tag."""
     answer = _read(root, "describe", "--tags", "--long", "--match", "*[0-9]*")
     match = re.fullmatch(r"(.+)-(\d+)-g[0-9a-f]+", answer)
     return (match[1], int(match[2])) if match else None
@@ -35,7 +35,7 @@ def is_tag(root: Path, name: str) -> bool:
 
 
 def _read(root: Path, *command: str) -> str:
-    """Return what git says of a checkout, ``""`` where it says nothing."""
+    """Return git's output for a checkout, ``""`` if it failed."""
     settings = [word for setting in (f"safe.directory={_top(root)}", *_SETTINGS) for word in ("-c", setting)]
     try:
         answer = subprocess.run(
@@ -54,5 +54,5 @@ def _read(root: Path, *command: str) -> str:
 
 
 def _top(root: Path) -> Path:
-    """Return the checkout that a folder is in: git asks whether that one is trusted."""
+    """Return the checkout that a folder is in, which git must be told to trust."""
     return next((folder for folder in (root, *root.parents) if (folder / ".git").exists()), root)

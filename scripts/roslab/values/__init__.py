@@ -1,1 +1,1 @@
-"""Values that every room shares; they import nothing of the program but its errors."""
+"""Values that all rooms share; they import nothing of the program but its errors."""

@@ -1,7 +1,7 @@
-"""A package as conda is asked for it: ``channel::name=version=build``, which is no requirement of pip's.
+"""A package in conda's notation, ``channel::name=version=build``, which pip does not understand.
 
 https://docs.conda.io/projects/conda/en/stable/user-guide/concepts/pkg-specs.html#package-match-specifications.
-No library reads these without conda itself.
+No library parses these without conda itself.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ class CondaPackage(NamedTuple):
     name: str
     """Lower case, with dashes, without its channel."""
     sign: str
-    """``=``, ``>=`` …; ``""`` before a version that a space divides from the name."""
+    """``=``, ``>=`` …; ``""`` if the version follows the name after a space."""
     version: str
-    """The first that is named, ``""`` for none."""
+    """The first version that is named, ``""`` for none."""
     build: str
-    """``py38_0``: such a line names a build for one platform."""
+    """Build string, ``py38_0``: such a line fits only one platform."""
     written: str
 
     @property
@@ -36,7 +36,7 @@ class CondaPackage(NamedTuple):
 
 
 def conda_package(text: str) -> CondaPackage | None:
-    """Read one match specification, ``None`` where it names nothing."""
+    """Read one match specification, ``None`` if it names no package."""
     match = _MATCH.fullmatch(text.strip())
     if match is None:
         return None

@@ -12,11 +12,11 @@ from roslab.values.requirement import Requirement
 from roslab.values.specifier import NEWEST_PATCH
 
 _MACHINES = {"linux/amd64": "x86_64", "linux/arm64": "aarch64", "linux/arm/v7": "armv7l", "linux/386": "i686"}
-"""``uname -m`` on each platform; the others' is the last part of their name.
+"""``uname -m`` on each platform; for others it is the last part of the platform's name.
 
 https://github.com/containerd/platforms/blob/main/platforms.go, read 2026-11-21."""
 _UNKNOWN = ("platform_release", "platform_version")
-"""The kernel's, which is that of the machine the image runs on."""
+"""Markers about the kernel, which is that of the machine the image runs on."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -27,15 +27,15 @@ class Interpreter:
     platforms: tuple[str, ...] = ("linux/amd64", "linux/arm64")
 
     def on(self, *platforms: str) -> Interpreter:
-        """Return the same Pythons on these platforms alone."""
+        """Return the same Pythons, on these platforms only."""
         return Interpreter(pythons=self.pythons, platforms=platforms)
 
     def may(self, requirement: Requirement) -> bool:
-        """Tell whether pip installs it in one of these cases at least."""
+        """Tell whether pip installs it for at least one Python and platform."""
         return any(holds is not False for holds in self._cases(requirement))
 
     def must(self, requirement: Requirement) -> bool:
-        """Tell whether pip installs it in all of these cases."""
+        """Tell whether pip installs it for every Python and platform."""
         return all(self._cases(requirement))
 
     def _cases(self, requirement: Requirement) -> Iterable[bool | None]:
@@ -46,7 +46,7 @@ class Interpreter:
 
 @cache
 def _holds(marker: Marker, python: str, platform: str) -> bool | None:
-    """Evaluate a marker; ``None`` where it asks for what is known only where the image runs."""
+    """Evaluate a marker; ``None`` if it depends on the machine that the image will run on."""
     if any(name in str(marker) for name in _UNKNOWN):
         return None
     full = f"{python}.{NEWEST_PATCH}"

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Place:
-    """A place in a file of the repository; line and column count from 1, ``None`` where the whole file is meant."""
+    """A place in a file of the repository; line and column count from 1, ``None`` if the whole file is meant."""
 
     file: str
     line: int | None = None
@@ -45,4 +45,4 @@ class Option:
 
 
 Origin = Place | Input | Option
-"""Every origin there is; ``str`` names it, and ``file``, ``line`` and ``column`` are ``None`` outside files."""
+"""Any origin; ``str`` names it, and ``file``, ``line`` and ``column`` are ``None`` outside files."""

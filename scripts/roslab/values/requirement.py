@@ -1,4 +1,4 @@
-"""What pip is asked for, read once: everything later uses the fields and takes no line apart again."""
+"""What pip is asked for, parsed once: later code uses the fields and parses no line again."""
 
 from __future__ import annotations
 
@@ -51,34 +51,34 @@ class Requirement:
     """One thing that pip is asked for, with the place that asks."""
 
     name: str
-    """As it is spelled; of a bare URL what its end tells; ``""`` where nothing does."""
+    """As it is spelled; for a bare URL, what its end suggests; ``""`` if unknown."""
     written: str
     """As pip is given it, without its marker: ``PyYAML>=5``, ``name @ URL``, a bare URL, a path, an option."""
     specifier: SpecifierSet = _FREE
-    """Empty where it is free, and where its version is none by any standard (that stands in ``written`` alone)."""
+    """Empty if it is not pinned, or if the version follows no standard (then only ``written`` has it)."""
     extras: tuple[str, ...] = ()
     url: str = ""
     marker: Marker | None = None
     origin: RequirementOrigin
     role: Role = ""
     group: str = ""
-    """Of the role ``extra``: its name."""
+    """The name of the extra, if the role is ``extra``."""
     file: str = ""
     line: int = 1
 
     @property
     def key(self) -> str:
-        """Name as the index compares it. https://peps.python.org/pep-0503/#normalized-names."""
+        """Normalised name. https://peps.python.org/pep-0503/#normalized-names."""
         return canonicalize_name(self.name)
 
     @property
     def text(self) -> str:
-        """The whole line as pip is given it, with its marker."""
+        """The whole line as it is passed to pip, with its marker."""
         return f"{self.written}; {self.marker}" if self.marker else self.written
 
     @property
     def told(self) -> str:
-        """The line as a report tells it: without its marker, and with the name that a bare ``git+URL`` lacks."""
+        """The line for a report: without its marker, and with the name that a bare ``git+URL`` lacks."""
         return f"{self.key} @ {self.url}" if self.vcs and self.written == self.url and self.name else self.written
 
     @property
@@ -98,7 +98,7 @@ class Requirement:
 
     @property
     def release(self) -> str | None:
-        """The release that it is pinned to, with its local part (``1.13.1+cu117``); ``None`` where it is free."""
+        """The release that it is pinned to, with its local part (``1.13.1+cu117``); ``None`` if it is not pinned."""
         if found := self.wheel:
             return str(found.version)
         exact = (each.version.rstrip(".*").lstrip("v") for each in self.specifier if each.operator in _EXACT)
@@ -117,7 +117,7 @@ class Requirement:
         return max(lowers, key=Version, default=None)
 
     def only_if(self, condition: str) -> Requirement:
-        """Return it with one condition more; one that pip cannot read changes nothing."""
+        """Return it with an additional marker; one that pip cannot read is ignored."""
         try:
             more = Marker(condition) if condition.strip() else None
         except InvalidMarker:
@@ -127,17 +127,17 @@ class Requirement:
         return replace(self, marker=more or self.marker)
 
     def fetched_from(self, url: str) -> Requirement:
-        """Return it with the place that uv fetches it from."""
+        """Return it with the URL that uv fetches it from."""
         return replace(self, written=f"{self.key} @ {url}", url=url, specifier=_FREE, role="source")
 
     @property
     def limited(self) -> bool:
-        """Whether the newest version is kept out, or the place that it comes from is named."""
+        """Whether it excludes the newest version or names where it comes from."""
         return bool(self.url) or any(each.operator in _EXACT | _UPPER for each in self.specifier)
 
 
 class Wheel(NamedTuple):
-    """A wheel's file name, taken apart."""
+    """The parts of a wheel's file name."""
 
     name: str
     version: Version
@@ -145,7 +145,7 @@ class Wheel(NamedTuple):
 
     @property
     def python(self) -> str | None:
-        """The one CPython that it is built for: ``3.8`` of ``cp38``."""
+        """The only CPython that it is built for: ``3.8`` of ``cp38``."""
         found = {match[1] + "." + match[2] for tag in self.tags if (match := _CPYTHON.fullmatch(tag.interpreter))}
         return min(found) if len(found) == 1 else None
 
@@ -156,7 +156,7 @@ class Wheel(NamedTuple):
 
 
 class _Read(NamedTuple):
-    """A line without its place."""
+    """A parsed line, without its place."""
 
     name: str
     written: str
@@ -177,7 +177,7 @@ def requirement(
     group: str = "",
     repair: bool = True,
 ) -> Requirement | None:
-    """Read one requirement as people write it; ``None`` where it names nothing that can be installed.
+    """Parse one requirement as people write it; ``None`` if it names nothing that can be installed.
 
     What ``packaging`` cannot read is a bare URL, a path (role ``project``), or, with ``repair``, a spelling that pip
     refuses and whose meaning is plain (role ``repaired``).
@@ -203,14 +203,14 @@ def requirement(
 def stated(
     text: str, origin: RequirementOrigin = "table", file: str = "", line: int = 1, *, role: Role = ""
 ) -> Requirement:
-    """Return a line that must be one; what pip alone understands of it stands in ``written``."""
+    """Parse a line that is known to be a requirement; what only pip understands stays in ``written``."""
     found = requirement(text, origin, file, line, role=role)
     return found or Requirement(name="", written=text, origin=origin, role=role, file=file, line=line)
 
 
 @cache
 def _read(text: str) -> _Read | None:
-    """Return what a line says: first as the standard has it, then as a URL or a path, then repaired."""
+    """Parse a line: by the standard, else as a URL or a path, else after repairs."""
     editable = _EDITABLE.match(text)
     role: Role = "editable" if editable else ""
     text = _PER_LINE.sub("", editable[1] if editable else text).strip()
@@ -235,7 +235,7 @@ def _read(text: str) -> _Read | None:
 
 
 def _standard(parsed: Parsed, text: str, role: Role) -> _Read:
-    """Return what ``packaging`` read, with the specifiers in the order of their author."""
+    """Return what ``packaging`` parsed, with the specifiers in the author's order."""
     extras = tuple(sorted(parsed.extras))
     if parsed.url:
         listed = f"[{','.join(extras)}]" if extras else ""
@@ -246,7 +246,7 @@ def _standard(parsed: Parsed, text: str, role: Role) -> _Read:
 
 
 def _marked(text: str) -> tuple[str, Marker | None, bool]:
-    """Split a line at its marker (in a URL a semicolon belongs to it) and tell whether pip can read that."""
+    """Split a line at its marker (a semicolon in a URL is no marker) and tell whether pip can read the marker."""
     before = text.partition(" ;")[0].strip()
     requirement, _, condition = text.partition(" ;" if _URL.match(before) else ";")
     try:
@@ -256,7 +256,7 @@ def _marked(text: str) -> tuple[str, Marker | None, bool]:
 
 
 def _repaired(text: str) -> _Read | None:
-    """Return what is meant by a spelling that is no standard's."""
+    """Return the meaning of a spelling that follows no standard."""
     matched = _NAME.fullmatch(text)
     if matched is None:
         return None
@@ -277,7 +277,7 @@ def _repaired(text: str) -> _Read | None:
 
 
 def _named(url: str) -> str:
-    """Return the package that a bare URL tells: its ``#egg=``, its wheel, or its last part."""
+    """Return the package name in a bare URL: from its ``#egg=``, its wheel, or its last part."""
     if egg := _EGG.search(url):
         return egg[1]
     if wheel := _wheel(url):

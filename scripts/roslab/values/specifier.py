@@ -1,4 +1,4 @@
-"""Version specifiers as people write them, read by ``packaging`` once they are in its grammar."""
+"""Version specifiers as people write them, repaired where needed and parsed by ``packaging``."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _SERIES = re.compile(r"([~^])\s*(\d+(?:\.\d+)*)")
 
 
 def specifiers(text: str) -> SpecifierSet | None:
-    """Return a list of specifiers, ``None`` where even the repairs give none that ``packaging`` can read.
+    """Parse a list of specifiers, ``None`` if ``packaging`` cannot read it even after the repairs.
 
     Repaired are: a bare number (``3.8`` and conda's ``=3.8`` are ``==3.8.*``), a number with ``.*`` after an order
     (``>=3.6.*``, which pip took until version 24.1), and Poetry's ``^3.8`` and ``~3.8``.
@@ -28,7 +28,7 @@ def specifiers(text: str) -> SpecifierSet | None:
 
 
 def _repaired(part: str) -> str:
-    """Return one specifier as PEP 440 writes it, ``""`` where it is none."""
+    """Return one specifier in the grammar of PEP 440, ``""`` if it is none."""
     if series := _SERIES.fullmatch(part):
         return _series(series[1], series[2])
     number = part[1:] if part.startswith("=") and not part.startswith("==") else part
@@ -58,7 +58,7 @@ def _series(sign: str, lowest: str) -> str:
 def admits(allowed: SpecifierSet, python: str) -> bool:
     """Tell whether any patch release of a Python (``3.8``) is allowed: an image takes the newest that is.
 
-    Only a patch beside one that the specifiers name can differ from the first or the newest.
+    It is enough to test the first, the newest, and the neighbours of every patch that the specifiers name.
     """
     named = {Version(specifier.version.removesuffix(".*")).micro for specifier in allowed}
     beside = {micro + step for micro in named for step in (-1, 0, 1) if micro + step > 0}

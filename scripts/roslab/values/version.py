@@ -9,7 +9,7 @@ from packaging.version import InvalidVersion, Version
 
 @cache
 def version_of(text: str) -> Version | None:
-    """Return a version number, ``None`` for what is none by the standard (``3.x``, ``latest``)."""
+    """Parse a version number, ``None`` if it is none by the standard (``3.x``, ``latest``)."""
     try:
         return Version(text)
     except InvalidVersion:
@@ -17,6 +17,6 @@ def version_of(text: str) -> Version | None:
 
 
 def minor_of(text: str) -> str | None:
-    """Return ``3.8`` for ``3.8.10``, ``None`` where there are no two numbers."""
+    """Return ``3.8`` for ``3.8.10``, ``None`` if there are no two numbers."""
     version = version_of(text)
     return f"{version.major}.{version.minor}" if version and len(version.release) > 1 else None

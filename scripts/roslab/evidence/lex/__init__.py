@@ -1,1 +1,1 @@
-"""Lexers: text cut into the words of its language, without meaning."""
+"""Lexers: text split into the words of its language, without interpretation."""

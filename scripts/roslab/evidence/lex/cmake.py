@@ -1,8 +1,8 @@
-"""CMake's language as far as a reader needs it: calls with their words, lines and the conditions around them.
+"""The CMake language, as far as readers need it: calls with their words, lines and surrounding conditions.
 
-Only the calls that a reader asks for are cut into words; the rest of a file is passed over by one pattern, so that a
-CMakeLists.txt of a million lines costs no more than its bytes. No library is used: what counts is
-the condition around a call and a bound on a hostile file, and a formatter's parser gives neither.
+Only the calls that a reader asks for are split into words; one pattern skips the rest of a file, so that the time is
+linear in its size. No library is used: the condition around each call and bounds for hostile files are needed, and
+the parsers of formatters give neither.
 """
 
 from __future__ import annotations
@@ -32,15 +32,15 @@ _CONTROL = (
     "option",
 )
 MAX_WORDS = 400
-"""Words of one call: a longer one is a list of source files."""
+"""Most words of one call; a longer one is a list of source files."""
 MAX_EXPANSION = 200
-"""Words of one variable."""
+"""Most words of one variable."""
 MAX_VALUE = 2_000
-"""Characters of one word: a longer one is made of variables that double themselves."""
+"""Most characters of one word; a longer one comes from variables that double themselves."""
 MAX_CONDITIONS = 20
-"""Nested ``if`` blocks that are remembered; deeper ones count, but say nothing."""
+"""Most nested ``if`` blocks whose conditions are kept; deeper ones are only counted."""
 MAX_TOTAL = 300_000
-"""Words of one file, those of a call without an end counted again by each call inside it."""
+"""Most words of one file; the words of an unclosed call count again for each call inside it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -84,7 +84,7 @@ def calls(text: str, names: frozenset[str]) -> Iterator[Call]:
 
 @dataclass
 class _Scope:
-    """What is known at one point of a file: variables, options that are off, the blocks around it."""
+    """The state at one point of a file: variables, options that are off, enclosing blocks."""
 
     variables: dict[str, tuple[str, ...]] = field(default_factory=dict)
     off: set[str] = field(default_factory=set)
@@ -92,14 +92,14 @@ class _Scope:
     stack: list[str] = field(default_factory=list)
 
     def enter(self, name: str, words: list[str]) -> None:
-        """Note what a call of the language itself changes."""
+        """Apply a call that changes the state (``set``, ``if`` …)."""
         if name in _OPENERS:
             self.stack.append(name)
             if name == "if":
                 self.conditions.append(self._condition(words))
             elif name == "foreach" and words:
                 values = tuple(_looped(words[1:], self.variables))[:MAX_EXPANSION]
-                self.variables[words[0]] = (" ".join(values),)  # one word: all rounds of the loop at once
+                self.variables[words[0]] = (" ".join(values),)  # one word stands for all iterations
         elif name in {"elseif", "else"} and self.conditions:
             negated = f"NOT ({self.conditions[-1]})"[:MAX_VALUE]
             self.conditions[-1] = self._condition(words) if name == "elseif" else negated
@@ -129,7 +129,7 @@ class _Scope:
 
 
 def _looped(words: list[str], variables: dict[str, tuple[str, ...]]) -> Iterator[str]:
-    """Return what a ``foreach`` runs over: ``IN LISTS`` names variables, everything else is a value."""
+    """Yield what a ``foreach`` iterates over: ``IN LISTS`` names variables, everything else is a value."""
     lists = False
     for word in words:
         if word in {"IN", "ITEMS", "LISTS"}:
@@ -147,7 +147,7 @@ def _opener(names: frozenset[str]) -> re.Pattern[str]:
 
 
 def _words(text: str, start: int) -> list[str]:
-    """Cut the words of a call from behind its parenthesis to the one that closes it."""
+    """Split the words of a call, from after its parenthesis to the closing one."""
     words: list[str] = []
     depth = 1
     for match in _TOKEN.finditer(text, start, start + 65536):
@@ -167,7 +167,7 @@ def _words(text: str, start: int) -> list[str]:
 
 
 def _filled(words: list[str], variables: dict[str, tuple[str, ...]]) -> Iterator[str]:
-    """Fill in the variables that are known lists; what is unknown, or grows without end, stays as written."""
+    """Fill in known variables; what is unknown or grows without end stays as written."""
     for word in words:
         if "${" not in word:
             yield from word.split(";") if ";" in word and "/" not in word else (word,)

@@ -1,7 +1,7 @@
-"""A Dockerfile cut into its instructions.
+"""A Dockerfile split into its instructions.
 
-They are cut here, not by a library: the one that is kept (dockerfile-parse) knows neither here-documents nor the line
-of a word inside a continuation, and both are what a reason has to show.
+No library is used: the maintained one (dockerfile-parse) knows neither here-documents nor the line of a word inside a
+continuation, and both are needed to tell where a fact comes from.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ class Instruction(NamedTuple):
     text: str
     line: int
     script: bool = False
-    """The text is a here-document: lines of its own, not one line with continuations."""
+    """The text is a here-document, not one line with continuations."""
 
 
 def instructions(text: str) -> Iterator[Instruction]:
-    """Yield the instructions of a Dockerfile; a line that is none has the name ``""``."""
+    """Yield the instructions of a Dockerfile; a line that is no instruction has the name ``""``."""
     heredoc, pending, following = "", Instruction("", "", 0), 0
     body: list[str] = []
     for line, logical in logical_lines(text):
@@ -43,7 +43,7 @@ def instructions(text: str) -> Iterator[Instruction]:
                 yield Instruction(pending.name, "\n".join((pending.text, *body)), pending.line, script=True)
                 heredoc, body = "", []
             else:
-                body.extend("" for _ in range(line - following))  # comment lines, which carry no text
+                body.extend("" for _ in range(line - following))  # comment lines
                 body.append(logical)
                 following = line + logical.count("\n") + 1
             continue
@@ -61,7 +61,7 @@ def instructions(text: str) -> Iterator[Instruction]:
 
 
 def argv(text: str) -> tuple[str, ...]:
-    """Return the words of a CMD or ENTRYPOINT: those of its JSON list, else bash with its line."""
+    """Return the words of a CMD or ENTRYPOINT: its JSON list, else bash with its line."""
     text = text.strip()
     if text.startswith("["):
         try:
@@ -73,7 +73,7 @@ def argv(text: str) -> tuple[str, ...]:
 
 
 def sources(body: str) -> list[str]:
-    """Return what a COPY or ADD takes from the build context; what is fetched or unknown is left out."""
+    """Return what a COPY or ADD takes from the build context; URLs and unknown values are left out."""
     words = body.replace("\n", " ").split()
     if any(word.startswith("--from") for word in words) or "<<" in body:
         return []

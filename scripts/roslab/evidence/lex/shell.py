@@ -1,8 +1,8 @@
-"""Shell text cut into commands: what a Dockerfile, a CI file, a README and an install script have in common.
+"""Shell text split into commands, for Dockerfiles, CI files, READMEs and install scripts.
 
-No shell is run and none is imitated: quotes, continuations, separators and simple variables are enough to read install
-lines. What a command substitution would yield is unknown, so a word that holds one is dropped. shlex cuts words but no
-commands, and gives no lines; bashlex reads only what is correct bash, which half of a README is not.
+No shell is run or emulated: quotes, continuations, separators and simple variables are enough to read install lines. A
+word with a command substitution is dropped, since its value is unknown. shlex splits words but not commands, and gives
+no lines; bashlex reads only correct bash, which half of a README is not.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 UNKNOWN = "\x00"
-"""In a word, it stands for what only a running shell knows."""
+"""In a word, this stands for a value that only a running shell knows."""
 MAX_LOGICAL = 20_000
-"""Characters of one logical line; a longer one is data."""
+"""Most characters of one logical line; a longer one is data."""
 MAX_VALUE = 4_000
-"""Characters of a variable's value: one that doubles itself line by line would fill the memory."""
+"""Most characters of a variable's value: one that doubles itself in each line would fill the memory."""
 _PLACEHOLDER = re.compile(
     r"""\bros-(?:
         \$?\{\{\s*[\w.]*distro[\w.]*\s*\}\}                      # ${{ matrix.ros_distro }}
@@ -95,7 +95,7 @@ def fill_placeholders(text: str) -> str:
 
     def fill(match: re.Match[str]) -> str:
         bare = _CAPITALS.match(match[0])
-        # IGNORECASE lets the capitals' branch match any word: a lower-case one is a distro's name, or a package's.
+        # IGNORECASE lets [A-Z] match lower case too: such a word is the name of a distro or a package.
         return match[0] if bare and not (bare[1].isupper() or "distro" in bare[1].lower()) else "ros-{distro}-"
 
     return _PLACEHOLDER.sub(fill, text)
@@ -111,7 +111,7 @@ def logical_lines(text: str, first: int = 1) -> Iterator[tuple[int, str]]:
             start = number
             if stripped.startswith("#"):
                 continue
-        elif stripped.startswith("#"):  # Docker drops comments inside a continuation; shells' authors mean the same
+        elif stripped.startswith("#"):  # Docker drops comments inside a continuation; shell authors mean it too
             pending.append("")
             continue
         if stripped.endswith("\\") and not stripped.endswith("\\\\"):
@@ -127,26 +127,26 @@ def logical_lines(text: str, first: int = 1) -> Iterator[tuple[int, str]]:
 
 
 def commands(text: str, line: int = 1, variables: Mapping[str, str] | None = None) -> Iterator[Command]:
-    """Yield the simple commands of one logical line; ``variables`` are filled in, assignments seen are kept."""
+    """Yield the simple commands of one logical line; ``variables`` are filled in, and assignments are added to them."""
     known = dict(variables or {})
     for words in _split(_filled(fill_placeholders(text)), line, known):
         yield from _unwrapped(words, known)
 
 
 def _filled(text: str) -> str:
-    # Braces of the token would read as a group of commands; private characters carry it through.
+    # The braces of the token would be read as a group of commands, so private characters replace them for now.
     return text.replace("ros-{distro}-", "ros-\x02distro\x03-")
 
 
 @dataclass
 class _Words:
-    """The words of the command that is being read, and the word that is being put together."""
+    """The words of the current command, and the word that is being assembled."""
 
     words: list[tuple[str, int]] = field(default_factory=list)
     word: str = ""
     started: int = 0
     redirected: bool = False
-    """The next word is the file of a redirection: no word of the command."""
+    """The next word is the file of a redirection, not a word of the command."""
 
     def take(self, pieces: list[str], line: int) -> None:
         for index, piece in enumerate(pieces):
@@ -191,7 +191,7 @@ def _split(text: str, line: int, known: Mapping[str, str]) -> Iterator[list[tupl
 
 
 def _pieces(kind: str, token: str, known: Mapping[str, str]) -> list[str]:
-    """Return a token's value; a bare variable falls into words as in a shell, an empty one into none."""
+    """Return a token's value; an unquoted variable is split into words as in a shell, an empty one into none."""
     if kind != "variable":
         return [_value(kind, token, known)]
     return [] if known.get(token.strip("${}")) == "" else _value(kind, token, known).split()
@@ -235,7 +235,7 @@ def expand(text: str, known: Mapping[str, str]) -> str:
 
 
 def _start(words: list[tuple[str, int]], known: dict[str, str]) -> int:
-    """Return where the program stands, after assignments and wrappers; the assignments are kept."""
+    """Return the index of the program, after assignments and wrappers; the assignments are added to ``known``."""
     index = 0
     while index < len(words):
         word = words[index][0]

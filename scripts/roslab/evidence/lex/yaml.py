@@ -1,4 +1,4 @@
-"""YAML of strangers, loaded with bounds: PyYAML's C loader recurses without a limit of its own."""
+"""Loading untrusted YAML with bounds: PyYAML's C loader has no recursion limit of its own."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ _DEEP = re.compile(rf"^(?:[ \t]*(?:- )){{{MAX_DEPTH},}}|^ {{1000,}}\S", re.MULTI
 
 
 class Scalar(NamedTuple):
-    """A value of a document, with the key it stands under (that of the list, for an item of one)."""
+    """A value of a document with its key (for an item of a list, the list's key)."""
 
     key: str
     text: str
-    """As it is written, lines that YAML would fold joined by a backslash, so that each keeps its number."""
+    """As it is written; lines that YAML would fold are joined by a backslash, so that line numbers stay right."""
     line: int
-    """Of the first line of the text."""
+    """Line number of the text's first line."""
     item: bool
 
 
 def load(text: str) -> Any:
-    """Return the first document, ``None`` where it is no YAML or nested deeper than any person writes."""
+    """Return the first document, ``None`` if it is not YAML or nested deeper than any person writes."""
     return next(_read(text, "load_all"), None)
 
 
 def scalars(text: str) -> tuple[Scalar, ...] | None:
-    """Return every value of all documents in their order; ``None`` where the text is no YAML."""
+    """Return every value of all documents in order; ``None`` if the text is not YAML."""
     lines = text.split("\n")
     try:
         documents = list(_read(text, "compose_all", strict=True))
@@ -38,7 +38,7 @@ def scalars(text: str) -> tuple[Scalar, ...] | None:
     pending, seen = [("", False, document) for document in reversed(documents)], set[int]()
     while pending:
         key, item, node = pending.pop()
-        if id(node) in seen:  # an alias: what it stands for was read at its anchor
+        if id(node) in seen:  # an alias: its value was read at the anchor
             continue
         seen.add(id(node))
         if node.id == "mapping":

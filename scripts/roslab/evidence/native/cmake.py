@@ -1,4 +1,4 @@
-"""CMakeLists.txt: what is looked for, linked, fetched and built, and whether it must be there."""
+"""CMakeLists.txt: what it looks for, links, fetches and builds, and what is required."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ _TARGET = re.compile(r"[A-Za-z][\w.+-]*$")
 
 @dataclass
 class _Reading:
-    """What was read of one file so far."""
+    """What has been read of one file so far."""
 
     name: str | None = None
     minimum: Dependency | None = None
@@ -69,7 +69,7 @@ class _Reading:
 
 
 def read(repository: Repository) -> tuple[CMakeProject, ...]:
-    """Return every CMakeLists.txt that says something, sorted by path; those of build folders are not read."""
+    """Return every CMakeLists.txt with anything of interest, sorted by path; build folders are skipped."""
     files = sorted(repository.named("CMakeLists.txt"), key=lambda file: (file.path.count("/"), file.path))
     added: set[str] = set()
     found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
@@ -78,7 +78,7 @@ def read(repository: Repository) -> tuple[CMakeProject, ...]:
 
 
 def _project(repository: Repository, file: File, added: set[str]) -> CMakeProject:
-    """Read one file; the folders that it adds are noted in ``added``, so parents must be read first."""
+    """Read one file; the folders that it adds go into ``added``, so parents must be read first."""
     reading = _Reading()
     for call in calls(repository.read(file), _NAMES):
         if call.name == "add_subdirectory" and call.words:
@@ -127,7 +127,7 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
 
 
 def _minimum(call: Call, path: str) -> Dependency | None:
-    """Read ``VERSION 3.15...3.28 FATAL_ERROR``: the first number must be there, the second is about policies."""
+    """Read ``VERSION 3.15...3.28 FATAL_ERROR``: the first number is required, the second is about policies."""
     version = next((m[1] for word in call.words if (m := re.match(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)", word))), None)
     if version is None or call.conditions:
         return None

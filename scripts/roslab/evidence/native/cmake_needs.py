@@ -67,7 +67,7 @@ _ROS_FINDERS = frozenset(
         "rosidl_default_generators",
     ]
 )
-"""Packages of ROS whose components are packages themselves."""
+"""ROS packages whose components are packages themselves."""
 _TEST = re.compile(r"CATKIN_ENABLE_TESTING|BUILD_TEST(?:S|ING)?|_TESTS?\b|GTEST", re.IGNORECASE)
 _ELSEWHERE = re.compile(r"^(?:WIN32|MSVC|APPLE)\b")
 _HERE = re.compile(r"^(?:UNIX\b(?! AND (?:APPLE))|NOT \(?(?:WIN32|MSVC|APPLE)\)?$|NOT (?:WIN32|MSVC|APPLE)\b)")
@@ -80,7 +80,7 @@ MAX_LINKED = 60
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class _Finder:
-    """Words of a ``find_package`` that say more than the name."""
+    """The words of a ``find_package`` after the name."""
 
     components: tuple[str, ...]
     version: str | None
@@ -138,7 +138,7 @@ def _found(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
 
 
 def _finder(words: tuple[str, ...]) -> _Finder:
-    """Sort the words behind the name; catkin's components may stand without a keyword before them."""
+    """Sort the words after the name; catkin's components may have no keyword before them."""
     components: list[str] = []
     version = None
     skipping = False
@@ -155,7 +155,7 @@ def _finder(words: tuple[str, ...]) -> _Finder:
 
 
 def _strength(call: Call, *, required: bool, quiet: bool = False) -> Strength:
-    """Return how sure a call is: required and unconditional is declared, quiet or conditional is optional."""
+    """Return the strength of a call: required and unconditional is declared, quiet or conditional is optional."""
     if quiet or any(_ELSEWHERE.match(condition) or not _HERE.match(condition) for condition in call.conditions):
         return "optional"
     return "declared" if required else "used"

@@ -1,4 +1,4 @@
-"""C++ and CUDA sources: which foreign headers they include."""
+"""C++ and CUDA sources: which external headers they include."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from roslab.repository.checkout import File, Repository
 
 SUFFIXES = (".cpp", ".hpp", ".h", ".cc", ".cxx", ".hh", ".c", ".cu", ".cuh")
 MAX_READ = 32 * 1024
-"""Bytes of a source that are searched: includes stand at its top."""
+"""Bytes of a source file that are searched: includes are at its top."""
 MAX_SOURCES = 2_500
-"""Sources opened, those nearest to the root first."""
+"""Most source files opened, those nearest to the root first."""
 MAX_SIZE = 1024 * 1024
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]", re.MULTILINE)
 _STANDARD = re.compile(
@@ -22,7 +22,7 @@ _STANDARD = re.compile(
 
 
 def read(repository: Repository) -> tuple[Dependency, ...]:
-    """Return the headers that neither the tree nor the compiler brings, each once, at its first place."""
+    """Return the included headers that neither the tree nor the compiler has, each once, at its first place."""
     found: dict[str, Dependency] = {}
     for file in _sources(repository):
         text = repository.read_bytes(file, limit=MAX_READ).decode("utf-8", errors="replace")
@@ -39,12 +39,12 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 
 
 def cuda_files(repository: Repository) -> tuple[str, ...]:
-    """Return the CUDA sources of the tree, copies of other people's code left out."""
+    """Return the CUDA sources of the tree, without vendored code."""
     return tuple(file.path for file in repository.suffixed(".cu") if not places.vendored(file.path))
 
 
 def _standard(name: str) -> bool:
-    """Tell whether the compiler brings a header: some libraries name theirs as the standard does, ``<armadillo>``."""
+    """Tell whether the compiler has a header; some libraries name theirs like the standard does, ``<armadillo>``."""
     return bool(_STANDARD.match(name)) and library("include", name, None) is None
 
 

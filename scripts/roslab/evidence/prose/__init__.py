@@ -1,1 +1,1 @@
-"""Readers of what was written for people or for other machines: pages, CI, scripts, the author's Dockerfiles."""
+"""Readers of texts for people or other machines: pages, CI files, scripts, the author's Dockerfiles."""

@@ -25,7 +25,7 @@ _DOCKER_FOLDER = re.compile(
     r"images?/\w+)(?:/[^/]+)*$|^$",
     re.IGNORECASE,
 )
-"""Folders that only hold Dockerfiles: what they copy is the root."""
+"""Folders that only hold Dockerfiles, whose build context is the root."""
 _FROM = re.compile(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
 _PAIR = re.compile(r"(\w+)=(\"[^\"]*\"|'[^']*'|\S*)")
 _DEPLOY = re.compile(
@@ -46,7 +46,7 @@ _REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
 
 
 def read(repository: Repository) -> tuple[AuthorDockerfile, ...]:
-    """Return every Dockerfile of the tree, sorted by path; what they mention comes from ``prose``."""
+    """Return every Dockerfile of the tree, sorted by path; ``prose`` returns what they mention."""
     return tuple(_dockerfile(repository, file) for file in _files(repository))
 
 
@@ -83,7 +83,7 @@ def _built(text: str, path: str) -> tuple[Mention, ...]:
 
 @dataclass
 class _Reading:
-    """What was read of one Dockerfile so far."""
+    """What has been read of one Dockerfile so far."""
 
     collector: Collector
     known: dict[str, str]
@@ -94,9 +94,9 @@ class _Reading:
     command: tuple[str, ...] = ()
     command_line: int | None = None
     problem: str | None = None
-    """Why it is no Dockerfile."""
+    """Why it does not parse."""
     needs: str | None = None
-    """What it needs that a build does not have."""
+    """What it needs that a build cannot give it."""
 
     def take(self, instruction: Instruction) -> None:
         """Read one instruction."""
@@ -178,9 +178,9 @@ def _itself(repository: Repository, clone: GitSource) -> bool:
 
 
 def _context(repository: Repository, file: File, copied: list[tuple[str, int]]) -> tuple[bool, str | None, str | None]:
-    """Tell whether the Dockerfile copies the repository's source, from which context, and which copied file is missing.
+    """Return whether the Dockerfile copies the repository's source, its context, and which copied file is missing.
 
-    The context is the folder in which everything that is copied lies: the root, the folder above, the Dockerfile's own.
+    The context is the folder that contains everything it copies: the root, the folder above, or the Dockerfile's own.
     """
     if not copied:
         return False, None, None

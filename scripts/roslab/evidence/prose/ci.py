@@ -1,7 +1,7 @@
-"""Continuous integration files: what another machine installs before it builds, and for which distros.
+"""Continuous integration files: what CI installs before it builds, and for which distributions.
 
-Every value of a file may be a command: an install line is the same in every service's dialect. What is no YAML (a
-Jenkinsfile, a broken file) is searched line by line.
+Every value of a file is read as a possible command: install lines look the same for every CI service. A file that is
+not YAML (a Jenkinsfile, a broken file) is searched line by line.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _PREFIX = re.compile(
 _EXPRESSION = re.compile(r"\$\{\{[^}\n]*\}\}")
 _WITH_MATRIX = re.compile(r"([\w.+-]{0,40})\$\{\{ {0,9}matrix\.([A-Za-z]\w*) {0,9}\}\}([\w.+-]{0,40})")
 MAX_VALUES = 4
-"""Values of a matrix that are written out."""
+"""Most values of a matrix that are filled in."""
 _IMAGE = re.compile(
     r"^\s*(?:-\s*)?(?:image|container|docker_image|DOCKER_IMAGE|docker)\s*:\s*[\"']?([\w./-]+:[\w.${}-]+)",
     re.MULTILINE,
@@ -51,7 +51,7 @@ _FOLDED = re.compile(r"^([ \t]*)(?:-[ \t]+)?\w+:[ \t]*>-?[ \t]*\n((?:\1[ \t]+\S.
 
 
 def read(repository: Repository) -> Prose:
-    """Return the install lines, container images and versions of CI files; those of releases are left out."""
+    """Return the install lines, container images and versions in CI files; release workflows are left out."""
     files = [file for file in (*repository.suffixed(".yml", ".yaml"), *repository.named("Jenkinsfile")) if _is_ci(file)]
     return merge(
         _read(repository.read(file), file.path)
@@ -63,7 +63,7 @@ def read(repository: Repository) -> Prose:
 def _is_ci(file: File) -> bool:
     if places.vendored(file.path):
         return False
-    # A service reads the files of the root: one that came with a copied library runs nowhere
+    # CI services only read files at the root: one in a vendored library never runs
     return ((file.name in _NAMES and "/" not in file.path) or bool(_FOLDERS.match(file.path))) and not _OTHER.search(
         file.path.lower().rpartition("/")[2]
     )
@@ -77,7 +77,7 @@ def _read(text: str, path: str) -> Prose:
 
 
 def _by_values(values: tuple[Scalar, ...], text: str, path: str) -> Prose:
-    """Read the values of a YAML file as shell, and those of some keys as lists of packages and as images."""
+    """Read the values of a YAML file as shell, and those of some keys as package lists or images."""
     collector = Collector(path, "ci")
     images = []
     for value in values:
@@ -118,7 +118,7 @@ def _by_lines(text: str, path: str) -> Prose:
 
 
 def _known(shell: str) -> str:
-    """Return shell text with the expressions that only a run fills in as unknown; a distribution's is kept."""
+    """Return shell text in which expressions of the CI service are unknown values, except that for the distribution."""
     return _EXPRESSION.sub(lambda match: match[0] if "distro" in match[0].lower() else "$UNKNOWN", shell)
 
 
@@ -127,7 +127,7 @@ def _image(match: re.Match[str], path: str, line: int) -> Mention:
 
 
 def _unquoted(line: str) -> str:
-    """Return a command without the quotes that YAML wants around one with a colon in it."""
+    """Return a command without the quotes that YAML needs around a colon."""
     text = line.rstrip()
     quote = text[:1]
     inner = text[1:-1].replace(f"\\{quote}", "")
@@ -137,7 +137,7 @@ def _unquoted(line: str) -> str:
 
 
 def _matrix(line: str, text: str) -> str:
-    """Write an apt line's ``lib${{ matrix.python }}-dev`` out for every value that the matrix has."""
+    """Fill ``lib${{ matrix.python }}-dev`` in an apt line with every value of the matrix."""
     if "${{" not in line or "apt" not in line:
         return line
 

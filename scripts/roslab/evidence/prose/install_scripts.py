@@ -56,7 +56,7 @@ def read(repository: Repository) -> Prose:
 
 
 def _assignments(text: str, collector: Collector) -> None:
-    """Give the collector what the script assigns: lists of packages are often kept in a variable."""
+    """Pass the script's assignments to the collector: package lists are often kept in a variable."""
     known = {
         match[1]: " ".join(match[2].strip("\"'()").replace("\\\n", " ").split())
         for match in re.finditer(

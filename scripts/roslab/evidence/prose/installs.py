@@ -1,4 +1,4 @@
-"""Commands read as facts: what is installed, cloned, built and run."""
+"""Turning commands into facts: what they install, clone, build and run."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ TRIGGER = re.compile(
     r"\s+build|\s+init)|"
     r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b"
 )
-"""A line without one of these words says nothing here."""
+"""A line without any of these words is skipped."""
 _RUN = re.compile(r"\b(?:roslaunch|rosrun|ros2)\s")
 _BLANK = re.compile(r"<[A-Za-z][^<>|&;\n]{0,60}>")
-"""What the reader of a page is to fill in."""
+"""A placeholder for the reader of a page to fill in."""
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
 _APT_NAME = re.compile(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
@@ -32,7 +32,7 @@ _BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_ma
 
 @dataclass
 class Collector:
-    """Gathers the facts of one file's commands; ``prose()`` hands them over."""
+    """Collects the facts from one file's commands; ``prose()`` returns them."""
 
     file: str
     source: MentionSource
@@ -42,9 +42,9 @@ class Collector:
     sources: list[GitSource] = field(default_factory=list)
     mentions: list[Mention] = field(default_factory=list)
     folder: str = ""
-    """Where ``cd`` went, as far as that can be told; what pip is given is relative to it."""
+    """The folder after ``cd``, as far as known; paths given to pip are relative to it."""
     fresh: int | None = None
-    """Index of the clone that a ``git checkout`` would belong to."""
+    """Index of the clone that a following ``git checkout`` belongs to."""
 
     def text(self, text: str, line: int = 1) -> None:
         """Read every logical line of a shell text whose first line has the given number."""
@@ -56,7 +56,7 @@ class Collector:
         """Read one logical line."""
         if TRIGGER.search(text):
             if "<" in text and _RUN.search(text):
-                text = _BLANK.sub("$UNKNOWN", text)  # else the shell's reader takes `<sensor name>` for a redirection
+                text = _BLANK.sub("$UNKNOWN", text)  # otherwise `<sensor name>` would be read as a redirection
             for command in commands(text, line, self.variables):
                 self.command(command)
 
@@ -83,7 +83,7 @@ class Collector:
             self._program(program, command)
 
     def prose(self) -> Prose:
-        """Return what was gathered, each thing once."""
+        """Return the collected facts, without duplicates."""
         return Prose(
             tuple(dict.fromkeys(self.dependencies)),
             tuple(dict.fromkeys(self.requirements)),
@@ -133,7 +133,7 @@ class Collector:
                 )
 
     def _listed(self, rest: tuple[str, ...]) -> bool:
-        """Tell whether `sudo` among apt's words is the package: in a program's list, before no other program."""
+        """Tell whether `sudo` among the words of apt is the package: in a list, and not before a command."""
         return self.source != "readme" and not (rest and (rest[0] in _APT or PIP.match(rest[0])))
 
     def _python(self, asks: Iterable[Requirement | Version], command: Command) -> None:
@@ -144,7 +144,7 @@ class Collector:
                 self.requirements.append(asked)
 
     def _here(self, path: str) -> str:
-        """Return a path as seen from where the text began."""
+        """Return a path relative to the folder in which the text began."""
         return posixpath.join(self.folder, path.removeprefix("./")) if self.folder and path[:1] not in "/~" else path
 
     def _cd(self, target: str) -> None:
@@ -226,7 +226,7 @@ class Collector:
 
 
 def merge(parts: Iterable[Prose]) -> Prose:
-    """Return several texts' facts as one."""
+    """Merge the facts of several texts."""
     parts = tuple(parts)
     return Prose(
         tuple(d for part in parts for d in part.dependencies),

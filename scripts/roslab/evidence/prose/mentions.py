@@ -11,9 +11,9 @@ from roslab.evidence.facts import Mention
 from roslab.knowledge.distros import english_words, releases_of, ubuntus
 
 MAX_MENTIONS = 120
-"""Per file and topic: a changelog names versions without end."""
+"""Most mentions per file and topic: a changelog names very many versions."""
 _NO_UBUNTU = {"focal": r"(?!['\u2019]?s?[\s_-]{1,3}(?:lengths?|points?|planes?|distances?|axis|ratio|loss|spots?))"}
-"""What follows a release's name where it is none: a camera's focal length is no Ubuntu."""
+"""What follows a word that is no release name there: "focal length" is no Ubuntu."""
 _CUDA = r"cuda(?:[\s_-]{0,3}toolkit)?(?:\s{0,3}\(?(?:version|v|==?|>=|~|:)?\s{0,3}|[-=:]{1,3})(\d{1,2}\.\d)"
 _CUDNN = r"cudnn(?:[\s:v=_-]|version){0,9}(\d)"
 _PYTHON = r"python(?:\s{0,3}(?:version|>=|==?|~=|:|\()?\s{0,3}|[-=])([23]\.\d{1,2})(?:\.\d+|\.x)?(?!\d)"
@@ -22,7 +22,7 @@ _LOCAL = re.compile(r"(?<=[+/])cu(\d{2,3})\b")
 _MORE = re.compile(
     r"(?:[\s,/|&-]{0,4}(?:or|and|to)?\s{0,3}(?:python)?\s{0,2}[23]\.\d{1,2}(?![\d.])){1,6}", re.IGNORECASE
 )
-"""What goes on after a version of Python: ``3.6, 3.7 or 3.8``. Blanks are counted: no line can take long."""
+"""What may follow a Python version: ``3.6, 3.7 or 3.8``. Blanks are bounded, so that no line takes long."""
 _LIST = r"([\w-][\w.-]{0,60}\.(?:repos|rosinstall))\b"
 
 
@@ -35,7 +35,7 @@ Topic = Literal["distro", "ubuntu", "cuda", "cudnn", "python", "vcs_file"]
 
 @cache
 def _patterns() -> tuple[tuple[Topic, re.Pattern[str]], ...]:
-    """Return what each topic looks like, the names and numbers of releases out of the tables."""
+    """Return the pattern of each topic, with the names and numbers of releases from the tables."""
     numbers = "|".join(map(re.escape, ubuntus()))
     codenames = "|".join(name + _NO_UBUNTU.get(name, "") for name in ubuntus().values())
     return (
@@ -51,7 +51,7 @@ def _patterns() -> tuple[tuple[Topic, re.Pattern[str]], ...]:
 
 @cache
 def _goes_on() -> dict[str, tuple[re.Pattern[str], re.Pattern[str]]]:
-    """Return, for each topic, the list of versions that may follow one, and a version in such a list."""
+    """Return, for each topic, a pattern for a list of further versions, and one for a version in it."""
     number = "|".join(map(re.escape, ubuntus()))
     more = rf"(?:[\s,/|&~-]{{0,4}}(?:or|and|to)?\s{{0,3}}(?:ubuntu)?\s{{0,2}}(?:{number})(?![\d.]\d)){{1,5}}"
     return {
@@ -61,7 +61,7 @@ def _goes_on() -> dict[str, tuple[re.Pattern[str], re.Pattern[str]]]:
 
 
 _TRACEBACK = re.compile(r"File \"[^\"\n]{0,200}\Z")
-"""Before a version of Python: a line of a traceback, out of somebody's own machine."""
+"""A line of a traceback before a Python version: it is about somebody's own machine."""
 _CONTEXT = re.compile(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
 
 
@@ -77,7 +77,7 @@ def read(
             context = text[max(0, start) : end if end >= 0 else match.end() + 90].strip()
             value = next(group for group in match.groups() if group).lower()
             if topic == "distro" and value in english_words() and not _CONTEXT.search(context):
-                continue  # it needs ROS, a branch or an Ubuntu near it
+                continue  # it only counts with ROS, a branch or an Ubuntu near it
             if topic == "python" and _TRACEBACK.search(text, max(0, start), match.start()):
                 continue
             if pattern is _LOCAL:

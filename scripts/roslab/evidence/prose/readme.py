@@ -1,7 +1,7 @@
-"""README, INSTALL and installation pages: what humans are told to install and run.
+"""README, INSTALL and installation pages: what people are told to install and run.
 
-Markdown, reStructuredText and plain text are read by one reader of lines: a Markdown library would take longer than
-everything else together, and says nothing of the other two.
+Markdown, reStructuredText and plain text are all read line by line: a Markdown library would take longer than
+everything else together, and does not read the other two.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from roslab.repository.checkout import File, Repository
 MAX_SIZE = 256 * 1024
 MAX_PAGES = 60
 MAX_LINE = 2_000
-"""Characters of a line that a person types."""
+"""Most characters of a line that a person types."""
 _PAGE = re.compile(
     r"^(?:readme|install|installation|building|build|compiling|compilation|"
     r"getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
@@ -43,10 +43,10 @@ _ELSEWHERE = re.compile(
     re.IGNORECASE,
 )
 _STRUCK = re.compile(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
-"""``~~what no longer holds~~``."""
+"""Text that is struck through: ``~~outdated~~``."""
 _LEAF = re.compile(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
 DEEPEST = 7
-"""Such a section holds no others: the next heading ends it, however deep its author has put that one."""
+"""Such a section ends at the next heading, whatever the level of that one."""
 _RST_LINE = re.compile(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
 
 
@@ -105,7 +105,7 @@ def _code(text: str) -> Iterator[tuple[int, str]]:
 
 
 def _section(line: str, below: str, elsewhere: int) -> int:
-    """Return the level of the heading under which the text is for another machine, 0 where it is for this one."""
+    """Return the level of the heading under which the text is for another system, 0 if it is for this one."""
     heading = _HEADING.match(line[:200])
     if heading is None and not (line.strip() and _RST_LINE.match(below[:200])):
         return elsewhere

@@ -1,1 +1,1 @@
-"""Readers of Python's manifests and modules."""
+"""Readers of Python manifests and modules."""

@@ -12,9 +12,9 @@ from roslab.knowledge.frameworks import imports as known_imports
 from roslab.repository.checkout import File, Repository
 
 MAX_READ = 128 * 1024
-"""Bytes of a module that are searched: imports stand at its top."""
+"""Bytes of a module that are searched: imports are at its top."""
 MAX_MODULES = 6_000
-"""Modules opened: in a larger tree the first ones, nearest to the root, name what matters."""
+"""Most modules opened, those nearest to the root first."""
 _IMPORT = re.compile(
     r"^(?P<indent>[ \t]*)(?:import[ \t]+(?P<plain>[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?"
     r"(?:[ \t]*,[ \t]*[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?)*)"
@@ -41,8 +41,8 @@ _STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
 def read(repository: Repository) -> tuple[Dependency, ...]:
     """Return what the tree's Python files import from outside the tree and the standard library.
 
-    Each name once, at its first place; ``optional`` where it is only imported inside a function or a ``try``.
-    The package of a plain ``python`` is among them where a program's first line starts that.
+    Each name once, at its first place; ``optional`` if it is only imported inside a function or a ``try``.
+    The package of a plain ``python`` is included if the first line of a program starts that.
     """
     local = _local(repository)
     found: dict[str, Dependency] = {}
@@ -71,7 +71,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 
 
 def _started(file: File, text: str) -> Dependency | None:
-    """Return the package of ``python`` where a program's first line starts that."""
+    """Return the package of ``python`` if the first line of a program starts that."""
     if not _PLAIN_PYTHON.search(text) or places.test(file.path):
         return None
     return Dependency(
@@ -98,7 +98,7 @@ def _modules_of(match: re.Match[str]) -> list[str]:
 
 
 def _standard(module: str) -> bool:
-    """Tell whether Python brings a module: Debian and Ubuntu have packages of their own for parts of its library."""
+    """Tell whether a module is in Python's library; Debian and Ubuntu have separate packages for parts of it."""
     return module in _STANDARD and module not in known_imports()
 
 
@@ -131,7 +131,7 @@ def programs(repository: Repository) -> tuple[Program, ...]:
 
 
 def modules(repository: Repository) -> list[File]:
-    """Return the modules worth reading, nearest to the root first; copies, documentation and CI are left out."""
+    """Return the modules worth reading, nearest to the root first; vendored code, documentation and CI are left out."""
     kept = [
         file
         for file in repository.suffixed(".py")
@@ -144,7 +144,7 @@ def modules(repository: Repository) -> list[File]:
 
 
 def _local(repository: Repository) -> frozenset[str]:
-    """Return every name that could be a module of the tree: its Python files and the folders that hold them."""
+    """Return every name that could be a module of the tree: its Python files and their folders."""
     names: set[str] = set()
     for file in repository.suffixed(".py", ".pyx", ".so"):
         names.add(file.name.partition(".")[0])

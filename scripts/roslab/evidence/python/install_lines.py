@@ -1,4 +1,4 @@
-"""What pip and conda are asked for on a command line, word by word."""
+"""What pip and conda are asked for on a command line."""
 
 from __future__ import annotations
 
@@ -41,14 +41,14 @@ _NAME = re.compile(r"[a-z][a-z0-9._-]*")
 
 
 class Version(NamedTuple):
-    """The version of Python or CUDA itself that conda is asked for."""
+    """The version of Python or CUDA that conda is asked for."""
 
     topic: Literal["python", "cuda"]
     number: str
 
 
 def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterator[Requirement]:
-    """Yield what ``pip install`` or ``pipx install`` is given; ``here`` makes a path one from where the text began."""
+    """Yield what ``pip install`` or ``pipx install`` is given; ``here`` makes paths relative to the text's folder."""
     words = command.words
     if "install" not in words:
         return
@@ -68,24 +68,24 @@ def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterato
         elif target := _requirements(word, flag, glued, following):
             index += target == following
             yield _argument(here(target), "file", file, line)
-        elif not word.startswith("-") and UNKNOWN not in word:  # what `-e` names is a word like the others
+        elif not word.startswith("-") and UNKNOWN not in word:  # the path after `-e` is handled like other words
             if _PATH.search(word):
                 yield _argument(here(word), "project", file, line)
             elif (name := _bare(word)).lower() in STOP:
-                break  # the sentence goes on in prose
+                break  # the rest is a sentence, not a command
             elif found := requirement(name, "prose", file, line, role=role, repair=False):
                 yield found
 
 
 def _bare(word: str) -> str:
-    """Return a name without the punctuation of the sentence around it; a URL is taken as it is."""
+    """Return a name without punctuation of the surrounding sentence; a URL stays as it is."""
     if "://" in word:
         return word
     return word.rstrip(".") if word.endswith(".") else word.rstrip(",:)")
 
 
 def _requirements(word: str, flag: str, glued: str, following: str) -> str:
-    """Return the file that ``-r`` names, glued to it or as the next word; ``""`` for another option."""
+    """Return the file that ``-r`` names, in the same or the next word; ``""`` for another option."""
     if flag in {"-r", "--requirement", "--requirements"}:
         return glued or following
     return word[2:] if word.startswith("-r") else ""
@@ -115,6 +115,6 @@ def conda_asks(command: Command, file: str) -> Iterator[Requirement | Version]:
         elif _NAME.fullmatch(asked.name) and asked.name not in STOP | {"install", "create"}:
             package = conda_names().get(asked.name, asked.name)
             exact = f"=={asked.version}" if asked.release and _EXACT.fullmatch(asked.version) else ""
-            exact += ".*" if exact and asked.name == "opencv" else ""  # pip's has a number more, of the build
+            exact += ".*" if exact and asked.name == "opencv" else ""  # the version on pip's index has one more number
             if package:
                 yield stated(package + exact, "prose", file, line, role="conda")

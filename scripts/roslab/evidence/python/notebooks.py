@@ -1,6 +1,6 @@
-"""Jupyter notebooks: the Python that stands in their code cells.
+"""Jupyter notebooks: the Python in their code cells.
 
-Read as JSON, not by nbformat, which checks a whole notebook against its schema before it hands it out.
+They are read as JSON, since nbformat validates a whole notebook against its schema before returning it.
 https://nbformat.readthedocs.io/en/latest/format_description.html
 """
 
@@ -14,7 +14,7 @@ from typing import Any
 def imports(text: str) -> Iterator[tuple[int, str]]:
     """Yield ``(line of the file, line of code)`` for the lines of code cells that begin with an import.
 
-    Nothing for what is no notebook, or one of another language.
+    Nothing if the text is no notebook, or a notebook in another language.
     """
     try:
         notebook = json.loads(text)
@@ -26,7 +26,7 @@ def imports(text: str) -> Iterator[tuple[int, str]]:
     for code in _code(notebook):
         if code.startswith(("import ", "from ")):
             found = text.find(code, position)
-            if found >= 0:  # else it is written with escapes, and the import before it says where about
+            if found >= 0:  # otherwise it is escaped, and the line of the import before it is used
                 number += text.count("\n", position, found)
                 position = found
             yield number, code
@@ -45,7 +45,7 @@ def _code(notebook: dict[str, Any]) -> Iterator[str]:
 
 
 def _language(notebook: dict[str, Any]) -> str:
-    """Return the language in which the cells are written, Python where nothing is said."""
+    """Return the language of the cells, Python if the notebook does not say."""
     metadata = notebook.get("metadata")
     for name, key in (("language_info", "name"), ("kernelspec", "language")):
         said = metadata.get(name) if isinstance(metadata, dict) else None

@@ -12,13 +12,13 @@ from roslab.values.specifier import specifiers
 
 
 def python(table: dict[str, Any]) -> str | None:
-    """Return the Python that a project is for, as ``requires-python`` would say it."""
+    """Return the Python that a project is for, in the notation of ``requires-python``."""
     said = table.get("python")
     return _as_written(_first(said)) or None if isinstance(said, str) else None
 
 
 def lines(table: dict[str, Any]) -> Iterator[str]:
-    """Yield each dependency, once for each of its alternatives, but what only an extra needs or lies in the tree."""
+    """Yield each dependency, once per alternative, except those of extras and those in the tree."""
     for name, said in table.items():
         if name == "python":
             continue
@@ -69,5 +69,5 @@ def _conditions(said: dict[str, Any]) -> Iterator[str]:
 
 
 def _first(version: str) -> str:
-    """Return the first of several alternatives, which pip does not know."""
+    """Return the first of several alternatives: pip has no notation for them."""
     return version.partition("||")[0].strip()

@@ -1,4 +1,4 @@
-"""Code that only Python 2 reads: ``print`` as a statement."""
+"""Code that only runs with Python 2: ``print`` as a statement."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from roslab.evidence.python.imports import MAX_READ, modules
 from roslab.repository.checkout import Repository
 
 _STATEMENT = re.compile(r"^[ \t]*print[ \t]+[\"'][^\n]*$", re.MULTILINE)
-"""A string right behind it: what prose in a docstring hardly ever has."""
+"""``print`` with a string after it, which prose in a docstring hardly ever has."""
 _CALL = re.compile(r"^[ \t]*print[ \t]*\(", re.MULTILINE)
 LEAST = 2
-"""Modules; one alone is a leftover."""
+"""Fewest modules; a single one is a leftover."""
 
 
 def read(repository: Repository) -> tuple[Mention, ...]:
-    """Return that the tree is Python 2's, at the first place that shows it, where more modules show it than do not."""
+    """Return Python 2, with the first place that shows it, if more modules use the statement than the function."""
     old: list[Mention] = []
     new = 0
     for file in modules(repository):

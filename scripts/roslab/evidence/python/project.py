@@ -21,7 +21,7 @@ _AMENT = re.compile(r"ament_index/resource_index|ament_python")
 
 
 def read(repository: Repository) -> tuple[PythonProject, ...]:
-    """Return every folder that Python's tools know, sorted by path."""
+    """Return every folder that Python's packaging tools know, sorted by path."""
     folders: dict[str, dict[str, str]] = {}
     for file in repository.named("setup.py", "setup.cfg", "pyproject.toml"):
         if file.name == file.name.lower():
@@ -61,7 +61,7 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
 
 
 def _asked(first: PythonProject, rest: list[PythonProject]) -> list[PythonProject]:
-    """Return the files whose dependencies count: pip asks the first alone, unless that leaves them to another."""
+    """Return the files whose dependencies count: only the first, unless that leaves them to another."""
     return [first] if any(not asked.role for asked in first.requirements) else [*reversed(rest), first]
 
 
@@ -76,7 +76,7 @@ def _finder(text: str) -> Callable[[str], int]:
 def _listed(
     lines: Iterable[Any], path: str, line_of: Callable[[str], int], *, extra: str | None = None, role: Role = ""
 ) -> list[Requirement]:
-    """Read requirement lines; ``extra`` is the name of what they are extras of, with a marker after a colon.
+    """Parse requirement lines; ``extra`` is the name of their extra, with a marker after a colon.
 
     The name may be empty: ``:python_version<"3"`` asks for more on an old Python without being an extra.
     https://setuptools.pypa.io/en/latest/userguide/dependency_management.html#platform-specific-dependencies
@@ -93,7 +93,7 @@ def _listed(
 
 
 def from_file(repository: Repository, folder: str, name: str) -> list[Requirement]:
-    """Return the requirements of a file that a project reads its own from, and of what that file includes."""
+    """Return the requirements of a file from which a project reads its own, and of the files that it includes."""
     pending, seen, found = [f"{folder}/{name}".strip("/")], set[str](), list[Requirement]()
     while pending:
         path = pending.pop()
@@ -141,7 +141,7 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
 
 
 def _imported(repository: Repository, folder: str, modules: tuple[str, ...]) -> Iterator[str]:
-    """Yield ``.`` for a package of the same folder, nothing for a script beside setup.py, else the module's name."""
+    """Yield ``.`` for a package in the same folder, nothing for a script beside setup.py, else the module's name."""
     for module in modules:
         if repository.has(f"{folder}/{module}/__init__.py".strip("/")):
             yield "."

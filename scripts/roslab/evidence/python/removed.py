@@ -1,4 +1,4 @@
-"""Uses of names that a Python package has since removed: they say how old that package must be."""
+"""Uses of names that a Python package has removed since: they give an upper bound for its version."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from roslab.repository.checkout import Repository
 
 
 def read(repository: Repository) -> tuple[Removed, ...]:
-    """Return the lowest bound of each package that the tree's code asks for, at the first place that does."""
+    """Return the lowest bound for each package that the code needs, with the first place that needs it."""
     found: dict[str, tuple[int, Removed]] = {}
     for file in modules(repository):
         text = repository.read(file, limit=MAX_READ)
         for rank, row in enumerate(removals()):
             if row.package in found and found[row.package][0] <= rank:
-                continue  # only a lower bound of the same package could still say more
+                continue  # only a lower bound of the same package would matter
             if row.hint not in text or not (match := row.pattern.search(text)):
                 continue
             line = text.count("\n", 0, match.start()) + 1

@@ -1,4 +1,4 @@
-"""Requirements files, in any spelling: what a repository asks pip for."""
+"""Requirements files under any usual name."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from roslab.repository.checkout import Repository
 from roslab.values.requirement import Requirement, requirement
 
 MAX_LINES = 3_000
-"""Requirement lines read of one file; what is longer is data."""
+"""Most requirement lines read of one file; a longer one is data."""
 MAX_SIZE = 512 * 1024
 Purpose = Literal["run", "docs", "test", "dev", "vendored"]
 _NAME = re.compile(
@@ -69,7 +69,7 @@ def purpose_of(path: str) -> Purpose:
 
 
 def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
-    """Read one file's text. A line that pip would refuse is repaired where its meaning is plain."""
+    """Parse one file's text. A line that pip would refuse is repaired if its meaning is clear."""
     found: list[Requirement] = []
     includes: list[str] = []
     constraints: list[str] = []
@@ -96,7 +96,7 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
 
 
 def _lines(text: str) -> list[tuple[int, str]]:
-    """Return what pip would read: comments off, continuations joined."""
+    """Return the lines that pip would read: without comments, continuations joined."""
     lines: list[tuple[int, str]] = []
     pending, start = "", 0
     for number, raw in enumerate(text.split("\n", MAX_LINES)[:MAX_LINES], 1):

@@ -1,4 +1,4 @@
-"""A setup.py, read by its syntax tree: constants, lists and names are followed, nothing of it is run."""
+"""A setup.py, read from its syntax tree: constants, lists and names are followed, nothing is run."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ _KEYS = {"install_requires": "", "requires": "", "tests_require": "test"}
 _STRINGS = re.compile(r"[\"']([A-Za-z][^\"'\n]*)[\"']")
 MAX_DEPTH = 12
 _THERE = sys.stdlib_module_names | {"setuptools", "distutils", "pkg_resources", "pip", "wheel", "__future__"}
-"""What every build of a package has."""
+"""Modules that every build has."""
 
 
 @dataclass
 class SetupScript:
-    """What the call of ``setup`` is given."""
+    """The arguments of the call of ``setup``."""
 
     line: int = 1
     name: str | None = None
@@ -25,16 +25,16 @@ class SetupScript:
     catkin: bool = False
     """It is called by catkin, not by people."""
     requirements: dict[str, tuple[list[str], list[str]]] = field(default_factory=dict)
-    """By role, of an extra ``extra:NAME`` or ``extra:NAME:MARKER``: requirement lines, and files they are read from."""
+    """Requirement lines and their files, by role; that of an extra is ``extra:NAME`` or ``extra:NAME:MARKER``."""
     build_requires: tuple[str, ...] = ()
     scripts: tuple[str, ...] = ()
     classifiers: tuple[str, ...] = ()
     imports: tuple[str, ...] = ()
-    """Modules that it imports before anything else, without the standard ones."""
+    """Modules that it imports at the top, without those of the standard library."""
 
 
 def extensions(text: str) -> tuple[str, ...]:
-    """Return what a build script compiles, by the names it uses."""
+    """Return what kinds of code a build script compiles, by the names it uses."""
     found = []
     if re.search(r"CUDAExtension|\bnvcc\b|\.cu['\"]", text):
         found.append("cuda")
@@ -48,7 +48,7 @@ def extensions(text: str) -> tuple[str, ...]:
 
 
 def read(text: str) -> SetupScript:
-    """Return what the script says; one of Python 2 is read by patterns."""
+    """Read a script; one for Python 2 is read by patterns."""
     script = SetupScript(catkin="catkin_pkg" in text or "generate_distutils_setup" in text)
     try:
         tree = ast.parse(text)
@@ -85,7 +85,7 @@ def read(text: str) -> SetupScript:
 
 
 def _imports(tree: ast.Module) -> tuple[str, ...]:
-    """Return what the script cannot start without: no import in a function, a condition or a ``try``."""
+    """Return the modules that the script always imports: not those in a function, a condition or a ``try``."""
     found: list[str] = []
     for node in tree.body:
         if isinstance(node, ast.Import):
@@ -99,7 +99,7 @@ Bound = tuple[dict[str, ast.expr], dict[str, ast.AST], "ast.Call | None"]
 
 
 def _bound(tree: ast.AST) -> Bound:
-    """Return what names are bound to, the functions, and the call of ``setup``."""
+    """Return the values bound to names, the functions, and the call of ``setup``."""
     names: dict[str, ast.expr] = {}
     functions: dict[str, ast.AST] = {}
     call: ast.Call | None = None
@@ -126,7 +126,7 @@ def _extend(names: dict[str, ast.expr], target: ast.AST | None, value: ast.expr)
 
 
 def _called(node: ast.Call) -> str:
-    """Return the last part of what is called."""
+    """Return the last part of the name that is called."""
     if isinstance(node.func, ast.Name):
         return node.func.id
     return node.func.attr if isinstance(node.func, ast.Attribute) else ""
@@ -147,13 +147,13 @@ def _dictionary(node: ast.expr | None, names: dict[str, ast.expr], depth: int = 
 
 
 class _Reader:
-    """Follows names from an expression to the strings, or to the file, that it would be."""
+    """Follows names from an expression to the strings or the file that it stands for."""
 
     def __init__(self, names: dict[str, ast.expr], functions: dict[str, ast.AST]) -> None:
         self.names, self.functions = names, functions
 
     def strings(self, node: ast.expr, depth: int = 0) -> list[str]:  # noqa: PLR0911 - one kind of node each
-        """Return the strings of a constant, list, tuple, sum, f-string's constant parts or name."""
+        """Return the strings in a constant, list, tuple, sum, name, or the constant parts of an f-string."""
         if depth > MAX_DEPTH:
             return []
         if isinstance(node, ast.Constant):
@@ -175,7 +175,7 @@ class _Reader:
         return []
 
     def files(self, node: ast.AST) -> list[str]:
-        """Return the requirement files named on the way to a value: what is opened, a helper's argument."""
+        """Return the requirement files that an expression opens or passes to a helper."""
         found: list[str] = []
         seen: set[str] = set()
         pending = [node]

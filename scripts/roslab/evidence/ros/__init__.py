@@ -1,1 +1,1 @@
-"""Readers of what only ROS repositories have."""
+"""Readers of files that only ROS repositories have."""

@@ -1,6 +1,6 @@
 """When the repository was last worked on: the date of its commit.
 
-A changelog's dates say less: most repositories go on for years after the last entry.
+The dates in a changelog tell less: most repositories go on for years after its last entry.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from roslab.repository.checkout import Repository
 
 
 def read(repository: Repository) -> tuple[Mention, ...]:
-    """Return the date of the checkout's commit in UTC, nothing where there is no git."""
+    """Return the date of the checkout's commit in UTC, nothing if there is no git."""
     if repository.committed is None:
         return ()
     date = repository.committed.date().isoformat()

@@ -1,6 +1,6 @@
 """Conditions of package.xml format 3. https://ros.org/reps/rep-0149.html#dependency-conditions.
 
-catkin_pkg has a reader of them, which takes pyparsing along, raises at the first odd condition and has no bounds.
+catkin_pkg has a parser for them, but it needs pyparsing, raises at the first odd condition and has no bounds.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ _COMPARE = {"==": str.__eq__, "!=": str.__ne__, "<": str.__lt__, ">": str.__gt__
 
 
 def holds(condition: str | None, variables: Mapping[str, str]) -> bool:
-    """Tell whether a condition is true; one that cannot be read counts as true, as does none at all."""
+    """Tell whether a condition is true; one that cannot be read counts as true, and so does a missing one."""
     if not condition:
         return True
     tokens = _TOKEN.findall(condition[:MAX_LENGTH])

@@ -1,4 +1,4 @@
-"""What names say: the branch, and file names with a distro in them (``Dockerfile.noetic``, ``foxy.repos``)."""
+"""Distributions in names: of the branch, and of files (``Dockerfile.noetic``, ``foxy.repos``)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _FILES = re.compile(
 
 
 def read(repository: Repository) -> tuple[Mention, ...]:
-    """Return the distros that the branch and the names of Dockerfiles, vcs files, CI files and scripts hold."""
+    """Return the distributions in the names of the branch, Dockerfiles, vcs files, CI files and scripts."""
     return tuple(_branch(repository)) + tuple(_files(repository))
 
 
@@ -36,7 +36,7 @@ def _branch(repository: Repository) -> Iterator[Mention]:
 
 
 def _files(repository: Repository) -> Iterator[Mention]:
-    """Read file names; where the same name without a distro lies beside, that one is for this branch."""
+    """Read file names; if the same name without a distribution exists beside it, that one is for this branch."""
     for file in repository.files:
         lower = file.name.lower()
         if not _FILES.search(lower) or places.vendored(file.path) or file.path.count("/") > 4:

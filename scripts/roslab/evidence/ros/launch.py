@@ -16,7 +16,7 @@ from roslab.repository.checkout import File, Repository
 
 MAX_SIZE = 256 * 1024
 MAX_FILES = 800
-"""Launch files, and parameter files, that are opened; those nearest to the root first."""
+"""Most launch files, and most parameter files, that are opened, those nearest to the root first."""
 _XML = re.compile(r"\.launch$|\.launch\.xml$|\.launch\.inc$|\.test$")
 _PYTHON = re.compile(r"(?:\.launch|_launch|[-_.]?launch[-_]\w+|^launch)\.py$")
 _YAML = re.compile(r"\.launch\.ya?ml$|_launch\.ya?ml$")
@@ -37,7 +37,7 @@ _PLUGIN = re.compile(
 )
 _PARAM_PLUGIN = re.compile(rf"name=\"base_(?:local|global)_planner\"\s+value=\"({_PACKAGE})/[A-Z]")
 _NEW = re.compile(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node")
-"""Words that only ROS 2 has in a launch file of XML."""
+"""Words that only ROS 2 uses in XML launch files."""
 _GUI = re.compile(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
 _COMMENT = {"xml": re.compile(r"<!--.*?-->", re.DOTALL), "hash": re.compile(r"^[ \t]*#.*$", re.MULTILINE)}
 _NAME = re.compile(r"<name>\s*([\w-]+)\s*</name>")

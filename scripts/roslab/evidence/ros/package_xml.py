@@ -10,9 +10,9 @@ from roslab.evidence.facts import Dependency, GitSource, PackageManifest
 from roslab.repository.checkout import File, Repository
 
 IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
-"""A folder with one of these holds no package: catkin_pkg and colcon-ros obey all three."""
+"""Markers that keep a folder from being a package: catkin_pkg and colcon-ros obey all three."""
 MAX_SIZE = 256 * 1024
-"""The longest package.xml of 73 real repositories has 20 kB."""
+"""Most bytes read; the longest package.xml of 73 real repositories has 20 kB."""
 _VERSIONS = {"version_eq": "=", "version_gte": ">=", "version_gt": ">", "version_lte": "<=", "version_lt": "<"}
 _ROLES: dict[str, tuple[str, ...]] = {
     "depend": ("build", "exec"),
@@ -28,7 +28,7 @@ _ROLES: dict[str, tuple[str, ...]] = {
 
 
 def read(repository: Repository) -> tuple[PackageManifest, ...]:
-    """Return every package.xml, sorted by path; what is no well-formed XML is read as far as it goes."""
+    """Return every package.xml, sorted by path; XML that is not well-formed is read as far as possible."""
     files = [file for file in repository.named("package.xml") if file.size <= MAX_SIZE]
     if not files:
         return ()
@@ -39,7 +39,7 @@ def read(repository: Repository) -> tuple[PackageManifest, ...]:
 
 def _manifest(repository: Repository, file: File, ignored: frozenset[str]) -> PackageManifest | None:
     text = repository.read(file)
-    # No entity is resolved, no DTD and no network read, no huge tree accepted: a manifest needs none of them
+    # No entities, no DTD, no network, no huge trees: a manifest needs none of them
     problem: str | None
     parser = etree.XMLParser(
         recover=True, resolve_entities=False, no_network=True, load_dtd=False, remove_comments=True, remove_pis=True

@@ -16,7 +16,7 @@ from roslab.repository.checkout import File, Repository
 
 MAX_SIZE = 256 * 1024
 MAX_OTHERS = 300
-"""YAML files of other names that are opened, those nearest to the root first."""
+"""Most YAML files with other names that are opened, those nearest to the root first."""
 _SUFFIX = re.compile(r"\.(?:repos|rosinstall)$|^\.rosinstall$|[._]rosinstall$|\.repos\.ya?ml$")
 _LOOKS = re.compile(r"^repositories:[ \t]*(?:#.*)?$|^-[ \t]*(?:git|hg|svn|tar):", re.MULTILINE)
 _INLINE = re.compile(r"\b(?:url|uri)[ \t]*:", re.MULTILINE)
@@ -25,7 +25,7 @@ _PLAIN_URL = re.compile(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
 
 
 def read(repository: Repository) -> tuple[GitSource, ...]:
-    """Return every repository that a list names, URLs as https; the repository itself is left out by ``decide``."""
+    """Return every repository that a list names, with https URLs; ``decide`` leaves out the repository itself."""
     found = [source for file in _files(repository) for source in _listed(repository, file)]
     for file in repository.named(".gitmodules"):
         found += _submodules(repository, file)
@@ -33,7 +33,7 @@ def read(repository: Repository) -> tuple[GitSource, ...]:
 
 
 def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
-    """Return ``(message, file, line)`` where submodules are not checked out: what is in them was not read."""
+    """Return ``(message, file, line)`` for submodules that are not checked out, whose content was not read."""
     folders = {file.folder for file in repository.files}
     for file in repository.named(".gitmodules"):
         missing = [
@@ -92,7 +92,7 @@ def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
         list(_vcstool(data)) if isinstance(data, dict) else list(_rosinstall(data)) if isinstance(data, list) else []
     )
     if any("${" in str(part) for entry in entries for part in entry):
-        return  # a template: a script of the author's fills it in and decides when it is for
+        return  # a template that a script of the author fills in
     for name, url, ref in entries:
         if not isinstance(url, str) or not _PLAIN_URL.match(url.strip()):
             continue
@@ -133,7 +133,7 @@ def _line(text: str, needle: str) -> int:
 
 
 def _submodules(repository: Repository, file: File) -> Iterator[GitSource]:
-    """Nested .gitmodules are leftovers of a copied tree: only the root's has effect."""
+    """Only the .gitmodules at the root has an effect: nested ones are leftovers of copied trees."""
     if file.path != ".gitmodules":
         return
     text = repository.read(file)
