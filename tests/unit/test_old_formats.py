@@ -330,7 +330,7 @@ def test_a_source_without_a_ref_takes_the_one_that_the_package_names(tmp_path: P
     (glow,) = plan.workspace.sources
     assert glow.ref == "v0.1"
     assert any("glow has no `ref`; v0.1 is built" in w.message for w in plan.warnings)
-    assert any("ceres has no `ref`: its newest state" in w.message and w.line == 9 for w in plan.warnings)
+    assert any("ceres has no `ref`: its latest commit" in w.message and w.line == 9 for w in plan.warnings)
 
 
 @pytest.mark.parametrize(

@@ -29,10 +29,10 @@ def base_for(
 ) -> tuple[str, str | None, tuple[Reason, ...]]:
     """Return the image, its Ubuntu codename (``None`` on Debian) and why.
 
-    ``ubuntu`` is what the configuration asks for; the evidence's own Ubuntu only fits where its Python does.
+    ``ubuntu`` is what the configuration asks for; an Ubuntu from the evidence is only taken if its Python fits.
     """
     if kind == "cuda":
-        # Frameworks expect cuDNN; plain CUDA programs get it where something names it
+        # Frameworks expect cuDNN; plain CUDA programs get it if something names it
         return _cuda(cuda or "11.8", ubuntu, python_version, cudnn=bool(cudnn or python_version))
     if ubuntu is None and (fitting := system_ubuntu(python_version)):
         image = f"ubuntu:{version_of(fitting)}"
@@ -46,13 +46,13 @@ def base_for(
 
 
 def cuda_ubuntu(cuda: str, ubuntu: str | None, python_version: str | None) -> str:
-    """Return the Ubuntu of the CUDA image: the one asked for, else the one with that Python, else a middle one."""
+    """Return the Ubuntu of the CUDA image: the requested one, else the one with that Python, else one in the middle."""
     image = cuda_image(cuda)
     image = image if image and image.tag else nearest_cuda_image(cuda)
     if ubuntu in image.ubuntu:
         return str(ubuntu)
     if python_version is None and "jammy" in image.ubuntu:
-        return "jammy"  # nothing holds it to an older one, and CMake there is young enough for what asks for CUDA
+        return "jammy"  # nothing needs an older one, and its CMake is new enough for projects that use CUDA
     fitting = system_ubuntu(python_version, image.ubuntu)
     return fitting or next((name for name in PREFERRED if name in image.ubuntu), image.ubuntu[-1])
 
@@ -66,9 +66,9 @@ def _cuda(
     flavour = f"{row.cudnn}-devel" if cudnn else "devel"
     name = f"nvidia/cuda:{row.tag}-{flavour}-ubuntu{version_of(chosen)}"
     if chosen == ubuntu:
-        why = f"CUDA {row.cuda} on the Ubuntu asked for; -devel: extensions are compiled"
+        why = f"CUDA {row.cuda} on the requested Ubuntu; -devel because extensions are compiled"
     elif python_version is None:
-        why = f"the last patch of CUDA {row.cuda}; -devel: it is compiled"
+        why = f"the last patch of CUDA {row.cuda}; -devel because it is compiled"
     elif python_of_ubuntu().get(chosen) == python_version:
         why = f"the last patch of CUDA {row.cuda}, on the Ubuntu whose Python is {python_version}"
     else:

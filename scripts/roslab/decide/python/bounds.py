@@ -1,4 +1,4 @@
-"""How old a Python package must be for code that uses what it has since removed."""
+"""Upper bounds of Python packages for code that uses names they have removed since."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Constraints = tuple[Requirement, ...]
 
 
 def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choice[Constraints]:
-    """Return the constraints for packages that are installed (``asked``) without an upper bound of the author's own."""
+    """Return constraints for the packages in ``asked`` that have no upper bound from the author."""
     limited = {each.key: each.limited for each in asked if each.name}
     chosen = [use for use in uses if limited.get(use.bound.key) is False]
     beside = {removal.bound: removal.beside for removal in removals()}

@@ -1,4 +1,4 @@
-"""conda, pip, CMake or nothing: by what builds a project that is no ROS package."""
+"""The build tool of a project that is no ROS package: conda, pip, CMake or none."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from roslab.values.origin import Place
 
 
 class Weight:
-    """The first that fits is taken; the weights only say how sure it is."""
+    """The first tool that fits is used; the weights only tell how certain it is."""
 
     MANIFEST = 300
-    CMAKE = 200  # it may belong to a part alone
+    CMAKE = 200  # it may only build a part
     NOTHING = 1
 
 
 def tool_of_python(evidence: Evidence, python: Python) -> Choice[BuildTool]:
-    """Return what builds the project, from what the image's Python installs."""
+    """Return the build tool, derived from what the image's Python installs."""
     if python.conda_file:
         return _choice("conda", "a conda environment", python.conda_file, Weight.MANIFEST)
     said = next((asked for asked in evidence.prose_pip if asked.role not in {"option", "conda"}), None)

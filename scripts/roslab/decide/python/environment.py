@@ -34,7 +34,7 @@ from roslab.values.version import minor_of
 _WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}
 _WITH_LOCAL_VERSIONS = frozenset({"torch", "torchvision", "torchaudio"})
 _ONE_PAGE_BEFORE = Version("1.11")
-"""Until then torch's wheels for one CUDA stood on a page, not in an index of their own.
+"""Before this release torch's wheels for a CUDA were listed on a page, not in an index of their own.
 
 https://pytorch.org/get-started/previous-versions/, read 2026-08-22."""
 
@@ -50,7 +50,7 @@ def decide_python(
     ros_distro: str | None,
     cuda: str | None,
 ) -> Choice[Python]:
-    """Return the Python part of the image: its manager and its packages, for a Python and a base that are chosen.
+    """Return the Python part of the image, its manager and its packages, for the chosen Python and base.
 
     ``ubuntu`` is the base's, ``None`` on Debian; ``cuda`` is the version that the frameworks need.
     """
@@ -68,7 +68,7 @@ def decide_python(
     kept = dict(_kept(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
     everything = [asked for asked in (*declared, *chosen.guessed, *manifests) if interpreter.may(asked)]
-    # A distribution's own packages are as old as it is: only what pip chooses freely needs a bound
+    # The distribution's own packages are old enough: only what pip chooses needs a bound
     bounds = decide_bounds(evidence.bounds if manager != "system" else (), everything)
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
     indexes = _indexes([*declared, *chosen.guessed, *exact.answer])
@@ -100,7 +100,7 @@ def decide_python(
 
 
 def _interpreter(version: str | None) -> Interpreter:
-    """Return what evaluates the markers: for the image's Python, or for any where that is not known."""
+    """Return the interpreter for markers: the image's Python, or any Python if that is not known."""
     return Interpreter(pythons=(minor_of(version) or version,)) if version else ANY
 
 
@@ -110,7 +110,7 @@ def _repaired(evidence: Evidence, chosen: Chosen) -> Repaired:
 
 
 def _kept(evidence: Evidence, asked: Sequence[Requirement]) -> Iterator[tuple[Requirement, Reason]]:
-    """Yield what the build of the packages needs in a version that pip might replace, where pip installs anything."""
+    """Yield what building the packages needs in a version that pip might replace, if pip installs anything."""
     named = {each.key for each in asked}
     for manifest in packages_of(evidence).built if asked else ():
         for build_type in types(manifest, 2) if 2 in ros_versions(manifest) else ():
@@ -138,7 +138,7 @@ def _of_environment(evidence: Evidence, chosen: Chosen) -> Iterator[Requirement]
 
 
 def _indexes(asked: Sequence[Requirement]) -> Iterator[str]:
-    """Yield where the wheels of a torch with a local version (``+cu113``) are served."""
+    """Yield the index or page with the wheels of a torch with a local version (``+cu113``)."""
     for each in asked:
         release = Version(each.release) if each.release and each.key in _WITH_LOCAL_VERSIONS and not each.url else None
         if release is not None and release.local:
@@ -148,7 +148,7 @@ def _indexes(asked: Sequence[Requirement]) -> Iterator[str]:
 
 
 def _file_options(evidence: Evidence, chosen: Chosen, repaired: Repaired) -> list[str]:
-    """Return the options of those files whose lines are installed one by one."""
+    """Return the pip options in files whose lines are installed one by one."""
     broken = [file for file in chosen.files if file.file in repaired.files]
     return [option for file in with_includes(evidence, broken) for option in file.options]
 

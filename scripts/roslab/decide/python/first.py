@@ -10,9 +10,10 @@ from roslab.values.requirement import Requirement, stated
 
 
 def first(asked: Sequence[Requirement], projects: Sequence[PythonProject]) -> tuple[Requirement, ...]:
-    """Return what must be there before the rest is built, with the pins that the rest asks for.
+    """Return what must be installed before the rest is built, with the pins that the rest asks for.
 
-    Where there is any, the projects are built in the image's own environment: theirs must be in it as well.
+    If there is anything, the projects are built in the image's own environment, which then needs their build
+    requirements too.
     """
     by_name = {each.key: each for each in reversed(asked) if each.name}
     extensions = {extension for project in projects for extension in project.extensions}
@@ -31,7 +32,7 @@ def _for_setup(project: PythonProject) -> Iterator[Requirement]:
     """Yield what a setup.py imports and an isolated build would not have."""
     isolated = {each.key for each in project.build_requires}
     for module in project.setup_imports:
-        if module == ".":  # and with it all that its own package imports
+        if module == ".":  # and so all that its own package imports
             yield stated("setuptools")
             yield from (each for each in project.requirements if not each.role)
         elif package := imports().get(module, (None, None))[0]:

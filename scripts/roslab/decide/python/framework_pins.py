@@ -1,4 +1,4 @@
-"""The framework's version where a manifest leaves it free and an install line does not."""
+"""Versions of frameworks that a manifest leaves open and an install line pins."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from roslab.values.requirement import Requirement, stated
 _BUILD = re.compile(r"(.+)-cu(\d{2,3})")
 _LEADING = {"torch": "torch", "tensorflow": "tensorflow", "jax": "jax"}
 _BESIDE = {"torch": ("torchvision", "torchaudio"), "jax": ("jaxlib",), "tensorflow": ()}
-"""Released together with it: their pins count where they stand in the same file."""
+"""Released together with the framework: their pins count if they are in the same file."""
 _INSTALL_LINE = 1
 """Of ``Pin.trust``."""
 _WHY = "an install line pins what the manifest leaves free"
 
 
 def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str | None) -> Choice[Constraints]:
-    """Return constraints for frameworks that ``asked`` leaves free, from install lines that fit the image's CUDA.
+    """Return constraints for frameworks that ``asked`` leaves open, from install lines that fit the image's CUDA.
 
-    The newest framework of today is not what the code, its compiled parts and the image's CUDA are for.
+    Today's newest release of the framework may fit neither the code and its compiled parts nor the image's CUDA.
     """
     free = {each.key: each for each in asked if each.name and not each.limited}
     said = [pin for pin in pins if pin.trust == _INSTALL_LINE and pin.release]
@@ -47,7 +47,7 @@ def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str 
 
 
 def one_build(asked: Iterable[Requirement], cuda: str | None) -> tuple[Requirement, ...]:
-    """Return them with one build of each package: ``spconv-cu102`` and ``spconv-cu116`` hold the same module."""
+    """Keep one build of each package: ``spconv-cu102`` and ``spconv-cu116`` contain the same module."""
     kept = list(asked)
     builds: dict[str, list[tuple[str, Requirement]]] = {}
     for each in kept:
@@ -61,7 +61,7 @@ def one_build(asked: Iterable[Requirement], cuda: str | None) -> tuple[Requireme
 
 
 def _fits(pin: Pin, manifest: Requirement, table: str, cuda: str | None) -> bool:
-    """Tell whether the manifest allows a pinned release, and its wheel is for the image's CUDA."""
+    """Tell whether the manifest allows a pinned release, and whether its wheel fits the image's CUDA."""
     release = pin.release or ""
     if cuda is None or not manifest.specifier.contains(release.partition("+")[0], prereleases=True):
         return False

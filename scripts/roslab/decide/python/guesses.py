@@ -1,4 +1,4 @@
-"""What the image's Python gets although no manifest names it: from install lines and from imports."""
+"""Python packages that no manifest names: guessed from install lines and imports."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ MAX_GUESSES = 40
 def guesses(
     evidence: Evidence, pins: tuple[Pin, ...], *, ros: bool, manifests: bool, known: set[str]
 ) -> tuple[Requirement, ...]:
-    """Return what prose, Dockerfiles and imports name beyond the manifests, each once, the best source first."""
+    """Return the packages that only prose, Dockerfiles and imports name, each once, from the best source."""
     found: dict[str, Requirement] = {}
     urls = {_repository(pin.requirement.url) for pin in pins if pin.trust >= 2} - {""}
     for pin in sorted((pin for pin in pins if pin.trust == 1), key=_specific):
@@ -64,7 +64,7 @@ def _repository(url: str) -> str:
 
 
 def _specific(pin: Pin) -> tuple[int, int, int]:
-    """Order mentions of one package: a pinned one first, the README nearest to the root first."""
+    """Return the sort key for mentions of a package: pinned ones first, then those nearest to the root."""
     authored = pin.requirement.file.lower().rpartition("/")[2]
     return (not pin.release, pin.requirement.file.count("/"), "docker" in authored)
 

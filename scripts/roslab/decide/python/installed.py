@@ -1,4 +1,4 @@
-"""Everything that pip and conda put into the image, whoever asked for it."""
+"""Everything that pip and conda install into the image, whatever asked for it."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from roslab.values.requirement import Requirement
 
 
 def installed(evidence: Evidence, python: Python) -> tuple[Requirement, ...]:
-    """Return each requirement once: the image's own, those of its files, its projects and its conda environment.
+    """Return each requirement once: the image's own, and those of its files, projects and conda environment.
 
-    Left out is what pip does not find, and what holds on no platform of the image and not with its Python. conda's own
-    packages stand by their names on the index.
+    Requirements that pip cannot find or that do not apply to the image's Python and platforms are left out. conda's
+    packages have the names that pip's index uses.
     """
     by_path = {file.file: file for file in evidence.requirements}
     chosen = [by_path[path] for path in python.requirements if path in by_path]

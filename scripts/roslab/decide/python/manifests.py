@@ -25,9 +25,9 @@ MAX_PROJECTS = 6
 
 
 def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
-    """Return the environment file of the project, the plainest name nearest to the root first.
+    """Return the project's environment file: the plainest name, nearest to the root.
 
-    A requirements.txt or a project with requirements beside it is the way that more people can go.
+    A requirements.txt or an installable project with requirements beside it is preferred: more people can use it.
     """
     if config.conda:
         return config.conda
@@ -91,7 +91,7 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
 
 
 def _prose(evidence: Evidence) -> Iterator[Requirement]:
-    """Yield what pip is asked for by READMEs of the root, by scripts, and by the project's own Dockerfiles."""
+    """Yield what READMEs at the root, scripts and the project's own Dockerfiles install with pip."""
     for asked in evidence.prose_pip:
         if asked.file.count("/") <= 1 and not DEVELOPMENT.search(asked.file):
             yield asked
@@ -101,7 +101,7 @@ def _prose(evidence: Evidence) -> Iterator[Requirement]:
 
 
 def _resolve(asked: Requirement, known: Iterable[str]) -> str | None:
-    """Return the path of the tree that an argument means: from the root, from its own folder, or by its unique end."""
+    """Return the path in the tree that an argument means: from the root, from its own folder, or by a unique suffix."""
     name = asked.written.partition("[")[0].strip("\"'")
     folder = asked.file.rpartition("/")[0]
     for candidate in (posixpath.normpath(name), posixpath.normpath(posixpath.join(folder, name))):
@@ -148,7 +148,7 @@ def projects(evidence: Evidence, kind: Kind) -> tuple[PythonProject, ...]:
 
 
 def _inside(folder: str, packages: set[str]) -> bool:
-    """Tell whether a folder is, or lies in, a ROS package: its build installs what is there."""
+    """Tell whether a folder is or lies in a ROS package, whose build installs it."""
     parts = folder.split("/")
     return any("/".join(parts[:end]) in packages for end in range(len(parts), -1, -1))
 
@@ -167,7 +167,7 @@ def with_includes(evidence: Evidence, files: Iterable[RequirementFile]) -> list[
 
 
 def files_of(evidence: Evidence, environment: CondaEnvironment) -> list[RequirementFile]:
-    """Return the requirement files that the ``pip:`` part of an environment names; conda reads them beside it."""
+    """Return the requirement files that the ``pip:`` part of an environment names; conda looks for them beside it."""
     folder = environment.file.rpartition("/")[0]
     named = (each.written for each in environment.requirements if each.role == "file")
     paths = {posixpath.normpath(posixpath.join(folder, name)) for name in named}

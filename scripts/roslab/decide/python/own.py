@@ -1,4 +1,4 @@
-"""The image's own Python: which one, and whether it is the distribution's, pip's or conda's."""
+"""The image's own Python: its version, and whether it is the distribution's, a virtual environment or conda's."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from roslab.knowledge.distros import distro, python_of_ubuntu
 from roslab.values.origin import Place
 
 DEFAULT = "3.10"
-"""Where nothing is said: Ubuntu 22.04's own, for which most of today's and yesterday's wheels exist."""
+"""The default: that of Ubuntu 22.04, for which most old and new wheels exist."""
 _SURE = 50
-"""The weight from which a Python that the evidence names is worth a warning where the image has another."""
+"""From this weight on, a Python that the evidence names is worth a warning if the image has another."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -28,9 +28,9 @@ class OwnPython:
     """The Python that the image needs, with what is installed for it."""
 
     version: str | None
-    """``None`` where it is the distribution's Python 3, whichever that is."""
+    """``None`` for the distribution's Python 3, whichever that is."""
     system: bool
-    """It is the distribution's: ROS, C++ and plain CUDA programs need none of their own."""
+    """It is the distribution's Python: ROS, C++ and plain CUDA programs need no other."""
     wanted: str | None
     """What the repository asks for."""
     chosen: Chosen
@@ -45,7 +45,7 @@ def decide_version(
     ros_distro: str | None,
     cuda: str | None,
 ) -> Choice[OwnPython]:
-    """Return the Python that the image needs, before its base is known: that is chosen by it."""
+    """Return the Python that the image needs; it is decided before the base, which depends on it."""
     chosen = choose(evidence, config, kind, pins)
     said = python_version(evidence, config, pins)
     if kind in {"ros1", "ros2"} or _plain(evidence, config, kind, chosen):
@@ -61,7 +61,7 @@ def decide_version(
 
 
 def manager_of(config: Config, kind: Kind, own: OwnPython, ubuntu: str | None) -> Manager:
-    """Return what brings the Python: conda where an environment file says so or the base does not have that one.
+    """Return the manager of the Python: conda if there is an environment file or the base lacks that version.
 
     ``ubuntu`` is the base's, ``None`` on Debian, whose image was chosen by its Python.
     """
@@ -70,19 +70,19 @@ def manager_of(config: Config, kind: Kind, own: OwnPython, ubuntu: str | None) -
     if own.chosen.conda or (own.version or "").startswith("2"):
         return "conda"
     if config.base.image and kind in {"cuda", "python"}:
-        ubuntu = config.base.ubuntu  # an image of the author's choice has the Python that it has
+        ubuntu = config.base.ubuntu  # an image that the author chose has its own Python
     return "venv" if ubuntu is None or python_of_ubuntu().get(ubuntu) == own.version else "conda"
 
 
 def outvoted(own: Choice[OwnPython], ubuntu: str | None, ros_distro: str | None) -> tuple[Warning_, ...]:
-    """Return a warning where the repository clearly asks for another Python than its ROS has."""
+    """Return a warning if the repository clearly asks for another Python than its ROS has."""
     wanted, ours = own.answer.wanted, own.answer.version or python_of_ubuntu().get(ubuntu or "")
     best = next(iter(own.reasons), None)
     if not (own.answer.system and ros_distro and wanted and ours and best) or wanted == ours:
         return ()
     if not best.decisive or best.weight < _SURE:
         return ()
-    message = f"{best.reason}, but the Python of ROS {ros_distro} is {ours}: packages go there"
+    message = f"{best.reason}, but the Python of ROS {ros_distro} is {ours}: packages are installed for that one"
     return (warn(message, Place(file=best.file, line=best.line) if best.file else None),)
 
 
@@ -95,12 +95,12 @@ def _plain(evidence: Evidence, config: Config, kind: Kind, chosen: Chosen) -> bo
 
 
 def _of_ros(ros_distro: str | None, said: str | None) -> str | None:
-    """Return Python 2 where the distribution's nodes run on it and the author says so, else ``None``: Python 3."""
+    """Return Python 2 if the distribution's nodes run on it and the author says so, else ``None`` for Python 3."""
     known = distro(ros_distro) if ros_distro else None
     return known.python if known and said == known.python and said.startswith("2") else None
 
 
 def _default(config: Config, kind: Kind, cuda: str | None) -> str:
-    """Return the Python of the base: of the CUDA image's Ubuntu, of the one asked for, else the default."""
+    """Return the Python of the base: of the CUDA image's Ubuntu, of the configured one, else the default."""
     ubuntu = cuda_ubuntu(cuda or CUDA, config.base.ubuntu, DEFAULT) if kind == "cuda" else config.base.ubuntu
     return python_of_ubuntu().get(ubuntu or "", DEFAULT)

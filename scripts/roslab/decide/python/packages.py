@@ -15,7 +15,7 @@ from roslab.values.requirement import Requirement
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Chosen:
-    """What was chosen, each with the requirement or file that says so."""
+    """The chosen files, projects and packages, each with the place that names it."""
 
     files: tuple[RequirementFile, ...] = ()
     projects: tuple[PythonProject, ...] = ()
@@ -26,7 +26,7 @@ class Chosen:
 
 
 def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]) -> Chosen:
-    """Return what pip (or conda) is asked for."""
+    """Return what pip or conda installs."""
     conda = conda_file(evidence, config, kind)
     files = requirement_files(evidence, config, kind, conda)
     folders = projects(evidence, kind)
@@ -42,13 +42,13 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
 
 
 def with_guess(chosen: Chosen, guess: Requirement) -> Chosen:
-    """Add a guess in the place of what else was guessed of the same package."""
+    """Add a guess, which replaces other guesses for the same package."""
     others = (other for other in chosen.guessed if other.key != guess.key)
     return replace(chosen, guessed=(*others, guess))
 
 
 def _options(evidence: Evidence) -> Iterator[str]:
-    """Yield the options of pip that install lines name; an index of theirs never takes the place of the usual one."""
+    """Yield the pip options in install lines; their indexes are added to the usual one, never replace it."""
     said = [asked for asked in evidence.prose_pip if not DEVELOPMENT.search(asked.file)]
     said += [asked for r in evidence.dockerfiles if r.purpose == "project" for asked in r.requirements]
     for asked in said:

@@ -1,4 +1,4 @@
-"""What the repository says of its Python packages, from every source, the most trusted first."""
+"""Mentions of Python packages from every source, the most trusted first."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from roslab.values.conda import CondaPackage
 from roslab.values.requirement import Requirement, stated
 
 MAX_FILES = 60
-"""Requirement files that are weighed, the nearest to the root first."""
+"""Most requirement files that are considered, those nearest to the root first."""
 _NOT_OURS = frozenset({"vendored", "documentation", "ci"})
 DEVELOPMENT = re.compile(r"(?:^|/)(?:\.github|\.circleci|\.ci|ci)(?:/|$)|(?:^|/)docs?/(?!.*\.(?:md|rst)$)")
-"""What makes the documentation and runs in CI; a page of the documentation that tells how to install is none of it."""
+"""Files that build the documentation or run in CI; a documentation page on how to install is not one of them."""
 
 
 class Pin(NamedTuple):
@@ -31,19 +31,19 @@ class Pin(NamedTuple):
 
     @property
     def name(self) -> str:
-        """As the index compares it."""
+        """Normalised name."""
         return self.requirement.key
 
     @property
     def release(self) -> str | None:
-        """The release it is pinned to, with its local part; ``None`` where it is free."""
+        """The release it is pinned to, with its local part; ``None`` if it is not pinned."""
         return self.requirement.release
 
 
 def pins(evidence: Evidence) -> tuple[Pin, ...]:
-    """Return every mention, the most trusted first; tests', documentation's and copies' files are left out.
+    """Return every mention, the most trusted first, without files of tests, documentation and vendored code.
 
-    What no image installs, whatever its Python and its platform are, is no mention.
+    Requirements whose markers exclude every image are left out.
     """
     found = [*_of_files(evidence), *_of_projects(evidence), *_of_conda(evidence), *_of_prose(evidence)]
     kept = (pin for pin in found if pin.requirement.name and ANY.may(pin.requirement))
@@ -76,13 +76,13 @@ def _of_prose(evidence: Evidence) -> Iterator[Pin]:
     known = {canonicalize_name(package) for package, _ in imports().values() if package}
     said = [asked for r in evidence.dockerfiles if r.purpose not in _NOT_OURS for asked in r.requirements]
     said += [asked for asked in evidence.prose_pip if not DEVELOPMENT.search(asked.file)]
-    for asked in said:  # of "conda install", only what pip has by that name
+    for asked in said:  # from "conda install" only packages that pip has too
         if not asked.role or (asked.role == "conda" and asked.key in known):
             yield Pin(asked, 1)
 
 
 def of_conda(environment: CondaEnvironment) -> list[Requirement]:
-    """Return conda's own packages, by the names that the index has for them; Python itself and CUDA are none."""
+    """Return conda's own packages under the names on pip's index, without Python and CUDA."""
     found = (_for_pip(package, environment.file) for package in environment.packages)
     return [asked for asked in found if asked]
 

@@ -1,4 +1,4 @@
-"""Which of roslab.yaml's pip lists goes to which Python."""
+"""Which Python each pip list of roslab.yaml is for."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ class PipLists:
 
 
 def pip_lists(config: Config, ubuntu: str | None, number: str | None) -> PipLists:
-    """Return both lists; ``number`` is the version of the image's Python where it has one of its own.
+    """Return both lists; ``number`` is the version of the image's own Python, if it has one.
 
-    Where there is no Python 2, its packages go to the image's Python, with a warning.
+    Without Python 2 its packages go to the image's Python, with a warning.
     """
     pip, pip3 = _read(config, "pip", config.pip), _read(config, "pip3", config.pip3)
     together = PipLists(requirements=(*pip3, *pip), options=(*config.pip3_options, *config.pip_options))
@@ -41,7 +41,7 @@ def pip_lists(config: Config, ubuntu: str | None, number: str | None) -> PipList
     where = f"Ubuntu {ubuntu}" if ubuntu else "the base"
     warning = warn(
         f"{where} has no Python 2: these packages go to its Python 3 ({', '.join(config.pip[:3])} …); "
-        "write `pip3`, or a `base.ubuntu` up to jammy",
+        "use `pip3`, or set `base.ubuntu` to jammy or older",
         config.origin("pip.0"),
     )
     return replace(together, warnings=(warning,))

@@ -1,4 +1,4 @@
-"""Which Pythons the repository's declarations, its pinned packages and its code leave room for."""
+"""Which Pythons fit the repository's declarations, its pinned packages and its code."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ _TRUSTED = 3
 _CLASSIFIER = re.compile(r"Python :: (\d\.\d+)")
 _ANY = Version("99")
 _AFTER = 2
-"""Minor versions after the newest classifier with which a project most likely still runs."""
+"""A project most likely still runs this many minor versions after its newest classifier."""
 
 
 class Range(NamedTuple):
-    """The Pythons of ``PREFERRED`` that one piece of evidence leaves, and that evidence."""
+    """The Pythons of ``PREFERRED`` that fit one piece of evidence, and the reason."""
 
     pythons: frozenset[str]
     reason: Reason
@@ -37,7 +37,7 @@ class Range(NamedTuple):
 def ranges(evidence: Evidence, pins: Iterable[Pin], aside: set[str]) -> Iterator[Range]:
     """Yield declared ranges, then those of pinned packages, the most trusted first.
 
-    ``aside`` are Dockerfiles that name their own Python: of several images the pins of one say nothing of another's.
+    ``aside`` are Dockerfiles that name their own Python: pins in one image tell nothing about the Python of another.
     """
     yield from _declared(evidence)
     for pin in pins:
@@ -46,7 +46,7 @@ def ranges(evidence: Evidence, pins: Iterable[Pin], aside: set[str]) -> Iterator
 
 
 def ranges_by_use(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Range]:
-    """Yield the Pythons of the last wheels with a name that the code uses, where the author pins nothing himself."""
+    """Yield the Pythons of the last wheels that have a name the code uses, if the author does not pin the package."""
     pinned = {pin.name for pin in pins if pin.trust and (pin.release or pin.requirement.below)}
     for use in evidence.bounds:
         below = use.bound.below
@@ -57,7 +57,7 @@ def ranges_by_use(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Range]:
 
 
 def _declared(evidence: Evidence) -> Iterator[Range]:
-    """Yield what the manifests of the project and of the folders below it ask for."""
+    """Yield what the manifests of the project and of its subfolders ask for."""
     for project in evidence.python:
         if project.folder.count("/") > 1 or places.vendored(project.file) or not project.installable:
             continue
@@ -76,7 +76,7 @@ def _declared(evidence: Evidence) -> Iterator[Range]:
 
 
 def _pinned(pin: Pin) -> Iterator[Range]:
-    """Yield the Pythons that a pinned package has wheels for; a lower bound only counts in the project's manifest."""
+    """Yield the Pythons that a pinned package has wheels for; lower bounds only count in the project's manifest."""
     asked = pin.requirement
     release = pin.release or asked.below
     if pin.release is None and pin.trust >= _TRUSTED:
@@ -90,7 +90,7 @@ def _pinned(pin: Pin) -> Iterator[Range]:
 
 
 def _lowest(pin: Pin) -> Iterator[Range]:
-    """Yield the range of ``numpy>=1.22``: no Python that is older than the first with that release."""
+    """Yield the range of a lower bound such as ``numpy>=1.22``: no Python older than that release supports."""
     asked = pin.requirement
     row = framework(pin.name, asked.at_least) if asked.at_least else None
     if row is not None:

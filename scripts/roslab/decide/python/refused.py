@@ -1,4 +1,4 @@
-"""Requirements that pip would refuse: what is installed instead, and how the rest of their file or project still is."""
+"""Requirements that pip would refuse: what is installed instead, and how the rest is installed."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from roslab.values.requirement import Requirement
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Repaired:
-    """Requirements to install one by one in the place of files and of projects' dependencies."""
+    """Requirements to install one by one in place of files and of projects' dependencies."""
 
     requirements: tuple[Requirement, ...] = ()
     files: frozenset[str] = frozenset()
@@ -30,7 +30,7 @@ class Repaired:
 
 
 def refused(asked: Requirement) -> NotOnIndex | None:
-    """Return the row of a name that pip does not find, or finds only to fail; ``None`` for all others."""
+    """Return the table row of a name that pip cannot find or install; ``None`` for all others."""
     row = not_on_index().get(asked.key)
     if row is None or asked.url or not ANY.may(asked):
         return None
@@ -39,7 +39,7 @@ def refused(asked: Requirement) -> NotOnIndex | None:
 
 
 def right(requirements: Iterable[Requirement]) -> Iterator[Requirement]:
-    """Yield what pip can install, with the right name in the place of a wrong one."""
+    """Yield what pip can install, with wrong names corrected."""
     for asked in requirements:
         row = refused(asked)
         if row is None:
@@ -51,7 +51,7 @@ def right(requirements: Iterable[Requirement]) -> Iterator[Requirement]:
 def repair(
     evidence: Evidence, files: Iterable[RequirementFile], projects: Iterable[PythonProject], own: Iterable[str]
 ) -> Repaired:
-    """Return how what is declared is installed although pip would refuse a line of it; ``own`` are the tree's names."""
+    """Return how to install what is declared if pip would refuse some of its lines; ``own`` are names in the tree."""
     names = set(own)
     kept: list[Requirement] = []
     broken: set[str] = set()
@@ -71,7 +71,7 @@ def repair(
     for project in projects:
         found = [asked for asked in project.requirements if asked.role in {"", "source", "member"}]
         missing = [asked for asked in found if refused(asked) and asked.key not in names]
-        if missing or any(asked.role for asked in found):  # or where pip would look for it is not where it is
+        if missing or any(asked.role for asked in found):  # or pip would look for it in the wrong place
             alone.append(project.folder or ".")
             kept += _kept(found, names)
             warnings += [_warning(asked) for asked in missing]
@@ -84,12 +84,12 @@ def repair(
 
 
 def _kept(found: Iterable[Requirement], own: set[str]) -> list[Requirement]:
-    """Return what is for pip: all but the tree's own names."""
+    """Return the requirements without those for packages of the tree itself."""
     return [asked for asked in right(found) if asked.key not in own]
 
 
 def _warning(asked: Requirement) -> Warning_:
     row = not_on_index()[asked.key]
-    without = f"the image is built without it, install it by `custom` or `pip` in roslab.yaml ({row.source})"
+    without = f"the image is built without it, install it with `custom` or `pip` in roslab.yaml ({row.source})"
     does = f"{row.instead} is installed" if row.instead else without
     return warn(f"pip cannot install {asked.key}: {row.why}; {does}", asked)

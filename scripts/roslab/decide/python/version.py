@@ -1,4 +1,4 @@
-"""Which version of Python the repository runs with."""
+"""Which Python version the repository runs with."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ _BOTH = re.compile(
     r"|\bdrop(?:s|ped|ping)?\b|no longer|deprecat|end[- ]of[- ]life",
     re.IGNORECASE,
 )
-"""A sentence with Python 2 in it that lets Python 3 do as well."""
+"""A sentence about Python 2 that allows Python 3 as well."""
 
 
 def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Choice[str | None]:
-    """Return ``3.8`` and why; ``None`` where the repository says nothing about Python at all."""
+    """Return ``3.8`` and why; ``None`` if the repository says nothing about Python."""
     if config.base.python:
         said = configured(config, "python", config.base.python, "base.python")
         return Choice(answer=config.base.python, reasons=(said,))
@@ -53,7 +53,7 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
 
 
 def _fitting(known: tuple[Range, ...]) -> list[str]:
-    """Return the Pythons that fit all ranges; where these contradict each other, the most trusted ones."""
+    """Return the Pythons that fit all ranges, or the most trusted ranges if they contradict each other."""
     for count in range(len(known), 0, -1):
         fitting = [python for python in PREFERRED if all(python in each.pythons for each in known[:count])]
         if fitting:
@@ -62,12 +62,12 @@ def _fitting(known: tuple[Range, ...]) -> list[str]:
 
 
 def _order(reason: Reason) -> tuple[int, str, int, list[int]]:
-    """Order what is written down: by weight, then by its place, of one line the newest version first."""
+    """Return the sort key of a written version: by weight, then by place, on one line the newest first."""
     return -reason.weight, reason.file or "", reason.line or 0, [-number for number in Version(reason.answer).release]
 
 
 def _named(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Reason]:
-    """Yield the versions that are written down as such."""
+    """Yield the versions that are written down."""
     for environment in evidence.conda:
         if environment.python and not places.vendored(environment.file):
             weight = Weight.CONDA.get(environment.file.count("/"), Weight.CONDA_DEEP)
@@ -104,7 +104,7 @@ def _telling(evidence: Evidence) -> set[str]:
 
 
 def _of_images(evidence: Evidence) -> Iterator[Reason]:
-    """Yield the Python of the Ubuntu that a Dockerfile starts from, where it installs packages and names none."""
+    """Yield the Python of a Dockerfile's Ubuntu, if it installs packages and names no Python."""
     telling = _telling(evidence)
     for authored in evidence.dockerfiles:
         if authored.purpose != "project" or authored.file in telling:
@@ -118,5 +118,5 @@ def _of_images(evidence: Evidence) -> Iterator[Reason]:
 
 
 def _at_least(number: str, text: str) -> bool:
-    """Tell whether ``3.5`` is only the oldest that does: ``3.5+``, ``3.5 or newer``."""
+    """Tell whether ``3.5`` is only the oldest version that works: ``3.5+``, ``3.5 or newer``."""
     return bool(re.search(rf"{re.escape(number)}\s?(?:\+|or (?:newer|later|above|higher))", text))
