@@ -1,4 +1,4 @@
-"""Whether a registry takes a user's password and lets him push, asked before an hour of building.
+"""Whether a registry accepts a password and allows a push, asked before an hour of building.
 
 The dialogue is the distribution project's: https://distribution.github.io/distribution/spec/auth/token/
 """
@@ -26,7 +26,7 @@ ATTEMPTS = 4
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Access:
-    """What the registry said."""
+    """The registry's answer."""
 
     verdict: Verdict
     detail: str = ""
@@ -35,15 +35,15 @@ class Access:
 @dataclass(frozen=True, kw_only=True, slots=True)
 class _Answer:
     status: int
-    """0 where no answer came."""
+    """0 if there was no answer."""
     headers: Message
     body: str
 
 
 def may_push(image: str, username: str, password: str, *, pause: Callable[[float], None] = time.sleep) -> Access:
-    """Ask whether an image may be pushed: an upload is begun, as every push begins, and given up at once.
+    """Ask whether an image may be pushed: start an upload, as every push does, and cancel it at once.
 
-    ``image`` is ``HOST/PATH``. ``unknown`` means that the registry speaks otherwise: the push itself will show it.
+    ``image`` is ``HOST/PATH``. ``unknown`` means that the registry's answer was not understood: the push will tell.
     """
     url = _url(image)
     answer = _ask("GET", urljoin(url, "/v2/"), {}, pause)
@@ -59,13 +59,13 @@ def may_push(image: str, username: str, password: str, *, pause: Callable[[float
         if location != url and same_host(location, url):
             _ask("DELETE", location, headers, pause)
         return Access(verdict="granted")
-    # With a token in hand the password was right: what is missing is the right to write
+    # There was a token, so the password is right: only the right to write is missing
     bearer = headers.get("Authorization", "").startswith("Bearer ")
     return _judged(upload, "forbidden" if bearer or upload.status == 403 else "wrong password")
 
 
 def is_public(image: str, reference: str, *, pause: Callable[[float], None] = time.sleep) -> bool | None:
-    """Tell whether anybody may pull a tag or digest, ``None`` where the registry does not say."""
+    """Tell whether anybody may pull a tag or digest, ``None`` if the registry does not say."""
     url = _url(image)
     headers, refused = _authorise(_ask("GET", urljoin(url, "/v2/"), {}, pause), image, None, pause)
     if refused:
@@ -76,7 +76,7 @@ def is_public(image: str, reference: str, *, pause: Callable[[float], None] = ti
 
 
 def _url(image: str) -> str:
-    """Return the address of an image's part of the registry; docker speaks plain HTTP to this machine alone."""
+    """Return the address of an image's part of the registry; docker uses plain HTTP only for this machine."""
     host, _, path = image.partition("/")
     name = host.partition(":")[0]
     scheme = "http" if name == "localhost" or name.startswith("127.") else "https"
@@ -113,26 +113,26 @@ def _authorise(
 def trusted(realm: str, url: str) -> bool:
     """Tell whether the password of a registry at ``url`` may go to a token server.
 
-    It goes by https alone; a registry of this machine, which has no https itself, may name itself.
+    It is only sent by https; a registry on this machine, which has no https, may name itself.
     """
     return realm.startswith("https://") or (url.startswith("http://") and same_host(realm, url))
 
 
 def same_host(address: str, url: str) -> bool:
-    """Tell whether an address, which a registry named, is of the registry's own scheme, host and port."""
+    """Tell whether an address that a registry named has the registry's scheme, host and port."""
     asked, own = urlsplit(address), urlsplit(url)
     return (asked.scheme, asked.netloc) == (own.scheme, own.netloc)
 
 
 def _judged(answer: _Answer, denial: Verdict) -> Access:
-    """Read a refusal; ghcr.io's token server answers 403 where others answer 401."""
+    """Interpret a refusal; ghcr.io's token server answers 403 where others answer 401."""
     if answer.status == 0 or answer.status >= 500:
         return Access(verdict="unreachable", detail=answer.body or f"HTTP {answer.status}")
     return Access(verdict=denial if answer.status in (401, 403) else "unknown", detail=_message(answer))
 
 
 def _message(answer: _Answer) -> str:
-    """Return what the registry says in words: https://distribution.github.io/distribution/spec/api/#errors."""
+    """Return the message in the registry's answer: https://distribution.github.io/distribution/spec/api/#errors."""
     try:
         errors = json.loads(answer.body)["errors"]
         return "; ".join(str(error.get("message") or error.get("code")) for error in errors)
@@ -150,14 +150,14 @@ def _ask(method: str, url: str, headers: Mapping[str, str], pause: Callable[[flo
 
 
 class _NoRedirect(urllib.request.HTTPRedirectHandler):
-    """A header with a password follows no redirect."""
+    """Refuse redirects, so that a header with a password goes nowhere else."""
 
     def redirect_request(self, *_: object) -> None:
         return None
 
 
 def _said(error: OSError | ValueError) -> str:
-    """Return what a person needs of an error: its words without its number."""
+    """Return an error's words, without its number."""
     reason = getattr(error, "reason", None) or error
     return str(getattr(reason, "strerror", None) or reason)
 

@@ -1,4 +1,4 @@
-"""The disk under the engine: what is free, and making room on it."""
+"""The engine's disk: how much is free, and making room on it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ REMOVAL_SECONDS = 600.0
 
 
 def free() -> int | None:
-    """Return the bytes that are free where the engine keeps its images, ``None`` where that is not this machine's."""
+    """Return the free bytes where the engine keeps its images, ``None`` if that is on another machine."""
     answer = output(["docker", "info", "--format", "{{.DockerRootDir}}"])
     folder = answer.stdout.strip()
     try:
@@ -22,14 +22,14 @@ def free() -> int | None:
 
 
 def prune() -> None:
-    """Empty the store of the current builder: what it built is pushed, and its cache as well."""
+    """Empty the store of the current builder; what it built was pushed, and so was its cache."""
     answer = output(["docker", "buildx", "prune", "--all", "--force"], timeout=REMOVAL_SECONDS)
     if answer.returncode:
         say(f"the builder's store was not emptied: {last_line(answer.stderr)}")
 
 
 def remove(folder: str) -> bool:
-    """Remove a folder of the machine's and tell whether it is gone; one that is a link is left alone."""
+    """Remove a folder of the machine and tell whether it is gone; a link is left alone."""
     path = Path(folder)
     if path.is_symlink() or not path.is_dir():
         return False

@@ -1,4 +1,4 @@
-"""Docker, buildx and a registry, called as a person would call them; nothing is decided here."""
+"""Calls of docker and buildx, as a person would type them; nothing is decided here."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ from roslab.explain.answer import explain
 from roslab.repository import git as commits
 
 MINIMUM = 23
-"""First engine whose own Dockerfile reader knows here-documents: https://docs.docker.com/engine/release-notes/23.0/"""
+"""First engine whose built-in Dockerfile frontend knows here-documents: https://docs.docker.com/engine/release-notes/23.0/"""
 KEPT = 20_000
-"""Lines of a build's log that are kept to explain a failure: its first error can lie far above its end."""
+"""Lines of a build's log that are kept to explain a failure: the first error can be far above the end."""
 Say = Callable[[str], None]
 
 
 def say(text: str) -> None:
-    """Print progress; the default of everything here."""
+    """Print progress; the default wherever progress is reported here."""
     print(text, file=sys.stderr, flush=True)
 
 
@@ -50,7 +50,7 @@ class Build:
 
 
 def check() -> str:
-    """Return the engine's version. Raises ``BuildError`` where it is absent, does not answer or is too old."""
+    """Return the engine's version. Raises ``BuildError`` if it is absent, does not answer or is too old."""
     if not shutil.which("docker"):
         raise BuildError(
             Problem(
@@ -81,7 +81,7 @@ def check() -> str:
 def build(job: Build, *, environment: Mapping[str, str] | None = None) -> tuple[str, str]:
     """Build an image, its progress on standard error as docker prints it; return its digest and the end of the log.
 
-    The digest is the index's where several platforms were pushed, the image's own where it was loaded.
+    The digest is that of the index if several platforms were pushed, that of the image if it was loaded.
     Raises ``BuildError`` with the step that failed.
     """
     with tempfile.TemporaryDirectory() as folder:
@@ -137,7 +137,7 @@ def _stream(command: Sequence[str], environment: Mapping[str, str] | None) -> st
 
 
 def why(log: str) -> tuple[Problem, ...]:
-    """Return why a build failed, as its log tells: a problem for each step that failed."""
+    """Return why a build failed, from its log: a problem for each step that failed."""
     found = words.problems(explain(io.BytesIO(log.encode("utf-8", errors="replace"))))
     return found or (Problem(message="the build failed", hint="the lines above say why"),)
 
@@ -155,7 +155,7 @@ def machine_memory() -> int:
 
 
 def commit_labels(root: Path) -> tuple[tuple[str, str], ...]:
-    """Return the labels that name the commit of a checkout, none where there is no git or no commit.
+    """Return the labels that name the commit of a checkout, none if there is no git or no commit.
 
     https://github.com/opencontainers/image-spec/blob/main/annotations.md
     """
@@ -164,14 +164,14 @@ def commit_labels(root: Path) -> tuple[tuple[str, str], ...]:
 
 
 def name_image(candidate: str, name: str) -> None:
-    """Give a proved image its name. Raises ``BuildError`` where the engine refuses."""
+    """Give an image that passed its proofs its name. Raises ``BuildError`` if the engine refuses."""
     answer = output(["docker", "tag", candidate, name])
     if answer.returncode:
         raise BuildError(Problem(message=f"cannot name the image {name}: {last_line(answer.stderr)}"))
 
 
 def remove_image(reference: str) -> None:
-    """Remove a loaded image; one that is gone or in use stays without a word."""
+    """Remove a loaded image; it is no error if it is gone or in use."""
     output(["docker", "image", "rm", reference])
 
 
@@ -192,5 +192,5 @@ def output(command: Sequence[str], timeout: float = 120.0) -> subprocess.Complet
 
 
 def last_line(text: str) -> str:
-    """Return the last line that says something."""
+    """Return the last line that is not blank."""
     return next((line.strip() for line in reversed(text.splitlines()) if line.strip()), "no message")

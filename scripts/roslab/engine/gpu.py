@@ -10,14 +10,14 @@ TOOLKIT = "https://docs.nvidia.com/datacenter/cloud-native/container-toolkit/lat
 
 
 def usable() -> tuple[str, ...]:
-    """Return the names of NVIDIA's GPUs, none where the engine has no way to give them to a container."""
+    """Return the names of NVIDIA's GPUs, none if the engine cannot give them to a container."""
     if not shutil.which("nvidia-smi"):
         return ()
     answer = output(["nvidia-smi", "--query-gpu=name", "--format=csv,noheader"])
     names = tuple(line.strip() for line in answer.stdout.splitlines() if line.strip())
     if answer.returncode or not names:
         return ()
-    # The runtime is registered by the older way, the devices are listed by the newer one (CDI)
+    # The older way registers a runtime, the newer one (CDI) lists devices
     engine = output(["docker", "info", "--format", "{{json .}}"]).stdout
     given = '"nvidia"' in engine or "nvidia.com/gpu" in engine or shutil.which("nvidia-container-runtime-hook")
     return names if given else ()

@@ -1,4 +1,4 @@
-"""Images as a registry holds them: their platforms, layers and tags; transient faults are survived."""
+"""Images in a registry: their platforms, layers and tags; calls are repeated after transient faults."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ TRANSIENT = re.compile(
     r"|temporary failure|try again",
     re.IGNORECASE,
 )
-"""What a registry or the way to it says of a fault that may pass."""
+"""Messages of transient faults, from a registry or the network."""
 ATTEMPTS = 5
 PAUSE = 1.0
 """Seconds before the second attempt; doubled each time and jittered, so that many jobs do not come back at once."""
@@ -36,9 +36,9 @@ class Layer:
 
     digest: str
     size: int
-    """Bytes as they are transferred."""
+    """Compressed bytes, as they are transferred."""
     created_by: str = ""
-    """The instruction that made it, as the image's history has it."""
+    """The instruction that made it, from the image's history."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -57,7 +57,7 @@ def with_retries(
     attempts: int = ATTEMPTS,
     pause: Callable[[float], None] = time.sleep,
 ) -> subprocess.CompletedProcess[str]:
-    """Run a command again while it fails in a way that may pass; return the last answer."""
+    """Run a command, again after transient faults; return the last answer."""
     for attempt in range(1, attempts + 1):
         answer = call()
         if answer.returncode == 0 or attempt == attempts or not is_transient(answer):
@@ -75,7 +75,7 @@ def platforms(image: str, digest: str, *, platform: str | None = None) -> tuple[
     """Return the images that an index or a manifest holds, attestations left out, in the index's order.
 
     ``platform`` names the platform of a single manifest, which does not say it itself.
-    Raises ``BuildError`` where the registry does not give them.
+    Raises ``BuildError`` if the registry does not return them.
     """
     found = _inspect(f"{image}@{digest}")
     if "manifests" not in found:
@@ -90,7 +90,7 @@ def platforms(image: str, digest: str, *, platform: str | None = None) -> tuple[
 
 
 def is_attestation(descriptor: dict[str, Any]) -> bool:
-    """Tell whether an entry of an index is an attestation and no image."""
+    """Tell whether an entry of an index is an attestation, not an image."""
     os = descriptor.get("platform", {}).get("os")
     return ATTESTATION in descriptor.get("annotations", {}) or os == "unknown"
 
@@ -108,7 +108,7 @@ def _image(
 ) -> PlatformImage:
     layers = [(entry["digest"], int(entry["size"])) for entry in manifest.get("layers", [])]
     history = histories.get(platform, [])
-    # Without a history of the same length the layers have no names, but their sizes still hold
+    # If the history has another length, the layers have no names, but their sizes are right
     names = history if len(history) == len(layers) else [""] * len(layers)
     return PlatformImage(
         platform=platform,
@@ -120,7 +120,7 @@ def _image(
 def _histories(image: str, digest: str, platform: str) -> dict[str, list[str]]:
     """Return the instructions that made the layers, by platform; instructions without a layer are left out.
 
-    ``platform`` is that of a single image, whose configuration may not say it as its index does.
+    ``platform`` is that of a single image, whose configuration may spell it differently from its index.
     """
     try:
         found = configurations(image, digest)
@@ -149,18 +149,18 @@ def configurations(image: str, digest: str) -> dict[str, dict[str, Any]]:
     if not isinstance(data, dict):
         said = last_line(answer.stderr)
         raise BuildError(Problem(message=f"the registry does not give the configuration of {image}@{digest}: {said}"))
-    # buildx gives those of an index as one object by platform, and a single one as itself
+    # buildx returns an object by platform for an index, and the bare configuration for a single image
     entries = [data] if "architecture" in data else [entry for entry in data.values() if isinstance(entry, dict)]
     return {platform_name(entry): entry for entry in entries}
 
 
 def base_layers(reference: str, platform: str) -> frozenset[str]:
-    """Return the digests of a base image's layers, none where its registry does not give them."""
+    """Return the digests of a base image's layers, none if its registry does not return them."""
     return frozenset(entry["digest"] for entry in _base(reference, platform))
 
 
 def base_size(reference: str, platform: str) -> int:
-    """Return the compressed bytes of a base image's layers, 0 where its registry does not give them."""
+    """Return the compressed bytes of a base image's layers, 0 if its registry does not return them."""
     return sum(int(entry["size"]) for entry in _base(reference, platform))
 
 
@@ -197,7 +197,7 @@ def _inspect(reference: str, *, attempts: int = ATTEMPTS) -> dict[str, Any]:
 
 
 def pull(reference: str, platform: str) -> None:
-    """Bring one platform's image to the engine. Raises ``BuildError`` where that does not succeed."""
+    """Pull one platform's image into the engine. Raises ``BuildError`` if that fails."""
     command = ["docker", "pull", "--quiet", "--platform", platform, reference]
     answer = with_retries(lambda: output(command, timeout=3600.0))
     if answer.returncode:
@@ -205,11 +205,11 @@ def pull(reference: str, platform: str) -> None:
 
 
 def create_index(image: str, sources: Sequence[str], tag: str) -> str:
-    """Put one index of the given images under a tag and return its digest.
+    """Create an index of the given images under a tag and return its digest.
 
     ``sources`` are digests of indexes or manifests of ``image``; ``tag`` is a complete reference. The digest is that of
-    what is written, not of what the tag names a moment later: another run may write the same tag.
-    Raises ``BuildError`` where the registry refuses, with what it said.
+    the index written here, not of what the tag names a moment later: another run may write the same tag.
+    Raises ``BuildError`` if the registry refuses, with its message.
     """
     references = [f"{image}@{source}" for source in sources]
     command = ["docker", "buildx", "imagetools", "create", "--dry-run", "--tag", tag, *references]
@@ -223,7 +223,7 @@ def create_index(image: str, sources: Sequence[str], tag: str) -> str:
 
 
 def put_tags(image: str, digest: str, tags: Sequence[str]) -> None:
-    """Put tags, complete references, on an index that is there. Raises ``BuildError`` where the registry refuses."""
+    """Put tags, complete references, on an existing index. Raises ``BuildError`` if the registry refuses."""
     if tags:
         _create(tags, [f"{image}@{digest}"])
 

@@ -1,1 +1,1 @@
-"""Running an image before it gets a tag: containers, their display, what they came to."""
+"""Running an image before it gets a tag: containers, their display, their results."""

@@ -20,26 +20,26 @@ from roslab.prove.screenshot import Camera, Screenshot, file_name
 from roslab.prove.verdict import End, verdict
 
 PROOF_SECONDS = 10.0
-"""How long a program without an end is watched before it counts as alive."""
+"""Seconds after which a program that keeps running counts as started."""
 PROOF_LIMIT = 1800.0
-"""How long a test may take: emulated platforms are slow, but a hung one must not hold the job for hours."""
+"""Seconds that a test may take: emulated platforms are slow, but a hung test must not hold the job for hours."""
 START_LIMIT = 300.0
-"""How long a container may take to start; a large image is unpacked first."""
+"""Seconds that a container may take to start; a large image is unpacked first."""
 DRAWING_SECONDS = 40.0
-"""How long a program without an end is watched where it has not drawn anything yet."""
+"""Seconds after which a program with a display is no longer watched, if it has drawn nothing yet."""
 SETTLING_SECONDS = 3.0
-"""From the first thing drawn to the picture that is kept, at least."""
+"""Fewest seconds from the first drawing to the picture that is kept."""
 LONGEST_PAUSE = 2.0
-"""Between two looks at a screen; a short program's is looked at more often."""
+"""Most seconds between two looks at a screen; fewer for a short program."""
 KEPT_OUTPUT = 64 * 1024
-"""Bytes at the end of what a proof printed."""
+"""Bytes that are kept from the end of a proof's output."""
 READ_OUTPUT = 64 * 1024 * 1024
-"""Bytes in which a launch's dead nodes are looked for: a program may print without end."""
+"""Bytes of output that are searched for dead nodes of a launch: a program may print without end."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Outcome:
-    """What one proof came to."""
+    """The result of one proof."""
 
     proof: Proof
     platform: str
@@ -48,7 +48,7 @@ class Outcome:
     summary: str
     output: str
     screenshot: Screenshot | None = None
-    """Of a proof with a display; ``None`` of any other."""
+    """Only for a proof with a display."""
 
 
 def prove(
@@ -64,7 +64,7 @@ def prove(
     """Run an image's proofs on one platform, in order, up to the first that fails; never raises for a failed proof.
 
     ``limits`` are the plan's: what runs in the image is the repository's own, and the machine may hold more than it.
-    ``screenshots`` is the folder for the pictures of proofs with a display; it is made where there is one to keep.
+    ``screenshots`` is the folder for the pictures of proofs with a display; it is made when there is a picture.
     ``gpus`` gives the container all GPUs of the machine.
     """
     given = ("--gpus", "all") if gpus else ()
@@ -100,9 +100,9 @@ def _prove_once(reference: str, platform: str, proof: Proof, fences: Sequence[st
         camera, without = _camera(stack, folder) if proof.display else (None, "")
         picture = screenshots / file_name(platform, proof.name)
         with suppress(OSError):
-            picture.unlink()  # an older proof's
+            picture.unlink()  # from an earlier proof
         words = [*fences, "--platform", platform, *(camera.display.options() if camera else ())]
-        # What a program holds back would be lost where the proof ends it
+        # Output that a program buffers would be lost when the proof ends it
         words += ["--env", "PYTHONUNBUFFERED=1"] if proof.may_run_on else []
         start = time.monotonic()
         log = folder / "log"
@@ -127,7 +127,7 @@ def _prove_once(reference: str, platform: str, proof: Proof, fences: Sequence[st
 
 
 def _camera(stack: ExitStack, folder: Path) -> tuple[Camera | None, str]:
-    """Start a display for as long as the stack lasts; return a camera in front of it, or why there is none."""
+    """Start a display for as long as the stack lasts; return a camera for it, or why there is none."""
     try:
         return Camera(display=stack.enter_context(virtual_display(folder))), ""
     except BuildError as error:
@@ -157,7 +157,7 @@ def _run(arguments: Sequence[str], log: Path, proof: Proof, camera: Camera | Non
 def _watch(process: subprocess.Popen[bytes], proof: Proof, camera: Camera | None) -> tuple[int | None, float]:
     """Wait for the end of a proof, or of its time, and look at its screen meanwhile.
 
-    Returns the exit code, ``None`` where the time ended first, and the seconds that it took.
+    Returns the exit code, ``None`` if the time ended first, and the seconds that it took.
     """
     start = time.monotonic()
     limit = PROOF_SECONDS if proof.may_run_on else PROOF_LIMIT
@@ -169,7 +169,7 @@ def _watch(process: subprocess.Popen[bytes], proof: Proof, camera: Camera | None
             if drawn is None and (camera.drawn or camera.blind):
                 drawn = time.monotonic() - start
         elapsed = time.monotonic() - start
-        # An emulated program, or a simulator, may need longer for its first window, and a moment for what is in it
+        # An emulated program or a simulator may need longer for its first window, and a moment to fill it
         end = limit if camera is None else latest if drawn is None else max(limit, drawn + SETTLING_SECONDS)
         if elapsed >= end:
             return None, elapsed

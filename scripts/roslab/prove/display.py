@@ -1,10 +1,10 @@
-"""A screen for the proof of a program with windows: a virtual X server of its own, which goes away with the proof.
+"""A virtual X server for the proof of a program with windows, which ends with the proof.
 
-Why it is made so:
+Why it works this way:
 
-- The server is Xvfb on the machine that proves, not in the image: the image stays as its author wants it, and every
-  base is proved the same way, an emulated one too, for only bytes pass through the socket. GitHub's Ubuntu runners have
-  Xvfb. Where there is none, the proof runs without a screen and says what to install.
+- The server is Xvfb on the machine that runs the proof, not in the image: the image stays as its author wants it, and
+  every base works the same way, even an emulated one, since only bytes pass through the socket. GitHub's Ubuntu runners
+  have Xvfb. Where there is none, the proof runs without a screen and says what to install.
 - The container gets the server's socket and a key to it, both to be read only, and two variables. It gets no device, no
   network and no memory of the host: MIT-SHM is off in the server, so that every toolkit draws through the socket.
 - The socket's folder is a small file system of the container's own, open to all as X wants it: a test that starts
@@ -36,12 +36,12 @@ from roslab.errors import BuildError, Problem
 
 SIZE = "1920x1080x24"
 START_SECONDS = 30.0
-"""How long the server may take to start; it takes less than one on an idle machine."""
+"""Seconds that the server may take to start; on an idle machine it takes less than one."""
 NUMBERS = range(99, 600)
-"""Numbers to take; people's own screens and those that ssh forwards have lower ones."""
+"""Display numbers to use; people's screens and those forwarded by ssh have lower ones."""
 SOCKETS = Path("/tmp/.X11-unix")  # noqa: S108 - where X keeps its sockets
 KEY = "/run/roslab/Xauthority"
-"""Where the key lies in a container, as in docker_run.sh's."""
+"""Path of the key in a container, the same as in docker_run.sh."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -88,7 +88,7 @@ def virtual_display(folder: Path) -> Iterator[Display]:
 
 
 def _start(key: Path, log: Path) -> tuple[subprocess.Popen[bytes], int]:
-    """Start a server at the first number that is free; a start that another one was quicker than goes on with the next.
+    """Start a server at the first free number; if another process takes it first, go on with the next.
 
     Raises ``BuildError`` with the server's own words where it does not start.
     """
@@ -118,7 +118,7 @@ def _start(key: Path, log: Path) -> tuple[subprocess.Popen[bytes], int]:
 
 
 def _ready(server: subprocess.Popen[bytes], number: int) -> bool:
-    """Wait until the lock of a number is the server's and its socket answers; tell whether it came to that in time."""
+    """Wait until the server has the lock of a number and its socket answers; tell whether that happened in time."""
     lock = SOCKETS.with_name(f".X{number}-lock")
     deadline = time.monotonic() + START_SECONDS
     while server.poll() is None and time.monotonic() < deadline:
@@ -130,13 +130,13 @@ def _ready(server: subprocess.Popen[bytes], number: int) -> bool:
 
 
 def _answers(number: int) -> bool:
-    """Tell whether a server, of whatever kind, has a display's socket; a file that a killed one left has none."""
+    """Tell whether any server answers at a display's socket; a killed one may have left the file."""
     with socket.socket(socket.AF_UNIX) as asked:
         try:
             asked.connect(str(SOCKETS / f"X{number}"))
         except (FileNotFoundError, ConnectionRefusedError):
             return False
-        except OSError:  # it is there, and may not be asked
+        except OSError:  # it exists, but may not be used
             return True
     return True
 
@@ -145,7 +145,7 @@ def _command(key: Path, number: int) -> list[str]:
     """Return the server's command: https://www.x.org/releases/current/doc/man/man1/Xvfb.1.xhtml and Xserver.1."""
     # setpriv is part of util-linux, which every distribution with apt has: it makes the kernel end an orphan
     guard = ["setpriv", "--pdeathsig", "TERM"] if shutil.which("setpriv") else []
-    # Without -noreset the server forgets everything when its last client leaves, which a picture's taker may be
+    # Without -noreset the server forgets everything when its last client leaves, which may be our camera
     listening = ["-nolisten", "tcp", "-nolisten", "local", "-noreset", "-extension", "MIT-SHM"]
     return [*guard, "Xvfb", f":{number}", "-auth", str(key), "-screen", "0", SIZE, *listening]
 

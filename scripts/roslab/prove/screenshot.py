@@ -1,8 +1,8 @@
-"""Pictures of a virtual display while a proof runs; the newest one that shows something is kept.
+"""Pictures of a virtual display during a proof; the newest one that shows something is kept.
 
-A program that ends by itself closes its windows before anybody can know, so the screen is looked at again and again.
-Pillow speaks with the X server: its wheels hold all that it needs for that, where smaller libraries want X's own on the
-machine. It is an extra of the package: without it a proof has its display all the same, and no picture.
+A program that ends by itself closes its windows without notice, so pictures are taken again and again. Pillow talks to
+the X server: its wheels contain all that it needs, while smaller libraries need X's own on the machine. It is an extra
+of the package: without it a proof has a display but no picture.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ NO_PILLOW = "Pillow is not installed (pip install Pillow)"
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Screenshot:
-    """What was kept of a proof's screen."""
+    """The picture of a proof's screen."""
 
     file: Path | None = None
     remark: str = ""
-    """That nothing was drawn, or why there is no picture; ``""`` where there is nothing to say."""
+    """That nothing was drawn, or why there is no picture; ``""`` if all is well."""
 
     def __str__(self) -> str:
         parts = (f"screenshot: {self.file}" if self.file else "no screenshot", self.remark)
@@ -38,7 +38,7 @@ class Screenshot:
 
 @dataclass(kw_only=True, slots=True)
 class Camera:
-    """Looks at one display and remembers the newest picture that shows something, else the newest."""
+    """Takes pictures of one display and remembers the newest that shows something, else the newest."""
 
     display: Display
     drawn: bool = False
@@ -48,11 +48,11 @@ class Camera:
 
     @property
     def blind(self) -> bool:
-        """No picture can be taken."""
+        """Whether no picture can be taken."""
         return bool(self._problem)
 
     def look(self) -> None:
-        """Take a picture; one that cannot be taken is no reason to end a proof."""
+        """Take a picture; a failure does not end the proof."""
         try:
             from PIL import ImageGrab  # noqa: PLC0415 - an extra, and only a proof with windows needs it
         except ImportError:
@@ -71,7 +71,7 @@ class Camera:
         self.drawn = self.drawn or shows
 
     def keep(self, file: Path) -> Screenshot:
-        """Write the picture as PNG and return what became of it."""
+        """Write the picture as PNG and return it, or why there is none."""
         if self._newest is None:
             return Screenshot(remark=self._problem or "the program did not start")
         try:
@@ -90,7 +90,7 @@ def file_name(platform: str, proof: str) -> str:
 
 @contextmanager
 def _key(file: Path) -> Iterator[None]:
-    """Let the X library of this process find the display's key, as long as the context lasts: it knows no other way."""
+    """Let this process's X library find the display's key while the context lasts; only a variable can tell it."""
     before = os.environ.get("XAUTHORITY")
     os.environ["XAUTHORITY"] = str(file)
     try:

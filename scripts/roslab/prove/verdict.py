@@ -1,4 +1,4 @@
-"""What a proof came to, in a few words: from how its container ended and what it printed."""
+"""The result of a proof in a few words, from how its container ended and what it printed."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from roslab.plan.proof import Proof
 
 MAX_NODES = 5
-"""Named in one line; a launch of thirty nodes may lose them all."""
+"""Most dead nodes that one line names; a launch of thirty nodes may lose them all."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -15,23 +15,23 @@ class End:
     """How a proof's container ended."""
 
     code: int | None
-    """Exit code, ``None`` where it was still running when the proof ended it."""
+    """Exit code, ``None`` if it was still running when the proof ended it."""
     seconds: float
     dead: tuple[str, ...] = ()
-    """What became of the nodes of a launch that died: ``talker-2 died with exit code 1``."""
+    """Messages about nodes of a launch that died: ``talker-2 died with exit code 1``."""
 
 
 def verdict(proof: Proof, end: End, *, without: str = "") -> tuple[bool, str]:
     """Return whether a proof passed, and why in one line.
 
-    A launch outlives its nodes: where one died, what the default command starts does not run.
-    ``without`` says why there was no display, which is told where that may be why it failed.
+    A launch outlives its nodes: if one died, the default command does not work.
+    ``without`` says why there was no display, which is reported if it may be why the proof failed.
     """
     passed, summary = _judge(proof, end, end.dead)
     if not passed and without:
         summary += f"; it had no display: {without}"
     if not passed and not proof.required:
-        # Only guessed: programs that want data or a robot are no reason to withhold an image that is whole
+        # Only guessed: a program that needs data or a robot is no reason to withhold a complete image
         return True, f"not proved: the guessed command {summary}; name the right one as `command` in roslab.yaml"
     return passed, summary
 
