@@ -106,7 +106,7 @@ def test_a_checkout_without_a_version_says_so(tmp_path: Path) -> None:
     planned = plan_repository(tmp_path)
     assert planned.plan.source_version
     assert planned.plan.source_version.version == "0.1.dev0"
-    assert [w for w in planned.plan.warnings if "no tag of the checkout names one" in w.message]
+    assert [w for w in planned.plan.warnings if "no tag here has one" in w.message]
 
 
 def test_a_project_with_a_version_of_its_own_asks_no_git(tmp_path: Path) -> None:
