@@ -84,7 +84,7 @@ def test_the_tables_are_made_from_the_yaml(page: Path) -> None:
 
 def test_every_door_has_its_tables() -> None:
     found = {(match["what"], match["door"]) for page in PAGES for match in TABLE.finditer(page.read_text())}
-    assert {("inputs", "the action"), ("outputs", "the action")} <= found
+    assert {("inputs", "the action"), ("outputs", "the action"), ("inputs", "clean")} <= found
     assert {(what, "the workflows") for what in NEEDS} <= found
     said = {name for called in workflows().values() for what in NEEDS for name in called[what]}
     assert all(f"| `{name}` |" in STARTERS.read_text() for name in said)

@@ -14,13 +14,15 @@ from urllib.parse import unquote
 REPOSITORY = re.compile(r"/repos/([^/]+/[^/]+)$")
 HEAD = re.compile(r"/repos/[^/]+/[^/]+/git/ref/heads/(.+)$")
 TAGS = re.compile(r"/repos/[^/]+/[^/]+/git/matching-refs/tags/(.*)$")
+LISTS = re.compile(r"/repos/([^/]+/[^/]+)/(branches|tags|pulls)$")
 COMMIT = re.compile(r"/repos/([^/]+/[^/]+)/commits/([0-9a-f]{7,40})$")
 
 
-def answer(path: str, repository: dict[str, Any]) -> Any:
+def answer(path: str, repository: dict[str, Any]) -> Any:  # noqa: PLR0911 - a table of answers
     """Return what the API would say to a GET of this path, None for what the stand-in does not know.
 
-    ``heads`` and ``tags`` of the repository are the commits of its branches and the names of its git tags.
+    ``heads`` and ``tags`` of the repository are the commits of its branches and the names of its git tags, ``closed``
+    the branches of its closed pull requests by their numbers.
     """
     if found := REPOSITORY.match(path):
         name = found[1]
@@ -39,6 +41,15 @@ def answer(path: str, repository: dict[str, Any]) -> Any:
         return {"ref": f"refs/heads/{found[1]}", "object": {"type": "commit", "sha": sha}} if sha else None
     if found := TAGS.match(path):
         return [{"ref": f"refs/tags/{name}"} for name in repository.get("tags", ()) if name.startswith(found[1])]
+    if found := LISTS.match(path):
+        names = {"branches": repository.get("heads", {}), "tags": repository.get("tags", ())}
+        if found[2] in names:
+            return [{"name": name} for name in names[found[2]]]
+        own = {"full_name": found[1]}
+        return [
+            {"number": number, "head": {"ref": ref, "repo": own}}
+            for number, ref in repository.get("closed", {}).items()
+        ]
     if found := COMMIT.match(path):
         return {"sha": found[2], "commit": {"committer": {"date": "2026-01-01T00:00:00Z"}}}
     return None

@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 WORKFLOWS = sorted((ROOT / ".github/workflows").glob("*.yml")) + sorted((ROOT / ".github/workflows").glob(".*.yml"))
 CALLABLE = [path for path in WORKFLOWS if not path.name.startswith(".")]
 STARTERS = sorted(path for path in (ROOT / "workflows").glob("*.yml") if path.name != "gitlab-ci.yml")
-THIN = [path for path in CALLABLE if path.name != "image.yml"]
+THIN = [path for path in CALLABLE if path.name not in ("image.yml", "clean.yml")]
 EVERYTHING = [ROOT / "action.yml", *WORKFLOWS, *STARTERS]
 USES = re.compile(r"^\s*(?:-\s+)?uses:\s*(?P<what>[^\s#]+)(?:\s*#\s*(?P<comment>.*))?$", re.MULTILINE)
 OURS = "org/repro-action"
@@ -84,7 +84,8 @@ ROOM, PROGRAM, READY, TREE = (
 
 
 def _jobs() -> dict[str, list[dict[str, Any]]]:
-    return {name: job["steps"] for name, job in load(ROOT / ".github/workflows/image.yml")["jobs"].items()}
+    paths = [ROOT / ".github/workflows" / name for name in ("image.yml", "clean.yml")]
+    return {name: job["steps"] for path in paths for name, job in load(path)["jobs"].items()}
 
 
 def test_the_program_is_out_of_the_workspace_before_the_repository_comes() -> None:
@@ -93,7 +94,7 @@ def test_the_program_is_out_of_the_workspace_before_the_repository_comes() -> No
     for name, steps in _jobs().items():
         names = [step["name"] for step in steps]
         assert names[:3] == first, name
-        assert names[3] == TREE or TREE not in names, name
+        assert names[3:4] == [TREE] or TREE not in names, name
     prepared = [[{**step, "if": None} for step in steps[:3]] for steps in _jobs().values()]
     assert all(steps == prepared[0] for steps in prepared)
 
@@ -151,7 +152,8 @@ def test_the_runs_own_token_goes_to_ghcr_alone(path: Path) -> None:
     """Where an expression can yield the run's token, it does so for ghcr.io only; GitHub's own API is no registry."""
     for line in path.read_text().splitlines():
         if TOKEN.search(line) and "_GIVEN:" not in line and not API.search(line):
-            assert re.search(r"outputs\.registry == 'ghcr\.io' && github\.token\) \|\| '' \}\}$", line), line
+            own = r"(outputs\.registry == 'ghcr\.io'|\(inputs\.registry == 'ghcr\.io' \|\| inputs\.registry == ''\))"
+            assert re.search(own + r" && github\.token\) \|\| '' \}\}$", line), line
 
 
 PINNED = {
@@ -292,6 +294,7 @@ def test_no_starter_asks_for_more_than_it_needs() -> None:
         assert found["permissions"] == {}
         publishes = path.name not in ("pull-request.yml", "watch.yml")
         expected = {"contents": "read", "packages": "write"} if publishes else {"contents": "read"}
+        expected |= {"pull-requests": "read"} if path.name == "clean.yml" else {}
         assert [job["permissions"] for job in found["jobs"].values()] == [expected], path.name
 
 

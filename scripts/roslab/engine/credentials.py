@@ -14,14 +14,17 @@ import urllib.request
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from email.message import Message
-from typing import Literal
+from typing import Literal, Protocol
 from urllib.parse import urlencode, urljoin, urlsplit
 
 from roslab.engine.registry import PAUSE
+from roslab.errors import BuildError, Problem
 
 Verdict = Literal["granted", "wrong password", "forbidden", "unreachable", "unknown"]
 SECONDS = 20.0
 ATTEMPTS = 4
+LONGEST = 8 * 1024 * 1024
+"""Characters of an answer that is read whole; registries take no manifest above 4 MiB."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -30,6 +33,24 @@ class Access:
 
     verdict: Verdict
     detail: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Reply:
+    """What a registry answered."""
+
+    headers: Message
+    body: str
+
+
+class Session(Protocol):
+    """Asks a registry about one image."""
+
+    def __call__(self, method: str, path: str, accept: str = "") -> Reply | None:
+        """Return its answer, ``None`` where there is no such thing.
+
+        ``path`` is relative to the image, or begins at the host with a slash. Raises ``BuildError`` for a refusal.
+        """
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -75,6 +96,48 @@ def is_public(image: str, reference: str, *, pause: Callable[[float], None] = ti
     return True if answer.status == 200 else False if answer.status in (401, 403, 404) else None
 
 
+def session(
+    image: str, username: str, password: str, actions: str, *, pause: Callable[[float], None] = time.sleep
+) -> Session:
+    """Return what asks a registry about one image by a user's rights, ``actions`` such as ``pull,delete``.
+
+    A token that ran out is renewed once. It raises ``BuildError`` where the registry does not answer or refuses.
+    """
+    url, held = _url(image), [dict[str, str]()]
+    secret = "Basic " + base64.b64encode(f"{username}:{password}".encode()).decode() if password else None
+
+    def renew() -> None:
+        headers, refused = _authorise(
+            _ask("GET", urljoin(url, "/v2/"), {}, pause), image, secret, pause, actions=actions
+        )
+        if refused:
+            raise BuildError(
+                Problem(
+                    message=f"{image}: the registry gives no right to {actions}: {refused.detail or refused.verdict}"
+                )
+            )
+        held[0] = headers
+
+    def ask(method: str, path: str, accept: str = "") -> Reply | None:
+        address = urljoin(url, path) if path.startswith("/") else f"{url}/{path}"
+        for again in (True, False):
+            answer = _ask(
+                method, address, {**held[0], **({"Accept": accept} if accept else {})}, pause, longest=LONGEST
+            )
+            if answer.status != 401 or not again:
+                break
+            renew()
+        if answer.status == 404:
+            return None
+        if not 200 <= answer.status < 300:
+            said = _message(answer) if answer.status else answer.body
+            raise BuildError(Problem(message=f"{image}: the registry refuses {method} {path}: {said}"))
+        return Reply(headers=answer.headers, body=answer.body)
+
+    renew()
+    return ask
+
+
 def _url(image: str) -> str:
     """Return the address of an image's part of the registry; docker uses plain HTTP only for this machine."""
     host, _, path = image.partition("/")
@@ -85,9 +148,12 @@ def _url(image: str) -> str:
 
 
 def _authorise(
-    answer: _Answer, image: str, secret: str | None, pause: Callable[[float], None]
+    answer: _Answer, image: str, secret: str | None, pause: Callable[[float], None], *, actions: str = ""
 ) -> tuple[dict[str, str], Access | None]:
-    """Return the headers that carry the right to push (or to pull, without a secret), or why there is none."""
+    """Return the headers that carry the right to push (or to pull, without a secret), or why there is none.
+
+    ``actions`` names other rights than these: https://distribution.github.io/distribution/spec/auth/scope/
+    """
     if answer.status == 200:
         return {}, None
     challenge = answer.headers.get("WWW-Authenticate", "")
@@ -98,7 +164,7 @@ def _authorise(
     realm = fields.get("realm", "")
     if kind != "bearer" or not trusted(realm, _url(image)):
         return {}, Access(verdict="unknown", detail=f"HTTP {answer.status}, {kind or 'no'} authentication")
-    scope = f"repository:{image.partition('/')[2]}:{'pull,push' if secret else 'pull'}"
+    scope = f"repository:{image.partition('/')[2]}:{actions or ('pull,push' if secret else 'pull')}"
     query = urlencode({"service": fields.get("service", ""), "scope": scope})
     token = _ask("GET", f"{realm}?{query}", {"Authorization": secret} if secret else {}, pause)
     if token.status != 200:
@@ -140,9 +206,11 @@ def _message(answer: _Answer) -> str:
         return f"HTTP {answer.status}"
 
 
-def _ask(method: str, url: str, headers: Mapping[str, str], pause: Callable[[float], None]) -> _Answer:
+def _ask(
+    method: str, url: str, headers: Mapping[str, str], pause: Callable[[float], None], *, longest: int = 65536
+) -> _Answer:
     for attempt in range(1, ATTEMPTS + 1):
-        answer = _ask_once(method, url, headers)
+        answer = _ask_once(method, url, headers, longest)
         if attempt == ATTEMPTS or not (answer.status in (0, 429) or answer.status >= 500):
             break
         pause(PAUSE * 2 ** (attempt - 1))
@@ -162,13 +230,15 @@ def _said(error: OSError | ValueError) -> str:
     return str(getattr(reason, "strerror", None) or reason)
 
 
-def _ask_once(method: str, url: str, headers: Mapping[str, str]) -> _Answer:
+def _ask_once(method: str, url: str, headers: Mapping[str, str], longest: int) -> _Answer:
     request = urllib.request.Request(url, method=method, headers={"User-Agent": "roslab", **headers})  # noqa: S310
     if method == "POST":
         request.data = b""
     try:
         with urllib.request.build_opener(_NoRedirect).open(request, timeout=SECONDS) as reply:
-            return _Answer(status=reply.status, headers=reply.headers, body=reply.read(65536).decode(errors="replace"))
+            return _Answer(
+                status=reply.status, headers=reply.headers, body=reply.read(longest).decode(errors="replace")
+            )
     except urllib.error.HTTPError as error:
         with error:
             return _Answer(status=error.code, headers=error.headers, body=error.read(65536).decode(errors="replace"))

@@ -15,11 +15,13 @@ from roslab.github.event import Event
 
 SECONDS = 20.0
 ATTEMPTS = 4
+PAGES = 100
+"""Of a list, a hundred entries each."""
 Ask = Callable[[str], Any]
 """Given a path of the API: its answer, ``None`` where there is no such thing."""
 
 
-def asker(environment: Mapping[str, str], *, pause: Callable[[float], None] = time.sleep) -> Ask:
+def asker(environment: Mapping[str, str], *, method: str = "GET", pause: Callable[[float], None] = time.sleep) -> Ask:
     """Return what asks the API by the job's token in ROSLAB_GITHUB_TOKEN.
 
     It raises ``BuildError`` where GitHub does not answer. https://docs.github.com/en/rest/git/refs
@@ -30,11 +32,11 @@ def asker(environment: Mapping[str, str], *, pause: Callable[[float], None] = ti
     headers |= {"Authorization": f"Bearer {token}"} if token else {}
 
     def ask(path: str) -> Any:
-        request = urllib.request.Request(base + path, headers=headers)  # noqa: S310 - the runner's own address
+        request = urllib.request.Request(base + path, headers=headers, method=method)  # noqa: S310 - the runner's own address
         for attempt in range(1, ATTEMPTS + 1):
             try:
                 with urllib.request.urlopen(request, timeout=SECONDS) as reply:  # noqa: S310
-                    return json.load(reply)
+                    return json.loads(reply.read() or b"{}")  # what was removed has nothing to say
             except urllib.error.HTTPError as error:
                 if error.code == 404:
                     return None
@@ -45,7 +47,8 @@ def asker(environment: Mapping[str, str], *, pause: Callable[[float], None] = ti
                 said = str(getattr(error, "reason", None) or error)
             if attempt < ATTEMPTS:
                 pause(2.0 ** (attempt - 1))
-        message = f"GitHub does not say what {path.partition('/git/')[2] or path} is: {said}"
+        what = path.partition("/git/")[2] or path
+        message = f"GitHub does not {f'say what {what} is' if method == 'GET' else f'remove {what}'}: {said}"
         raise BuildError(Problem(message=message, hint="no tag was moved; run the failed job again"))
 
     return ask
@@ -66,3 +69,22 @@ def releases(event: Event, ask: Ask) -> tuple[str, ...]:
     series = event.tag.rpartition(".")[0] + "."
     answer = ask(f"/repos/{event.repository}/git/matching-refs/tags/{quote(series)}")
     return tuple(str(entry["ref"]).removeprefix("refs/tags/") for entry in answer or ())
+
+
+def pages(ask: Ask, path: str, *, whole: bool = True) -> list[dict[str, Any]] | None:
+    """Return the entries of a list of the API, ``None`` where there is no such list.
+
+    Raises ``BuildError`` where there are more than are asked for and ``whole`` says that each of them counts.
+    https://docs.github.com/en/rest/using-the-rest-api/using-pagination-in-the-rest-api
+    """
+    found: list[dict[str, Any]] = []
+    for page in range(1, PAGES + 1):
+        answer = ask(f"{path}{'&' if '?' in path else '?'}per_page=100&page={page}")
+        if answer is None:
+            return None
+        found += answer
+        if len(answer) < 100:
+            return found
+    if whole:
+        raise BuildError(Problem(message=f"GitHub lists more than {len(found)} entries of {path}"))
+    return found

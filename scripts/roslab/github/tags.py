@@ -54,13 +54,13 @@ def chosen(said: str, image: str, event: Event, *, head: str | None, releases: I
     moving = [name for name in _names(said, image) if not _is_own(name, event)]
     warnings: list[str] = []
     reference = event.branch or event.tag or ""
-    taken = _cleaned(reference)
+    taken = cleaned(reference)
     wanted = taken == "latest" and event.branch == event.default_branch
     if (RESERVED if event.branch else TAKEN).fullmatch(taken) and taken in moving and not wanted:
         moving.remove(taken)
         what = "branch" if event.branch else "git tag"
         warnings.append(f"the {what} {reference} gets no tag of its name: {taken} means something else in a registry")
-    if event.tag and taken in moving and taken == _cleaned(event.default_branch):
+    if event.tag and taken in moving and taken == cleaned(event.default_branch):
         moving.remove(taken)
         warnings.append(f"the git tag {reference} gets no tag of its name: that is the default branch's")
     if event.branch and moving and head != event.sha:
@@ -97,7 +97,7 @@ def _names(said: str, image: str) -> Sequence[str]:
     return [reference.rpartition(":")[2] for reference in references]
 
 
-def _cleaned(name: str) -> str:
+def cleaned(name: str) -> str:
     """Return a branch or git tag as docker/metadata-action spells it in a tag."""
     return re.sub(r"[^a-zA-Z0-9._-]+", "-", name)
 

@@ -1,0 +1,130 @@
+"""Removing what nobody needs of an image: what it would remove is shown first, and by default nothing else happens."""
+
+from __future__ import annotations
+
+import datetime as dt
+import re
+from collections.abc import Mapping, Sequence
+
+from roslab.config.model import TagParts
+from roslab.engine import credentials, versions
+from roslab.engine.versions import Manifest, Store, Version
+from roslab.errors import BuildError, ConfigurationError, Problem
+from roslab.github import access, api, event, inputs, packages, unneeded, workflow
+from roslab.github.event import Event
+from roslab.github.unneeded import Names, Removal, Rules
+from roslab.plan.plan import image_name
+from roslab.render.markdown import code, prose, table
+from roslab.values.origin import Input
+
+MOST_ROWS = 200
+
+
+def clean(environment: Mapping[str, str]) -> None:
+    """Show what of an image nobody needs, and remove it where ``dry-run`` is false.
+
+    Raises ``ConfigurationError`` for a wrong input, ``RefusedError`` where the registry would get the run's own token,
+    ``BuildError`` where GitHub or the registry does not say all that must be known: then nothing is removed.
+    """
+    what, asked = event.read(environment), inputs.read(environment)
+    dry, rules = _read(environment)
+    image = inputs.image(asked, owner=what.owner, name=image_name(what.repository.partition("/")[2]))
+    given = environment.get("ROSLAB_SECRET_GIVEN") == "true"
+    access.require_secret(asked.registry, name="registry-token", given=given)
+    store = _store(image, asked.username or what.actor, environment)
+    names = names_of(what, api.asker(environment))
+    found = store.versions()
+    going = unneeded.chosen(found, manifests_of(store, found), names, rules)
+    staying = len({version.digest for version in found} - {each.version.digest for each in going})
+    title = f"{len(going)} versions {'would go' if dry else 'go'}, {staying} stay" if going else "Nothing has to go"
+    notes = (
+        ()
+        if store.whole
+        else (f"{asked.registry} lists no digests without a tag: its own garbage collector has those.",)
+    )
+    workflow.summary(_page(image, title, going, notes, dry=dry), environment)
+    for each in going:
+        print(f"{each.version.digest} {' '.join(each.version.tags)}: {each.reason}", flush=True)
+    if not dry:
+        for each in going:
+            store.remove(each.version)
+    workflow.outputs({"found": "\n".join(each.version.digest for each in going)}, environment)
+    workflow.notice(f"{image}: {title[0].lower()}{title[1:]}")
+
+
+def names_of(what: Event, ask: api.Ask) -> Names:
+    """Return what the repository calls its branches. Raises ``BuildError`` where GitHub does not list them."""
+    path = f"/repos/{what.repository}"
+    branches = api.pages(ask, f"{path}/branches") or []
+    tags = api.pages(ask, f"{path}/tags")
+    pulls = api.pages(ask, f"{path}/pulls?state=closed", whole=False)  # the newest first
+    living = frozenset(str(entry["name"]) for entry in branches)
+    if what.default_branch not in living or tags is None or pulls is None:
+        hint = "grant the calling job `contents: read` and `pull-requests: read`"
+        raise BuildError(Problem(message=f"GitHub does not list the branches of {what.repository}", hint=hint))
+    own = [pull for pull in pulls if ((pull["head"].get("repo") or {}).get("full_name") or "") == what.repository]
+    return Names(
+        branches=living,
+        git_tags=frozenset(str(entry["name"]) for entry in tags),
+        closed=frozenset(str(pull["head"]["ref"]) for pull in own) - living,
+        closed_pulls=frozenset(str(pull["number"]) for pull in pulls),
+    )
+
+
+def _read(environment: Mapping[str, str]) -> tuple[bool, Rules]:
+    """Return whether nothing is to be removed, and what else the inputs say."""
+    dry = (environment.get("INPUT_DRY_RUN") or "true").strip().lower()
+    days = (environment.get("INPUT_DAYS") or "30").strip()
+    problems = []
+    if dry not in ("true", "false"):
+        problems.append(
+            Problem(message=f"{dry!r} is not known", hint="write true or false", origin=Input(name="dry-run"))
+        )
+    if not re.fullmatch(r"[1-9]\d{0,3}", days):
+        hint = "write a number from 1 on: a build may run for hours before its image has a tag"
+        problems.append(Problem(message=f"{days!r} is no number of days", hint=hint, origin=Input(name="days")))
+    if problems:
+        raise ConfigurationError(*problems)
+    parts = TagParts(
+        prefix=(environment.get("INPUT_TAG_PREFIX") or "").strip(),
+        suffix=(environment.get("INPUT_TAG_SUFFIX") or "").strip(),
+    )
+    keep = tuple(re.split(r"[\s,]+", (environment.get("INPUT_KEEP") or "").strip()))
+    return dry == "true", Rules(days=int(days), keep=tuple(filter(None, keep)), parts=parts)
+
+
+def _store(image: str, username: str, environment: Mapping[str, str]) -> Store:
+    """Return what can be done at the image's registry; GitHub's own lists more than the standard's protocol does."""
+    password = environment.get("ROSLAB_TOKEN", "")
+    if image.partition("/")[0] != access.OWN:
+        return versions.store(credentials.session(image, username, password, "pull,delete"))
+    theirs = {**environment, "ROSLAB_GITHUB_TOKEN": password}
+    session = credentials.session(image, username, password, "pull")
+    now = dt.datetime.now(tz=dt.timezone.utc)
+    return packages.store(image, api.asker(theirs), api.asker(theirs, method="DELETE"), session, now=now)
+
+
+def manifests_of(store: Store, found: Sequence[Version]) -> dict[str, Manifest]:
+    """Return each version's manifest. Raises ``BuildError`` where one is missing: it may name what must stay."""
+    known = {version.digest: store.manifest(version.digest) for version in found}
+    missing = [digest for digest, manifest in known.items() if manifest is None]
+    if missing:
+        hint = "if a build was running, start this again after it; nothing was removed"
+        raise BuildError(Problem(message=f"the registry lists {', '.join(missing)} and does not give it", hint=hint))
+    return {digest: manifest for digest, manifest in known.items() if manifest is not None}
+
+
+def _page(image: str, title: str, going: Sequence[Removal], notes: Sequence[str], *, dry: bool) -> str:
+    """Return the summary."""
+    rows = [
+        (code(" ".join(each.version.tags) or each.version.digest[:19]), prose(each.reason))
+        for each in going[:MOST_ROWS]
+    ]
+    parts = [f"### {title}", f"Of {code(image)}."]
+    if going:
+        parts.append(table(("version", "why"), rows).strip())
+    if len(going) > MOST_ROWS:
+        parts.append(f"And {len(going) - MOST_ROWS} more, which the log lists.")
+    if going and dry:
+        parts.append(f"Nothing was removed: write {code('dry-run: false')} to remove them.")
+    return "\n\n".join([*parts, *map(prose, notes)]) + "\n"

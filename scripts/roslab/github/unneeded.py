@@ -1,0 +1,177 @@
+"""Which versions of an image nobody needs any more: what failed its proof, closed branches' tags, old layers."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+
+from roslab.config.model import TagParts
+from roslab.engine.versions import Manifest, Version
+from roslab.github.tags import OWN, RESERVED, cleaned
+
+CACHE = re.compile(r"buildcache-(?P<branch>.+)-[0-9a-f]{8}-(?:all|linux-[a-z0-9-]+)")
+"""A tag of layers, as ``cache`` names it."""
+ATTESTED = re.compile(r"sha256-(?P<hex>[0-9a-f]{64})(?:\..+)?")
+"""The tag under which a registry without referrers keeps what is said about a digest.
+https://github.com/opencontainers/distribution-spec/blob/main/spec.md#referrers-tag-schema"""
+PROPOSED = re.compile(r"pr-(?P<number>\d+)")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Names:
+    """What the repository calls its branches."""
+
+    branches: frozenset[str]
+    git_tags: frozenset[str]
+    closed: frozenset[str]
+    """Of branches that were proposed in a pull request which is closed now."""
+    closed_pulls: frozenset[str]
+    """Numbers of the closed pull requests."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Rules:
+    """What the caller said."""
+
+    days: int
+    keep: tuple[str, ...] = ()
+    """Tags, with ``*`` and ``?``, and digests that are never removed."""
+    parts: TagParts = field(default_factory=TagParts)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Removal:
+    """One version that goes, and why."""
+
+    version: Version
+    reason: str
+
+
+def chosen(
+    versions: Sequence[Version], manifests: Mapping[str, Manifest], names: Names, rules: Rules
+) -> tuple[Removal, ...]:
+    """Return what goes, an index before what it names: a break in between leaves nothing that lacks a part.
+
+    ``manifests`` holds every version that is there, by digest. A digest with a tag of any other kind stays, and all
+    that it names; so do what is younger than the days (a build may run), and what is said about a digest that stays.
+    """
+    going: dict[str, Removal] = {}
+    closed = _closed(versions, names)
+    for version in versions:
+        if version.tags and (reason := _tagged(version, names, rules, closed)):
+            going[version.digest] = Removal(version=version, reason=reason)
+    loose = [version for version in versions if _loose(version, rules)]
+    attested = {f"sha256:{match['hex']}" for match in _matches(ATTESTED, versions)}
+    roots = {version.digest for version in versions} - set(going) - {version.digest for version in loose}
+    held = _reached(roots | {v.digest for v in loose if v.digest in attested}, manifests)
+    for version in loose:
+        subject = manifests[version.digest].subject if version.digest in manifests else None
+        if version.digest not in held and subject not in held:
+            reason = (
+                f"no tag and no index names it for {int(version.days or 0)} days: its proof failed, or it was replaced"
+            )
+            going[version.digest] = Removal(version=version, reason=reason)
+    for version in versions:
+        subjects = {f"sha256:{match['hex']}" for match in _matches(ATTESTED, [version])}
+        if subjects and subjects <= set(going):
+            going[version.digest] = Removal(version=version, reason="says something about a digest that goes")
+    found = (*going.values(), *_parts(going, versions, manifests))
+    return tuple(sorted(found, key=lambda each: not _reached({each.version.digest}, manifests) - {each.version.digest}))
+
+
+def _parts(
+    going: Mapping[str, Removal], versions: Sequence[Version], manifests: Mapping[str, Manifest]
+) -> tuple[Removal, ...]:
+    """Return what only indexes that go name."""
+    listed = {version.digest: version for version in versions}
+    held = _reached(set(listed) - set(going) - _children(going, manifests, listed), manifests)
+    found: dict[str, Removal] = {}
+    for digest in going:
+        for child in manifests[digest].children if digest in manifests else ():
+            version = listed.get(child, Version(digest=child))
+            if child not in going and child not in held and not version.tags:
+                found.setdefault(child, Removal(version=version, reason=f"a part of {digest[:19]}, which goes"))
+    return tuple(found.values())
+
+
+def _children(going: Iterable[str], manifests: Mapping[str, Manifest], listed: Mapping[str, Version]) -> set[str]:
+    """Return the children of what goes that hold nothing up by themselves: they have no tag."""
+    named = {child for digest in going if digest in manifests for child in manifests[digest].children}
+    return {child for child in named if child not in listed or not listed[child].tags}
+
+
+def _reached(roots: Iterable[str], manifests: Mapping[str, Manifest]) -> set[str]:
+    """Return digests with all that they name, and what those name in turn."""
+    found: set[str] = set()
+    waiting = list(roots)
+    while waiting:
+        digest = waiting.pop()
+        if digest not in found:
+            found.add(digest)
+            waiting += manifests[digest].children if digest in manifests else ()
+    return found
+
+
+def _loose(version: Version, rules: Rules) -> bool:
+    old = version.days is not None and version.days >= rules.days
+    return not version.tags and old and version.digest not in rules.keep
+
+
+def _tagged(version: Version, names: Names, rules: Rules, closed: frozenset[str]) -> str:
+    """Return why a version with tags goes, ``""`` where one of its tags is a reason to stay."""
+    if version.digest in rules.keep or any(fnmatchcase(tag, kept) for tag in version.tags for kept in rules.keep):
+        return ""
+    reasons = []
+    for tag in version.tags:
+        name = _bare(tag, rules.parts)
+        if name is not None and OWN.fullmatch(name):
+            continue  # a commit's tag goes with its branch's, and stays alone
+        reason = _cached(tag, version, rules, closed) or (_gone(name, names, closed) if name is not None else "")
+        if not reason:
+            return ""
+        reasons.append(reason)
+    return "; ".join(dict.fromkeys(reasons))
+
+
+def _cached(tag: str, version: Version, rules: Rules, closed: frozenset[str]) -> str:
+    match = CACHE.fullmatch(tag)
+    if not match:
+        return ""
+    if match["branch"] in {name[:80] for name in closed}:
+        return f"layers of the branch {match['branch']}, which is closed"
+    if version.days is not None and version.days >= rules.days:
+        return f"layers that no build wrote for {int(version.days)} days"
+    return ""
+
+
+def _gone(name: str, names: Names, closed: frozenset[str]) -> str:
+    if (match := PROPOSED.fullmatch(name)) and match["number"] in names.closed_pulls:
+        return f"the pull request {match['number']} is closed"
+    if name in closed and not RESERVED.fullmatch(name):
+        return f"the branch {name} is closed"
+    return ""
+
+
+def _closed(versions: Sequence[Version], names: Names) -> frozenset[str]:
+    """Return the names of closed branches, as tags spell them, that nothing else has.
+
+    A tag of layers was made for a branch: where there is no such branch any more, that tells of one too.
+    """
+    living = {cleaned(name) for name in (*names.branches, *names.git_tags)}
+    cached = {match["branch"] for match in _matches(CACHE, versions) if len(match["branch"]) < 80}
+    return frozenset(({cleaned(name) for name in names.closed} | cached) - living - {name[:80] for name in living})
+
+
+def _bare(tag: str, parts: TagParts) -> str | None:
+    """Return a tag without the caller's prefix and suffix, ``None`` where it has others: it is another call's."""
+    if len(tag) < len(parts.prefix) + len(parts.suffix):
+        return None
+    if not (tag.startswith(parts.prefix) and tag.endswith(parts.suffix)):
+        return None
+    return tag.removeprefix(parts.prefix).removesuffix(parts.suffix)
+
+
+def _matches(pattern: re.Pattern[str], versions: Iterable[Version]) -> list[re.Match[str]]:
+    return [match for version in versions for tag in version.tags if (match := pattern.fullmatch(tag))]
