@@ -60,7 +60,7 @@ def decide_base(
         return _ros(evidence, config, chosen.answer, chosen.reasons[0], cuda)
     if kind == "cpp" and not cuda.version:
         return _cpp(evidence, config)
-    python = None if kind == "cpp" else python  # C++ starts from an Ubuntu for its own sake
+    python = None if kind == "cpp" else python  # for C++ the Ubuntu is chosen without regard to Python
     image, ubuntu, reasons = base_for(kind, cuda.version, cuda.cudnn if cuda.cudnn_named else None, base.ubuntu, python)
     return Choice(answer=BaseImage(image=image, ubuntu=ubuntu), reasons=reasons)
 

@@ -42,48 +42,48 @@ _SHOWN = 20
 
 
 class Weight:
-    """What speaks for a CUDA, the strongest first: what is built for one before what runs with several."""
+    """How much each reason for a CUDA version counts: builds for one version count more than what runs with several."""
 
     OWN_IMAGE = 200  # the author's Dockerfile is built as it is
-    NEAREST = 101  # what takes the place of a version without images
-    LOCAL_VERSION = 82  # torch==1.13.1+cu117, with the trust of the pin on top
+    NEAREST = 101  # the replacement of a version without images
+    LOCAL_VERSION = 82  # torch==1.13.1+cu117, plus the trust of the pin
     WHEEL_INDEX = 80  # a requirements file names the index of one CUDA's wheels
     CONDA = 75  # cudatoolkit of the environment file at the root
     CONDA_BELOW = 45
-    EXTRA = 70  # jax[cuda11], with the trust of the pin on top
+    EXTRA = 70  # jax[cuda11], plus the trust of the pin
     AUTHORS_IMAGE = 62
     OTHER_IMAGE = 20  # a Dockerfile for one machine, or one that does not parse
-    COPIES = 3  # on top for a Dockerfile that brings this very source
+    COPIES = 3  # added for a Dockerfile that copies this source
     RELEASE: ClassVar = {
-        "tensorflow": 60,  # it loads the system's CUDA: nothing else will do
+        "tensorflow": 60,  # it loads the CUDA of the system, so the version must match
         "torch": 46,
         "jax": 40,
     }
-    TRUST = 3  # for each step of a pin's trust, on top of its release
+    TRUST = 3  # added for each step of the trust of a pin
     SAID: ClassVar = {"readme": 30, "script": 16, "ci": 14, "dockerfile": 12}
     SAID_ELSEWHERE = 8
-    NEAR, DEEPER = 6, 2  # on top of what is said at the root, and what each folder takes from that, up to three
-    UNPINNED = 4  # the newest wheel of today
+    NEAR, DEEPER = 6, 2  # added for a mention at the root, minus the second for each folder above it, up to three
+    UNPINNED = 4  # the newest wheel
     AT_LEAST = 3  # a lower bound: what is pinned, or the newest wheel, lies above it
-    ASIDE = 3  # an example's pin, or one deep in the tree
-    SOURCES = 2  # CUDA sources, where no version is said
+    ASIDE = 3  # a pin of an example, or one deep in the tree
+    SOURCES = 2  # CUDA sources, if no version is named
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Cuda:
-    """Versions (``11.8``, ``8``), ``None`` where nothing asks for one."""
+    """CUDA and cuDNN versions (``11.8``, ``8``), ``None`` where nothing asks for one."""
 
     version: str | None = None
     cudnn: str | None = None
     cudnn_named: bool = False
-    """Something asks for cuDNN; else only frameworks need the image that has it."""
+    """Something asks for cuDNN; otherwise only frameworks need the image with it."""
 
 
 NO_CUDA: Choice[Cuda] = Choice(answer=Cuda())
 
 
 def decide_cuda(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Choice[Cuda]:
-    """Return the CUDA and cuDNN that the repository's frameworks need; the image row of that CUDA exists."""
+    """Return the CUDA and cuDNN that the repository's frameworks need; an image of that CUDA exists."""
     if config.base.cuda:
         said = configured(config, "cuda", config.base.cuda, "base.cuda")
         return _fitted(config.base.cuda, config.base.cudnn, (said,), others=())
@@ -96,7 +96,7 @@ def decide_cuda(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Ch
 
 
 def of_image(choice: Choice[Cuda], image: str) -> Choice[Cuda]:
-    """Return the CUDA of the author's own image, which is built as it is, where its name tells."""
+    """Return the choice with the CUDA that the name of the author's base image tells, if it does."""
     match = _IMAGE.search(image)
     named = (match[1] or match[2]) if match else choice.answer.version
     if named is None or named == choice.answer.version:
@@ -117,7 +117,7 @@ def _candidates(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Candidate]:
     for file in evidence.requirements:
         for option in file.options:
             if file.purpose == "run" and not places.example(file.file) and (local := cuda_of(option)):
-                yield because("cuda", local, f"{option} serves its wheels", file, weight=Weight.WHEEL_INDEX), ()
+                yield because("cuda", local, f"pip uses {option}", file, weight=Weight.WHEEL_INDEX), ()
     for environment in evidence.conda:
         for package in environment.packages:
             if package.name in _OF_CONDA and (cuda := minor_of(package.version)):
@@ -128,7 +128,7 @@ def _candidates(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Candidate]:
     yield from _of_mentions(evidence)
     if evidence.cuda_files:
         place = Place(file=evidence.cuda_files[0], line=1)
-        yield because("cuda", DEFAULT, "it has CUDA sources, and no version is said", place, weight=Weight.SOURCES), ()
+        yield because("cuda", DEFAULT, "it has CUDA sources, no version is named", place, weight=Weight.SOURCES), ()
 
 
 def _of_pin(pin: Pin) -> Iterator[Candidate]:
@@ -138,7 +138,7 @@ def _of_pin(pin: Pin) -> Iterator[Candidate]:
     row = framework(table, pin.release) if table and pin.release else None
     if not pin.trust:  # from an example, or deep in the tree
         if answer := local or (row.cuda[0] if row else None):
-            yield because("cuda", answer, f"{asked.written} goes with it", asked, weight=Weight.ASIDE), ()
+            yield because("cuda", answer, f"{asked.written} is used with it", asked, weight=Weight.ASIDE), ()
     elif local:
         yield (
             because("cuda", local, f"{asked.written} is built for it", asked, weight=Weight.LOCAL_VERSION + pin.trust),
@@ -151,7 +151,7 @@ def _of_pin(pin: Pin) -> Iterator[Candidate]:
         weight = Weight.RELEASE[table] + Weight.TRUST * pin.trust
         yield because("cuda", row.cuda[0], why, asked, weight=weight), row.cuda[1:]
     elif table and (newest := newest_framework(table)):
-        why = f"{pin.name} is not pinned: its newest wheel"
+        why = f"{pin.name} is not pinned: its newest wheel is for this CUDA"
         yield because("cuda", newest.cuda[0], why, asked, weight=Weight.UNPINNED), newest.cuda[1:]
 
 
@@ -182,7 +182,7 @@ def _cudnn(evidence: Evidence) -> str | None:
 
 
 def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: tuple[str, ...]) -> Choice[Cuda]:
-    """Keep a version whose images exist; else another wheel's, else the nearest newer one, with a warning."""
+    """Keep a version that has images; else take another wheel's version, else the nearest newer one, with a warning."""
     image = cuda_image(cuda)
     if image is not None and image.tag:
         return Choice(answer=_cuda(image, cudnn), reasons=reasons)

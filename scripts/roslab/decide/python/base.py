@@ -9,7 +9,7 @@ from roslab.knowledge.frameworks import cuda_image, nearest_cuda_image
 from roslab.knowledge.python_images import python_images
 
 PREFERRED = ("focal", "jammy", "noble", "bionic", "xenial")
-"""Where nothing decides: old enough for the code of papers, young enough to have packages."""
+"""The Ubuntu when nothing decides: old enough for the code of papers, new enough to have packages."""
 _WEIGHT = 50
 """There is one base for a Python or a CUDA: nothing speaks against it."""
 

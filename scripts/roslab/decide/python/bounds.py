@@ -27,7 +27,7 @@ def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choi
         if needed and not limited.get(needed.key):
             why = f"{use.bound.written} was compiled against it; {why}"
             bounds.setdefault(needed, because("dependencies", needed.written, why, use, weight=PackageWeight.BOUND))
-    # One bound a package: of two, the lower is the one that the code itself asks for
+    # One bound per package: the lower of two is the one that the code itself needs
     own = {use.bound for use in chosen}
     names = {bound.key for bound in own}
     kept = {bound: why for bound, why in bounds.items() if bound in own or bound.key not in names}

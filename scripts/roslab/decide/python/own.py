@@ -56,7 +56,7 @@ def decide_version(
     own = OwnPython(version=number, system=False, wanted=said.answer, chosen=chosen)
     if said.answer:
         return Choice(answer=own, reasons=said.reasons)
-    why = because("python", number, "nothing is said: the Python of the base", weight=VersionWeight.DEFAULT)
+    why = because("python", number, "nothing names a version: the Python of the base", weight=VersionWeight.DEFAULT)
     return Choice(answer=own, reasons=(why, *said.reasons))
 
 

@@ -39,7 +39,7 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
     named = sorted(_named(evidence, pins), key=_order)
     fitting = _fitting(known)
     chosen = next((reason for reason in named if reason.answer in fitting or reason.weight >= Weight.BELIEVED), None)
-    if chosen is None and (older := tuple(ranges_by_use(evidence, pins))):  # nobody says which: what the code uses does
+    if chosen is None and (older := tuple(ranges_by_use(evidence, pins))):  # nothing names a version
         known = (*known, *older)
         fitting = [python for python in fitting if all(python in each.pythons for each in older)] or fitting
     reasons = [each.reason for each in known]
@@ -80,7 +80,7 @@ def _named(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Reason]:
     yield from _of_images(evidence)
     for pin in pins:
         if pin.trust and pin.requirement.wheel and (python := pin.requirement.wheel.python):
-            yield because("python", python, "a wheel of it is named", pin.requirement, weight=Weight.WHEEL)
+            yield because("python", python, "a wheel for it is named", pin.requirement, weight=Weight.WHEEL)
 
 
 def _mentioned(mention: Mention, *, three: bool) -> Iterator[Reason]:
@@ -90,7 +90,7 @@ def _mentioned(mention: Mention, *, three: bool) -> Iterator[Reason]:
         yield because("python", mention.value, why, mention, weight=0 if three else Weight.PRINT_STATEMENT)
         return
     if mention.value.startswith("2") and (three or _BOTH.search(mention.text)):
-        return  # Python 3 does as well
+        return  # Python 3 works as well
     weight = Weight.SAID.get(mention.source, Weight.SAID_ELSEWHERE)
     weight -= Weight.DEEPER * min(mention.file.count("/"), 3)
     weight += Weight.CREATES if "create" in mention.text and "python" in mention.text else 0

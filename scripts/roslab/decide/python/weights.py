@@ -6,7 +6,7 @@ from typing import ClassVar
 
 
 class VersionWeight:
-    """What speaks for a version of Python, the strongest first: what is run before what is said, near before deep."""
+    """How much each reason for a Python version counts: what is run counts more than what is only written."""
 
     CONDA: ClassVar = {0: 80, 1: 55}  # by folders above it: an environment file is made to be installed
     CONDA_DEEP = 20
@@ -17,12 +17,12 @@ class VersionWeight:
     SAID: ClassVar = {"readme": 40, "dockerfile": 24, "script": 16, "ci": 12}
     SAID_ELSEWHERE = 8
     DEEPER = 4  # what each folder takes from what is said, up to three
-    CREATES = 12  # on top for a line that makes an environment with it
+    CREATES = 12  # added for a line that creates an environment with it
     AT_LEAST = 8  # what a sentence loses that names only the oldest one
     PRINT_STATEMENT = 39  # Python 2, unless the classifiers have Python 3
-    PINS = 30  # with the trust of the pin on top; also the version that fits them all
-    LOWER_BOUND = 29  # with the trust of the pin on top
-    USED = 20  # what the code uses, where nobody says which
+    PINS = 30  # plus the trust of the pin; also for the version that fits all pins
+    LOWER_BOUND = 29  # plus the trust of the pin
+    USED = 20  # names that the code uses, if no version is named
     IMAGE = 16  # the Python of the Ubuntu that a Dockerfile starts from
     CLASSIFIERS = 10  # hardly anybody keeps them up to date
     DEFAULT = 1
