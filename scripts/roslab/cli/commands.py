@@ -17,7 +17,6 @@ from roslab.config import Override, locate
 from roslab.config.generation import NAMES
 from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.pipeline import Planned, plan_repository
-from roslab.render import report
 from roslab.values.origin import Option, Place
 
 
@@ -37,6 +36,8 @@ def _named(options: argparse.Namespace) -> locate.Named | None:
 
 def inspect(options: argparse.Namespace) -> int:
     """Print what was found and why."""
+    from roslab.render import report  # noqa: PLC0415 - the other commands do without
+
     planned = _plan(options)
     if options.explain:
         questions = sorted({reason.question for reason in planned.decision.reasons})

@@ -2,36 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
 
 from roslab.plan.plan import Plan
-from roslab.render.build_script import build_script
-from roslab.render.dockerfile import dockerfile
-from roslab.render.ignore import ignore
-from roslab.render.notebook import notebook
-from roslab.render.output import MARKER, OutputFile
-from roslab.render.run_script import run_script
+from roslab.render.output import MARKER, Beside, OutputFile
 
 __all__ = ["FILES", "MARKER", "OutputFile", "render_all"]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Beside:
-    """What lies beside the files that are written."""
-
-    context: str
-    """The repository, relative to the folder that the files are written to."""
-    readme: str | None
-    readme_name: str
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
 class File:
-    """One file of every plan, and how its text is made."""
+    """One file of every plan, and the module that makes its text."""
 
     path: str
-    text: Callable[[Plan, Beside], str]
+    module: str
+    """Its ``text(plan, beside)`` is the file. Imported when that is written: planning does without."""
     executable: bool = False
     generated_only: bool = False
     """It belongs to a generated Dockerfile: where the author's own is built, it is not written."""
@@ -40,15 +26,11 @@ class File:
 
 
 FILES: tuple[File, ...] = (
-    File(path="Dockerfile", text=lambda plan, _: dockerfile(plan), generated_only=True),
-    File(path="Dockerfile.dockerignore", text=lambda plan, _: ignore(plan, _unread()), generated_only=True),
-    File(path="docker_build.sh", text=lambda plan, at: build_script(plan, context=at.context), executable=True),
-    File(path="docker_run.sh", text=lambda plan, at: run_script(plan, context=at.context), executable=True),
-    File(
-        path="README.ipynb",  # JupyterLab opens it
-        text=lambda plan, at: notebook(plan, readme=at.readme, readme_name=at.readme_name),
-        read_in_image=True,
-    ),
+    File(path="Dockerfile", module="dockerfile", generated_only=True),
+    File(path="Dockerfile.dockerignore", module="ignore", generated_only=True),
+    File(path="docker_build.sh", module="build_script", executable=True),
+    File(path="docker_run.sh", module="run_script", executable=True),
+    File(path="README.ipynb", module="notebook", read_in_image=True),  # JupyterLab opens it
 )
 """Every file, in the order in which they are shown; a new one is a line here."""
 
@@ -61,12 +43,18 @@ def render_all(
     ``context`` is the repository, relative to the folder that the files are written to; ``readme`` is the text of the
     file ``readme_name``. An author's own Dockerfile is built where it stands: for it there is no Dockerfile.
     """
-    beside = Beside(context="." if output_is_root else context, readme=readme, readme_name=readme_name)
+    beside = Beside(
+        context="." if output_is_root else context,
+        readme=readme,
+        readme_name=readme_name,
+        unread=tuple(file.path for file in FILES if not file.read_in_image),
+    )
     written = (file for file in FILES if not (file.generated_only and plan.author_dockerfile))
     return tuple(
-        OutputFile(path=file.path, text=file.text(plan, beside), executable=file.executable) for file in written
+        OutputFile(path=file.path, text=_text(file, plan, beside), executable=file.executable) for file in written
     )
 
 
-def _unread() -> tuple[str, ...]:
-    return tuple(file.path for file in FILES if not file.read_in_image)
+def _text(file: File, plan: Plan, beside: Beside) -> str:
+    text: str = import_module(f"{__name__}.{file.module}").text(plan, beside)
+    return text

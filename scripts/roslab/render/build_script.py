@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 from roslab.plan.plan import AuthorDockerfile, Plan
+from roslab.render.output import Beside
 from roslab.render.script import script
 
 OLDEST_DOCKER = "23"
 """Its builder reads heredocs and ``<Dockerfile>.dockerignore`` without a ``# syntax`` line."""
+
+
+def text(plan: Plan, beside: Beside) -> str:
+    """Return docker_build.sh for the folder it is written to."""
+    return build_script(plan, context=beside.context)
 
 
 def build_script(plan: Plan, *, context: str) -> str:

@@ -11,7 +11,7 @@ from itertools import accumulate
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.output import MARKER
+from roslab.render.output import MARKER, Beside
 
 HEADER = f"# {MARKER}. docker reads this file for Dockerfile, instead of .dockerignore.\n"
 ANY_DEPTH = "**"
@@ -22,6 +22,11 @@ MAX_COMPARED = 2_000_000
 real files have, against a thousand deep paths take half of that."""
 Parts = tuple[str, ...]
 """A line's shell patterns, one for each part of a path; ``**`` stands for any number of folders."""
+
+
+def text(plan: Plan, beside: Beside) -> str:
+    """Return the ignore file of a plan; what nothing in the image reads is left out of the build."""
+    return ignore(plan, beside.unread)
 
 
 def ignore(plan: Plan, unread: tuple[str, ...]) -> str:

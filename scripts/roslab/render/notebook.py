@@ -14,12 +14,17 @@ from typing import Any, Literal
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.output import MARKER
+from roslab.render.output import MARKER, Beside
 from roslab.render.shell_block import Step, steps
 
 Cell = tuple[Literal["markdown", "code"], str]
 MARKDOWN = (".md", ".markdown", ".mkd", ".mdown")
 _LABEL = re.compile(r"\[((?:[^\[\]\\]|\\.){1,999})\]")
+
+
+def text(plan: Plan, beside: Beside) -> str:
+    """Return the notebook, with the README that it shows."""
+    return notebook(plan, readme=beside.readme, readme_name=beside.readme_name)
 
 
 def notebook(plan: Plan, *, readme: str | None, readme_name: str = "README.md") -> str:

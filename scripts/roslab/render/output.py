@@ -1,4 +1,4 @@
-"""A file that roslab writes, and the mark by which it knows its own again."""
+"""A file that roslab writes, what lies beside it, and the mark by which roslab knows its own files again."""
 
 from __future__ import annotations
 
@@ -16,3 +16,15 @@ class OutputFile:
     path: str
     text: str
     executable: bool = False
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Beside:
+    """What lies beside the files that are written."""
+
+    context: str
+    """The repository, relative to the folder that the files are written to."""
+    readme: str | None
+    readme_name: str
+    unread: tuple[str, ...] = ()
+    """Written files that nothing in the image opens: a change of one must not repeat a step of the build."""

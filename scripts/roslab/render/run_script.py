@@ -8,6 +8,7 @@ from roslab.config.model import Volume
 from roslab.errors import ConfigurationError, Problem
 from roslab.plan.plan import Plan
 from roslab.render import quote
+from roslab.render.output import Beside
 from roslab.render.script import script
 
 IMAGE_USER = "1000"
@@ -17,6 +18,11 @@ _PORT = re.compile(
 )
 _OPTION = re.compile(r"ro|rw|z|Z|cached|consistent|delegated|nocopy|r?private|r?shared|r?slave")
 _MAC = re.compile(r"[0-9A-Fa-f]{2}(?:[:-][0-9A-Fa-f]{2}){5}")
+
+
+def text(plan: Plan, beside: Beside) -> str:
+    """Return docker_run.sh for the folder it is written to."""
+    return run_script(plan, context=beside.context)
 
 
 def run_script(plan: Plan, *, context: str) -> str:
