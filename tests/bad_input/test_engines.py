@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable
 from pathlib import Path
 from subprocess import CompletedProcess
@@ -79,12 +80,17 @@ WORKING = (
 
 
 def test_a_build_that_fails(roslab: Roslab, tmp_path: Path) -> None:
-    failed = '"buildx build") echo "#9 ERROR: process apt-get did not complete successfully: exit code: 100"; exit 1'
+    log = (
+        "#9 [4/6] RUN make-the-thing --quickly",
+        "#9 0.412 the thing cannot be made today",
+        '#9 ERROR: process "/bin/sh -c make-the-thing --quickly" did not complete successfully: exit code: 3',
+    )
+    failed = f'"buildx build") printf "%s\\n" {" ".join(map(shlex.quote, log))}; exit 1'
     answer = roslab("build", EXAMPLE, env=stand_in(tmp_path, *WORKING, failed, '"image rm") exit 1'))
     assert answer.returncode == 5
     assert last(answer) == (
-        "roslab: error: the build failed: process apt-get did not complete successfully: exit code: 100\n"
-        "  the lines above say why; `roslab explain` reads a saved log\n"
+        "roslab: error: the build failed in `RUN make-the-thing --quickly`: the thing cannot be made today\n"
+        "  no known cause: the lines before it in the log say more\n"
     )
     assert answer.stdout == ""
 
