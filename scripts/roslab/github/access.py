@@ -1,4 +1,4 @@
-"""What a registry's refusal means in a workflow, and the line that mends it."""
+"""What a registry's refusal means in a workflow, and the line of YAML that fixes it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from roslab.errors import BuildError, Problem, RefusedError
 from roslab.github.event import Event
 
 OWN = "ghcr.io"
-"""The one registry that the run's own token may be sent to: any other could keep it and write to the repository."""
+"""The only registry that may receive the run's own token: any other could keep it and write to the repository."""
 REFUSALS: tuple[tuple[re.Pattern[str], Verdict], ...] = (
     (
         re.compile(
@@ -22,11 +22,11 @@ REFUSALS: tuple[tuple[re.Pattern[str], Verdict], ...] = (
     (re.compile(r": (?P<said>(?:429|50\d) [A-Z][^\n]*)"), "unreachable"),
     (re.compile(r"dial tcp .*(?P<said>connection refused|no such host|i/o timeout)"), "unreachable"),
 )
-"""What BuildKit says after ``failed to push``, and the verdict it amounts to; the first that fits counts."""
+"""What BuildKit says after ``failed to push``, and what that means; the first match counts."""
 
 
 def problem(access: Access, *, image: str, event: Event) -> Problem | None:
-    """Return what to tell of an access that is not granted, ``None`` where the push may be tried."""
+    """Return the problem to report when access is not granted, ``None`` if the push may be tried."""
     host = image.partition("/")[0]
     said = f": {access.detail}" if access.detail else ""
     if access.verdict == "wrong password":
@@ -57,9 +57,9 @@ def _right(host: str, image: str, event: Event) -> str:
 
 
 def require_secret(registry: str, *, name: str, given: bool) -> None:
-    """Raise ``RefusedError`` where a push to a registry would have to use the run's own token, which is for ghcr.io.
+    """Raise ``RefusedError`` if a push to another registry than ghcr.io would use the run's own token.
 
-    ``name`` is what the caller can set, ``given`` whether it holds something else than the run's own token.
+    ``name`` is the secret that the caller can set, ``given`` whether it holds anything but the run's own token.
     """
     if registry == OWN or given:
         return
@@ -73,13 +73,13 @@ def require_secret(registry: str, *, name: str, given: bool) -> None:
 
 
 def require(access: Access, *, image: str, event: Event) -> None:
-    """Raise ``BuildError`` where a push cannot succeed."""
+    """Raise ``BuildError`` if a push cannot succeed."""
     if found := problem(access, image=image, event=event):
         raise BuildError(found)
 
 
 def refusal(log: str) -> Access | None:
-    """Return the registry's refusal of a push, as the log of a build has it; ``None`` where it failed otherwise."""
+    """Return the registry's refusal of a push from a build's log, ``None`` if the build failed for another reason."""
     said = "\n".join(line for line in log.splitlines() if "failed to push" in line)
     for pattern, verdict in REFUSALS:
         if match := pattern.search(said):

@@ -1,4 +1,4 @@
-"""GitHub's own API: where a branch stands now, and which releases there are."""
+"""GitHub's API: the commit a branch points to now, and the releases that exist."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from roslab.github.event import Event
 SECONDS = 20.0
 ATTEMPTS = 4
 PAGES = 100
-"""Of a list, a hundred entries each."""
+"""The most pages that are read of one list; each page has a hundred entries."""
 Ask = Callable[[str], Any]
-"""Given a path of the API: its answer, ``None`` where there is no such thing."""
+"""A function that takes a path of the API and returns the answer, ``None`` if nothing exists there."""
 
 
 def asker(environment: Mapping[str, str], *, method: str = "GET", pause: Callable[[float], None] = time.sleep) -> Ask:
-    """Return what asks the API by the job's token in ROSLAB_GITHUB_TOKEN.
+    """Return a function that asks the API with the job's token in ROSLAB_GITHUB_TOKEN.
 
-    It raises ``BuildError`` where GitHub does not answer. https://docs.github.com/en/rest/git/refs
+    The function raises ``BuildError`` if GitHub does not answer. https://docs.github.com/en/rest/git/refs
     """
     base = environment.get("GITHUB_API_URL") or "https://api.github.com"
     token = environment.get("ROSLAB_GITHUB_TOKEN", "")
@@ -36,7 +36,7 @@ def asker(environment: Mapping[str, str], *, method: str = "GET", pause: Callabl
         for attempt in range(1, ATTEMPTS + 1):
             try:
                 with urllib.request.urlopen(request, timeout=SECONDS) as reply:  # noqa: S310
-                    return json.loads(reply.read() or b"{}")  # what was removed has nothing to say
+                    return json.loads(reply.read() or b"{}")  # the answer to a DELETE is empty
             except urllib.error.HTTPError as error:
                 if error.code == 404:
                     return None
@@ -55,7 +55,7 @@ def asker(environment: Mapping[str, str], *, method: str = "GET", pause: Callabl
 
 
 def branch_head(event: Event, ask: Ask) -> str | None:
-    """Return the commit at which the event's branch stands, ``None`` where there is no such branch (any more)."""
+    """Return the commit that the event's branch points to, ``None`` if the branch does not exist (any more)."""
     if not event.branch:
         return None
     answer = ask(f"/repos/{event.repository}/git/ref/heads/{quote(event.branch)}")
@@ -63,7 +63,7 @@ def branch_head(event: Event, ask: Ask) -> str | None:
 
 
 def releases(event: Event, ask: Ask) -> tuple[str, ...]:
-    """Return the names of the git tags that begin as the event's own does, up to its last point: ``v1.2.``."""
+    """Return the names of the git tags that share the event's tag up to its last dot, such as ``v1.2.``."""
     if not event.tag or "." not in event.tag:
         return ()
     series = event.tag.rpartition(".")[0] + "."
@@ -72,9 +72,9 @@ def releases(event: Event, ask: Ask) -> tuple[str, ...]:
 
 
 def pages(ask: Ask, path: str, *, whole: bool = True) -> list[dict[str, Any]] | None:
-    """Return the entries of a list of the API, ``None`` where there is no such list.
+    """Return the entries of a list of the API, ``None`` if there is no such list.
 
-    Raises ``BuildError`` where there are more than are asked for and ``whole`` says that each of them counts.
+    Raises ``BuildError`` if ``whole`` demands every entry and the list is longer than the pages that are read.
     https://docs.github.com/en/rest/using-the-rest-api/using-pagination-in-the-rest-api
     """
     found: list[dict[str, Any]] = []

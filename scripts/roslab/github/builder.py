@@ -1,4 +1,4 @@
-"""The builder of a job: its driver, and the platforms for which the machine needs an emulator."""
+"""The builder of a job: its driver, and the platforms that need an emulator on this machine."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from roslab.knowledge.pins import pin
 def settings(environment: Mapping[str, str], *, direct: bool = False) -> dict[str, str]:
     """Return the inputs of docker/setup-buildx-action and docker/setup-qemu-action, each part at its pinned version.
 
-    ``direct`` asks for the engine's own BuildKit: enough for one platform that is not pushed, and its image lies on the
-    disk once, where another's would be copied to the engine. Else a runner gets a BuildKit of its own in a container.
-    A machine that has one already, and the buildx that goes with it, names it with ROSLAB_BUILDX_DRIVER (``remote``)
+    ``direct`` asks for the engine's own BuildKit. It is enough for one platform that is not pushed, and it saves disk:
+    any other builder would copy the image to the engine. Otherwise a runner gets its own BuildKit in a container.
+    A machine that already has a BuildKit, and a buildx that fits it, names it with ROSLAB_BUILDX_DRIVER (``remote``)
     and ROSLAB_BUILDX_ENDPOINT (``unix:///…``): https://docs.docker.com/build/builders/drivers/
     """
     driver = environment.get("ROSLAB_BUILDX_DRIVER", "")
@@ -31,8 +31,8 @@ def settings(environment: Mapping[str, str], *, direct: bool = False) -> dict[st
 def scanner(environment: Mapping[str, str], *, wanted: bool, act: bool) -> str:
     """Return the input ``sbom`` of docker/build-push-action: the scanner that writes an image's bill of materials.
 
-    Under act it is not asked for, since the machine may be offline; ROSLAB_SBOM (``true``, ``false`` or the reference
-    of another scanner) says otherwise. https://docs.docker.com/build/metadata/attestations/sbom/
+    Under act there is none by default, because the machine may be offline. ROSLAB_SBOM (``true``, ``false`` or the
+    reference of another scanner) overrides this. https://docs.docker.com/build/metadata/attestations/sbom/
     """
     said = environment.get("ROSLAB_SBOM") or ("false" if act else "true")
     if not wanted or said == "false":
@@ -41,20 +41,20 @@ def scanner(environment: Mapping[str, str], *, wanted: bool, act: bool) -> str:
 
 
 def emulated(platforms: Sequence[str]) -> tuple[str, ...]:
-    """Return the architectures that the machine cannot run yet, as docker/setup-qemu-action names them."""
+    """Return the architectures that the machine cannot run yet, in the names of docker/setup-qemu-action."""
     known = listed(output(["docker", "buildx", "inspect", "default"]).stdout) or (native_platform(),)
     lacking = [platform for platform in platforms if platform not in known]
     return tuple(dict.fromkeys(platform.split("/")[1] for platform in lacking))
 
 
 def listed(inspection: str) -> tuple[str, ...]:
-    """Return the platforms that ``docker buildx inspect`` lists; a star marks preferred ones."""
+    """Return the platforms that ``docker buildx inspect`` lists; a star there marks preferred ones."""
     lines = re.findall(r"^\s*Platforms:\s*(.+)$", inspection, flags=re.MULTILINE)
     return tuple(part.strip().rstrip("*") for line in lines for part in line.split(",") if part.strip())
 
 
 def failed_log() -> str:
-    """Return the log of the builder's newest build that failed, ``""`` where it keeps none.
+    """Return the log of the builder's newest failed build, ``""`` if it keeps none.
 
     https://docs.docker.com/reference/cli/docker/buildx/history/
     """
@@ -67,7 +67,7 @@ def failed_log() -> str:
 
 
 def newest_failure(listing: str) -> str | None:
-    """Return the newest failed build of ``docker buildx history ls --format json``: one object a line, newest first."""
+    """Return the newest failed build of ``docker buildx history ls --format json``, which lists the newest first."""
     for line in listing.splitlines():
         try:
             record = json.loads(line)

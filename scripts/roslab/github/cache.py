@@ -1,4 +1,4 @@
-"""Which layers a build may start from, and where it leaves its own."""
+"""The layer cache: where a build reads layers from, and where it writes its own."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from roslab.github.inputs import Cache
 from roslab.github.run import short
 
 PREFIX = "buildcache"
-"""Beginning of the cache's tags, which lie beside the image's own."""
+"""Prefix of the cache's tags, which are in the same registry repository as the image's tags."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -25,10 +25,10 @@ class Layers:
 def layers(event: Event, publication: Publication, wish: Cache, *, image: str, part: str, variant: str = "") -> Layers:
     """Decide the layer cache of one build.
 
-    ``part`` tells the builds of one image apart (a platform, ``all`` for one build of several), ``variant`` the calls
-    that build it in several ways. A branch reads its own
-    cache, then the default branch's; only a run that publishes writes, and only its own branch's, so that a pull
-    request cannot put a layer under anybody's next release. A release's tag reads nothing at all
+    ``part`` distinguishes the builds of one image (a platform, or ``all`` for one build of several platforms),
+    ``variant`` the calls that build the image in different ways. A branch reads its own cache, then the default
+    branch's. Only a run that publishes writes a cache, and only that of its own branch, so that a pull request cannot
+    place a layer in a later release. The build of a release's tag reads no cache
     (https://docs.zizmor.sh/audits/#cache-poisoning).
     """
     if wish == "none":
@@ -50,9 +50,9 @@ def layers(event: Event, publication: Publication, wish: Cache, *, image: str, p
 
 
 def _reference(image: str, branch: str, part: str, variant: str) -> str:
-    """Return a tag that no other branch or variant has, although a tag holds fewer characters than a branch's name.
+    """Return a tag that no other branch or variant has, even if the branch's name is too long for a tag.
 
-    It has at most 128: https://github.com/distribution/reference/blob/main/regexp.go.
+    A tag has at most 128 characters: https://github.com/distribution/reference/blob/main/regexp.go.
     """
     name = re.sub(r"[^A-Za-z0-9_.-]+", "-", branch)[:80]
     return f"type=registry,ref={image}:{PREFIX}-{name}-{short(branch, variant)}-{part}"

@@ -1,4 +1,4 @@
-"""What a checkout leaves in ``.git``, and how a build with the author's own Dockerfile is kept from seeing it."""
+"""Credentials that a checkout leaves in ``.git``, and how they are hidden from the author's own Dockerfile."""
 
 from __future__ import annotations
 
@@ -18,16 +18,17 @@ from roslab.values.origin import Input, Place
 
 FLAGS = re.IGNORECASE | re.MULTILINE
 CREDENTIAL = re.compile(rb"^\s*extraheader\s*=.*authorization|^\s*url\s*=\s*\w+://[^/\s]*:[^/\s]*@", FLAGS)
-"""What actions/checkout up to version 5 writes with ``persist-credentials``, and an address with a password in it.
+"""Matches what actions/checkout up to version 5 writes with ``persist-credentials``, and a URL with a password.
 https://github.com/actions/checkout/blob/main/CHANGELOG.md"""
 MAX_CONFIG = 1_000_000
-"""Bytes of a git configuration that are read."""
+"""Number of bytes of a git configuration that are read."""
 
 
 def part(workspace: Path, path: str) -> Path:
-    """Return the folder of a checkout that is built as if it were the whole; ``path`` is relative, ``""`` for all.
+    """Return the folder of a checkout that is built as if it were the repository.
 
-    Raises ``ConfigurationError`` where there is no such folder, ``RefusedError`` where it is not the checkout's own.
+    ``path`` is relative to the checkout, ``""`` for all of it. Raises ``ConfigurationError`` if there is no such
+    folder, ``RefusedError`` if it lies outside the checkout.
     """
     root = workspace.resolve()
     if not path:
@@ -44,7 +45,7 @@ def part(workspace: Path, path: str) -> Path:
 
 @contextmanager
 def placed(path: str) -> Iterator[None]:
-    """Name files by their path in the whole checkout, where what is wrong is in a folder of it."""
+    """Make the problems raised inside name files by their path in the checkout instead of in the built folder."""
     try:
         yield
     except RoslabError as error:
@@ -59,9 +60,10 @@ def _placed(problem: Problem, path: str) -> Problem:
 
 
 def shielded(dockerfile: Path, context: Path, folder: Path) -> Path | None:
-    """Return a copy of the Dockerfile in ``folder`` whose build does not see ``.git``, where that holds a credential.
+    """Copy the Dockerfile to ``folder`` so that its build does not see ``.git``, if a credential is stored there.
 
-    ``None`` means that the Dockerfile can be built where it stands. The lines of the author's ignore file are kept.
+    Return the copy, or ``None`` if the Dockerfile can be built where it is. The lines of the author's ignore file are
+    kept.
     """
     left = [path for path in _configurations(context) if _has_credential(context / path)]
     lines = _ignored(dockerfile, context)
@@ -73,7 +75,7 @@ def shielded(dockerfile: Path, context: Path, folder: Path) -> Path | None:
 
 
 def _configurations(context: Path) -> Iterator[str]:
-    """Yield every git configuration below a folder, of submodules too, relative to it; no link is followed."""
+    """Yield the relative path of every git configuration in a folder, also of submodules; links are not followed."""
     for place, folders, _ in os.walk(context):
         if ".git" in folders:
             git = Path(place) / ".git"
@@ -90,7 +92,7 @@ def _has_credential(file: Path) -> bool:
 
 
 def _ignored(dockerfile: Path, context: Path) -> list[str]:
-    """Return the lines of the ignore file that docker would read: https://docs.docker.com/build/concepts/context/."""
+    """Return the lines of the ignore file that docker reads: https://docs.docker.com/build/concepts/context/."""
     for file in (dockerfile.with_name(f"{dockerfile.name}.dockerignore"), context / ".dockerignore"):
         if file.is_file():
             return file.read_text(encoding="utf-8", errors="replace").splitlines()

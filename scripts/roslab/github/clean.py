@@ -1,4 +1,4 @@
-"""Removing what nobody needs of an image: what it would remove is shown first, and by default nothing else happens."""
+"""Removing an image's unneeded versions: by default they are only listed."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ MOST_ROWS = 200
 
 
 def clean(environment: Mapping[str, str]) -> None:
-    """Show what of an image nobody needs, and remove it where ``dry-run`` is false.
+    """List the versions of an image that are not needed, and remove them if ``dry-run`` is false.
 
-    Raises ``ConfigurationError`` for a wrong input, ``RefusedError`` where the registry would get the run's own token,
-    ``BuildError`` where GitHub or the registry does not say all that must be known: then nothing is removed.
+    Raises ``ConfigurationError`` for a wrong input, ``RefusedError`` if the registry would receive the run's own token,
+    and ``BuildError``, with nothing removed, if GitHub or the registry does not give all the necessary information.
     """
     what, asked = event.read(environment), inputs.read(environment)
     dry, rules = _read(environment)
@@ -53,7 +53,7 @@ def clean(environment: Mapping[str, str]) -> None:
 
 
 def names_of(what: Event, ask: api.Ask) -> Names:
-    """Return what the repository calls its branches. Raises ``BuildError`` where GitHub does not list them."""
+    """Return the names of the repository's branches. Raises ``BuildError`` if GitHub does not list them."""
     path = f"/repos/{what.repository}"
     branches = api.pages(ask, f"{path}/branches") or []
     tags = api.pages(ask, f"{path}/tags")
@@ -72,7 +72,7 @@ def names_of(what: Event, ask: api.Ask) -> Names:
 
 
 def _read(environment: Mapping[str, str]) -> tuple[bool, Rules]:
-    """Return whether nothing is to be removed, and what else the inputs say."""
+    """Return whether this is a dry run, and the rules that the inputs give."""
     dry = (environment.get("INPUT_DRY_RUN") or "true").strip().lower()
     days = (environment.get("INPUT_DAYS") or "30").strip()
     problems = []
@@ -94,7 +94,7 @@ def _read(environment: Mapping[str, str]) -> tuple[bool, Rules]:
 
 
 def _store(image: str, username: str, environment: Mapping[str, str]) -> Store:
-    """Return what can be done at the image's registry; GitHub's own lists more than the standard's protocol does."""
+    """Return the store for the image's registry; GitHub's API lists more than the standard protocol does."""
     password = environment.get("ROSLAB_TOKEN", "")
     if image.partition("/")[0] != access.OWN:
         return versions.store(credentials.session(image, username, password, "pull,delete"))
@@ -105,7 +105,7 @@ def _store(image: str, username: str, environment: Mapping[str, str]) -> Store:
 
 
 def manifests_of(store: Store, found: Sequence[Version]) -> dict[str, Manifest]:
-    """Return each version's manifest. Raises ``BuildError`` where one is missing: it may name what must stay."""
+    """Return each version's manifest. Raises ``BuildError`` if one is missing: it may refer to what must stay."""
     known = {version.digest: store.manifest(version.digest) for version in found}
     missing = [digest for digest, manifest in known.items() if manifest is None]
     if missing:

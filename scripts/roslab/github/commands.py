@@ -37,7 +37,7 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run(options: argparse.Namespace) -> int:
-    """Run one step; what stops it is also kept for the summary."""
+    """Run one step; an error that stops it is also kept for the summary."""
     try:
         STEPS[options.step][1](os.environ)
     except RoslabError as error:
@@ -47,7 +47,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _keep(step: str, error: RoslabError) -> None:
-    """Keep a failure for the step that writes the summary; where no run exists yet, this is the summary."""
+    """Keep a failure for the step that writes the summary; if no run exists yet, write the summary now."""
     lines = [" ".join(str(problem).split()) for problem in error.problems]
     try:
         folder = Folder.of(os.environ)

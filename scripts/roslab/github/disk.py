@@ -1,7 +1,7 @@
-"""Room for an image: what it needs at least is known before the build, and room is made where that is allowed.
+"""Disk space for an image: estimate the least it needs before the build, and free space if that is allowed.
 
-An image lies on a runner more than once: compressed and unpacked in BuildKit's store, and again in the engine's, which
-runs it. GitHub's own runners have about 14 GB free.
+A runner stores an image more than once: compressed and unpacked in BuildKit's store, and again in the store of the
+engine that runs it. GitHub's own runners have about 14 GB free.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ from roslab.plan.plan import Plan
 
 GB = 10**9
 UNPACKED = 2
-"""A layer unpacked is at least that many times as large: seen 2.8 for ROS and for Python, 4 for a minimal base."""
+"""Least ratio of unpacked to compressed size of a layer: measured 2.8 for ROS and Python, 4 for a minimal base."""
 PACKAGES = 4 * GB
-"""Room for what is installed on the base, where nothing heavier is known."""
+"""Bytes for what is installed on the base, if nothing heavier is known."""
 FRAMEWORK = 12 * GB
-"""Room for a framework with its CUDA libraries: wheels of 3 GB, unpacked, then packed as a layer."""
+"""Bytes for a framework with its CUDA libraries: 3 GB of wheels, unpacked, then compressed as a layer."""
 HEAVY = re.compile(r"(?:torch|tensorflow|jax|paddlepaddle|mxnet|tensorrt|nvidia-\w+)\b", re.IGNORECASE)
 LARGER = "take a larger runner (the input runners), or a smaller base (base.image in roslab.yaml)"
 
 
 def before_build(run: Run, platforms: Sequence[str], environment: Mapping[str, str]) -> None:
-    """Say how much disk there is and is needed, and make room on a runner of GitHub's own.
+    """Print how much disk space is free and needed, and free some on GitHub's own runners.
 
-    Raises ``BuildError`` where the base image alone cannot fit.
+    Raises ``BuildError`` if the base image alone cannot fit.
     """
     available = disk.free()
     if available is None:
@@ -49,7 +49,7 @@ def before_build(run: Run, platforms: Sequence[str], environment: Mapping[str, s
 
 
 def make_room(wanted: int, weights: Sequence[tuple[str, str]] | None = None) -> int:
-    """Remove what the runner carries, the heaviest first, until enough is free; return the bytes that are free then."""
+    """Remove preinstalled software, the largest first, until enough is free; return the bytes that are free then."""
     available = disk.free() or 0
     with workflow.group("Make room on the runner"):
         for folder, holds in runner_weight() if weights is None else weights:
@@ -62,9 +62,9 @@ def make_room(wanted: int, weights: Sequence[tuple[str, str]] | None = None) -> 
 
 
 def before_pull(image: registry.PlatformImage, environment: Mapping[str, str]) -> None:
-    """Make room for a pushed image that the engine is to run.
+    """Free space for a pushed image that the engine will run.
 
-    Raises ``BuildError`` where it cannot fit.
+    Raises ``BuildError`` if it cannot fit.
     """
     available = disk.free()
     size = sum(layer.size for layer in image.layers)
@@ -82,9 +82,9 @@ def before_pull(image: registry.PlatformImage, environment: Mapping[str, str]) -
 
 
 def owns_builder(environment: Mapping[str, str]) -> bool:
-    """Tell whether the builder ends with this job: one that the machine's owner named may serve others.
+    """Return whether only this job uses the builder: one that the machine's owner named may serve others.
 
-    ROSLAB_BUILDX_PRUNE (``true``) says that it may be emptied all the same.
+    ROSLAB_BUILDX_PRUNE (``true``) allows emptying a named builder too.
     """
     return not environment.get("ROSLAB_BUILDX_DRIVER") or environment.get("ROSLAB_BUILDX_PRUNE") == "true"
 

@@ -12,9 +12,9 @@ from roslab.errors import ConfigurationError, Problem, RefusedError
 
 Push = Literal["auto", "true", "false"]
 PUBLISHING = ("push", "create", "release", "schedule", "workflow_dispatch", "repository_dispatch", "workflow_run")
-"""Events that publish unless the caller says otherwise: their code is the repository's own."""
+"""Events that publish by default, because their code is the repository's own."""
 PRIVILEGED = ("pull_request_target", "workflow_run")
-"""Events that hold the repository's rights while the code may be a stranger's.
+"""Events that run with the repository's rights although the code may come from a stranger.
 https://docs.github.com/en/actions/reference/security/securely-using-pull_request_target"""
 
 QUEUE = "refs/heads/gh-readonly-queue/"
@@ -23,7 +23,7 @@ QUEUE = "refs/heads/gh-readonly-queue/"
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Event:
-    """What the runner says of the run."""
+    """What the runner's environment says about the run."""
 
     name: str
     repository: str
@@ -35,13 +35,13 @@ class Event:
     server: str = "https://github.com"
     actor: str = ""
     workflow_file: str = ""
-    """File name of the workflow that was started, ``""`` where the runner does not say."""
+    """File name of the workflow that was started, ``""`` if the runner does not say."""
     base_branch: str = ""
-    """The branch that a pull request wants to change."""
+    """The branch that a pull request is to be merged into."""
     proposed: bool = False
-    """The code is only proposed: a pull request or something that follows one."""
+    """The code is only proposed: the event is a pull request or follows from one."""
     head: str | None = None
-    """Repository that the code of a pull request comes from, ``None`` where it is gone or there is none."""
+    """Repository that the code of a pull request comes from, ``None`` if it was deleted or there is none."""
     public: bool = False
     """The repository is known to be public."""
     signing: bool = False
@@ -65,18 +65,18 @@ class Event:
 
     @property
     def queued(self) -> bool:
-        """The code waits in a merge queue, whose branches fire ``push`` too: it is not merged yet."""
+        """The code waits in a merge queue and is not merged yet; the queue's branches trigger ``push`` too."""
         return self.name == "merge_group" or self.ref.startswith(QUEUE)
 
     @property
     def foreign(self) -> bool:
-        """The proposed code comes from another repository, or from one that is gone."""
+        """The proposed code comes from another repository, or from one that was deleted."""
         return self.proposed and (self.head or "").lower() != self.repository.lower()
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Publication:
-    """Whether this run publishes, why, and what of the caller's wish was turned down."""
+    """Whether this run publishes, why, and which of the caller's wishes was refused."""
 
     push: bool
     reason: str
@@ -86,8 +86,8 @@ class Publication:
 def read(environment: Mapping[str, str]) -> Event:
     """Read the event from the runner's environment.
 
-    Raises ``ConfigurationError`` where the runner's variables are missing, ``RefusedError`` for a privileged event
-    whose code is a stranger's.
+    Raises ``ConfigurationError`` if the runner's variables are missing, ``RefusedError`` for a privileged event
+    whose code comes from a stranger.
     """
     name = environment.get("GITHUB_EVENT_NAME", "")
     repository = environment.get("GITHUB_REPOSITORY", "")
@@ -138,7 +138,7 @@ def _payload(path: str | None) -> dict[str, Any]:
 
 
 def _default_branch(name: str, payload: Mapping[str, Any], ref: str) -> str:
-    """Return the default branch; a schedule runs on no other, and its event may say nothing of the repository.
+    """Return the default branch, which is the run's own for a schedule, whose event may not describe the repository.
 
     https://docs.github.com/en/actions/reference/workflows-and-actions/events-that-trigger-workflows#schedule
     """
@@ -147,7 +147,7 @@ def _default_branch(name: str, payload: Mapping[str, Any], ref: str) -> str:
 
 
 def _origin(name: str, payload: Mapping[str, Any]) -> tuple[bool, str | None]:
-    """Tell whether the code is a pull request's, and the repository that it comes from."""
+    """Return whether the code is a pull request's, and the repository that it comes from."""
     if name == "workflow_run":
         started_by = _text(payload, "workflow_run", "event")
         head = _text(payload, "workflow_run", "head_repository", "full_name") or None
@@ -171,7 +171,7 @@ def _text(payload: Mapping[str, Any], *keys: str) -> str:
 
 
 def publication(event: Event, wish: Push) -> Publication:
-    """Decide whether the run publishes; nobody's wish makes a pull request publish."""
+    """Decide whether the run publishes; a pull request never publishes, whatever the caller wishes."""
     if event.proposed or event.queued:
         what = "a pull request from a fork" if event.foreign and event.head else "a pull request"
         what = "a merge queue" if event.queued else what

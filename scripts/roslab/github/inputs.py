@@ -20,7 +20,7 @@ from roslab.values.origin import Input
 
 Cache = Literal["auto", "registry", "none"]
 Runner = str | list[str] | dict[str, Any]
-"""A label, labels that a runner has all of, or ``group`` and ``labels``."""
+"""A label, a list of labels that the runner must all have, or an object of ``group`` and ``labels``."""
 PUSH = ("auto", "true", "false")
 CACHE = ("auto", "registry", "none")
 SETTINGS = {
@@ -35,7 +35,7 @@ SETTINGS = {
     "tag-prefix": "tags.prefix",
     "tag-suffix": "tags.suffix",
 }
-"""Inputs that say what a key of roslab.yaml says, and that key."""
+"""Inputs that set a key of roslab.yaml, and that key."""
 DEFAULT_RUNNER = "ubuntu-24.04"
 RUNNERS: dict[str, Runner] = {"linux/arm64": "ubuntu-24.04-arm", "linux/arm": "ubuntu-24.04-arm"}
 """Free for public repositories: https://docs.github.com/en/actions/reference/runners/github-hosted-runners"""
@@ -43,10 +43,10 @@ HOST = re.compile(r"(?:[a-z0-9](?:[a-z0-9.-]*[a-z0-9])?|\[[0-9a-f:]+\])(?::\d{1,
 COMPONENT = re.compile(r"[a-z0-9]+(?:(?:\.|_|__|-+)[a-z0-9]+)*")
 """https://github.com/distribution/reference/blob/main/regexp.go"""
 VARIANT = ("path", "config", "kind", "distro", "build-tool", "cuda", "python", "tag-prefix", "tag-suffix")
-"""Inputs by which one image may be built in several ways, each with a cache and artifacts of its own."""
+"""Inputs that make variants of one image; each variant has its own cache and artifacts."""
 LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._:/=@+-]{0,255}")
 LONGEST = 256
-"""Characters of a group's name."""
+"""Most characters in a group's name."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -54,9 +54,9 @@ class Inputs:
     """What the caller asked for."""
 
     ref: str = ""
-    """Commit, git tag or branch to build in place of the event's."""
+    """Commit, git tag or branch to build instead of the event's."""
     path: str = ""
-    """Folder of the repository that is built as if it were the whole, ``""`` for all of it."""
+    """Folder that is built as if it were the repository, ``""`` for all of it."""
     config: Named | None = None
     image: str | None = None
     """NAME or OWNER/NAME, in lower case."""
@@ -65,18 +65,18 @@ class Inputs:
     username: str = ""
     cache: Cache = "auto"
     overrides: tuple[Override, ...] = ()
-    """What the inputs say for keys of roslab.yaml: validated with it, so that every mistake of both is told at once."""
+    """Keys of roslab.yaml that the inputs set; validated together with it to report all mistakes at once."""
     runners: tuple[tuple[str, Runner], ...] = ()
-    """Platforms (or the beginning of their names) and the runner that builds them."""
+    """Platforms (or prefixes of their names) and the runner that builds them."""
     variant: str = ""
-    """What tells this call from others for the same image."""
+    """Text that distinguishes this call from others for the same image."""
 
 
 def read(environment: Mapping[str, str]) -> Inputs:
-    """Read ``INPUT_*``; one that is empty says nothing.
+    """Read ``INPUT_*``; an empty one counts as not given.
 
-    Raises ``ConfigurationError`` with one problem for each wrong input, where an input is wrong that roslab.yaml has no
-    key for; ``overrides`` are left to be validated with roslab.yaml.
+    Raises ``ConfigurationError`` with one problem for each wrong input that has no key in roslab.yaml; ``overrides``
+    are validated later, with roslab.yaml.
     """
     said = {
         name[6:].lower().replace("_", "-"): value.strip()
@@ -120,7 +120,7 @@ def read(environment: Mapping[str, str]) -> Inputs:
 
 
 def part(environment: Mapping[str, str]) -> str:
-    """Return the input ``path`` without what says nothing: ``./robots/arm/`` is ``robots/arm``."""
+    """Return the input ``path`` in its simplest form: ``./robots/arm/`` becomes ``robots/arm``."""
     path = posixpath.normpath(environment.get("INPUT_PATH", "").strip() or ".")
     return "" if path == "." else path
 
@@ -149,7 +149,7 @@ def _image(said: str, registry: str) -> tuple[str, list[Problem]]:
 
 
 def _runners(text: str) -> tuple[tuple[tuple[str, Runner], ...], list[Problem]]:
-    """Read the runners; the keys of the jobs that build nothing, ``plan`` and ``tag``, are the workflow's to read."""
+    """Read the runners; the workflow itself reads the keys ``plan`` and ``tag``, the jobs that build nothing."""
     hint = 'write JSON, for example {"linux/arm64": ["self-hosted", "arm64"], "plan": {"group": "small"}}'
     try:
         said = json.loads(text)
@@ -169,7 +169,7 @@ def _runners(text: str) -> tuple[tuple[tuple[str, Runner], ...], list[Problem]]:
 
 
 def _is_runner(value: Any) -> bool:
-    """Tell whether ``runs-on`` takes a value, as the workflow syntax has it.
+    """Return whether ``runs-on`` accepts a value according to the workflow syntax.
 
     https://docs.github.com/en/actions/reference/workflows-and-actions/workflow-syntax#jobsjob_idruns-on
     """
@@ -186,7 +186,7 @@ def _is_runner(value: Any) -> bool:
 
 
 def runner(platform: str, runners: tuple[tuple[str, Runner], ...]) -> Runner:
-    """Return what a platform's job runs on: the longest beginning of its name wins, the caller's first."""
+    """Return what a platform's job runs on: the longest prefix of its name wins, the caller's before the defaults."""
     for known in (dict(runners), RUNNERS):
         fitting = [start for start in known if f"{platform}/".startswith(f"{start}/")]
         if fitting:
@@ -195,7 +195,7 @@ def runner(platform: str, runners: tuple[tuple[str, Runner], ...]) -> Runner:
 
 
 def image(inputs: Inputs, *, owner: str, name: str) -> str:
-    """Return the image's full name without a tag, ``ghcr.io/owner/name``, in lower case as registries demand.
+    """Return the image's full name without a tag, ``ghcr.io/owner/name``, in lower case as registries require.
 
     ``owner`` is the repository's, ``name`` the plan's.
     """

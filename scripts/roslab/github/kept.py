@@ -1,8 +1,8 @@
-"""What the jobs of a run keep for a later one, as artifacts: each job's attempt, its failures and its reports.
+"""What jobs keep as artifacts for later jobs of the run: each job's attempt, its failures and its reports.
 
-An artifact belongs to an attempt of the run: where only failed jobs are run again, those of both attempts are there,
-and of a platform the newest attempt counts. Any job of the caller may upload an artifact: this checks the form of what
-is read, ``verify`` what it says.
+An artifact belongs to an attempt of the run. If only failed jobs are run again, the artifacts of both attempts exist,
+and the newest attempt of each platform counts. Any job of the caller may upload an artifact: this module checks the
+form of what is read, ``verify`` its content.
 https://docs.github.com/en/actions/how-tos/manage-workflow-runs/re-run-workflows-and-jobs
 """
 
@@ -21,33 +21,33 @@ NAME = "job.json"
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Job:
-    """One job's attempt, as its folder has it."""
+    """One job's attempt, as kept in its folder."""
 
     platform: str
-    """The one that it builds, ``""`` for a job of all of them, or of none."""
+    """The platform that it builds, ``""`` for a job that builds all or none."""
     attempt: int
     failures: tuple[str, ...] = ()
     reports: tuple[PlatformReport, ...] = ()
 
 
 def begin(folder: Path, *, platform: str, attempt: int) -> None:
-    """Write down that an attempt of a job has begun; an earlier step of the same job may have done so."""
+    """Record that an attempt of a job has begun; an earlier step of the same job may have recorded it."""
     folder.mkdir(exist_ok=True)
     if not (folder / NAME).exists():
         _write(folder, platform, attempt, ())
 
 
 def fail(folder: Path, lines: Sequence[str]) -> None:
-    """Add what stopped the job."""
+    """Record what stopped the job."""
     folder.mkdir(exist_ok=True)
     job = _job(folder / NAME) if (folder / NAME).exists() else Job(platform="", attempt=1)
     _write(folder, job.platform, job.attempt, (*job.failures, *lines))
 
 
 def gather(folder: Path) -> tuple[Job, ...]:
-    """Return the newest attempt of each job whose folder lies anywhere under this one, by platform.
+    """Return the newest attempt of each job whose folder is anywhere below this one, by platform.
 
-    Raises ``ConfigurationError`` for a file that is none of ours, and where two claim to be the same attempt.
+    Raises ``ConfigurationError`` for a file that this module did not write, and if two files name the same attempt.
     """
     newest: dict[str, Job] = {}
     for file in sorted(folder.rglob(NAME)):

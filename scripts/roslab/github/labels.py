@@ -1,4 +1,4 @@
-"""The labels of an image: what it is, from which commit, and when that was made; never the time of the build."""
+"""The labels of an image: its name, its commit and the commit's time, but never the time of the build."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PREFIX = "org.opencontainers.image"
 
 
 def labels(plan: Plan, event: Event, *, revision: str, seconds: int | None) -> tuple[tuple[str, str], ...]:
-    """Return the labels, the same for the same commit: two builds of it may then be equal bit for bit.
+    """Return the labels, which depend only on the commit, so that two builds of it can be identical.
 
     ``revision`` is the commit that was checked out, ``seconds`` its time since 1970.
     """
@@ -26,10 +26,10 @@ def labels(plan: Plan, event: Event, *, revision: str, seconds: int | None) -> t
         "base.name": plan.base_image,
         "created": timestamp(seconds) if seconds is not None else "",
     }
-    # buildx takes them one a line, as CSV: a quote or a line break would end the value
+    # buildx reads one label per line, as CSV: a quote or a line break would end the value
     return tuple((f"{PREFIX}.{key}", re.sub(r'[\s"]+', " ", value)) for key, value in found.items() if value)
 
 
 def timestamp(seconds: int) -> str:
-    """Return a time in UTC as RFC 3339 writes it."""
+    """Return a time in UTC in the format of RFC 3339."""
     return dt.datetime.fromtimestamp(seconds, tz=dt.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")

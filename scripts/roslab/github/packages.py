@@ -1,4 +1,4 @@
-"""An image's versions as GitHub keeps them: with their days, those without a tag too.
+"""An image's versions in GitHub's API, which lists untagged ones too and gives their age.
 
 https://docs.github.com/en/rest/packages/packages
 """
@@ -17,8 +17,8 @@ from roslab.github.api import Ask, pages
 def store(image: str, ask: Ask, remove: Ask, session: Session, *, now: dt.datetime) -> Store:
     """Return the store of an image on ghcr.io.
 
-    ``ask`` gets from GitHub's API, ``remove`` deletes there; ``session`` reads the image's manifests. ``versions``
-    raises ``BuildError`` where the job's token may not see the package.
+    ``ask`` reads GitHub's API, ``remove`` deletes through it; ``session`` reads the image's manifests. ``versions``
+    raises ``BuildError`` if the job's token may not see the package.
     """
     _, owner, name = image.split("/", 2)
     place: list[str] = []

@@ -1,4 +1,4 @@
-"""Running what was built, on each platform of a job, before anything gets a tag."""
+"""Proofs: running the built image on each platform of a job before it gets a tag."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from roslab.render.outcome import PlatformReport, ProofReport
 from roslab.render.sizes import LayerSize
 
 OUTPUT_LINES = 200
-"""Of a proof's output, kept for the summary."""
+"""Lines of a proof's output that are kept for the summary."""
 
 
 def prove(environment: Mapping[str, str]) -> None:
-    """Run the image on every platform of this job, one after the other. Raises ``BuildError`` where a proof fails."""
+    """Run the image on every platform of this job, one after the other. Raises ``BuildError`` if a proof fails."""
     folder = Folder.of(environment)
     run = folder.run
     build = json.loads(folder.read("build.json"))
@@ -82,7 +82,7 @@ def _prove_pushed(
 def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
     folder: Folder, run: Run, platform: str, build: Mapping[str, str], seconds: float, digest: str
 ) -> Problem | None:
-    """Run one platform's image, which is loaded, or is taken out of the builder first: it holds every layer of it."""
+    """Run one platform's image; if it is not loaded yet, load it from the builder, which still has all its layers."""
     candidate = runs.candidate(folder, run, platform)
     pairs = tuple((line.partition("=")[0], line.partition("=")[2]) for line in build["labels"].splitlines())
     authored = run.plan.author_dockerfile
@@ -118,12 +118,12 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
 
 
 def _gpus(run: Run) -> tuple[str, ...]:
-    """Return the GPUs that a proof gets: all that the machine can give, where the image needs one."""
+    """Return the GPUs that a proof gets: all that the machine offers if the image needs one, otherwise none."""
     return gpu.usable() if run.plan.run.gpu else ()
 
 
 def _proofs(outcomes: Sequence[containers.Outcome], gpus: Sequence[str]) -> tuple[ProofReport, ...]:
-    """Return what the proofs came to, and on which GPU."""
+    """Return the reports of the proofs, with the GPU that each one used."""
     used = f", on {' and '.join(dict.fromkeys(gpus))}" if gpus else ""
     return tuple(
         ProofReport(

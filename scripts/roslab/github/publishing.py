@@ -1,4 +1,4 @@
-"""Tagging what was proved: the commit's own tag first, which is signed, and then the tags that move."""
+"""Tagging a proved image: first the commit's own tag, which is signed, then the tags that move."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ REVISION = "org.opencontainers.image.revision"
 
 
 def index(environment: Mapping[str, str]) -> None:
-    """Put one index of the proved images under the tag of their commit, which no other commit has.
+    """Push one index of the proved images under the tag of their commit, which no other commit has.
 
-    ROSLAB_TAGS has one complete reference a line, ROSLAB_REPORTS names the folder with every platform's report.
-    Raises ``BuildError`` where a platform has no passed proof or the registry refuses, ``RefusedError`` where a report
-    is not of this commit.
+    ROSLAB_TAGS has one complete reference per line, ROSLAB_REPORTS names the folder with every platform's report.
+    Raises ``BuildError`` if a platform has no passed proof or the registry refuses, ``RefusedError`` if a report
+    belongs to another commit.
     """
     folder = Folder.of(environment)
     run, what, said = _asked(folder, environment)
@@ -40,7 +40,7 @@ def index(environment: Mapping[str, str]) -> None:
 
 
 def _asked(folder: Folder, environment: Mapping[str, str]) -> tuple[Run, Event, str]:
-    """Return the run, the event of the commit that was built, and the tags that it asks for, one a line."""
+    """Return the run, the event of the commit that was built, and the requested tags, one per line."""
     run = folder.run
     what = rebuild.event_of(event.read(environment), run.rebuilt, run.revision)
     said = environment.get("ROSLAB_TAGS", "") if run.rebuilt is None else rebuild.names(what, run.image)
@@ -48,10 +48,10 @@ def _asked(folder: Folder, environment: Mapping[str, str]) -> tuple[Run, Event, 
 
 
 def verify(run: Run, reports: tuple[PlatformReport, ...]) -> None:
-    """Raise ``RefusedError`` where a report names an image that this run did not plan or this commit did not make.
+    """Raise ``RefusedError`` if a report names an image that was not planned by this run or built from this commit.
 
-    Any job of the caller may upload an artifact that looks like a report; an image's own labels and platform are the
-    registry's to tell.
+    Any job of the caller may upload an artifact that looks like a report, so the image's labels and platform are read
+    from the registry.
     """
     problems = []
     configurations = {
@@ -75,9 +75,9 @@ def verify(run: Run, reports: tuple[PlatformReport, ...]) -> None:
 
 
 def tag(environment: Mapping[str, str]) -> None:
-    """Move the other tags to the index, those of a branch only where its head is still this commit.
+    """Move the other tags to the index; those of a branch move only if its head is still this commit.
 
-    ROSLAB_SIGNATURE is the outcome of the step that signed. Raises ``BuildError`` where the registry refuses.
+    ROSLAB_SIGNATURE is the outcome of the step that signed. Raises ``BuildError`` if the registry refuses.
     """
     folder = Folder.of(environment)
     run, what, said = _asked(folder, environment)
@@ -87,7 +87,7 @@ def tag(environment: Mapping[str, str]) -> None:
         hint = "grant the calling job `attestations: write` beside `id-token: write`"
         workflow.warn(Problem(message="the image is not signed", hint=hint))
     ask = api.asker(environment)
-    # Asked as late as can be: a push may have come while this commit was built
+    # Asked as late as possible: somebody may have pushed while this commit was built
     head, releases = api.branch_head(what, ask), api.releases(what, ask)
     chosen = tags.chosen(said, run.image, what, head=head, releases=releases)
     for warning in chosen.warnings:

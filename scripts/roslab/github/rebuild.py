@@ -1,4 +1,4 @@
-"""Building an old commit or git tag of the caller in place of the event's: what its image is called."""
+"""Building an old commit or git tag of the caller instead of the event's: the names of its image."""
 
 from __future__ import annotations
 
@@ -12,15 +12,16 @@ TAG = "refs/tags/"
 
 
 def event_of(what: Event, rebuilt: str | None, revision: str) -> Event:
-    """Return the event as that of the commit that is built; ``rebuilt`` is its git tag's full name, ``""`` for none.
+    """Return the event, changed to describe the commit that is built.
 
-    ``None``: the event's own commit is built.
+    ``rebuilt`` is the full name of that commit's git tag, ``""`` if it has none, ``None`` if the event's own commit is
+    built.
     """
     return what if rebuilt is None else dataclasses.replace(what, ref=rebuilt, sha=revision)
 
 
 def names(what: Event, image: str) -> str:
-    """Return the references that an old commit gets, one a line: its own, and its git tag's."""
+    """Return the references that an old commit gets, one per line: the commit's own, and its git tag's."""
     found = [f"sha-{what.sha[:7]}"]
     if what.tag:
         found.insert(0, re.sub(r"[^a-zA-Z0-9._-]+", "-", what.tag)[:128])

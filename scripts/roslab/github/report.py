@@ -1,4 +1,4 @@
-"""The report of a run, gathered from what its steps and jobs kept."""
+"""The report of a run, collected from the files that its steps and jobs kept."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def collect(folder: Folder, reports: Path, event: Event) -> Report:
     own = kept.gather(folder.artifact)
     try:
         jobs = kept.gather(reports)
-    except ConfigurationError:  # an earlier step has told of it
+    except ConfigurationError:  # an earlier step has reported it
         jobs = ()
     failures = tuple(dict.fromkeys(line for job in (*jobs, *own) for line in job.failures))
     platforms = platforms_of(kept.reports(jobs), run.plan)
@@ -42,7 +42,7 @@ def collect(folder: Folder, reports: Path, event: Event) -> Report:
 
 
 def _visibility(run: Run, event: Event, *, public: bool | None) -> tuple[str, ...]:
-    """Say who may pull the image; on ghcr.io the first push makes a package that only its owner sees."""
+    """Return a note on who may pull the image; on ghcr.io the first push makes a package that only its owner sees."""
     if public is None:
         return ()
     if public:
@@ -61,7 +61,7 @@ def _package(run: Run, event: Event) -> str:
 
 
 def _badge(run: Run, event: Event) -> str:
-    """Return the badge of the workflow, which says whether the last image was proved."""
+    """Return the badge of the workflow, which shows whether the last image was proved."""
     if run.registry != "ghcr.io" or not event.workflow_file:
         return ""
     page = f"{event.server}/{event.repository}/actions/workflows/{quote(event.workflow_file)}"

@@ -1,4 +1,4 @@
-"""What one run decided, kept between the steps of a job as files and between jobs as one packed line."""
+"""The decisions of a run, passed between the steps of a job as files and between jobs as one compressed line."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from roslab.render.outcome import PlatformReport
 from roslab.render.outcome import to_json as report_json
 
 PORTABLE = 100_000
-"""Bytes: Linux gives one environment variable 128 KiB, and a step reads another job's output from one."""
+"""Most bytes of the line: a step reads another job's output from an environment variable, and Linux allows 128 KiB."""
 LARGEST = 64 * 1024 * 1024
-"""Bytes of a run when it is unpacked."""
+"""Most bytes of a run after decompression."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Run:
-    """The plan, and what the event and the inputs make of it."""
+    """The plan, and what the event and the inputs add to it."""
 
     plan: Plan
     image: str
@@ -37,13 +37,13 @@ class Run:
     reason: str
     cache: Cache
     rebuilt: str | None = None
-    """Of an old commit, its git tag's full name or ``""``; ``None`` where the event's own commit is built."""
+    """Full name of an old commit's git tag, ``""`` if it has none; ``None`` if the event's own commit is built."""
     path: str = ""
     """Folder of the checkout that is built, ``""`` for all of it."""
     revision: str = ""
     """Commit of the checkout that was planned for."""
     variant: str = ""
-    """Tells one call for an image from another: two workflows may build it for two distributions."""
+    """Text that distinguishes calls for one image: two workflows may build it for two distributions."""
 
     @property
     def registry(self) -> str:
@@ -54,8 +54,8 @@ class Run:
 def to_line(run: Run) -> str:
     """Return a run as one line of text that fits into an environment variable.
 
-    What only explains is left out as far as it must be: first the evidence that lost, then all of it.
-    Raises ``ConfigurationError`` where the rest does not fit either.
+    If it is too long, explanations are left out: first the evidence for answers that lost, then all evidence.
+    Raises ``ConfigurationError`` if the rest does not fit either.
     """
     text = _packed(run)
     if len(text) > PORTABLE:
@@ -97,12 +97,12 @@ class Folder:
 
     @classmethod
     def new(cls, environment: Mapping[str, str]) -> Folder:
-        """Make one; the runner empties RUNNER_TEMP before and after every job."""
+        """Make a new folder; the runner empties RUNNER_TEMP before and after every job."""
         return cls(path=Path(tempfile.mkdtemp(prefix="roslab-", dir=environment.get("RUNNER_TEMP") or None)))
 
     @classmethod
     def of(cls, environment: Mapping[str, str]) -> Folder:
-        """Return the folder that an earlier step made. Raises ``ConfigurationError`` where there is none."""
+        """Return the folder that an earlier step made. Raises ``ConfigurationError`` if there is none."""
         path = Path(environment.get("ROSLAB_FOLDER") or "/nonexistent")
         if not (path / "run").is_file():
             raise ConfigurationError(
@@ -112,17 +112,17 @@ class Folder:
 
     @property
     def run(self) -> Run:
-        """What the run decided."""
+        """The run that was written into this folder."""
         return from_line(self.read("run"))
 
     @property
     def dockerfile(self) -> Path:
-        """Where a generated Dockerfile lies."""
+        """Path of the generated Dockerfile."""
         return self.path / "dockerfile"
 
     @property
     def artifact(self) -> Path:
-        """What the job keeps for later jobs and for people: reports, screenshots."""
+        """Folder of what the job keeps for later jobs and for people: reports, screenshots."""
         return self.path / "artifact"
 
     def write(self, name: str, text: str) -> None:
@@ -130,7 +130,7 @@ class Folder:
         (self.path / name).write_text(text, encoding="utf-8")
 
     def read(self, name: str) -> str:
-        """Return a kept text, ``""`` where there is none."""
+        """Return a kept text, ``""`` if there is none."""
         file = self.path / name
         return file.read_text(encoding="utf-8") if file.is_file() else ""
 
@@ -142,7 +142,7 @@ class Folder:
 
 
 def candidate(folder: Folder, run: Run, platform: str) -> str:
-    """Return the name under which the engine holds an image that is proved and not pushed."""
+    """Return the name in the engine of an image that is proved and not pushed."""
     return f"{run.plan.name}:{folder.path.name.lower()}-{slug(platform)}"
 
 
@@ -152,10 +152,10 @@ def slug(platform: str) -> str:
 
 
 def short(*values: str) -> str:
-    """Return eight letters that no other values share, for a name that may not hold the values as they are."""
+    """Return eight characters that stand for these values in a name that cannot contain the values themselves."""
     return hashlib.sha256("\0".join(values).encode()).hexdigest()[:8]
 
 
 def reports_folder(folder: Folder, environment: Mapping[str, str]) -> Path:
-    """Return where the reports of every platform lie: ROSLAB_REPORTS of a job that fetched them, else the job's own."""
+    """Return the folder of all platforms' reports: ROSLAB_REPORTS if the job fetched them, else its own folder."""
     return Path(environment.get("ROSLAB_REPORTS") or folder.artifact)

@@ -1,4 +1,4 @@
-"""What a job does for programs with windows: an X server to prove them with, and their screenshots as an artifact."""
+"""Proofs of programs with windows: the X server that they need, and their screenshots as an artifact."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ INSTALL_SECONDS = 300.0
 
 @contextmanager
 def screenshots(folder: Folder, run: Run, platforms: Sequence[str], environment: Mapping[str, str]) -> Iterator[None]:
-    """Make ready for the proofs of a job, and name the pictures that they left, of failed proofs too.
+    """Prepare a job's proofs, and afterwards output where their screenshots are, also those of failed proofs.
 
-    The outputs are ``screenshots``, a pattern of files and ``""`` where there is none, and ``screenshots-artifact``.
+    The outputs are ``screenshots``, a pattern of files or ``""`` if there is none, and ``screenshots-artifact``.
     """
     if not any(proof.display for proof in run.plan.proofs):
         yield
@@ -30,14 +30,14 @@ def screenshots(folder: Folder, run: Run, platforms: Sequence[str], environment:
         found = any(folder.artifact.glob("screenshot-*.png"))
         part = slug(platforms[0]) if len(platforms) == 1 else "all"
         owned = f"{run.image.partition('/')[2].replace('/', '-')}-{short(run.image, run.variant)}"
-        # An artifact belongs to an attempt: one that is run again cannot replace the first one's
+        # An artifact belongs to an attempt: a second attempt cannot replace the first one's
         name = f"screenshots-{owned}-{part}-{environment.get('GITHUB_RUN_ATTEMPT') or 1}"
         pattern = str(folder.artifact / "screenshot-*.png") if found else ""
         workflow.outputs({"screenshots": pattern, "screenshots-artifact": name}, environment)
 
 
 def _install() -> None:
-    """Install Xvfb by apt where the runner lacks it and this user may; else the proof itself says what is missing."""
+    """Install Xvfb with apt if it is missing and this user may; otherwise the proof reports what is missing."""
     if shutil.which("Xvfb") or not shutil.which("apt-get"):
         return
     root = [] if os.geteuid() == 0 else ["sudo", "--non-interactive"]

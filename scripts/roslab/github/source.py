@@ -1,4 +1,4 @@
-"""Completing a checkout before anything is read: submodules, large files, and tags where a version comes from them."""
+"""Completing a checkout before anything is read: submodules, large files, and tags if a version depends on them."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from roslab.repository.checkout import Repository, printable
 from roslab.values.origin import Input
 
 NAMED = 5
-"""Files that a warning names."""
+"""Most files that a warning names."""
 
 
 def complete(top: Path, part: str, environment: Mapping[str, str]) -> None:
-    """Fetch what a checkout lacks in a folder of it, ``""`` for all.
+    """Fetch what is missing in the folder ``part`` of a checkout, ``""`` for all of it.
 
-    What cannot be fetched is a warning, and the plan says whether it is fatal. INPUT_REF is a commit, git tag or branch
-    to build in place of the event's: raises ``ConfigurationError`` where there is none.
+    What cannot be fetched gives a warning; the plan decides later whether it is fatal. INPUT_REF is a commit, git tag
+    or branch to build instead of the event's. Raises ``ConfigurationError`` if it does not exist.
     """
     access = fetching.Access(
         server=environment.get("GITHUB_SERVER_URL") or "https://github.com",

@@ -1,4 +1,4 @@
-"""What each step does: the environment in, outputs and files out; everything it decides is decided elsewhere."""
+"""What each step does: it reads the environment and writes outputs and files; other modules make the decisions."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def source(environment: Environment) -> None:
 
 
 def plan(environment: Environment) -> None:
-    """Decide everything; the first step of every job chain.
+    """Make the plan; this is the first step of every chain of jobs.
 
     Raises ``ConfigurationError``, ``NothingToBuildError`` or ``RefusedError``.
     """
@@ -110,16 +110,16 @@ def plan(environment: Environment) -> None:
 
 
 def ready(environment: Environment) -> None:
-    """Check that the build can succeed on this machine and that its result may be pushed; say which builder to use.
+    """Check that the build can succeed on this machine and its result may be pushed; output which builder to use.
 
-    In a job that did not plan, ROSLAB_RUN holds what was decided. Raises ``BuildError``.
+    A job that did not plan reads the run from ROSLAB_RUN. Raises ``BuildError``.
     """
     if environment.get("ROSLAB_RUN"):
         folder = Folder.new(environment)
         folder.write("run", environment["ROSLAB_RUN"])
     else:
         folder = Folder.of(environment)
-    workflow.outputs({"folder": str(folder.path)}, environment)  # first, so that a failure finds its way to the summary
+    workflow.outputs({"folder": str(folder.path)}, environment)  # first, so that the summary can show a failure
     attempt = int(environment.get("GITHUB_RUN_ATTEMPT") or 1)
     kept.begin(folder.artifact, platform=environment.get("ROSLAB_PLATFORM", ""), attempt=attempt)
     run = folder.run
@@ -143,7 +143,7 @@ def ready(environment: Environment) -> None:
 
 
 def dockerfile(environment: Environment) -> None:
-    """Write the Dockerfile and name everything that docker/build-push-action needs."""
+    """Write the Dockerfile and output everything that docker/build-push-action needs."""
     folder = Folder.of(environment)
     run = folder.run
     what = rebuild.event_of(event.read(environment), run.rebuilt, run.revision)
@@ -174,7 +174,7 @@ def dockerfile(environment: Environment) -> None:
         "platforms": ",".join(platforms),
         "build-args": "\n".join(f"{name}={value}" for name, value in authored.args) if authored else "",
         "target": (authored.target or "") if authored else "",
-        # A pull request's image goes to the engine at once; several stay in the builder and are loaded one by one
+        # A pull request's image goes straight to the engine; several platforms stay in the builder, to be loaded singly
         "exporter": by_digest if run.push else loaded or "type=cacheonly",
         "cache-from": "\n".join(layers.read),
         "cache-to": "\n".join(layers.write),
@@ -187,7 +187,7 @@ def dockerfile(environment: Environment) -> None:
 
 
 def explain(environment: Environment) -> None:
-    """Read the log of the build that has just failed and raise what it means as a ``BuildError``."""
+    """Read the log of the build that has just failed and raise a ``BuildError`` that explains it."""
     run = Folder.of(environment).run
     log = builder.failed_log()
     if refused := access.refusal(log):
@@ -199,7 +199,7 @@ def explain(environment: Environment) -> None:
 
 
 def summary(environment: Environment) -> None:
-    """Write the summary, of a failed run too."""
+    """Write the summary, also after a failure."""
     folder = Folder.of(environment)
     found = report.collect(folder, runs.reports_folder(folder, environment), event.read(environment))
     workflow.summary(render_summary(found), environment)
@@ -216,7 +216,7 @@ def _workspace(environment: Environment) -> Path:
 
 
 def _platforms(environment: Environment, run: Run) -> tuple[str, ...]:
-    """Return the platforms of this job: the one that it was given, else the plan's."""
+    """Return the platforms of this job: the one that it was given, otherwise all of the plan's."""
     platform = environment.get("ROSLAB_PLATFORM")
     return (platform,) if platform else run.plan.platforms
 

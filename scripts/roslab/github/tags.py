@@ -1,4 +1,4 @@
-"""Which tags a proved image gets: its commit's own always, those that move only where they move forward."""
+"""Which tags a proved image gets: always its commit's own; the others only if they move forward."""
 
 from __future__ import annotations
 
@@ -11,30 +11,30 @@ from roslab.errors import ConfigurationError, Problem
 from roslab.github.event import Event
 
 OWN = re.compile(r"sha-[0-9a-f]{7,40}")
-"""The tag of one commit, as docker/metadata-action names it."""
+"""The tag of one commit in the form of docker/metadata-action."""
 RESERVED = re.compile(
     r"latest|nightly|v?\d+|(?:v\d+|\d+\.\d+|v\d+\.\d+|v?\d+\.\d+\.\d+)(?:[-+].*)?|sha-[0-9a-f]{7,40}|buildcache-.*|pr-\d+"
 )
-"""Names of tags that mean a release, a commit, a cache or a pull request: a branch of that name would take them."""
+"""Tags that mean a release, a commit, a cache or a pull request, which a branch of that name must not take."""
 TAKEN = re.compile(r"latest|nightly|sha-[0-9a-f]{7,40}|buildcache-.*|pr-\d+")
-"""The same for a git tag, which may be a release."""
+"""The same for a git tag, which may have the name of a release."""
 SERIES = re.compile(r"\d+\.\d+")
 RELEASE = re.compile(r"v?(\d+)\.(\d+)\.(\d+)")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Chosen:
-    """The tags that move to an image, as complete references, and what to tell of those that do not."""
+    """The tags that move to an image, as complete references, and notes on those that do not."""
 
     moving: tuple[str, ...]
     warnings: tuple[str, ...] = ()
 
 
 def own(said: str, image: str, event: Event) -> str:
-    """Return the tag of the commit among those that docker/metadata-action named, one complete reference a line.
+    """Return the commit's tag from those that docker/metadata-action named, one complete reference per line.
 
-    It is made first, so that what is signed is there; no other commit has it. Raises ``ConfigurationError`` where there
-    is none.
+    This tag is made first, so that it exists when it is signed; no other commit has it. Raises ``ConfigurationError``
+    if there is none.
     """
     names = _names(said, image)
     found = [name for name in names if _is_own(name, event)]
@@ -48,8 +48,8 @@ def own(said: str, image: str, event: Event) -> str:
 def chosen(said: str, image: str, event: Event, *, head: str | None, releases: Iterable[str] = ()) -> Chosen:
     """Choose which of the other tags move.
 
-    ``head`` is the commit at which GitHub has the branch now, ``None`` where there is no such branch; ``releases`` are
-    the names of the repository's git tags. Raises ``ConfigurationError`` for a tag that is not the image's.
+    ``head`` is the commit that the branch points to on GitHub now, ``None`` if it does not exist; ``releases`` are the
+    names of the repository's git tags. Raises ``ConfigurationError`` for a tag of another image.
     """
     moving = [name for name in _names(said, image) if not _is_own(name, event)]
     warnings: list[str] = []
@@ -75,7 +75,7 @@ def chosen(said: str, image: str, event: Event, *, head: str | None, releases: I
 
 
 def dressed(reference: str, parts: TagParts) -> str:
-    """Return a reference whose tag has the prefix and the suffix of the caller's.
+    """Return a reference whose tag has the caller's prefix and suffix.
 
     A tag has at most 128 characters: https://github.com/distribution/reference/blob/main/regexp.go
     """
@@ -85,7 +85,7 @@ def dressed(reference: str, parts: TagParts) -> str:
 
 
 def _is_own(name: str, event: Event) -> bool:
-    """Tell whether a tag is that of the event's commit; a branch may be called like another's."""
+    """Return whether a tag is that of the event's commit; a branch may be named like another commit's tag."""
     return bool(OWN.fullmatch(name)) and event.sha.startswith(name.removeprefix("sha-"))
 
 
@@ -98,12 +98,12 @@ def _names(said: str, image: str) -> Sequence[str]:
 
 
 def cleaned(name: str) -> str:
-    """Return a branch or git tag as docker/metadata-action spells it in a tag."""
+    """Return a branch or git tag in the form that docker/metadata-action gives it in a tag."""
     return re.sub(r"[^a-zA-Z0-9._-]+", "-", name)
 
 
 def _later(tag: str, releases: Iterable[str]) -> str | None:
-    """Return a release of the same series, MAJOR.MINOR, with a higher patch number; ``None`` where there is none."""
+    """Return a release of the same series, MAJOR.MINOR, with a higher patch number; ``None`` if there is none."""
     own = RELEASE.fullmatch(tag)
     if not own:
         return None

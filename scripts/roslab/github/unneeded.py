@@ -1,4 +1,4 @@
-"""Which versions of an image nobody needs any more: what failed its proof, closed branches' tags, old layers."""
+"""Which versions of an image are no longer needed: those that failed a proof, closed branches' tags, old layers."""
 
 from __future__ import annotations
 
@@ -12,28 +12,28 @@ from roslab.engine.versions import Manifest, Version
 from roslab.github.tags import OWN, RESERVED, cleaned
 
 CACHE = re.compile(r"buildcache-(?P<branch>.+)-[0-9a-f]{8}-(?:all|linux-[a-z0-9-]+)")
-"""A tag of layers, as ``cache`` names it."""
+"""A tag of cached layers, as ``cache`` forms it."""
 ATTESTED = re.compile(r"sha256-(?P<hex>[0-9a-f]{64})(?:\..+)?")
-"""The tag under which a registry without referrers keeps what is said about a digest.
+"""The tag under which a registry without referrers stores attestations and signatures of a digest.
 https://github.com/opencontainers/distribution-spec/blob/main/spec.md#referrers-tag-schema"""
 PROPOSED = re.compile(r"pr-(?P<number>\d+)")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Names:
-    """What the repository calls its branches."""
+    """Names of the repository's branches and pull requests."""
 
     branches: frozenset[str]
     git_tags: frozenset[str]
     closed: frozenset[str]
-    """Of branches that were proposed in a pull request which is closed now."""
+    """Names of branches whose pull request is closed."""
     closed_pulls: frozenset[str]
     """Numbers of the closed pull requests."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Rules:
-    """What the caller said."""
+    """What the caller asked for."""
 
     days: int
     keep: tuple[str, ...] = ()
@@ -43,7 +43,7 @@ class Rules:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Removal:
-    """One version that goes, and why."""
+    """One version to remove, and why."""
 
     version: Version
     reason: str
@@ -52,10 +52,11 @@ class Removal:
 def chosen(
     versions: Sequence[Version], manifests: Mapping[str, Manifest], names: Names, rules: Rules
 ) -> tuple[Removal, ...]:
-    """Return what goes, an index before what it names: a break in between leaves nothing that lacks a part.
+    """Return what to remove, each index before its parts: if removal stops midway, no index lacks a part.
 
-    ``manifests`` holds every version that is there, by digest. A digest with a tag of any other kind stays, and all
-    that it names; so do what is younger than the days (a build may run), and what is said about a digest that stays.
+    ``manifests`` has every existing version by digest. A digest with a tag of any other kind stays, with all that it
+    refers to. So do versions younger than the given days (a build may be running), and the attestations and signatures
+    of a digest that stays.
     """
     going: dict[str, Removal] = {}
     closed = _closed(versions, names)
@@ -84,7 +85,7 @@ def chosen(
 def _parts(
     going: Mapping[str, Removal], versions: Sequence[Version], manifests: Mapping[str, Manifest]
 ) -> tuple[Removal, ...]:
-    """Return what only indexes that go name."""
+    """Return the versions to which only removed indexes refer."""
     listed = {version.digest: version for version in versions}
     held = _reached(set(listed) - set(going) - _children(going, manifests, listed), manifests)
     found: dict[str, Removal] = {}
@@ -97,13 +98,13 @@ def _parts(
 
 
 def _children(going: Iterable[str], manifests: Mapping[str, Manifest], listed: Mapping[str, Version]) -> set[str]:
-    """Return the children of what goes that hold nothing up by themselves: they have no tag."""
+    """Return the untagged children of the versions that are removed."""
     named = {child for digest in going if digest in manifests for child in manifests[digest].children}
     return {child for child in named if child not in listed or not listed[child].tags}
 
 
 def _reached(roots: Iterable[str], manifests: Mapping[str, Manifest]) -> set[str]:
-    """Return digests with all that they name, and what those name in turn."""
+    """Return digests with everything that they refer to, directly or indirectly."""
     found: set[str] = set()
     waiting = list(roots)
     while waiting:
@@ -120,14 +121,14 @@ def _loose(version: Version, rules: Rules) -> bool:
 
 
 def _tagged(version: Version, names: Names, rules: Rules, closed: frozenset[str]) -> str:
-    """Return why a version with tags goes, ``""`` where one of its tags is a reason to stay."""
+    """Return why a tagged version is removed, ``""`` if one of its tags is a reason to keep it."""
     if version.digest in rules.keep or any(fnmatchcase(tag, kept) for tag in version.tags for kept in rules.keep):
         return ""
     reasons = []
     for tag in version.tags:
         name = _bare(tag, rules.parts)
         if name is not None and OWN.fullmatch(name):
-            continue  # a commit's tag goes with its branch's, and stays alone
+            continue  # a commit's tag is removed with its branch's; without one it stays
         reason = _cached(tag, version, rules, closed) or (_gone(name, names, closed) if name is not None else "")
         if not reason:
             return ""
@@ -155,9 +156,9 @@ def _gone(name: str, names: Names, closed: frozenset[str]) -> str:
 
 
 def _closed(versions: Sequence[Version], names: Names) -> frozenset[str]:
-    """Return the names of closed branches, as tags spell them, that nothing else has.
+    """Return the names of closed branches, in the form used in tags, that nothing else has.
 
-    A tag of layers was made for a branch: where there is no such branch any more, that tells of one too.
+    A tag of cached layers was made for a branch, so it also names a closed branch if that branch no longer exists.
     """
     living = {cleaned(name) for name in (*names.branches, *names.git_tags)}
     cached = {match["branch"] for match in _matches(CACHE, versions) if len(match["branch"]) < 80}
@@ -165,7 +166,7 @@ def _closed(versions: Sequence[Version], names: Names) -> frozenset[str]:
 
 
 def _bare(tag: str, parts: TagParts) -> str | None:
-    """Return a tag without the caller's prefix and suffix, ``None`` where it has others: it is another call's."""
+    """Return a tag without the caller's prefix and suffix, ``None`` if it has others and belongs to another call."""
     if len(tag) < len(parts.prefix) + len(parts.suffix):
         return None
     if not (tag.startswith(parts.prefix) and tag.endswith(parts.suffix)):

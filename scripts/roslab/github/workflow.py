@@ -1,4 +1,4 @@
-"""Workflow commands, step outputs and the job summary: how a step speaks to the runner.
+"""Workflow commands, step outputs and the job summary: how a step communicates with the runner.
 
 https://docs.github.com/en/actions/reference/workflows-and-actions/workflow-commands
 """
@@ -16,11 +16,11 @@ from pathlib import Path
 from roslab.errors import Problem, RoslabError
 
 SUMMARY_LIMIT = 1024 * 1024
-"""Bytes of one step's summary; the runner drops a longer one whole."""
+"""Most bytes of one step's summary; the runner drops a longer one completely."""
 
 
 def command(name: str, text: str, properties: Mapping[str, object] | None = None) -> str:
-    """Return one workflow command, escaped so that no value can begin another one."""
+    """Return one workflow command, escaped so that no value can start another command."""
     said = [f"{key}={_property(str(value))}" for key, value in (properties or {}).items() if value is not None]
     return f"::{name}{' ' if said else ''}{','.join(said)}::{_data(text)}"
 
@@ -58,7 +58,7 @@ def notice(text: str) -> None:
 
 @contextmanager
 def group(title: str) -> Iterator[None]:
-    """Fold what is printed meanwhile; it may hold anything, even text that looks like a command."""
+    """Fold what is printed inside; even text that looks like a command is safe there."""
     token = secrets.token_hex(16)
     _print(command("group", title))
     _print(command("stop-commands", token))
@@ -71,9 +71,9 @@ def group(title: str) -> Iterator[None]:
 
 
 def outputs(values: Mapping[str, str], environment: Mapping[str, str] | None = None) -> None:
-    """Set the step's outputs; a random delimiter keeps a value from ending its own.
+    """Set the step's outputs; a random delimiter prevents a value from ending its own block.
 
-    Outside a workflow, where there is no GITHUB_OUTPUT, they are printed.
+    Outside a workflow, without GITHUB_OUTPUT, they are printed.
     """
     text = "".join(_assignment(name, value) for name, value in values.items())
     _append((environment or os.environ).get("GITHUB_OUTPUT"), text)
@@ -85,7 +85,7 @@ def _assignment(name: str, value: str) -> str:
 
 
 def summary(text: str, environment: Mapping[str, str] | None = None) -> None:
-    """Add Markdown to the job's summary; what passes the runner's limit is cut at a line, and says so."""
+    """Add Markdown to the job's summary; text over the runner's limit is cut at the end of a line, with a note."""
     data = text.encode()
     if len(data) > SUMMARY_LIMIT:
         kept = data[: SUMMARY_LIMIT - 200].rpartition(b"\n")[0].decode(errors="ignore")
@@ -102,7 +102,7 @@ def _append(file: str | None, text: str) -> None:
 
 
 def _print(line: str) -> None:
-    # The runner reads commands from both streams; one stream keeps them in order with the text between them.
+    # The runner reads commands from stdout and stderr; using one of them keeps commands and text in order.
     sys.stdout.flush()
     sys.stderr.write(line + "\n")
     sys.stderr.flush()
