@@ -17,12 +17,12 @@ class File:
 
     path: str
     module: str
-    """Its ``text(plan, beside)`` is the file. Imported when that is written: planning does without."""
+    """Its ``text(plan, beside)`` returns the file; it is imported only to write the file, as planning does not need it."""
     executable: bool = False
     generated_only: bool = False
-    """It belongs to a generated Dockerfile: where the author's own is built, it is not written."""
+    """The file goes with a generated Dockerfile and is not written if the author's own Dockerfile is built."""
     read_in_image: bool = False
-    """A program in the image opens it. The build does not see the others: a change of one must not repeat it."""
+    """A program in the image opens it. Other files are hidden from the build: changing one must not repeat it."""
 
 
 FILES: tuple[File, ...] = (
@@ -32,7 +32,7 @@ FILES: tuple[File, ...] = (
     File(path="docker_run.sh", module="run_script", executable=True),
     File(path="README.ipynb", module="notebook", read_in_image=True),  # JupyterLab opens it
 )
-"""Every file, in the order in which they are shown; a new one is a line here."""
+"""Every file, in the order in which they are shown; a new file needs one more line here."""
 
 
 def render_all(
@@ -41,7 +41,7 @@ def render_all(
     """Return every file of a plan, in the order in which they are shown.
 
     ``context`` is the repository, relative to the folder that the files are written to; ``readme`` is the text of the
-    file ``readme_name``. An author's own Dockerfile is built where it stands: for it there is no Dockerfile.
+    file ``readme_name``. An author's own Dockerfile is built where it is, so no Dockerfile is written for it.
     """
     beside = Beside(
         context="." if output_is_root else context,

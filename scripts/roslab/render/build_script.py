@@ -1,4 +1,4 @@
-"""docker_build.sh: builds the image with nothing but docker."""
+"""docker_build.sh: builds the image and needs only docker."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from roslab.render.output import Beside
 from roslab.render.script import script
 
 OLDEST_DOCKER = "23"
-"""Its builder reads heredocs and ``<Dockerfile>.dockerignore`` without a ``# syntax`` line."""
+"""The first version that reads heredocs and ``<Dockerfile>.dockerignore`` without a ``# syntax`` line."""
 
 
 def text(plan: Plan, beside: Beside) -> str:
@@ -18,7 +18,7 @@ def text(plan: Plan, beside: Beside) -> str:
 def build_script(plan: Plan, *, context: str) -> str:
     """Return the script's text; ``context`` is the repository, relative to the folder the script is written to.
 
-    An author's own Dockerfile is built as it stands, with whatever docker can.
+    An author's own Dockerfile is built unchanged and may use everything that docker offers.
     """
     authored = plan.author_dockerfile
     return script(

@@ -1,4 +1,4 @@
-"""The Dockerfile: blocks in order, from what rarely changes to what often does."""
+"""The Dockerfile: blocks ordered from what rarely changes to what often changes."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ Block = Callable[[Plan], str]
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Order:
-    """The blocks of a Dockerfile in their order; a block that a plan has no need of is empty."""
+    """The blocks of a Dockerfile in their order; a block that a plan does not need is empty."""
 
     base: tuple[Block, ...]
-    """The stage that every other begins at."""
+    """Blocks of the stage that all others start from."""
     stages: tuple[Block, ...]
-    """Each makes stages of its own."""
+    """Blocks that each make their own stages."""
     image: tuple[Block, ...]
 
 
@@ -115,9 +115,9 @@ def _join(blocks: tuple[Block, ...], plan: Plan) -> str:
 
 
 def _without_repetition(stage: str) -> str:
-    """Drop the instructions that change nothing: a USER or WORKDIR that holds already, a script that was copied.
+    """Drop the instructions that change nothing: a USER or WORKDIR that is already set, a script that was copied.
 
-    Each block names what it needs, and which blocks came before it depends on the plan.
+    Each block states everything it needs, because the plan decides which blocks come before it.
     """
     said: dict[str, str] = {}
     lines = []

@@ -1,4 +1,4 @@
-"""Dockerfile.dockerignore: what the build does not see. BuildKit reads it instead of the author's .dockerignore."""
+"""Dockerfile.dockerignore: files hidden from the build. BuildKit reads it instead of the author's .dockerignore."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ from roslab.render.output import MARKER, Beside
 HEADER = f"# {MARKER}. docker reads this file for Dockerfile, instead of .dockerignore.\n"
 ANY_DEPTH = "**"
 MAX_JUDGED = 64 * 1024
-"""Characters of an ignore file that are compared with paths: what comes after them is written out all the same."""
+"""Characters of an ignore file that are compared with paths; the rest is copied without comparing."""
 MAX_COMPARED = 2_000_000
-"""Parts of lines that are compared with parts of the paths that the Dockerfile needs: a hundred lines, as the longest
-real files have, against a thousand deep paths take half of that."""
+"""Limit for comparing parts of lines with parts of the paths that the Dockerfile needs: a hundred lines, as in the
+longest real files, and a thousand deep paths take half of it."""
 Parts = tuple[str, ...]
 """A line's shell patterns, one for each part of a path; ``**`` stands for any number of folders."""
 
 
 def text(plan: Plan, beside: Beside) -> str:
-    """Return the ignore file of a plan; what nothing in the image reads is left out of the build."""
+    """Return the ignore file of a plan; it hides files that nothing in the image reads."""
     return ignore(plan, beside.unread)
 
 
 def ignore(plan: Plan, unread: tuple[str, ...]) -> str:
-    """Return the text of the ignore file: the author's lines, what the plan needs all the same, what never goes in.
+    """Return the text of the ignore file: the author's lines, exceptions for what the plan needs, what never goes in.
 
-    ``unread`` is what ``create`` writes and no program in the image reads: a change of it must not repeat the build.
-    The last line that matches a path decides. An author's file was written for another Dockerfile, so a file that this
-    Dockerfile installs from is taken back in, right after the line that shut it out: the lines below still hold.
-    ``.git`` comes last of all, so that no ``!`` of the author's publishes the history and the runner's credentials.
+    ``unread`` is what ``create`` writes and no program in the image reads: changing it must not repeat the build.
+    The last line that matches a path decides. The author's file was written for another Dockerfile, so a file that this
+    Dockerfile installs from is included again right after the line that excluded it; the lines below still apply.
+    ``.git`` comes last, so that no ``!`` of the author's publishes the history and the runner's credentials.
     """
     lines = [*map(str.rstrip, plan.ignore)]
     parts = [HEADER]
@@ -49,9 +49,9 @@ def ignore(plan: Plan, unread: tuple[str, ...]) -> str:
 
 
 def keeps_out(lines: Sequence[str], path: str) -> bool:
-    """Tell whether an ignore file of these lines surely keeps a path out of the build.
+    """Return whether an ignore file of these lines certainly excludes a path from the build.
 
-    Of a file longer than any person writes nobody knows: it counts as letting everything in.
+    A file longer than a person would write is not judged: it counts as excluding nothing.
     """
     patterns = _patterns(lines)
     decisive = _decisive(patterns, path)
@@ -80,7 +80,7 @@ def _with_needed(lines: list[str], needed: tuple[str, ...]) -> list[str]:
         decisive = _decisive(patterns, path)
         if decisive is None or lines[decisive].lstrip().startswith("!"):
             continue
-        # A package whose whole folder is shut out comes back whole: its package.xml alone could not be built
+        # If a package's whole folder is excluded, include all of it again: its package.xml alone could not be built
         folder = posixpath.dirname(path)
         whole = folder and _decisive([patterns[decisive]], folder) is not None
         additions.setdefault(decisive, {})[f"!{_literal(folder if whole else path)}"] = None
@@ -93,22 +93,22 @@ def _with_needed(lines: list[str], needed: tuple[str, ...]) -> list[str]:
 
 
 def _decisive(patterns: list[Parts], path: str) -> int | None:
-    """Return the index of the last pattern that matches a path or a folder it lies in, ``None`` for none."""
+    """Return the index of the last pattern that matches a path or a folder above it, ``None`` for none."""
     parts = path.split("/")
     return next((i for i in range(len(patterns) - 1, -1, -1) if _matches(patterns[i], parts)), None)
 
 
 def _patterns(lines: Sequence[str]) -> list[Parts]:
-    """Cut the lines into patterns, as many from the top as a person may have written."""
+    """Cut the lines into patterns, starting at the top and ending after ``MAX_JUDGED`` characters."""
     shorter = [re.sub(r"\*{3,}", "***", line) for line in lines]
     ends = accumulate(len(line) + 1 for line in shorter)
     return [_parts(line) for line, end in zip(shorter, ends, strict=True) if end <= MAX_JUDGED]
 
 
 def _parts(line: str) -> Parts:
-    """Cut a line into patterns of path parts, as https://github.com/moby/patternmatcher does.
+    """Split a line into patterns of path parts, as https://github.com/moby/patternmatcher does.
 
-    No library does it: fnmatch knows no ``**``, pathspec speaks git's dialect, in which a bare name matches anywhere.
+    No library does this: fnmatch has no ``**``, and pathspec follows git's rules, where a bare name matches anywhere.
     """
     text = line.strip()
     if not text or line.startswith("#"):
@@ -120,7 +120,7 @@ def _parts(line: str) -> Parts:
 
 @lru_cache(maxsize=MAX_JUDGED // 4)
 def _part(pattern: str) -> re.Pattern[str]:
-    # fnmatch writes [!a] for Go's [^a], and [a] for its \\a; its expressions never run away on a hostile pattern
+    # fnmatch has [!a] for Go's [^a] and [a] for its \\a; its expressions stay fast even for a malicious pattern
     pattern = re.sub(r"\\(.)", r"[\1]", pattern).replace("[^", "[!")
     return re.compile(fnmatch.translate(pattern))
 

@@ -1,4 +1,4 @@
-"""Text of unknown origin as GitHub's Markdown: shown as it is, never read as markup."""
+"""Untrusted text in GitHub's Markdown: shown literally, never interpreted as markup."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ _TERMINAL = re.compile(r"\x1b\[[0-?]*[ -/]*[@-~]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\
 
 
 def text(value: str) -> str:
-    """Return one line of plain text: no markup, no HTML, no mention, no cell border, no link."""
+    """Return one line of plain text without markup, HTML, mentions, cell borders or links."""
     return _escaped(" ".join(value.split()))
 
 
 def _plain(line: str) -> str:
-    """Return a line without a terminal's colours and titles, and with every other control character spelt out."""
+    """Return a line without a terminal's colours and titles, and with other control characters written as escapes."""
     return printable(_TERMINAL.sub("", line))
 
 
 def _escaped(line: str) -> str:
     escaped = re.sub(r"([\\`*_{}\[\]()#+!|~$-])", r"\\\1", _plain(line))
-    # A zero-width space after @ and before the rest of a bare URL: neither is turned into a link
+    # A zero-width space after @ and inside a bare URL prevents GitHub from making links of them
     return html.escape(escaped, quote=False).replace("@", "@\u200b").replace("://", ":\u200b//")
 
 
 def prose(value: str) -> str:
-    """Return one line of plain text in which a message's own ``backticks`` mark code; all else is as in ``text``."""
+    """Return one line of plain text in which ``backticks`` mark code; everything else is as in ``text``."""
     parts = re.split(r"`([^`]+)`", " ".join(value.split()))
     return "".join(code(part) if index % 2 else _escaped(part) for index, part in enumerate(parts))
 
@@ -51,12 +51,12 @@ def block(value: str, language: str = "") -> str:
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Return a table of cells that are Markdown already; a border in one, even in its code, is escaped here."""
+    """Return a table of cells that are already Markdown; ``|`` in a cell, even in its code, is escaped."""
     rows = [[re.sub(r"(?<!\\)((?:\\\\)*)\|", r"\1\\|", cell) for cell in row] for row in rows]
     lines = [f"| {' | '.join(head)} |", f"|{' --- |' * len(head)}"]
     return "\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows)]) + "\n"
 
 
 def folded(title: str, body: str, *, opened: bool = False) -> str:
-    """Return a section that opens on a click, or is open and closes on one; ``title`` is HTML."""
+    """Return a section that a click folds and unfolds; ``title`` is HTML."""
     return f"<details{' open' if opened else ''}><summary>{title}</summary>\n\n{body.strip()}\n\n</details>\n"

@@ -1,7 +1,7 @@
 """README.ipynb: the README as a notebook whose shell blocks run in the image.
 
-The kernel is bash and every cell is bash: a block of Python or C++ in a README is an excerpt more often than a program
-(its imports stand three blocks above, its data nowhere), so it stays in the text, where it is coloured and not run.
+The kernel is bash, so every code cell is bash. A block of Python or C++ in a README is usually an excerpt and not a
+program (its imports are in an earlier block, its data is missing), so it stays in the text, highlighted but not run.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ _LABEL = re.compile(r"\[((?:[^\[\]\\]|\\.){1,999})\]")
 
 
 def text(plan: Plan, beside: Beside) -> str:
-    """Return the notebook, with the README that it shows."""
+    """Return the notebook that shows the README."""
     return notebook(plan, readme=beside.readme, readme_name=beside.readme_name)
 
 
 def notebook(plan: Plan, *, readme: str | None, readme_name: str = "README.md") -> str:
     """Return the notebook's JSON, the same for the same README.
 
-    Markdown is cut at its shell blocks and otherwise kept to the letter. A README in another markup is one cell of
-    text; without one, a few cells say how to start the program.
+    Markdown is split at its shell blocks and otherwise unchanged. A README in another markup becomes one text cell.
+    Without a README, a few cells show how to start the program.
     """
     if readme and readme.strip():
         if readme_name.lower().endswith(MARKDOWN):
@@ -85,7 +85,7 @@ def _cell(step: Step) -> Cell:
 
 
 def _text(lines: list[str], start: int, end: int, environment: dict[str, Any]) -> Iterator[Cell]:
-    """Yield the lines as a cell of Markdown, with the definitions of its links that stand in other cells."""
+    """Yield the lines as a Markdown cell, with the definitions of its links that are in other cells."""
     while start < end and not lines[start].strip():
         start += 1
     while end > start and not lines[end - 1].strip():
@@ -98,7 +98,7 @@ def _text(lines: list[str], start: int, end: int, environment: dict[str, Any]) -
 
 
 def _dedented(lines: list[str]) -> list[str]:
-    """Take the indentation off text that went on in a list, where without its list it would be a block of code."""
+    """Remove the indentation of text that continues a list, because without the list it would become a code block."""
     depth = len(lines[0]) - len(lines[0].lstrip(" "))
     if depth < 4:
         return lines
@@ -111,7 +111,7 @@ def _dedented(lines: list[str]) -> list[str]:
 
 
 def _definitions(text: str, start: int, end: int, lines: list[str], environment: dict[str, Any]) -> list[str]:
-    """Return the definitions that a cell's links and images refer to: each cell of a notebook is rendered alone."""
+    """Return the definitions that a cell's links and images need: each cell of a notebook is rendered separately."""
     references = environment.get("references", {})
     if not references:
         return []
@@ -126,14 +126,14 @@ def _definitions(text: str, start: int, end: int, lines: list[str], environment:
 
 
 def _json(cells: list[Cell], origin: str) -> str:
-    # Imported here, for it takes longer to import than everything else together; Any, for it has no types
+    # Imported here because it takes longer to import than everything else together; Any because it has no types
     nbformat: Any = import_module("nbformat")
     seen: dict[Cell, int] = {}
     nodes = []
     for cell in cells:
         seen[cell] = seen.get(cell, 0) + 1
         kind, source = cell
-        # An id that follows from the content: an edit of one paragraph changes one cell
+        # The id is computed from the content, so that editing one paragraph changes only one cell
         identity = hashlib.sha256(f"{kind}\0{seen[cell]}\0{source}".encode()).hexdigest()[:12]
         new = nbformat.v4.new_code_cell if kind == "code" else nbformat.v4.new_markdown_cell
         nodes.append(new(source, id=identity))

@@ -1,4 +1,4 @@
-"""What a run came to: what one job writes down of its platform, and what a later job reads back and shows."""
+"""The results of a run: each job writes a report of its platform, and a later job reads and shows them."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ class ProofReport:
 
     name: str
     command: str
-    """As a person would type it, ``""`` where the image itself says what it starts."""
+    """The command as a person would type it, ``""`` for the image's own command."""
     passed: bool
     summary: str
     output: str
     screenshot: str = ""
-    """File in the run's artifacts, of a proof with a display."""
+    """File in the run's artifacts; only a proof with a display has one."""
     screenshot_remark: str = ""
-    """That nothing was drawn, or why there is no screenshot."""
+    """A note that nothing was drawn, or why there is no screenshot."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -37,18 +37,18 @@ class PlatformReport:
 
     platform: str
     digest: str
-    """Of the image's manifest."""
+    """Digest of the image's manifest."""
     source: str
-    """Digest that was pushed: the manifest's own, or that of an index of several platforms or with attestations."""
+    """Digest that was pushed: that of the manifest, or of an index with several platforms or attestations."""
     layers: tuple[LayerSize, ...]
-    """Empty where the image was not pushed."""
+    """Layers of the image, empty if it was not pushed."""
     proofs: tuple[ProofReport, ...]
     build_seconds: float | None
-    """``None`` where it was not measured; one build of several platforms takes the same time for each."""
+    """``None`` if it was not measured; if one build made several platforms, each has the time of the whole build."""
 
     @property
     def size(self) -> int:
-        """Bytes that a first pull transfers."""
+        """Number of bytes that a first pull transfers."""
         return sum(layer.size for layer in self.layers)
 
     @property
@@ -59,13 +59,13 @@ class PlatformReport:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Report:
-    """A whole run."""
+    """The report of a whole run."""
 
     plan: Plan
     image: str
     """``HOST/OWNER/NAME``."""
     published: bool
-    """Its tags were made."""
+    """Whether the image's tags were made."""
     reason: str
     """Why the run publishes or does not."""
     digest: str = ""
@@ -73,9 +73,9 @@ class Report:
     platforms: tuple[PlatformReport, ...] = ()
     failures: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
-    """What else to know: the cache, whether the package is public. Markdown."""
+    """Further notes in Markdown, for example on the cache or whether the package is public."""
     badge: str = ""
-    """Markdown to paste into the README, ``""`` where there is no page to point at."""
+    """Markdown to paste into the README, ``""`` if there is no page to link to."""
 
 
 def platforms_of(reports: Iterable[PlatformReport], plan: Plan) -> tuple[PlatformReport, ...]:

@@ -1,7 +1,7 @@
 """The one place where a value becomes a word of a shell script or a token of a Dockerfile.
 
-A value that would end its line, or make the line read differently from what it does, is an error wherever it comes
-from: no quoting survives a newline in a Dockerfile.
+A value that would end its line, or make the line look different from what it does, is an error, whatever its origin:
+no quoting protects a newline in a Dockerfile.
 """
 
 from __future__ import annotations
@@ -14,20 +14,20 @@ from collections.abc import Iterable, Sequence
 from roslab.errors import ConfigurationError, Problem
 
 USER = "${NB_USER}"
-"""The one variable that a path may hold: the name of the image's user, an ARG and ENV of every image."""
+"""The only variable allowed in a path: the name of the image's user, which is an ARG and ENV of every image."""
 _FORBIDDEN = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
-"""Control characters, line separators, bytes that are no UTF-8, and the marks that turn the reading direction:
-with these a line is shown as something else than it says (https://trojansource.codes)."""
+"""Control characters, line separators, bytes that are not UTF-8, and marks that change the reading direction: they
+make a line look different from what it does (https://trojansource.codes)."""
 _BARE = re.compile(r"[A-Za-z0-9_@%+=:,./-]+")
 _IMAGE = re.compile(
     r"[A-Za-z0-9][A-Za-z0-9._-]*(?::[0-9]+(?=/))?(?:/[a-z0-9][a-z0-9._-]*)*(?::\w[\w.-]*)?(?:@\w+:[0-9a-f]+)?", re.ASCII
 )
-"""A reference as https://github.com/distribution/reference/blob/main/regexp.go has it, somewhat wider;
-no space and no ``$`` pass."""
+"""A reference as in https://github.com/distribution/reference/blob/main/regexp.go, but slightly more permissive;
+spaces and ``$`` are not allowed."""
 
 
 def checked(text: str) -> str:
-    """Return the text itself. Raises ``ConfigurationError`` for a newline or another invisible character."""
+    """Return the text unchanged. Raises ``ConfigurationError`` for a newline or another invisible character."""
     if found := _FORBIDDEN.search(text):
         raise ConfigurationError(
             Problem(
@@ -45,7 +45,7 @@ def _name(character: str) -> str:
 
 
 def shell(text: str) -> str:
-    """Return one word of a POSIX shell that stands for exactly this text."""
+    """Return the text quoted as one word of a POSIX shell."""
     return shlex.quote(checked(text))
 
 
@@ -58,38 +58,38 @@ def words(argv: Iterable[str]) -> str:
 
 
 def shell_with_user(path: str) -> str:
-    """Return one word of a shell for a path in which ``${NB_USER}``, and nothing else, is filled in."""
+    """Return a path quoted as one word of a shell, in which only ``${NB_USER}`` is expanded."""
     parts = (re.sub(r'([\\"$`])', r"\\\1", part) for part in checked(path).split(USER))
     text = USER.join(parts)
     return text if _BARE.fullmatch(text.replace(USER, "u")) else f'"{text}"'
 
 
 def path(name: str) -> str:
-    """Return a relative path that no program takes for an option, not yet quoted."""
+    """Return a relative path, still unquoted, that no program mistakes for an option."""
     return f"./{checked(name)}" if name.startswith("-") else checked(name)
 
 
 def docker(text: str) -> str:
-    """Return the value of an ENV, ARG or LABEL that stands for exactly this text, ``$`` included.
+    """Return the text quoted as the value of an ENV, ARG or LABEL; a ``$`` stays as it is.
 
-    Inside double quotes BuildKit gives a meaning to the quote, ``$`` and the backslash alone:
+    Inside double quotes only the quote, ``$`` and the backslash have a meaning for BuildKit:
     https://github.com/moby/buildkit/blob/master/frontend/dockerfile/shell/lex.go
     """
     return text if _BARE.fullmatch(checked(text)) else '"' + re.sub(r'([\\"$])', r"\\\1", text) + '"'
 
 
 def docker_path(text: str) -> str:
-    """Return the path of a WORKDIR, or the target of a COPY, in which ``${NB_USER}``, and nothing else, is filled in.
+    """Return the path of a WORKDIR, or the target of a COPY, in which only ``${NB_USER}`` is expanded.
 
-    A COPY is cut at spaces before anything is unquoted: a path with one goes through ``copy``.
+    BuildKit splits a COPY at spaces before it removes quotes, so use ``copy`` for a path with spaces.
     """
     return USER.join(re.sub(r"""([\\"'$])""", r"\\\1", part) for part in checked(text).split(USER))
 
 
 def copy(sources: Sequence[str], target: str) -> str:
-    """Return the paths of a COPY: any path can be named, wildcards in it are plain characters.
+    """Return the paths of a COPY; every path is possible, and wildcards count as plain characters.
 
-    Plain words where they are enough, else the JSON form.
+    The result is plain words if that is enough, otherwise the JSON form.
     """
     if all(_BARE.fullmatch(checked(item)) and not item.startswith("-") for item in (*sources, target)):
         return " ".join((*sources, target))
@@ -98,12 +98,12 @@ def copy(sources: Sequence[str], target: str) -> str:
 
 
 def json_form(items: Iterable[str]) -> str:
-    """Return the exec form of CMD, ENTRYPOINT, RUN or SHELL: an argv that no shell and no BuildKit touches."""
+    """Return the exec form of CMD, ENTRYPOINT, RUN or SHELL: an argv that neither a shell nor BuildKit changes."""
     return json.dumps([checked(item) for item in items], ensure_ascii=False)
 
 
 def image(reference: str) -> str:
-    """Return an image reference for FROM. Raises ``ConfigurationError`` for what is none."""
+    """Return an image reference for FROM. Raises ``ConfigurationError`` for an invalid one."""
     if not _IMAGE.fullmatch(reference):
         raise ConfigurationError(
             Problem(

@@ -1,4 +1,4 @@
-"""What ``inspect`` prints: the contract's JSON object, and the same for a person."""
+"""What ``inspect`` prints: the JSON object of the contract, and the same as text for a person."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from roslab.plan.plan import Plan
 from roslab.repository.checkout import printable
 
 COLUMN = 44
-"""Letters of an answer beside which its reason stands in the same column as the others'."""
+"""Longest answer that counts for the width of the column of answers; the reasons are aligned to its right."""
 
 
 def inspection(decision: Decision, plan: Plan) -> dict[str, Any]:
@@ -46,12 +46,12 @@ def inspection(decision: Decision, plan: Plan) -> dict[str, Any]:
 
 
 def inspection_json(decision: Decision, plan: Plan) -> str:
-    """Return the contract's object as text; stray bytes of file names are escaped, so that it is always valid JSON."""
+    """Return the contract's object as JSON; invalid bytes in file names are escaped, so that it is always valid."""
     return json.dumps(inspection(decision, plan), indent=2, ensure_ascii=True) + "\n"
 
 
 def inspection_text(decision: Decision, plan: Plan) -> str:
-    """Return what was found and why, as a person reads it."""
+    """Return what was found and why, as text for a person."""
     lines = [f"{plan.name}: a {_kind(decision)} repository", ""]
     rows = [
         ("base image", decision.base_image, "base_image"),
@@ -92,7 +92,7 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
 
 
 def _packages(decision: Decision, plan: Plan) -> list[str]:
-    """Return what the image gets installed; of an author's Dockerfile, which installs by itself, what is named."""
+    """Return the packages that the image installs, or those that an author's Dockerfile and the code name."""
     python = decision.python
     apt, apt_guessed = (*plan.apt_first, *plan.apt), (*plan.apt_tools, *plan.apt_guessed)
     guessed = [asked.told for asked in python.pip_guessed]
@@ -112,7 +112,7 @@ def _packages(decision: Decision, plan: Plan) -> list[str]:
 
 
 def explanation(reasons: Iterable[Reason], question: str) -> str:
-    """Return every piece of evidence for one question, the strongest first; the answers that lost are there too."""
+    """Return all evidence for one question, the strongest first, including that for answers that lost."""
     found = sorted((r for r in reasons if r.question == question), key=lambda r: (not r.decisive, -r.weight))
     lines = [f"{question}:"]
     for reason in found:

@@ -1,4 +1,4 @@
-"""docker_run.sh: runs the image with its volumes, ports, screen and graphics card, with nothing but docker."""
+"""docker_run.sh: runs the image with its volumes, ports, screen and graphics card, and needs only docker."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def text(plan: Plan, beside: Beside) -> str:
 def run_script(plan: Plan, *, context: str) -> str:
     """Return the script's text; ``context`` is the repository, relative to the folder the script is written to.
 
-    Raises ``ConfigurationError`` for a volume, port or address that docker would read as something else.
+    Raises ``ConfigurationError`` for a volume, port or address that docker would misread.
     """
     run = plan.run
     command = run.command if isinstance(run.command, str) else quote.words(run.command)
@@ -40,7 +40,7 @@ def run_script(plan: Plan, *, context: str) -> str:
             "image": plan.name,
             "context": context,
             "default_command": command,
-            "image_user": "" if plan.author_dockerfile else IMAGE_USER,  # the author's says who its user is
+            "image_user": "" if plan.author_dockerfile else IMAGE_USER,  # the author's Dockerfile sets its own user
             "gui": _word(run.gui),
             "gpu": _word(run.gpu),
             "notebook": "unknown" if plan.author_dockerfile else _word(plan.notebook),
@@ -57,7 +57,7 @@ def _word(said: bool) -> str:
 
 
 def _volume(volume: Volume) -> tuple[str, str, str]:
-    """Return the three words of a volume. Docker cuts them at colons: one inside would become another mount."""
+    """Return the three words of a volume, without colons: docker splits at them, so one would change the mount."""
     if not volume.container_path.startswith("/"):
         raise _wrong(f"the volume at {volume.container_path!r}", "a folder of the container begins with /")
     options = volume.options.split(",") if volume.options else []
@@ -73,7 +73,7 @@ def _place(path: str) -> str:
 
 
 def _port(text: str) -> str:
-    """Return docker's word for a port; without an address it is opened on this machine's own, not to its network."""
+    """Return docker's notation for a port; without an address it is open to this machine only, not to its network."""
     match = _PORT.fullmatch(text)
     if not match:
         raise _wrong(f"{text!r} as a port", "write CONTAINER, HOST:CONTAINER or ADDRESS:HOST:CONTAINER")

@@ -1,6 +1,6 @@
-"""A shell script that is the same for every repository but for a head of quoted assignments and comments on them.
+"""A shell script that is the same for every repository except for a head of commented, quoted assignments.
 
-The script itself is a file of its own, complete with a head, so that it can be read, run and linted as it stands.
+The script is a separate file with a complete head, so that it can be read, run and linted unchanged.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ BODY = "# ---- the same for every repository"
 def script(name: str, values: Mapping[str, str | Sequence[Sequence[str]]]) -> str:
     """Return the text of the script ``name`` with the given values in its head.
 
-    A text becomes a variable; rows of words become one array, a row on each line. Raises ``ConfigurationError`` for a
-    value that cannot be quoted, ``KeyError`` where the names are not those of the script's own head.
+    A text becomes a variable; rows of words become one array, with a row on each line. Raises ``ConfigurationError``
+    for a value that cannot be quoted, ``KeyError`` if the names differ from those in the script's own head.
     """
     lines = Path(__file__).with_name(name).read_text(encoding="utf-8").splitlines()
     first = next(i for i, line in enumerate(lines) if line.startswith(HEAD)) + 1

@@ -1,4 +1,4 @@
-"""A code block of a README: whether it is shell for the image, which lines are typed and which came back."""
+"""A code block of a README: whether it is shell code for the image, and which lines are input or output."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from roslab.knowledge.table import rows
 
 SHELLS = frozenset({"bash", "sh", "shell", "zsh", "ksh", "shellscript", "commandline", "command", "cmdline"})
 SESSIONS = frozenset({"console", "terminal", "session", "shell-session", "shellsession", "bash-session", "sh-session"})
-"""Languages of a block that shows what was typed and what came back."""
+"""Languages of a block that shows both input and output."""
 _OWN = {"roslab": "host", "docker_build.sh": "host", "docker_run.sh": "host"}
 """Commands of this project, which build and run the image."""
 _LANGUAGE = re.compile(r"\{?\s*\.?([\w+#-]+)")
@@ -33,17 +33,17 @@ _HEREDOC = re.compile(r"<<-?\s*(['\"]?)(\w+)\1")
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Step:
-    """A part of a block: what is typed (without prompts), or what came back."""
+    """A part of a block: input (without prompts) or output."""
 
     typed: bool
     text: str
 
 
 def steps(info: str, content: str) -> tuple[Step, ...]:
-    """Return the parts of a block that can run in the image, ``()`` for one that is no shell or not for the image.
+    """Return the parts of a block that can run in the image, ``()`` if it is not shell code or not for the image.
 
-    ``info`` is what stands after the fence, ``""`` for an indented block. A block of which nothing but output can be
-    told, and one that needs a program of the host, is left to the text.
+    ``info`` is the text after the fence, ``""`` for an indented block. A block in which only output can be recognised,
+    or that needs a program of the host, is left in the text.
     """
     match = _LANGUAGE.match(info.strip())
     language = match[1].lower() if match else ""
@@ -66,15 +66,15 @@ def steps(info: str, content: str) -> tuple[Step, ...]:
 
 
 def _without_margin(content: str) -> str:
-    """Take off what indents all lines, and leading tabs: to the bash behind a notebook a tab asks for a completion."""
-    if "<<-" not in content:  # whose tabs have a meaning
+    """Remove the common indentation and leading tabs: in a notebook's bash a tab would ask for a completion."""
+    if "<<-" not in content:  # tabs have a meaning there
         content = re.sub(r"^[ \t]+", lambda match: match[0].expandtabs(4), content, flags=re.MULTILINE)
     return textwrap.dedent(content)
 
 
 @cache
 def _commands() -> dict[str, str]:
-    """Return ``{word: where it runs}``, by which a block without a language is known as shell."""
+    """Return ``{word: where it runs}``, used to recognise shell code in a block without a language."""
     return {row["word"]: row["runs_on"] for row in rows("commands")} | _OWN
 
 
@@ -112,7 +112,7 @@ def _typed_next(lines: list[str], prompt: re.Pattern[str]) -> bool:
 
 
 def _unfinished(command: str) -> bool:
-    """Tell whether a shell would ask for another line."""
+    """Return whether a shell would ask for another line."""
     for match in _HEREDOC.finditer(command):
         if match[2] not in (line.strip() for line in command[match.end() :].split("\n")):
             return True
@@ -125,7 +125,7 @@ def _unfinished(command: str) -> bool:
 
 
 def first_words(text: str) -> Iterator[tuple[str, str]]:
-    """Yield the first and the second word of each command, ``""`` where there is no second."""
+    """Yield the first and the second word of each command, ``""`` if there is no second."""
     for line in re.sub(r"\\\n\s*", " ", text).split("\n"):
         if not line.lstrip().startswith("#"):
             for match in _FIRST.finditer(line):

@@ -1,4 +1,4 @@
-"""What a download consists of: the layers of an image, gathered by what made them, as a chart for the summary."""
+"""A chart for the summary of what a download consists of: an image's layers, grouped by what made them."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from roslab.render.markdown import block
 
 BASE = "base image"
 SMALLEST = 0.02
-"""Share of a slice of its own: below it neither the slice nor its number can be read."""
+"""Smallest share that gets its own slice: in a smaller one the number cannot be read."""
 COLOURS = ("#57606a", "#0969da", "#1a7f37", "#bc4c00", "#8250df", "#bf3989", "#9a6700", "#1b7c83", "#cf222e")
-"""One for each slice, dark enough for white numbers and light enough for a dark page: Mermaid's own are not."""
+"""Colours of the slices, dark enough for white numbers and light enough for a dark page, unlike Mermaid's own."""
 PARTS: tuple[tuple[str, re.Pattern[str]], ...] = (
     ("Ubuntu", re.compile(r"^(?:ADD|COPY) \S+ (?:in )?/$")),
     ("files", re.compile(r"^(?:ADD|COPY)\b")),
@@ -26,7 +26,7 @@ PARTS: tuple[tuple[str, re.Pattern[str]], ...] = (
     ("apt", re.compile(r"\bapt(?:-get)?\s+(?:-\S+\s+)*install\b|\binstall-(?:optional-apt|icub)\b")),
     ("compiled", re.compile(r"\b(?:colcon|catkin_make\w*|catkin|cmake|make|ninja|nvcc|cargo)\b")),
 )
-"""What made a layer, by its instruction; the first that fits counts. https://docs.docker.com/reference/dockerfile/"""
+"""What made a layer, by its instruction; the first match counts. https://docs.docker.com/reference/dockerfile/"""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -41,10 +41,10 @@ class LayerSize:
 
 
 def chart(platform: str, layers: Iterable[LayerSize]) -> str:
-    """Draw what the layers hold as a pie, which GitHub renders: https://mermaid.js.org/syntax/pie.html.
+    """Return a pie chart of what the layers hold, which GitHub renders: https://mermaid.js.org/syntax/pie.html.
 
-    Labels are short and letters large: a phone shows the whole at half its size. Of a base that did not tell its
-    layers, the file system it began with is named as Ubuntu's.
+    Labels are short and letters large, because a phone shows the chart at half its size. If a base does not describe
+    its layers, the file system that it started from is labelled as Ubuntu's.
     """
     sizes: dict[str, int] = {}
     for layer in layers:
@@ -64,14 +64,14 @@ def chart(platform: str, layers: Iterable[LayerSize]) -> str:
         "pieOuterStrokeColor": "#8c959f",
         **{f"pie{number}": colour for number, colour in enumerate(COLOURS, 1)},
     }
-    # Where Mermaid is too old to know the place of the legend, it stands at the right, and smaller
+    # A Mermaid that is too old for `legendPosition` puts a smaller legend at the right
     settings = json.dumps({"pie": {"legendPosition": "bottom"}, "themeVariables": look})
     head = f"%%{{init: {settings}}}%%"
     return block("\n".join([head, f"pie title Download for {platform}", *lines]), "mermaid")
 
 
 def part(history: str) -> str:
-    """Return what an image's history entry put into its layer, in two words."""
+    """Return in two words what an image's history entry put into its layer."""
     said = re.sub(r"\s*# buildkit$", "", re.sub(r"^.*?#\(nop\)\s+", "", history)).strip()
     return next((name for name, pattern in PARTS if pattern.search(said)), "set-up")
 

@@ -1,4 +1,4 @@
-"""The job's summary: what was built, proved and published, how to run it, and why it is as it is."""
+"""The job's summary: what was built, proved and published, how to run it, and the reasons for each decision."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from roslab.render.outcome import PlatformReport, ProofReport, Report
 from roslab.render.sizes import chart, human
 
 MAX_ROWS = 60
-"""Of reasons and warnings; a repository of three hundred packages has thousands."""
+"""Most reasons or warnings that are shown; a repository of three hundred packages has thousands."""
 FEW = 5
-"""Warnings that are shown without a click."""
+"""Number of warnings that are shown without a click."""
 NOT_PROVED = "not proved"
-"""First words of the outcome of a proof that was only guessed and failed."""
+"""First words of the outcome of a failed proof whose command was only guessed."""
 PASSED = "✅"
 PHONE = 40
-"""Characters of a line of code that a phone shows."""
+"""Number of characters of a code line that fit on a phone."""
 
 
 def summary(report: Report) -> str:
-    """Return the summary as GitHub's Markdown; what a reader needs first comes first.
+    """Return the summary as GitHub's Markdown, with the most important parts first.
 
-    Every text from the repository or a log is escaped. Nothing is wider than a phone but code, which scrolls.
+    Every text from the repository or a log is escaped. Only code, which scrolls, may be wider than a phone.
     """
     parts = [
         _headline(report),
@@ -42,7 +42,7 @@ def summary(report: Report) -> str:
 
 
 def _headline(report: Report) -> str:
-    """Say whether it worked, and give the one command that runs it."""
+    """Return whether the run succeeded, and the command that runs the image."""
     if report.failures:
         items = "".join(f"- {prose(failure)}\n" for failure in report.failures)
         return f"### ❌ Failed: {code(report.plan.name)}\n\n{items}\nNo tag was made or moved.\n"
@@ -55,13 +55,13 @@ def _headline(report: Report) -> str:
 
 
 def _tag(report: Report) -> str:
-    """Return the tag to show: the branch's or the release's, rather than that of one commit."""
+    """Return the tag to show: the branch's or the release's if there is one, not the commit's."""
     names = [tag.rpartition(":")[2] for tag in report.tags]
     return next((name for name in names if not name.startswith("sha-")), names[0] if names else "latest")
 
 
 def _run(plan: Plan, reference: str) -> str:
-    """Return the command, broken where a phone would have to scroll."""
+    """Return the command, with line breaks so that it fits on a phone."""
     run = plan.run
     groups = [["docker", "run", "--rm", "-it", *(["--gpus", "all"] if run.gpu else [])]]
     groups += [["-p", port] for port in run.ports]
@@ -93,7 +93,7 @@ def _failed_proofs(report: Report) -> str:
 
 
 def _passed_proofs(report: Report) -> str:
-    """Return one section for each platform: one for each proof would not fit on a phone."""
+    """Return one section for each platform; one for each proof would be too long on a phone."""
     parts = []
     for entry in report.platforms:
         passed = [proof for proof in entry.proofs if proof.passed]
@@ -119,7 +119,7 @@ def _told(proof: ProofReport) -> str:
 
 
 def _short(proof: ProofReport) -> str:
-    """Return an outcome in three words; the proof's own section has the rest."""
+    """Return an outcome in a few words; the proof's own section has the rest."""
     return proof.summary.partition(":")[0]
 
 
@@ -142,7 +142,7 @@ def _mark(proof: ProofReport) -> str:
 
 
 def _doubts(report: Report) -> str:
-    """Return what the author should look at; many are folded."""
+    """Return the warnings that the author should look at; long lists are folded."""
     warnings = report.plan.warnings
     lines = [f"- {prose(w.message)} {_place(w.file, w.line)}".rstrip() for w in warnings[:MAX_ROWS]]
     if len(warnings) > MAX_ROWS:
@@ -190,7 +190,7 @@ def _badge(report: Report) -> str:
 
 
 def _decisions(plan: Plan) -> str:
-    """Return one line for each answer: a table of four columns cannot be read on a phone."""
+    """Return one line for each answer, because a table of four columns cannot be read on a phone."""
     reasons = [reason for reason in plan.reasons if reason.decisive]
     answers = [reason for reason in reasons if reason.question != "dependencies"]
     needed = [reason for reason in reasons if reason.question == "dependencies"]
@@ -215,11 +215,11 @@ def _place(file: str | None, line: int | None) -> str:
 
 
 def _html(value: str) -> str:
-    """Markdown is not read inside a summary element: HTML alone is escaped."""
+    """Escape only HTML, because Markdown is not interpreted inside a summary element."""
     return text(value).replace("\\", "")
 
 
 def duration(seconds: float) -> str:
-    """Return a duration as a person says it: ``42 s``, ``3 min 20 s``."""
+    """Return a duration as text: ``42 s``, ``3 min 20 s``."""
     whole = round(seconds)
     return f"{whole} s" if whole < 120 else f"{whole // 60} min {whole % 60} s"
