@@ -1,4 +1,4 @@
-"""roslab.yaml, every generation of it, as one typed model."""
+"""Reading roslab.yaml, in all its formats, into one typed model."""
 
 from roslab.config.model import Base, Config, Custom, Matlab, Source, Volume
 from roslab.config.overrides import Override, configure

@@ -1,4 +1,4 @@
-"""Adds entries to the lists of a roslab.yaml, and leaves everything else in it, comments and layout, as it was."""
+"""Adds entries to the lists of a roslab.yaml and leaves everything else, including comments and layout, unchanged."""
 
 from __future__ import annotations
 
@@ -14,16 +14,17 @@ from roslab.errors import ConfigurationError, Problem
 from roslab.values.origin import Place
 
 KEYS = ("apt", "pip", "skip_keys", "build_args")
-"""Keys whose values are lists of texts, and that may be added to."""
+"""Keys with lists of texts, to which entries may be added."""
 _PLAIN = re.compile(r"[A-Za-z][\w.+-]*")
-"""What YAML takes for a text without quotes, whatever stands there; ``yes`` and its like are quoted."""
+"""Text that YAML reads as text without quotes in any position; words such as ``yes`` are quoted all the same."""
 _WORDS = {"yes", "no", "on", "off", "true", "false", "null", "y", "n"}
 
 
 def added(text: str | None, wanted: Wanted[str, tuple[str, ...]], *, file: str = "roslab.yaml") -> str:
-    """Return a roslab.yaml with these entries, the same text where it has them all; ``None`` for no file yet.
+    """Return a roslab.yaml with these entries added; it is unchanged if it has them all.
 
-    Raises ``ConfigurationError`` where the file is wrong, of an old format, or laid out so that an edit would not hold.
+    ``text`` is ``None`` if there is no file yet. Raises ``ConfigurationError`` if the file is wrong, in an old format,
+    or in a layout that cannot be edited reliably.
     """
     base = "format: 3\n" if text is None or not text.strip() else text
     config = read(base, file=file)
@@ -60,7 +61,7 @@ def _missing(config: Config, key: str, values: tuple[str, ...]) -> tuple[str, ..
 
 
 def _entry(edits: Edits, root: Mapping, key: str, values: tuple[str, ...]) -> str:
-    """Add values to a key where it stands; return the lines of a key that is not there yet."""
+    """Add values to an existing key, or return the lines of a key that does not exist yet."""
     node = root.get(key)
     if isinstance(node, Sequence) and node.items and node.flow:
         at = node.items[-1].end.index

@@ -1,4 +1,4 @@
-"""Advice on what to write in place of a bad value, where there is more to say than which values are allowed."""
+"""Advice on what to write instead of a bad value, for cases in which listing the allowed values is not enough."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _TREE = re.compile(r"(https?://[^/\s]+/[^/\s]+/[^/\s]+?)(?:\.git)?/(?:-/)?(?:tre
 
 
 def advice(title: str, text: str) -> str | None:
-    """Return what to write instead of a value, given the title of what is wanted; ``None`` where nothing is known."""
+    """Return what to write instead of a value, given the title of its schema; ``None`` if there is no advice."""
     if "\ufffd" in text:
         return "a character is broken: save the file as UTF-8"
     if "\n" in text and title == "shell command":

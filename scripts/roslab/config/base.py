@@ -1,4 +1,4 @@
-"""What the image starts from, from each format's own words."""
+"""What the image starts from, read from the keys of each format."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def base(reading: Reading, root: Mapping, generation: Generation) -> Base:
 
 
 def implied(reading: Reading, root: Mapping, generation: Generation, found: Base) -> bool | None:
-    """Return whether the format's run script shared display and GPU, ``None`` where it does not say."""
+    """Return whether the format's run script shared display and GPU, ``None`` if the format does not determine it."""
     if generation == "today" or not (found.opengl or found.cuda):
         return None
     mapping = reading.mapping(root, "base")
@@ -59,7 +59,7 @@ def implied(reading: Reading, root: Mapping, generation: Generation, found: Base
 
 
 def _paper(reading: Reading, root: Mapping) -> Base:
-    """Read the paper's base images: ros-base, or with ``runtime: nvidia`` desktop-full over OpenGL's headers."""
+    """Read the paper's base images: ros-base, or with ``runtime: nvidia`` desktop-full with OpenGL headers."""
     distro = reading.value(root, "distro", "base.ros")
     runtime = reading.value(root, "runtime", "base.opengl")
     if runtime is None:
@@ -79,7 +79,7 @@ def _ubuntu(reading: Reading, text: Text | None) -> str | None:
 
 
 def _agree(reading: Reading, ubuntu: str | None, ros: Text | None, mapping: Mapping | None) -> None:
-    """Complain where a ROS distribution has no packages for the Ubuntu release: nothing could be installed."""
+    """Report a ROS distribution that has no packages for the Ubuntu release: nothing could be installed."""
     if ubuntu is None or ros is None or mapping is None or "image" in mapping.names:
         return
     distro = ros.value.partition("-")[0]

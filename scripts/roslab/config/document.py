@@ -1,7 +1,7 @@
-"""The text of a YAML file as a tree: PyYAML's events, put together without recursion and within bounds.
+"""The text of a YAML file as a tree, built from PyYAML's events without recursion and within limits.
 
-Nothing is constructed from tags, an alias bomb or a deep nest ends in one clear problem, and duplicate keys, which
-YAML libraries swallow, are problems with both their lines.
+Tags construct nothing, an alias bomb or deep nesting gives one clear problem, and duplicate keys, which YAML libraries
+ignore, are reported with both lines.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ from roslab.repository.checkout import printable
 from roslab.values.origin import Place
 
 MAX_CHARACTERS = 64 * 1024
-"""The longest real file holds 17,000 characters, of another program; of ours 2,200."""
+"""The longest real file of this program has 2,200 characters, that of another program 17,000."""
 MAX_DEPTH = 32
 MAX_NODES = 20_000
-"""Values with every alias written out."""
+"""Most values in a file, counted with every alias expanded."""
 MAX_PROBLEMS = 50
 
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
-"""Characters that no YAML file holds: controls, halves of surrogate pairs, what is no character."""
+"""Characters that YAML does not allow: controls, surrogates and noncharacters."""
 _TAG = "tag:yaml.org,2002:"
 _KINDS: dict[str, ScalarKind] = {
     "str": "string",
@@ -52,7 +52,7 @@ _PASSWORD = re.compile(r"//[^/\s]*@")
 
 @dataclass(kw_only=True, slots=True)
 class _Open:
-    """A list or mapping whose end was not seen yet."""
+    """A list or mapping whose end has not been read yet."""
 
     event: yaml.events.CollectionStartEvent
     parts: list[Node] = field(default_factory=list)
@@ -68,7 +68,7 @@ class _Stop(Exception):  # noqa: N818 - ends the reading of events, never leaves
 
 @dataclass(kw_only=True, slots=True)
 class Document:
-    """The tree of one file and what is wrong with its keys; ``root`` is ``None`` where the file is empty."""
+    """The tree of one file and the problems with its keys; ``root`` is ``None`` if the file is empty."""
 
     file: str
     root: Node | None = None
@@ -77,12 +77,12 @@ class Document:
     _anchors: dict[str, Node | None] = field(default_factory=dict)
 
     def complain(self, message: str, hint: str, mark: Mark | None) -> None:
-        """Note a problem at a place."""
+        """Record a problem at a place."""
         origin = in_file(self.file)(mark) if mark else Place(file=self.file)
         self.problems.append(Problem(message=message, hint=hint, origin=origin))
 
     def take(self, event: yaml.events.Event) -> None:
-        """Add what one event of the parser says."""
+        """Add one event of the parser to the tree."""
         if isinstance(event, yaml.DocumentStartEvent):
             if self.root is not None:
                 hint = "one file holds one configuration: take out the line `---` and what follows it"
@@ -124,7 +124,7 @@ class Document:
             return
         parts = self._stack[-1].parts
         parts.append(node)
-        # Counted here and not at the end of a list, so that a list of a million items stops early too.
+        # Counted here and not at the end of a list, so that reading a list of a million items stops early.
         if node.size > MAX_NODES or len(parts) > MAX_NODES:
             raise _Stop("holds too many values", f"at most {MAX_NODES} are read, aliases written out", mark)
 
@@ -163,7 +163,7 @@ class Document:
         )
 
     def _merged(self, value: Node) -> list[Mapping]:
-        """Return the mappings that ``<<`` names; the first wins, as in YAML."""
+        """Return the mappings that ``<<`` refers to; the first has priority, as in YAML."""
         items = value.items if isinstance(value, Sequence) else (value,)
         found = [item for item in items if isinstance(item, Mapping)]
         if len(found) < len(items):
@@ -174,8 +174,8 @@ class Document:
 def parse(text: str | bytes, *, file: str) -> Document:
     """Read the tree of a YAML text.
 
-    Bytes are taken as UTF-8; what is not becomes U+FFFD, which no value may hold but a comment may.
-    Raises ``ConfigurationError`` where the text is too long, no YAML, or no text at all.
+    Bytes are decoded as UTF-8; invalid ones become U+FFFD, which is allowed in comments but not in values.
+    Raises ``ConfigurationError`` if the text is too long, not YAML, or not text at all.
     """
     if len(text) > MAX_CHARACTERS:
         hint = f"at most {MAX_CHARACTERS} are read: this is no configuration"
@@ -198,7 +198,7 @@ def parse(text: str | bytes, *, file: str) -> Document:
     except _Stop as stop:
         document.complain(*stop.problem)
         raise ConfigurationError(*document.problems) from None
-    except (yaml.YAMLError, ValueError, OverflowError) as error:  # the last two: escapes in the parser without C
+    except (yaml.YAMLError, ValueError, OverflowError) as error:  # the last two: bad escapes in the pure Python parser
         document.complain(*_syntax(error))
         raise ConfigurationError(*document.problems) from None
     del document.problems[MAX_PROBLEMS:]
@@ -206,13 +206,13 @@ def parse(text: str | bytes, *, file: str) -> Document:
 
 
 def shown(text: str, limit: int = 60) -> str:
-    """Return a text as a message may show it: printable, on one line, shortened, without a password."""
+    """Return a text in a form suitable for messages: printable, on one line, shortened, without a password."""
     text = _PASSWORD.sub("//…@", text)
     text = text if len(text) <= limit else text[: limit - 1] + "…"
     return printable(text)
 
 
-def _mark(mark: Any) -> Mark:  # the C parser's marks are of a class of their own
+def _mark(mark: Any) -> Mark:  # the C parser has its own class of marks
     return Mark(line=mark.line + 1, column=mark.column + 1, index=mark.index)
 
 
@@ -226,12 +226,12 @@ def _scalar(event: yaml.ScalarEvent) -> Scalar:
     else:
         kind = _resolve(text) if plain and event.tag is None else "string"
     if event.style in {"|", ">"}:
-        text = text.removesuffix("\n")  # the block's own end, not the value's
+        text = text.removesuffix("\n")  # this line break ends the block and is not part of the value
     return Scalar(start=start, end=_mark(event.end_mark), text=text, kind=kind, plain=plain)
 
 
 def _resolve(text: str) -> ScalarKind:
-    """Return what YAML 1.1 takes an unquoted text for."""
+    """Return the type that an unquoted text has in YAML 1.1."""
     resolvers = yaml.SafeLoader.yaml_implicit_resolvers
     for tag, expression in resolvers.get(text[:1], []) + resolvers.get(None, []):
         if expression.match(text):
@@ -245,7 +245,7 @@ def _check_tag(tag: str | None, allowed: tuple[str, ...], mark: Mark) -> None:
 
 
 def _syntax(error: Exception) -> tuple[str, str, Mark | None]:
-    """Put the parser's complaint into this program's words."""
+    """Return a parser's error as a message, a hint and a place."""
     complaint = getattr(error, "problem", None) or "it cannot be read"
     mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)
     hint = next((hint for words, hint in _HINTS if words in complaint), "see https://yaml.org for the syntax")

@@ -1,4 +1,4 @@
-"""Changes to a text that leave everything else in it, comments and layout, as it was."""
+"""Changes to a text that leave everything else in it, including comments and layout, unchanged."""
 
 from __future__ import annotations
 
@@ -10,37 +10,37 @@ from roslab.config.node import Mapping, Node, Scalar
 
 @dataclass(kw_only=True, slots=True)
 class Edits:
-    """The replacements for parts of a text, and one line about each for the user."""
+    """Replacements for parts of a text, and a line about each for the user."""
 
     text: str
     changes: list[str] = field(default_factory=list)
     _parts: dict[tuple[int, int], str] = field(default_factory=dict)
 
     def put(self, start: int, end: int, new: str, change: str | None = None) -> None:
-        """Put something in place of a part; ``start == end`` inserts."""
+        """Replace a part of the text; ``start == end`` inserts."""
         if (start, end) not in self._parts and change:
             self.changes.append(change)
         self._parts[start, end] = new
 
     def value(self, node: Node, new: str, change: str) -> None:
-        """Put something in place of a value or a key."""
+        """Replace a value or a key."""
         self.put(node.start.index, node.end.index, new, f"line {node.start.line}: {change}")
 
     def rename(self, mapping: Mapping, old: str, new: str) -> None:
-        """Give a key another name."""
+        """Rename a key."""
         key = mapping.key(old)
         if key is not None and old != new:
             self.value(key, new, f"`{old}` becomes `{new}`")
 
     def pair(self, mapping: Mapping, name: str, new: list[str], change: str) -> None:
-        """Put ``KEY: VALUE`` texts in place of a key and its single value."""
+        """Replace a key and its single value by ``KEY: VALUE`` texts."""
         key, value = mapping.key(name), mapping.get(name)
         if key is not None and value is not None:
             joined = self.separator(mapping, key).join(new)
             self.put(key.start.index, value.end.index, joined, f"line {key.start.line}: {change}")
 
     def separator(self, mapping: Mapping, key: Node) -> str:
-        """Return what stands between two keys of a mapping: a line break with the indentation, or a comma."""
+        """Return what separates two keys of a mapping: a line break with the indentation, or a comma."""
         newline = "\r\n" if "\r\n" in self.text else "\n"
         return ", " if mapping.flow else newline + " " * (key.start.column - 1)
 
@@ -54,7 +54,7 @@ class Edits:
 
 
 def quoted(text: str) -> str:
-    """Return a text as YAML takes it in any place: a JSON string is one."""
+    """Return a text quoted as a JSON string, which YAML accepts in any position."""
     return json.dumps(text, ensure_ascii=False)
 
 
@@ -64,5 +64,5 @@ def flow_list(values: tuple[str, ...]) -> str:
 
 
 def is_text(node: Node | None) -> bool:
-    """Whether a node is a single value that says something."""
+    """Return whether a node is a single value that is not empty."""
     return isinstance(node, Scalar) and node.kind != "null"

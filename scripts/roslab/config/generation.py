@@ -1,7 +1,7 @@
-"""Tells the formats of roslab.yaml apart, and which line belongs to which where a file mixes them.
+"""Recognises the format of a roslab.yaml, and which line belongs to which format in a file that mixes them.
 
-The marks: ``format: 3`` is today's; ``distro`` (or another key that only the 2019 paper's has) is the paper's;
-``base.system`` is the interim one's; everything else is the later old format, which today's keys may complete.
+``format: 3`` marks today's format; ``distro`` (or another key that only the 2019 paper's format has) the paper's;
+``base.system`` the interim one. Everything else is the later old format, in which today's keys are allowed too.
 """
 
 from __future__ import annotations
@@ -19,21 +19,21 @@ NAMES: dict[Generation, str] = {
     "today": "today's format (`format: 3`)",
 }
 _ENOUGH = 2
-"""A file with this many keys of the other program is taken to be that program's."""
+"""A file with this many keys of another program of that name is taken for a file of that program."""
 
 
 def keys(generation: Generation) -> frozenset[str]:
-    """Return the keys of the top level that a format knows."""
+    """Return the top-level keys of a format."""
     return frozenset(vocabulary.definition(generation)["properties"])
 
 
 def news() -> frozenset[str]:
-    """Return today's additions: keys that no old generator knew, and that the old formats may use too."""
+    """Return the keys that are new today: no old generator knew them, but the old formats may use them too."""
     return keys("today") & keys("later") & keys("paper") - {"name", "build", "volume", "custom", "source"}
 
 
 def own(generation: Generation) -> frozenset[str]:
-    """Return the keys by which an old format is known."""
+    """Return the keys by which an old format is recognised."""
     others: tuple[Generation, ...] = ("paper", "later") if generation == "interim" else ("interim", "later")
     if generation == "later":
         others = ("paper",)
@@ -46,7 +46,7 @@ def own(generation: Generation) -> frozenset[str]:
 def tell(root: Mapping, *, file: str) -> Generation:
     """Return the format of a file.
 
-    Raises ``ConfigurationError`` where the file is another program's, which shares only the name.
+    Raises ``ConfigurationError`` if the file belongs to another program and only has the same name.
     """
     names = set(root.names)
     foreign = [name for name in root.names if name in vocabulary.rows("foreign")]
@@ -72,14 +72,14 @@ def tell(root: Mapping, *, file: str) -> Generation:
 
 
 def rivals(root: Mapping, generation: Generation) -> tuple[str, ...]:
-    """Return the keys of the 2019 paper's format that stand in a file of another format."""
+    """Return the keys of the 2019 paper's format that occur in a file of another format."""
     if generation == "paper" or "distro" not in root.names:
         return ()
     return tuple(name for name in root.names if name in own("paper"))
 
 
 def mixture(root: Mapping, generation: Generation, *, file: str) -> Problem | None:
-    """Return a problem, with the lines of each format, where two stand in one file."""
+    """Return a problem that lists the lines of each format if a file mixes two, otherwise ``None``."""
     strange = rivals(root, generation)
     if not strange:
         return None
@@ -96,7 +96,7 @@ def mixture(root: Mapping, generation: Generation, *, file: str) -> Problem | No
 
 
 def elsewhere(generation: Generation, name: str) -> str | None:
-    """Say of an unknown key which format it belongs to and what to write instead; ``None`` where it is in none."""
+    """Return which format an unknown key belongs to and what to write instead; ``None`` if no format has it."""
     order: tuple[Generation, ...] = ("paper", "interim", "later", "today")
     homes = [NAMES[other] for other in order if other != generation and name in keys(other)]
     if not homes:

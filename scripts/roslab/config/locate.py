@@ -11,14 +11,14 @@ from roslab.repository.checkout import Repository, printable
 from roslab.values.origin import Origin, Place
 
 NAMES = ("roslab.yaml", "roslab.yml", ".roslab.yaml", "repolab.yaml")
-"""Where a configuration is looked for, at the root: the first one counts."""
+"""Names of a configuration in the root folder; the first that exists counts."""
 MAX_BYTES = 1024 * 1024
-"""The longest of 78 real files has two thousand."""
+"""Most bytes of a configuration; the longest of 78 real files has two thousand."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Named:
-    """A configuration that the user names, in place of those that are looked for."""
+    """A configuration that the user names instead of the default ones."""
 
     path: str
     """Relative to the repository."""
@@ -26,9 +26,9 @@ class Named:
 
 
 def find(repository: Repository, named: Named | None = None) -> str | None:
-    """Return the configuration's path, relative to the repository, ``None`` where there is none.
+    """Return the configuration's path, relative to the repository, ``None`` if there is none.
 
-    Raises ``ConfigurationError`` where the named one is missing, ``RefusedError`` where it is a link out of the tree.
+    Raises ``ConfigurationError`` if the named one is missing, ``RefusedError`` if it is a link out of the repository.
     """
     origin = named.origin if named else None
     for name in (named.path,) if named else NAMES:
@@ -44,7 +44,7 @@ def find(repository: Repository, named: Named | None = None) -> str | None:
 
 
 def text(repository: Repository, file: str) -> str:
-    """Return a configuration's text. Raises ``ConfigurationError`` where it is too large or not UTF-8."""
+    """Return a configuration's text. Raises ``ConfigurationError`` if it is too large or not UTF-8."""
     size = next(entry.size for entry in repository.files if entry.path == file)
     if size > MAX_BYTES:
         message = f"{size} bytes, a configuration has at most {MAX_BYTES}"
@@ -60,7 +60,7 @@ def text(repository: Repository, file: str) -> str:
 
 
 def check_paths(config: Config, repository: Repository) -> None:
-    """Raise ``ConfigurationError`` where roslab.yaml names a file or folder that is not there, all of them at once."""
+    """Raise ``ConfigurationError`` with all files and folders that roslab.yaml names and that do not exist."""
     files = [("dockerfile", config.dockerfile), ("conda", config.conda)]
     for key, paths in (("requirements", config.requirements), ("vcs", config.vcs)):
         files += [(f"{key}.{index}", path) for index, path in enumerate(paths or ())]

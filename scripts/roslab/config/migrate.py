@@ -1,7 +1,7 @@
-"""Writes an old roslab.yaml as a file of today that plans the same image, comments kept.
+"""Converts an old roslab.yaml to today's format, for the same image and with its comments.
 
-The text itself is edited, key by key; no library that keeps comments would keep the layout too. Whatever the edits
-do, the result is read and held against the original: where they differ, the file is written anew from the model.
+The text itself is edited, key by key, because libraries that keep comments do not keep the layout. Afterwards the
+result is read and compared with the original; if they differ, a new file is written from the model.
 """
 
 from __future__ import annotations
@@ -35,16 +35,16 @@ _RENAMED: dict[Generation, dict[str, str]] = {
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Migration:
-    """The text of a file of today, and one line for each change; no line where it was in today's format already."""
+    """The text in today's format, and one line for each change; there is none if it already was in today's format."""
 
     text: str
     changes: tuple[str, ...]
 
 
 def migrate(text: str | bytes, *, file: str = "roslab.yaml") -> Migration:
-    """Return a file of any format as one of today.
+    """Return a file of any format in today's format.
 
-    Raises ``ConfigurationError`` where the file is wrong: only what was understood can be rewritten.
+    Raises ``ConfigurationError`` if the file is wrong: only a file that was understood can be rewritten.
     """
     config = read(text, file=file)
     text = (text.decode("utf-8", errors="replace") if isinstance(text, bytes) else text).removeprefix("\ufeff")
@@ -57,14 +57,14 @@ def migrate(text: str | bytes, *, file: str = "roslab.yaml") -> Migration:
         if comparable(read(result, file=file)) == comparable(config):
             return Migration(text=result, changes=tuple(edits.changes))
     except ConfigurationError:
-        pass  # an unusual layout, in which an edit went wrong
+        pass  # an edit failed because the layout is unusual
     head = re.match(r"(?:[ \t]*(?:#[^\n]*)?\r?\n)*", text)
     result = (head[0] if head else "") + written.written(config)
     return Migration(text=result, changes=(*edits.changes, "written anew: comments below the first key are lost"))
 
 
 def comparable(config: Config) -> Config:
-    """Return a configuration without what does not change its image: the format, the places and the warnings."""
+    """Return a configuration without the parts that do not affect its image: format, places and warnings."""
     sources = tuple(replace(source, place=None) for source in config.source)
     return replace(config, generation="today", file=None, origins=(), warnings=(), source=sources)
 
@@ -95,7 +95,7 @@ def _edit(edits: Edits, root: Mapping, config: Config) -> None:
 
 
 def _head(edits: Edits, root: Mapping, config: Config) -> None:
-    """Write ``format: 3`` first, and what the old format did without being asked."""
+    """Write ``format: 3`` first, and then what the old format did by default."""
     lines = ["format: 3"]
     edits.changes.append("new: `format: 3`, the mark of a file of today")
     if config.compatible:
@@ -147,7 +147,7 @@ def _flow(said: dict[str, str]) -> str:
 
 
 def _list(edits: Edits, root: Mapping, key: str, values: tuple[str, ...]) -> None:
-    """Write the one entry of what should be a list as a list."""
+    """Write a single value that should be a list as a list."""
     node = root.get(key)
     if node is not None and is_text(node):
         edits.value(node, flow_list(values), f"the one entry of `{key}` becomes a list")
@@ -171,7 +171,7 @@ def _sources(edits: Edits, node: Node | None) -> None:
 
 
 def _volumes(edits: Edits, node: Node | None) -> None:
-    """Put the entries of one volume, which some files write as one each, under one dash."""
+    """Join the entries of one volume under one dash; some files have a separate dash for each."""
     seen: set[str] = set()
     for item in node.items if isinstance(node, Sequence) and not node.flow else ():
         if not isinstance(item, Mapping):
@@ -187,7 +187,7 @@ def _volumes(edits: Edits, node: Node | None) -> None:
 
 
 def _custom(edits: Edits, root: Mapping, config: Config) -> None:
-    """Say who ran the commands and where: a plain list means something else today."""
+    """Write who ran the commands and in which folder, because a plain list has another meaning today."""
     key, node = root.key("custom"), root.get("custom")
     if key is None or node is None or config.custom is None or isinstance(node, Mapping):
         return
@@ -202,13 +202,13 @@ def _custom(edits: Edits, root: Mapping, config: Config) -> None:
 
 
 def _nest(edits: Edits, root: Mapping, node: Sequence, words: list[str], told: str) -> None:
-    """Put lines between ``custom:`` and its list, which becomes part of what they begin."""
+    """Insert lines between ``custom:`` and its list, which becomes the value of the last one."""
     key = root.key("custom") or node
     text, first, last = edits.text, node.items[0].start.index, node.items[-1].end.index
     dash = text.rfind("-", 0, first)
     line = text.rfind("\n", 0, dash) + 1
     indent = dash - line
-    if indent <= key.start.column - 1:  # a list as far left as its key, which no key below `custom` may be
+    if indent <= key.start.column - 1:  # the list is not indented, but keys below `custom` must be
         indent += 2
         for found in re.finditer(r"^", text[line:last], re.MULTILINE):
             edits.put(line + found.start(), line + found.start(), "  ")

@@ -1,8 +1,8 @@
-"""The one model that every generation of roslab.yaml is read into.
+"""The model for all formats of roslab.yaml.
 
-``None`` and empty tuples mean "not said": the evidence decides. Values are validated by the parser: whatever
-stands here is safe to quote into a Dockerfile or a shell script (no newline, no NUL), package names match their
-registry's grammar, ports and versions are well formed.
+``None`` and empty tuples mean "not given": the evidence decides. The parser has validated the values: they are safe
+to quote in a Dockerfile or a shell script (no newline, no NUL), package names match their registry's grammar, ports
+and versions are well formed.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ Compatible = Literal["paper", "later"]
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Base:
-    """What the image starts from; every field may be left to the evidence."""
+    """What the image starts from; the evidence decides on every field that is not given."""
 
     image: str | None = None
-    """A complete image reference; wins over everything below."""
+    """A complete image reference; it has priority over everything below."""
     ubuntu: str | None = None
     """Codename: ``noble``. Versions and old spellings are normalised to it."""
     ros: str | None = None
@@ -38,7 +38,7 @@ class Base:
     """Version, ``3.8``."""
     icub: bool = False
     cmake_update: str | None = None
-    """Version of CMake to install over the distribution's: ``3.18.4``."""
+    """Version of CMake that replaces the distribution's: ``3.18.4``."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -49,19 +49,19 @@ class Source:
     repo: str | None = None
     zip: str | None = None
     ref: str | None = None
-    """Branch, tag or commit (``checkout`` and ``-b BRANCH`` of the old formats end here)."""
+    """Branch, tag or commit (also from ``checkout`` and ``-b BRANCH`` of the old formats)."""
     depends: tuple[str, ...] = ()
     """apt packages needed to build it."""
     build: Literal["cmake", "catkin_make", "catkin_tools", "colcon", "pip", "none"] = "cmake"
     cmake_options: str = ""
-    """Text as written, split by a shell's rules when used."""
+    """Text as written; it is split by the rules of a shell when it is used."""
     cmake_folder: str | None = None
-    """Relative to the build folder, ``../`` unless said."""
+    """Relative to the build folder; by default ``../``."""
     make_command: str | None = None
-    """Shell text, ``make -j… install`` unless said."""
+    """Shell text; by default ``make -j… install``."""
     keep_source: bool = False
     prepare: str = ""
-    """Shell text of the program's own tables, run in the fresh checkout."""
+    """Shell text from this program's own tables, run in the fresh checkout."""
     place: Place | None = None
 
 
@@ -76,7 +76,7 @@ class Volume:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Matlab:
-    """MATLAB of the host, mounted at run time; it is never in the image."""
+    """The host's MATLAB, mounted at run time and never part of the image."""
 
     host_path: str
     mac_address: str | None = None
@@ -86,9 +86,9 @@ class Matlab:
 class Custom:
     """Shell commands of the author.
 
-    In the 2019 paper's format each is a RUN of its own, as the image's user, in the home folder. In the later format
-    and today's they are one chained RUN as root (``cd`` carries over): in ``/`` for the later format, in the source
-    folder for today's.
+    In the 2019 paper's format each command is a separate RUN as the image's user in the home folder. In the later
+    format and today's they are one chained RUN as root, so that ``cd`` affects the next command: in ``/`` for the later
+    format, in the source folder for today's.
     """
 
     commands: tuple[str, ...]
@@ -99,7 +99,7 @@ class Custom:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class TagParts:
-    """What stands before and after every tag of the image."""
+    """Prefix and suffix of every tag of the image."""
 
     prefix: str = ""
     suffix: str = ""
@@ -110,49 +110,49 @@ class ProofLimits:
     """What the container of a proof may do and use."""
 
     network: Literal["bridge", "none"] = "bridge"
-    """``none``: the loopback alone, which ROS is content with."""
+    """``none`` gives only the loopback interface, which is enough for ROS."""
     memory: str | None = None
-    """``8g``, ``512m``; ``None``: nine tenths of the machine's."""
+    """Memory such as ``8g`` or ``512m``; ``None`` means nine tenths of the machine's memory."""
     pids: int = 8192
-    """Processes and threads: a launch has hundreds, a fork bomb more."""
+    """Most processes and threads: a launch has hundreds, a fork bomb more than this."""
     new_privileges: bool = False
-    """Programs such as sudo may raise what they are allowed."""
+    """Whether programs such as sudo may gain privileges."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Config:
-    """roslab.yaml as one value; ``Config()`` is what a repository without the file has."""
+    """The content of roslab.yaml; a repository without the file has ``Config()``."""
 
     file: str | None = None
-    """The file it was read from, relative to the repository; ``None`` where there is none."""
+    """The file it was read from, relative to the repository; ``None`` if there is none."""
     generation: Generation = "today"
     compatible: Compatible | None = None
-    """Which old generator's ways the image keeps, so that what the file says still works: the old generators installed
-    nothing that the file does not name, built libraries in place and had paths of their own. ``migrate`` writes it."""
+    """The old generator that the image imitates, so that the file still works: the old generators installed only what
+    the file names, built libraries in place and used other paths. ``migrate`` writes this key."""
     name: str | None = None
     kind: Kind | None = None
     base: Base = field(default_factory=Base)
     repositories: tuple[str, ...] = ()
     """Extra apt sources (PPAs): ``repos`` of the paper, ``repo`` of the later format."""
     apt: tuple[str, ...] = ()
-    """One package an entry, ``name``, ``name=version`` or a glob."""
+    """One package per entry: ``name``, ``name=version`` or a glob."""
     pip: tuple[str, ...] = ()
-    """Python 2's in the old formats, the image's Python today: requirement lines (specifiers, URLs, git+)."""
+    """Requirement lines (specifiers, URLs, git+), for Python 2 in the old formats, for the image's Python today."""
     pip_options: tuple[str, ...] = ()
-    """Options of the one ``pip install`` that takes all of ``pip``, one word an entry: ``--upgrade``."""
+    """Options of the single ``pip install`` for all of ``pip``, one word per entry: ``--upgrade``."""
     pip_python: Literal["2", "image"] = "image"
-    """Whose ``pip`` is: Python 2 (where the base has it) or the image's Python. ``pip2`` of today says the former."""
+    """The Python for ``pip``: Python 2 (if the base has it), as set by today's ``pip2``, or the image's Python."""
     pip3: tuple[str, ...] = ()
     pip3_options: tuple[str, ...] = ()
     requirements: tuple[str, ...] | None = None
-    """Requirement files to install; an empty tuple means none, ``None`` means those found."""
+    """Requirement files to install; an empty tuple means none, ``None`` means all that are found."""
     conda: str | None = None
     vcs: tuple[str, ...] | None = None
-    """Files of sister repositories (.repos, .rosinstall) to import; ``None`` means those found."""
+    """Files that list other repositories to import (.repos, .rosinstall); ``None`` means all that are found."""
     source: tuple[Source, ...] = ()
     build: BuildTool | None = None
     build_args: tuple[str, ...] = ()
-    """Arguments of the build tool, one word an entry."""
+    """Arguments of the build tool, one word per entry."""
     cmake_options: str = ""
     skip_keys: tuple[str, ...] = ()
     """rosdep keys that are not to be installed."""
@@ -180,10 +180,10 @@ class Config:
     notebook: bool | None = None
     matlab: Matlab | None = None
     origins: tuple[tuple[str, Origin], ...] = ()
-    """Where each key was said, by dotted path (``base.ros``, ``apt.2``), for messages and reasons."""
+    """Where each key was given, by dotted path (``base.ros``, ``apt.2``), for messages and reasons."""
     warnings: tuple[tuple[str, Origin | None], ...] = ()
-    """What is outdated or was mapped, with the reason."""
+    """Notes on values that are outdated or were converted, with the reason."""
 
     def origin(self, path: str) -> Origin | None:
-        """Return where the key at a dotted path was said, or ``None``."""
+        """Return where the key at a dotted path was given, or ``None``."""
         return dict(self.origins).get(path)

@@ -1,8 +1,8 @@
-"""What a YAML file is made of, each part with its place: the tree that everything else here reads.
+"""The parts of a YAML file, each with its place: the tree that all other modules here read.
 
-PyYAML's own nodes would do, but for three things: they are built by recursion, so that a deep file ends in a
-RecursionError; a number has lost the text it was written as (``20.10`` is not 20.1); nothing counts what an alias
-stands for.
+PyYAML's own nodes are not used for three reasons: they are built by recursion, so that a deeply nested file causes a
+RecursionError; the original text of a number is lost (``20.10`` is not 20.1); and the size of what an alias expands
+to is not counted.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class Mark:
 
 
 Where = Callable[[Mark], Origin]
-"""Returns the origin of what stands at a mark: a place in a file, or the input or option that the text came from."""
+"""Returns the origin of the text at a mark: a place in a file, or the input or option that it came from."""
 
 
 def in_file(file: str) -> Where:
@@ -36,7 +36,7 @@ def in_file(file: str) -> Where:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Node:
-    """Any part of the tree; ``size`` counts its parts with aliases written out."""
+    """Any part of the tree; ``size`` counts its parts with aliases expanded."""
 
     start: Mark
     end: Mark
@@ -45,7 +45,7 @@ class Node:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Scalar(Node):
-    """A single value: its text as written, and what YAML takes it for."""
+    """A single value: its text as written, and the type that it has in YAML."""
 
     text: str
     kind: ScalarKind
@@ -75,7 +75,7 @@ class Mapping(Node):
         return next((value for key, value in self.pairs if key.text == name), None)
 
     def key(self, name: str) -> Scalar | None:
-        """Return the key itself, which knows where it stands, or ``None``."""
+        """Return the key itself, with its place, or ``None``."""
         return next((key for key, _ in self.pairs if key.text == name), None)
 
     @property

@@ -1,7 +1,7 @@
-"""What inputs and options lay over roslab.yaml, read by roslab.yaml's own schema and readers.
+"""Inputs and options that override roslab.yaml, read with the same schema and readers as the file.
 
-Together they are one document of today's format, in which line N is the Nth value that somebody gave: so every
-problem, warning and reason finds the name of the input or option that it is about.
+Together they form one document in today's format, in which line N is the Nth given value. So every problem, warning
+and reason can name the input or option that it is about.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ class Override:
     """One value that an input or an option gives for a key of roslab.yaml."""
 
     key: str
-    """The key in today's format, with a dot before what stands below another: ``platforms``, ``base.ros``."""
+    """The key in today's format, with dots between nested keys: ``platforms``, ``base.ros``."""
     text: str
-    """The value as it was given; where the key takes a list, commas, blanks and line breaks separate its entries."""
+    """The value as given; in the value of a list, commas, blanks and line breaks separate the entries."""
     origin: Input | Option
 
 
 def configure(text: str | None, overrides: Several[Override] = (), *, file: str | None = None) -> Config:
-    """Return what roslab.yaml says with the overrides laid over it; ``text`` is ``None`` where there is no such file.
+    """Return the content of roslab.yaml with the overrides applied; ``text`` is ``None`` if there is no such file.
 
     Raises ``ConfigurationError`` with every problem of both.
     """
@@ -53,12 +53,12 @@ def configure(text: str | None, overrides: Several[Override] = (), *, file: str 
 
 
 def problems_of(overrides: Several[Override]) -> tuple[Problem, ...]:
-    """Return what is wrong with the overrides alone."""
+    """Return the problems of the overrides alone."""
     return _read(overrides)[1]
 
 
 def _read(overrides: Several[Override]) -> tuple[Config, tuple[Problem, ...]]:
-    """Return what the overrides alone say, and what is wrong with them."""
+    """Return the configuration given by the overrides alone, and their problems."""
 
     def where(mark: Mark) -> Origin:
         return overrides[mark.line - 1].origin
@@ -79,10 +79,10 @@ def _read(overrides: Several[Override]) -> tuple[Config, tuple[Problem, ...]]:
 
 
 def laid_over(config: Config, said: Config) -> Config:
-    """Return a configuration in which what was said beside the file wins over what the file says.
+    """Return a configuration in which the values of inputs and options replace those of the file.
 
-    The one place of this precedence: an action's input or a command's option > roslab.yaml > evidence > default. The
-    last two are up to ``decide``, which looks at the evidence only where the configuration says nothing.
+    Only this function implements the precedence: an action's input or a command's option > roslab.yaml > evidence >
+    default. The last two are left to ``decide``, which uses the evidence only for what the configuration leaves open.
     """
     base = replace(config.base, **_changed(said.base, Base()))
     tags = replace(config.tags, **_changed(said.tags, TagParts()))
@@ -93,12 +93,12 @@ def laid_over(config: Config, said: Config) -> Config:
 
 
 def _changed(said: Config | Base | TagParts, nothing: Config | Base | TagParts) -> dict[str, Any]:
-    """Return the fields that say something."""
+    """Return the fields that differ from their defaults."""
     return {f.name: value for f in fields(said) if (value := getattr(said, f.name)) != getattr(nothing, f.name)}
 
 
 def _replaced(path: str, by: dict[str, Origin]) -> bool:
-    """Tell whether the overrides give a key, or the list that it is an entry of."""
+    """Return whether the overrides give a key, or the list that contains it as an entry."""
     return path in by or (path.rpartition(".")[0] in by and not path.startswith(("base.", "tags.")))
 
 
@@ -117,7 +117,7 @@ def _node(text: str, schema: Schema, mark: Mark) -> Node:
 
 
 def _takes_list(schema: Schema) -> bool:
-    """Tell whether a key takes a list first of all; a command, which may be a list too, is a line of shell here."""
+    """Return whether a key is mainly a list; a command, which may be a list too, is a line of shell here."""
     branches = [vocabulary.resolve(branch) for branch in schema.get("anyOf", (schema,))]
     return branches[0].get("type") == "array"
 
@@ -127,7 +127,7 @@ def _scalar(text: str, mark: Mark) -> Scalar:
 
 
 def _document(pairs: Several[tuple[str, Scalar, Node]]) -> Mapping:
-    """Return the values as the tree that a file with them would be."""
+    """Return the tree of a file that contains these values."""
     start = Mark(line=1, column=1, index=0)
     top = tuple((name, node) for key, name, node in pairs if "." not in key)
     for group in dict.fromkeys(key.partition(".")[0] for key, _, _ in pairs if "." in key):

@@ -1,4 +1,4 @@
-"""Lists of packages: entries that hold several are split, options of pip are kept apart from requirements."""
+"""Lists of packages: entries with several packages are split, and options of pip are separated from requirements."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from roslab.config.node import Mapping
 from roslab.config.reading import Reading
 
 _VALUED = frozenset({"-i", "-f", "--index-url", "--extra-index-url", "--find-links", "--no-binary", "--only-binary"})
-"""Options of pip that take a value."""
+"""Options of pip that need a value."""
 _LONG = {
     "-U": "--upgrade",
     "-I": "--ignore-installed",
@@ -18,11 +18,11 @@ _LONG = {
 }
 _EDITABLE = frozenset({"-e", "--editable"})
 _SPACED = re.compile(r";| @ | [<>=!~]|[<>=!~] |, ")
-"""A requirement with spaces in it; by the grammar such an entry holds one requirement only."""
+"""A requirement that contains spaces; by the grammar such an entry is a single requirement."""
 
 
 def apt(reading: Reading, root: Mapping, key: str, path: str = "apt") -> tuple[str, ...]:
-    """Return apt packages, one an entry, each once."""
+    """Return apt packages, one per entry and without duplicates."""
     found: dict[str, None] = {}
     for text in reading.texts(root, key, path) or ():
         for word in text.value.split():
@@ -33,9 +33,9 @@ def apt(reading: Reading, root: Mapping, key: str, path: str = "apt") -> tuple[s
 
 
 def pip(reading: Reading, root: Mapping, key: str, path: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return the requirement lines of a list, and the options among them.
+    """Return the requirement lines of a list, and its options separately.
 
-    The options hold for the whole list, as they did when one ``pip install`` took it all.
+    The options apply to the whole list, because the old generators installed it with one ``pip install``.
     """
     lines: list[str] = []
     options: list[str] = []
@@ -50,7 +50,7 @@ def pip(reading: Reading, root: Mapping, key: str, path: str) -> tuple[tuple[str
 
 
 def _split(entry: str, options: list[str]) -> list[str]:
-    """Split an entry that fits the grammar into its requirements; its options are added to ``options``."""
+    """Split a valid entry into its requirements; its options are added to ``options``."""
     words = entry.split()
     lines: list[str] = []
     while words:
@@ -72,7 +72,7 @@ def _pairs(options: list[str]) -> list[list[str]]:
 
 
 def repositories(reading: Reading, root: Mapping, key: str) -> tuple[str, ...]:
-    """Return extra apt sources, with a warning for those that are known to be dead."""
+    """Return extra apt sources, with a warning for those that are known to be gone."""
     found: list[str] = []
     for text in reading.texts(root, key, "repositories") or ():
         reading.note(f"repositories.{len(found)}", text.node)

@@ -22,7 +22,7 @@ _KEYS: dict[Generation, dict[str, str]] = {
     "later": {},
     "today": {},
 }
-"""How the old formats name the keys of today."""
+"""Names of today's keys in the old formats."""
 
 
 def read(text: str | bytes, *, file: str = "roslab.yaml") -> Config:
@@ -51,7 +51,7 @@ def read(text: str | bytes, *, file: str = "roslab.yaml") -> Config:
 def mapping_of(document: Document) -> Mapping:
     """Return the mapping that a file must be.
 
-    Raises ``ConfigurationError`` where it is empty or something else.
+    Raises ``ConfigurationError`` if it is empty or something else.
     """
     root = document.root
     if isinstance(root, Mapping) and root.pairs:
@@ -67,7 +67,7 @@ def mapping_of(document: Document) -> Mapping:
 
 
 def _elsewhere(generation: Generation, name: str, strange: tuple[str, ...]) -> str | None:
-    """Return a hint about an unknown key, ``""`` where the problem about mixed formats already names that key."""
+    """Return a hint about an unknown key, ``""`` if the problem about mixed formats already names that key."""
     return "" if name in strange else generations.elsewhere(generation, name)
 
 
@@ -76,7 +76,7 @@ def _by_place(problem: Problem) -> tuple[int, int]:
 
 
 def config_of(reading: Reading, root: Mapping, generation: Generation, file: str | None = None) -> Config:
-    """Return a checked tree as the model; what is wrong in it beyond the schema goes to ``reading``."""
+    """Return a checked tree as the model; problems that the schema cannot find are added to ``reading``."""
     old = generation != "today"
     key = {name: name for name in ("repo", "apt", "pip", "pip3", "source")} | _KEYS[generation]
     base = bases.base(reading, root, generation)
@@ -134,7 +134,7 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
 
 
 def _advise(reading: Reading, root: Mapping, generation: Generation) -> None:
-    """Warn where a file uses today's keys without ``format: 3``: it is probably not meant as an old one."""
+    """Warn if a file uses today's keys without ``format: 3``: it is probably not meant to be in an old format."""
     if generation == "today":
         return
     used = [name for name in root.names if name in generations.news()]
@@ -156,11 +156,11 @@ def _name(reading: Reading, root: Mapping) -> str | None:
 
 
 _OLD_UBUNTU = frozenset({"xenial", "bionic"})
-"""The releases that the later format's generator could build on: every file that worked names one of them."""
+"""The releases that the later format's generator supported: every file that worked names one of them."""
 
 
 def _compatible(reading: Reading, root: Mapping, generation: Generation, base: Base) -> Compatible | None:
-    """Return which old generator's ways the image keeps; ``None`` too where none of them could build such a file."""
+    """Return the old generator that the image imitates; ``None`` also if no old generator could build such a file."""
     if generation == "today":
         return cast(Compatible | None, reading.value(root, "compatible", "compatible"))
     if generation == "later":
@@ -178,5 +178,5 @@ def _build(reading: Reading, root: Mapping, generation: Generation, compatible: 
 
 
 def _files(reading: Reading, root: Mapping, key: str) -> tuple[str, ...] | None:
-    """Read a list of files, where an empty list says none and a missing key says nothing."""
+    """Read a list of files: an empty list means no files, a missing key gives ``None``."""
     return reading.values(root, key, key)

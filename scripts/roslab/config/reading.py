@@ -1,4 +1,4 @@
-"""What is gathered while a tree becomes the model: places, warnings and problems."""
+"""Places, warnings and problems that are collected while a tree is read into the model."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Text:
 
 @dataclass(kw_only=True, slots=True)
 class Reading:
-    """One reading of one file, or of what inputs and options say."""
+    """The reading of one file, or of the values of inputs and options."""
 
     where: Where
     origins: dict[str, Origin] = field(default_factory=dict)
@@ -27,20 +27,20 @@ class Reading:
     problems: list[Problem] = field(default_factory=list)
 
     def note(self, path: str, node: Node | None) -> None:
-        """Remember where the key at a dotted path of the model was said."""
+        """Record where the key at a dotted path of the model was given."""
         if node is not None:
             self.origins.setdefault(path, self.where(node.start))
 
     def warn(self, message: str, node: Node | None) -> None:
-        """Say what is outdated, or was read as something else, and why."""
+        """Record a warning about an outdated or reinterpreted value, with the reason."""
         self.warnings.append((message, self.where(node.start) if node else None))
 
     def complain(self, message: str, hint: str, node: Node) -> None:
-        """Say what is wrong."""
+        """Record a problem."""
         self.problems.append(Problem(message=message, hint=hint, origin=self.where(node.start)))
 
     def mapping(self, root: Mapping, key: str) -> Mapping | None:
-        """Return a mapping, ``None`` where nothing or nothing usable is said."""
+        """Return a mapping, ``None`` if it is missing or unusable."""
         node = root.get(key)
         return node if isinstance(node, Mapping) else None
 
@@ -63,9 +63,9 @@ class Reading:
         return text.value.lower() in {"true", "yes", "on"} if text else None
 
     def texts(self, root: Mapping, key: str, path: str) -> tuple[Text, ...] | None:
-        """Return a list of texts, ``None`` where the key is missing or empty.
+        """Return a list of texts, ``None`` if the key is missing or empty.
 
-        A single text counts as a list of one, with a warning: the old generators took it letter by letter.
+        A single text counts as a list of one, with a warning: the old generators treated each letter as an entry.
         """
         node = root.get(key)
         if node is None or (isinstance(node, Scalar) and node.kind == "null"):
@@ -77,7 +77,7 @@ class Reading:
         return tuple(Text(value=item.text.strip(), node=item) for item in items if isinstance(item, Scalar))
 
     def values(self, root: Mapping, key: str, path: str) -> tuple[str, ...] | None:
-        """Return a list of texts without their nodes, each with its place noted."""
+        """Return a list of texts without their nodes, and record the place of each."""
         texts = self.texts(root, key, path)
         if texts is None:
             return None

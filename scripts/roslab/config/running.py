@@ -1,4 +1,4 @@
-"""What happens inside and around the image: custom commands, volumes, MATLAB, environment, command."""
+"""Custom commands, volumes, MATLAB, environment and command: what runs in the image, and with which settings."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _FOLDERS = {"source": "source", "home": "home", "/": "root"}
 
 
 def custom(reading: Reading, root: Mapping, generation: Generation) -> Custom | None:
-    """Read ``custom``, which each format ran in its own way; ``None`` where there are no commands."""
+    """Read ``custom``, which each format ran differently; ``None`` if there are no commands."""
     mapping = reading.mapping(root, "custom")
     if mapping is not None:
         commands = reading.values(mapping, "commands", "custom")
@@ -35,7 +35,7 @@ def custom(reading: Reading, root: Mapping, generation: Generation) -> Custom | 
 
 
 def volumes(reading: Reading, root: Mapping) -> tuple[Volume, ...]:
-    """Read ``volume``; three entries of one key each, which some real files have, are one volume."""
+    """Read ``volume``; three entries with one key each, as in some real files, are one volume."""
     node = root.get("volume")
     reading.note("volume", root.key("volume"))
     found: list[dict[str, str]] = []
@@ -119,7 +119,7 @@ def command(reading: Reading, root: Mapping, key: str) -> tuple[str, ...] | str 
 
 
 def arguments(reading: Reading, root: Mapping, key: str) -> tuple[str, ...]:
-    """Read ``build_args``: a list of words, or a line that is split as a shell would."""
+    """Read ``build_args``: a list of words, or a line that is split by the rules of a shell."""
     node = root.get(key)
     reading.note(key, root.key(key))
     if isinstance(node, Sequence):

@@ -1,8 +1,8 @@
-"""Checks a tree against the schema: unknown keys, wrong types, bad values, each with its place and what to write.
+"""Checks a tree against the schema and reports unknown keys, wrong types and bad values, with places and hints.
 
-This is the small part of JSON Schema that ``schema.json`` uses. No library's validator would do: they know neither
-lines nor the text that a number was written as, and their messages speak of schemas. Everything that is wrong is told
-at once, and what is right is handed on, so that later checks see it too.
+It implements the small part of JSON Schema that ``schema.json`` uses. Validators of libraries are not suitable: they
+know neither lines nor the original text of a number, and their messages talk about schemas. All problems are reported
+at once, and the valid parts are passed on to later checks.
 """
 
 from __future__ import annotations
@@ -34,17 +34,17 @@ _ABOUT = ("title", "description", "examples")
 
 @dataclass(kw_only=True, slots=True)
 class Shape:
-    """Collects what is wrong with a tree."""
+    """Collects the problems of a tree."""
 
     where: Where
     whole: str = "the file"
-    """What messages call the root of the tree."""
+    """The name of the tree's root in messages."""
     problems: list[Problem] = field(default_factory=list)
     unknown: Callable[[str], str | None] = lambda _: None
     """Returns a hint about an unknown top-level key: which format has it, and what to write."""
 
     def check(self, node: Node, schema: Schema, path: str = "") -> Node | None:
-        """Return the tree without the parts that are wrong, ``None`` where nothing is left."""
+        """Return the tree without the wrong parts, ``None`` if nothing is left."""
         schema = vocabulary.resolve(schema)
         if "anyOf" in schema:
             branch = next((b for b in map(vocabulary.resolve, schema["anyOf"]) if _admits(b, node)), None)
@@ -61,7 +61,7 @@ class Shape:
         return self._scalar(node, schema, path) if isinstance(node, Scalar) else None
 
     def complain(self, mark: Mark, message: str, hint: str | None = None) -> None:
-        """Note a problem, unless there are too many already to be read."""
+        """Record a problem, unless there are already more than anybody would read."""
         if len(self.problems) < MAX_PROBLEMS:
             self.problems.append(Problem(message=message, hint=hint, origin=self.where(mark)))
 
@@ -166,7 +166,7 @@ class Shape:
 
 
 def _nothing(node: Node) -> Scalar:
-    """Return what stands for a value that was wrong: its key is there, it says nothing."""
+    """Return an empty value to replace a wrong one, so that its key still exists."""
     return Scalar(start=node.start, end=node.end, text="", kind="null", plain=True)
 
 
@@ -177,7 +177,7 @@ def _matches(schema: Schema, text: str) -> bool:
 
 
 def _types(schema: Schema) -> set[str]:
-    """Return the types that a schema, without ``anyOf``, takes."""
+    """Return the types that a schema without ``anyOf`` accepts."""
     if "type" in schema:
         return {schema["type"]} if isinstance(schema["type"], str) else set(schema["type"])
     values = schema.get("enum", [schema["const"]] if "const" in schema else [])
@@ -191,7 +191,7 @@ def _admits(schema: Schema, node: Node) -> bool:
 
 
 def _takes(schema: Schema, text: str) -> bool:
-    """Tell whether a text would be accepted."""
+    """Return whether a schema accepts a text."""
     branches = [vocabulary.resolve(branch) for branch in schema.get("anyOf", ())] or [schema]
     return any("string" in _types(branch) and _matches(branch, text) for branch in branches)
 

@@ -1,4 +1,4 @@
-"""Libraries that are built from source, and what real files have in place of a URL."""
+"""Libraries that are built from source, and the other things that real files contain instead of a URL."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from roslab.values.origin import Place
 
 Build = Literal["cmake", "catkin_make", "catkin_tools", "colcon", "pip", "none"]
 OLD_TOOLS = {"catkin_build": "catkin_tools"}
-"""The old formats' names of build tools."""
+"""Names of build tools in the old formats."""
 _FLAG = re.compile(r"(?:^|\s)(?:-b|--branch)[ =]+(\S+)|(?:^|\s)--(?:single-branch|depth[ =]\d+)")
 _SSH = re.compile(r"(?:ssh://)?git@([^/:]+)[/:](.+)")
 
 
 def sources(reading: Reading, root: Mapping, key: str) -> tuple[Source, ...]:
-    """Read the list of sources; two of one name would share a folder and are refused."""
+    """Read the list of sources; two with the same name are an error, because they would share a folder."""
     node = root.get(key)
     reading.note("source", root.key(key))
     found: dict[str, Source] = {}
@@ -41,7 +41,7 @@ def _source(reading: Reading, item: Mapping, path: str) -> Source | None:
     repo = reading.text(item, "repo", f"{path}.repo")
     archive = reading.text(item, "zip", f"{path}.zip")
     if name is None or (repo is None and archive is None):
-        return None  # what is wrong with them was said
+        return None  # its problems were reported
     reading.note(path, item)
     url, branch = clone(reading, repo) if repo else (None, None)
     ref = reading.value(item, "ref", f"{path}.ref") or reading.value(item, "checkout", f"{path}.ref")
@@ -67,7 +67,7 @@ def _source(reading: Reading, item: Mapping, path: str) -> Source | None:
 
 
 def clone(reading: Reading, repo: Text) -> tuple[str, str | None]:
-    """Return the URL and the branch of what was given to ``git clone``."""
+    """Return the URL and the branch from the arguments of ``git clone``."""
     branch: str | None = None
     for match in _FLAG.finditer(repo.value):
         branch = match[1] or branch

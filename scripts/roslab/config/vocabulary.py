@@ -1,7 +1,7 @@
-"""The words of roslab.yaml as data: ``schema.json`` holds every key with its grammar, ``words.json`` what words mean.
+"""The words of roslab.yaml as data: ``schema.json`` has every key and its grammar, ``words.json`` the words' meanings.
 
-The reader and the editors' schema cannot drift apart, because the reader takes its keys, its patterns and the text of
-its messages from the schema.
+The reader takes its keys, its patterns and the text of its messages from the schema that editors use, so the two
+always agree.
 """
 
 from __future__ import annotations
@@ -18,18 +18,18 @@ Schema = dict[str, Any]
 SCHEMA = Path(__file__).with_name("schema.json")
 WORDS = Path(__file__).with_name("words.json")
 _NEAR = 0.6
-"""How alike two words must be, from 0 to 1, for one to be offered for the other."""
+"""How similar two words must be, from 0 to 1, for one to be suggested for the other."""
 
 
 @cache
 def definition(name: str) -> Schema:
-    """Return a definition of the schema, ``today`` or ``apt_item``."""
+    """Return a definition of the schema, such as ``today`` or ``apt_item``."""
     found: Schema = _load(SCHEMA)["$defs"][name]
     return found
 
 
 def resolve(schema: Schema) -> Schema:
-    """Follow ``$ref``; what stands beside it wins."""
+    """Follow ``$ref``; keywords next to it have priority."""
     target = schema.get("$ref")
     if target is None:
         return schema
@@ -38,7 +38,7 @@ def resolve(schema: Schema) -> Schema:
 
 @cache
 def compiled(pattern: str) -> re.Pattern[str]:
-    """Compile a pattern of the schema, once."""
+    """Compile a pattern of the schema, only once."""
     return re.compile(pattern)
 
 
@@ -50,7 +50,7 @@ def rows(table: str) -> dict[str, Any]:
 
 
 def nearest(word: str, allowed: Iterable[str]) -> str | None:
-    """Return the allowed word that was probably meant, or ``None``."""
+    """Return the allowed word that was probably meant, ``None`` if none is similar."""
     import difflib  # noqa: PLC0415 - needed only where something is wrong
 
     plain = {name.replace("-", "_").lower(): name for name in allowed}

@@ -1,4 +1,4 @@
-"""A ``Config`` as a file of today, from nothing but the model: what ``migrate`` falls back to."""
+"""Writes a ``Config`` in today's format from the model alone: the fallback of ``migrate``."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ import yaml
 from roslab.config.model import Base, Config, Custom, ProofLimits, Source
 
 FOLDERS = {"source": "source", "home": "home", "root": "/"}
-"""Words of today for where custom commands run."""
+"""Today's words for the folders in which custom commands run."""
 
 
 def written(config: Config) -> str:
-    """Return the text of a file of today that is read as the same model."""
+    """Return a text in today's format that is read as the same model."""
     python2 = config.pip_python == "2"
     said: dict[str, Any] = {
         "format": 3,
@@ -56,13 +56,13 @@ def written(config: Config) -> str:
     kept = {key: value for key, value in said.items() if value is False or value not in (None, "", {}, [])}
     for key in ("requirements", "vcs", "platforms"):
         if said[key] == []:
-            kept[key] = []  # none, which is not the same as nothing said
+            kept[key] = []  # an empty list means none, a missing key means undecided
     text: str = yaml.safe_dump(kept, sort_keys=False, allow_unicode=True, width=10_000)
     return text
 
 
 def base(base: Base) -> dict[str, Any]:
-    """Return what the image starts from, as today's file says it."""
+    """Return what the image starts from, in today's format."""
     said = {
         "image": base.image,
         "ubuntu": base.ubuntu,
@@ -78,7 +78,7 @@ def base(base: Base) -> dict[str, Any]:
 
 
 def custom(custom: Custom) -> dict[str, Any]:
-    """Return custom commands as a mapping, which says in full who runs them, where and how."""
+    """Return custom commands as a mapping that states explicitly who runs them, where and how."""
     return {
         "user": "root" if custom.as_root else "jovyan",
         "folder": FOLDERS[custom.workdir],
@@ -88,7 +88,7 @@ def custom(custom: Custom) -> dict[str, Any]:
 
 
 def _proof(limits: ProofLimits) -> dict[str, Any]:
-    """Return the limits that are not the usual ones."""
+    """Return the limits that differ from the defaults."""
     usual = asdict(ProofLimits())
     return {name: value for name, value in asdict(limits).items() if value != usual[name]}
 
@@ -102,7 +102,7 @@ def _files(files: tuple[str, ...] | None) -> list[str] | None:
 
 
 def _said(thing: object, names: tuple[str, ...]) -> dict[str, Any]:
-    """Return the fields that say something."""
+    """Return the fields that are not empty."""
     said = {name: getattr(thing, name) for name in names}
     return {name: value for name, value in said.items() if value not in (None, "", False, ())}
 

@@ -17,7 +17,7 @@ class File:
 
     path: str
     module: str
-    """Its ``text(plan, beside)`` returns the file; it is imported only to write the file, as planning does not need it."""
+    """Its ``text(plan, beside)`` returns the file; it is imported only for writing, as planning does not need it."""
     executable: bool = False
     generated_only: bool = False
     """The file goes with a generated Dockerfile and is not written if the author's own Dockerfile is built."""
