@@ -1,1 +1,1 @@
-"""A failed build in plain words: from its log to the step, the line, the cause and the repair."""
+"""Explains a failed build from its log: the step, the line, the cause and the repair."""

@@ -1,4 +1,4 @@
-"""What ``roslab explain`` says of a log, as values: for each failed step its cause, or the lines that matter."""
+"""The answer of ``roslab explain`` as values: the cause of each failed step, or the lines that matter."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ class Explanation:
     """Why one step failed."""
 
     step: str
-    """The instruction: ``RUN make``; ``""`` where the log tells of no step."""
+    """The instruction: ``RUN make``; ``""`` if the log has no steps."""
     platform: str = ""
     file: str | None = None
-    """The Dockerfile, and its ``line``, where the builder names them."""
+    """The Dockerfile; it and its ``line`` are set if the builder names them."""
     line: int | None = None
     error: str = ""
-    """The first line that says what went wrong, and where it stands in the log."""
+    """The first line that says what went wrong; ``error_line`` is its number in the log."""
     error_line: int = 0
     id: str | None = None
-    """The known failure, ``None`` where there is none."""
+    """The known failure, ``None`` if there is none."""
     names: tuple[tuple[str, str], ...] = ()
     cause: str = ""
     fix: str = ""
@@ -35,23 +35,23 @@ class Explanation:
     repair: tuple[tuple[str, tuple[str, ...]], ...] = ()
     """Values to add to keys of roslab.yaml."""
     lines: tuple[str, ...] = ()
-    """Where no failure is known: the lines that matter."""
+    """The lines that matter, if no known failure was found."""
     reproduce: str = ""
     """The command that starts a shell where the step failed."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Answer:
-    """What a whole log says: an explanation for each step that failed."""
+    """The result for a whole log: an explanation for each step that failed."""
 
     explanations: tuple[Explanation, ...]
     lines: int
     succeeded: bool
-    """The log is of a build that went well."""
+    """Whether the log is that of a successful build."""
 
     @property
     def repair(self) -> dict[str, tuple[str, ...]]:
-        """What to add to which key of roslab.yaml, of the causes that are certain."""
+        """The values to add to each key of roslab.yaml, from the causes that are certain."""
         found: dict[str, dict[str, None]] = {}
         for explanation in self.explanations:
             for key, values in explanation.repair if explanation.certainty == "certain" else ():
@@ -60,7 +60,7 @@ class Answer:
 
 
 def explain(stream: IO[bytes]) -> Answer:
-    """Read a log and explain it; never raises for what a log holds."""
+    """Read a log and explain it; no content of a log makes it raise an error."""
     log = steps.read(lines(stream))
     failed = log.failed or ([] if log.succeeded and not log.rest.error else [log.rest])
     image = names.image(_context(log), "")
@@ -119,9 +119,9 @@ def _repair(found: signatures.Match) -> tuple[tuple[str, tuple[str, ...]], ...]:
 
 
 def reproduce(log: Log, step: Step) -> str:
-    """Return the command that opens a shell where a step failed; ``""`` where no such step is known.
+    """Return the command that opens a shell where a step failed; ``""`` if the step is not known.
 
-    The classic builder has an image of every step; buildx keeps the state of the one that failed:
+    The classic builder has an image of every step; buildx keeps the state of the step that failed:
     https://docs.docker.com/reference/cli/docker/buildx/debug/
     """
     if not step.command.startswith("RUN"):
@@ -141,7 +141,7 @@ def _short(line: Line | None) -> str:
 
 
 def _distinct(found: tuple[Explanation, ...]) -> tuple[Explanation, ...]:
-    """Drop a second explanation that says the same of the same step: one platform's failure is often the other's."""
+    """Drop repeated explanations of the same step, because several platforms often fail in the same way."""
     seen: dict[tuple[str, str, str], Explanation] = {}
     for one in found:
         seen.setdefault((one.step, one.platform, one.cause or one.error), one)

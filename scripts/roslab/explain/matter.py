@@ -1,4 +1,4 @@
-"""The lines of a step that may say why it failed: without what is never an error, and short enough to search."""
+"""The lines of a step that may say why it failed: without lines that are never errors, and short enough to search."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from roslab.explain.reading import Line, is_marked
 from roslab.explain.steps import Step
 
 MOST = 300_000
-"""Characters of a step that patterns are matched on: its beginning and its end where it has more."""
+"""Most characters of a step that patterns are matched on; of a longer step, its beginning and its end."""
 _QUOTES = str.maketrans({0x2018: "'", 0x2019: "'", 0x201C: '"', 0x201D: '"'})
-"""Compilers quote with curved marks where the locale is UTF-8."""
+"""Compilers use curved quotation marks in a UTF-8 locale."""
 _NEVER = re.compile(
     r"\s{0,8}(?:"
-    r"\+{1,3} "  # what `set -x` repeats of the commands
+    r"\+{1,3} "  # commands printed by `set -x`
     r"|Get:\d|Ign:\d|Hit:\d|Setting up |Unpacking |Selecting previously|Preparing to unpack|\(Reading database"
     r"|Reading (?:package lists|state)|Building dependency tree|Processing triggers|update-alternatives: "
     r"|checking |-- (?:Looking for|Performing Test|Check for|Checking|Detecting|Found |Installing: |Up-to-date: )"
@@ -42,7 +42,7 @@ _LAST = re.compile(
 
 
 def lines(step: Step) -> list[Line]:
-    """Return a step's lines, the builder's own last word included, without those that are never errors."""
+    """Return a step's lines, including the builder's own message, without those that are never errors."""
     found = [
         Line(line.number, line.text.translate(_QUOTES))
         for line in step.lines
@@ -55,7 +55,7 @@ def lines(step: Step) -> list[Line]:
 
 
 def last_word(step: Step) -> str:
-    """Return what the builder says of the failure, without the command that it repeats."""
+    """Return the builder's own message about the failure, without the command that it repeats."""
     text = _FAILED_TO.sub("", step.error)
     echo = _ECHO.search(text)
     return echo[1] if echo else text
@@ -90,9 +90,10 @@ def _bounded(found: list[Line]) -> list[Line]:
 
 
 def telling(found: list[Line], most: int = 20) -> list[Line]:
-    """Return the lines that matter where no known failure explains a step: the first errors, and the end.
+    """Return the lines that matter if no known failure explains a step: the first errors, and the end.
 
-    A traceback's end, a compiler's first error and an installer's own reason are among them; at most ``most``.
+    They include the end of a traceback, the first error of a compiler and the reason that an installer gives. There are
+    at most ``most``.
     """
     said = [at for at, line in enumerate(found) if _SAYS.search(line.text) and not _QUIET.search(line.text)]
     first = [at for at in said if not _LAST.search(found[at].text)] or said
@@ -107,7 +108,7 @@ def telling(found: list[Line], most: int = 20) -> list[Line]:
 
 
 def first_error(found: list[Line]) -> Line | None:
-    """Return the first line that says that something went wrong, else the last line of all."""
+    """Return the first line that reports an error, or the last line if there is none."""
     said = [line for line in found if _SAYS.search(line.text) and not _QUIET.search(line.text)]
     plain = [line for line in said if not _LAST.search(line.text)]
     return next(iter([*plain, *said, *found[-1:]]), None)

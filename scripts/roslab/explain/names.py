@@ -1,7 +1,7 @@
-"""From a name in a log to the package that holds it, by the tables of ``knowledge``.
+"""Finds the package for a name in a log, with the tables of ``knowledge``.
 
-A lookup takes the captured names and what is known of the image, and returns the further names that a failure's
-sentences use; ``{}`` where no table knows the name.
+A lookup takes the captured names and what is known about the image, and returns further names for the sentences of a
+failure; ``{}`` if no table has the name.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ Names = dict[str, str]
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Image:
-    """What a log says of the image that was built."""
+    """What a log shows about the image that was built."""
 
     ubuntu: str | None = None
     ros: str | None = None
@@ -35,7 +35,7 @@ _ROS = re.compile(r"\bros:([a-z]{4,9})\b|/opt/ros/([a-z]{4,9})\b|\bros-([a-z]{4,
 
 
 def image(text: str, instruction: str) -> Image:
-    """Tell from a log's text which Ubuntu and ROS distribution its image has."""
+    """Return the Ubuntu and ROS distribution of an image, as far as the text of its log shows them."""
     release = None
     if found := _UBUNTU.search(text):
         version = found[2] or (f"{found[3]}.{found[4]}" if found[3] else "")
@@ -117,7 +117,7 @@ _FOLDERS = re.compile(r"(?:\bcd |/)((?:/?[\w.$-]{1,60}/){1,8}[\w.-]{1,60})")
 
 
 def _built_with(names: Names, where: Image) -> Names:
-    """Name what a compiled file belongs to: the library whose header it is, else the folder that the step builds in."""
+    """Name what a compiled file belongs to: the library of a header, else the folder that the step builds in."""
     found = _INCLUDED.search(names.get("file", ""))
     if found:
         return {"library": found[1]}
@@ -135,13 +135,13 @@ def _argument(names: Names, where: Image) -> Names:
 
 
 def _secret(_: Names, where: Image) -> Names:
-    """Name the variable of an instruction that holds a key, not the one that holds an address."""
+    """Name the variable of an instruction that contains a key, not the one that contains an address."""
     found = [name for name in _VARIABLE.findall(where.instruction) if _SECRET.search(name)]
     return {"name": found[0]} if found else {}
 
 
 def _ros(names: Names, where: Image) -> Names:
-    """Name the package of a ROS package; nothing for what is known as a library of CMake's."""
+    """Name the apt package of a ROS package; return nothing for a name that is known as a CMake library."""
     name = names.get("name", "").split(", ")[0]
     if not name or libraries.library("cmake", name, where.ubuntu) is not None:
         return {}

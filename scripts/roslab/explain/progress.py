@@ -1,4 +1,4 @@
-"""BuildKit's rawjson progress as its plain one: one object a line becomes the lines that a person would have seen.
+"""Converts BuildKit's rawjson progress, which has one object per line, to the lines of its plain progress.
 
 https://docs.docker.com/reference/cli/docker/buildx/build/#progress
 """
@@ -13,9 +13,9 @@ from typing import Any
 
 
 def plain(text: str, numbers: dict[str, int]) -> list[str] | None:
-    """Return what one line of rawjson progress tells, ``None`` for any other line.
+    """Return the plain lines for one line of rawjson progress, ``None`` for any other line.
 
-    ``numbers`` keeps the number of each step by its digest, from line to line.
+    ``numbers`` maps the digest of each step to its number and is kept between calls.
     """
     record = _record(text) if text[-1:] == "}" else None
     return None if record is None else list(_told(record, numbers))

@@ -1,4 +1,4 @@
-"""A log as lines of text, whatever saved it: its encoding, colours, progress bars and the prefixes of CI services."""
+"""Reads a log from any source as plain lines: handles encodings, colours, progress bars and CI services' prefixes."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from itertools import chain
 from typing import IO, NamedTuple
 
 LONGEST = 2000
-"""Characters of a line that are kept: a progress bar or a minified source is one line of millions."""
+"""Most characters of a line that are kept: a progress bar or minified source code can be a line of millions."""
 _new = tuple.__new__
 """Makes a ``Line`` in a third of the time, for logs of a million lines."""
 _CHUNK = 1 << 20
 _SAMPLE = 400
-"""Lines that are looked at to tell which prefix the others have."""
+"""Number of lines that are examined to find the prefix of all lines."""
 
 
 class Line(NamedTuple):
@@ -29,7 +29,7 @@ _COLOUR = re.compile(
     r"\x1b\[[0-?]{0,40}[ -/]{0,4}[@-~]"  # colours and cursor movements
     r"|\x1b\][^\x07\x1b]{0,300}(?:\x07|\x1b\\)"  # titles and links
     r"|\x1b[()][0-9A-Z]|\x1b[@-Z\\-_=>]"
-    r"|\^\[\[[0-9;]{0,20}m"  # as `cat -v` shows them
+    r"|\^\[\[[0-9;]{0,20}m"  # colours as `cat -v` shows them
 )
 _BARE_COLOUR = re.compile(r"\[(?:\d{1,3}(?:;\d{1,3}){0,4})?m")
 """A colour whose escape character was lost when the log was saved."""
@@ -38,11 +38,11 @@ MARKS = (
     "ould not", "enied", "illed", "raceback", "xpired", "XPIRED", "404", "403", "equire", "E: ", "W: ", "nvalid",
     "issing", "xception", "bort", "nsupp", "efused", "timed", "no longer", "space",
 )  # fmt: skip
-"""Parts of words of which a line that says why something failed has at least one."""
+"""Parts of words; every line that says why something failed has at least one of them."""
 
 
 def is_marked(text: str) -> bool:
-    """Whether a line might say why something failed; a plain loop, for logs of a million lines."""
+    """Return whether a line might say why something failed; a plain loop is fast enough for a million lines."""
     for mark in MARKS:  # noqa: SIM110 - `any` with a generator takes three times as long
         if mark in text:
             return True
@@ -50,7 +50,7 @@ def is_marked(text: str) -> bool:
 
 
 def _guess(data: bytes) -> str:
-    """Return the encoding that the first bytes of a log speak for."""
+    """Return the probable encoding of a log, given its first bytes."""
     for mark, name in (
         (codecs.BOM_UTF8, "utf-8-sig"),
         (codecs.BOM_UTF32_LE, "utf-32"),
@@ -65,7 +65,7 @@ def _guess(data: bytes) -> str:
 
 
 def _as_windows(error: UnicodeError) -> tuple[str, int]:
-    """Read bytes that are no UTF-8 as Windows-1252 does, so that one foreign line spoils no other."""
+    """Decode bytes that are not UTF-8 as Windows-1252, so that one such line does not affect the others."""
     if not isinstance(error, UnicodeDecodeError):
         raise error
     return error.object[error.start : error.end].decode("cp1252", errors="replace"), error.end
@@ -75,7 +75,7 @@ codecs.register_error("roslab-windows", _as_windows)
 
 
 def lines(stream: IO[bytes]) -> Iterator[Line]:
-    """Read a log, a line at a time, in bounded memory: whatever the encoding and however long its lines are."""
+    """Read a log line by line in bounded memory, whatever its encoding and however long its lines are."""
     yield from _without_prefixes(_split(_decoded(stream)))
 
 
@@ -115,7 +115,7 @@ def _plain(text: str) -> str:
 
 
 def _line(number: int, text: str) -> Iterator[Line]:
-    """Yield a line; of a progress bar's states only the first, the last few and those that say more."""
+    """Yield a line; of a progress bar's states only the first, the last few and those that may matter."""
     if "\r" not in text.rstrip("\r"):
         yield Line(number, cut(text.rstrip("\r")))
         return
@@ -127,7 +127,7 @@ def _line(number: int, text: str) -> Iterator[Line]:
 
 
 def cut(text: str) -> str:
-    """Shorten a line that is too long: its beginning, and its end, where the error of a progress bar's line stands."""
+    """Shorten a line that is too long to its beginning and its end, where a progress bar's line has the error."""
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 600]} … {text[-597:]}"
 
 
@@ -159,7 +159,7 @@ def _without_prefixes(log: Iterator[Line]) -> Iterator[Line]:
 
 
 def _stripper(sample: list[Line]) -> Callable[[str], str] | None:
-    """Return what takes the prefix off a line, chosen by what most lines of a sample have; ``None`` for no prefix."""
+    """Return a function that removes the prefix that most lines of a sample have; ``None`` if they have none."""
     filled = [line.text for line in sample if line.text.strip()]
     votes = Counter(name for text in filled for name, prefix in _PREFIXES.items() if prefix.match(text))
     chosen = next((_PREFIXES[name] for name in _PREFIXES if filled and votes[name] > 0.6 * len(filled)), None)

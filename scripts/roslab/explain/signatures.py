@@ -1,4 +1,4 @@
-"""Which known failure a step shows: the tables of ``knowledge.failures`` matched on its lines."""
+"""Finds the known failure in a step by matching the tables of ``knowledge.failures`` on its lines."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from roslab.knowledge.failures import Failure, compiled, failures
 
 _ERRORS = re.compile(r"CMake Error|(?i:\berror\b)|\*\*\*|Configuring incomplete")
 _NEAR = 600
-"""Characters before a match in which the name that belongs to it is looked for."""
+"""Number of characters before a match that are searched for the name that belongs to it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -27,7 +27,7 @@ class Match:
     failure: Failure
     line: Line
     said: str
-    """The matched lines, as one."""
+    """The matched lines, joined into one."""
     cause: str
     fix: str
     names: Names = field(default_factory=dict)
@@ -37,7 +37,7 @@ class Match:
 
 @dataclass(kw_only=True, slots=True)
 class _Text:
-    """A step's lines as one text to match on, with the way back from a position to its line."""
+    """A step's lines as one text to match on; it can return the line at a position."""
 
     lines: list[Line]
     text: str = ""
@@ -56,7 +56,7 @@ class _Text:
         return self.lines[bisect_right(self.starts, position) - 1] if self.lines else Line(0, "")
 
     def whole(self, start: int, end: int) -> str:
-        """Return the lines that a match touches, as one line."""
+        """Return all lines that a match is part of, joined into one."""
         last = self.text.find("\n", max(start, end - 1))
         lines = self.text[self.text.rfind("\n", 0, start) + 1 : last if last >= 0 else None].split("\n")
         return " ".join(part for line in lines if (part := line.strip()))
@@ -64,18 +64,18 @@ class _Text:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class _Case:
-    """A failed step as failures are matched on it."""
+    """A failed step in the form in which failures are matched on it."""
 
     log: Log
     step: Step
     image: Image
     text: _Text
     raw: str
-    """Its last lines as they came."""
+    """Its last lines, unchanged."""
 
 
 def match(log: Log, step: Step, image: Image) -> Match | None:
-    """Return the known failure that explains a step: of the best rank, then the one on the earliest line."""
+    """Return the known failure that explains a step: the one with the best rank, and among these the earliest."""
     raw = "\n".join(line.text for line in step.lines[-4000:])
     case = _Case(log=log, step=step, image=image, text=_Text.of(matter.lines(step)), raw=raw)
     for _, rank in groupby(failures(), key=lambda failure: failure.rank):
@@ -86,7 +86,7 @@ def match(log: Log, step: Step, image: Image) -> Match | None:
 
 
 def _one(failure: Failure, case: _Case) -> tuple[int, Match] | None:
-    """Match one failure; with its position in the text. A name that a required lookup does not know is passed over."""
+    """Return a failure's position and match; names that a required lookup does not know are skipped."""
     if failure.command and not re.search(failure.command, case.step.command):
         return None
     text = case.text.text
@@ -133,7 +133,7 @@ def _fits(failure: Failure, text: str, whole: str, raw: str) -> bool:
 
 
 def _groups(matches: list[re.Match[str]]) -> Names:
-    """Return the named groups of matches, ``name2`` as another place of ``name``; several values are listed."""
+    """Return the named groups of matches; ``name2`` is an alternative for ``name``, several values become a list."""
     values: dict[str, dict[str, None]] = {}
     for found in matches:
         for key, value in found.groupdict().items():
@@ -143,13 +143,13 @@ def _groups(matches: list[re.Match[str]]) -> Names:
 
 
 def _flat(value: str) -> str:
-    """One line of a captured name: a list of packages over several lines becomes one with commas."""
+    """Return a captured name on one line: a list of packages over several lines is joined with commas."""
     parts = [re.sub(r"^\s*- ", "", part).strip() for part in value.split("\n")]
     return ", ".join(part for part in parts if part)[:200]
 
 
 def _extra(failure: Failure, case: _Case, position: int) -> Names:
-    """Return further names: of the instruction, of the nearest line before the match, or of any line."""
+    """Return further names from the instruction, from the nearest line before the match, or from any line."""
     if not failure.extra:
         return {}
     pattern = compiled(failure.extra)
@@ -168,7 +168,7 @@ def _extra(failure: Failure, case: _Case, position: int) -> Names:
 
 
 def _before(failure: Failure, case: _Case) -> Names | None:
-    """Return the names of what an earlier step did or said, or of what this one does, ``None`` where there is none."""
+    """Return the names found in an earlier step or its output, or in this instruction; ``None`` if nothing matches."""
     pattern = compiled(failure.before)
     if found := pattern.search(case.step.command):
         return {**_groups([found]), "before_step": _shortened(case.step.command)}
@@ -185,7 +185,7 @@ def _shortened(command: str) -> str:
 
 
 def filled(sentence: str, names: Names) -> str:
-    """Put names into a sentence, and take away what an absent name leaves: empty brackets and double spaces."""
+    """Put names into a sentence, and remove what a missing name leaves: empty brackets and double spaces."""
     parts: list[str] = []
     for literal, name, _, _ in Formatter().parse(sentence):
         parts.append(literal)

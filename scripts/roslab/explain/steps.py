@@ -1,4 +1,4 @@
-"""The steps of a build in its log, and which of them failed: of BuildKit and of the classic builder."""
+"""The steps in the log of a build by BuildKit or the classic builder, and which of them failed."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from roslab.explain import progress
 from roslab.explain.reading import Line, is_marked
 
 MOST = 16_000
-"""Lines that are kept of one step before those in its middle that say nothing are dropped."""
+"""Lines of one step that are kept until unimportant lines in its middle are dropped."""
 _new = tuple.__new__
 """Makes a ``Line`` in a third of the time, for logs of a million lines."""
 _HEAD, _TAIL, _SAID = 400, 4000, 4000
@@ -18,16 +18,16 @@ _HEAD, _TAIL, _SAID = 400, 4000, 4000
 
 @dataclass(kw_only=True, slots=True, eq=False)
 class Step:
-    """One instruction of a Dockerfile as a build ran it, or all of a log that holds no steps."""
+    """One instruction of a Dockerfile that a build ran, or the whole of a log without steps."""
 
     name: str = ""
-    """As the builder calls it: ``[stage 2/5] RUN make``, ``Step 3/9 : RUN make``."""
+    """The builder's name for it: ``[stage 2/5] RUN make``, ``Step 3/9 : RUN make``."""
     lines: list[Line] = field(default_factory=list)
     error: str = ""
-    """What the builder itself says of its failure."""
+    """The builder's own message about its failure."""
     done: bool = False
     place: tuple[str, int] | None = None
-    """The Dockerfile and its line, where the builder names them."""
+    """The Dockerfile and its line, if the builder names them."""
 
     @property
     def command(self) -> str:
@@ -36,42 +36,42 @@ class Step:
 
     @property
     def platform(self) -> str:
-        """``linux/arm64`` where the builder built for several, else ``""``."""
+        """``linux/arm64`` if the build was for several platforms, else ``""``."""
         found = re.match(r"\[(?:\S{1,100} )?((?:linux|windows|darwin)/[\w/]{1,30})[ \]>-]", self.name)
         return found[1] if found else ""
 
     def add(self, line: Line) -> None:
-        """Keep a line; of a very long step its beginning, its end, and in between what could say why it failed."""
+        """Keep a line; of a very long step keep the beginning, the end, and lines that could say why it failed."""
         self.lines.append(line)
         if len(self.lines) > MOST:
             self.drop()
 
     def close(self) -> None:
-        """Keep little of a step that went well: only what may explain a later one."""
+        """Reduce a successful step to the few lines that may explain a later failure."""
         self.done = True
         if len(self.lines) > 3 * _HEAD:
             self.drop(_HEAD)
 
     def drop(self, tail: int = _TAIL) -> None:
-        """Drop what says nothing between the beginning and the last lines."""
+        """Drop unimportant lines between the beginning and the last lines."""
         middle = [line for line in self.lines[_HEAD:-tail] if is_marked(line.text)]
         self.lines = [*self.lines[:_HEAD], *middle[:_SAID], *self.lines[-tail:]]
 
 
 @dataclass(kw_only=True, slots=True)
 class Log:
-    """What a log holds."""
+    """The steps in a log."""
 
     steps: list[Step]
     failed: list[Step]
-    """Each step that failed, in their order; none where everything went well, or where the log says of no step."""
+    """The steps that failed, in their order; empty if everything succeeded, or if the log names no failed step."""
     rest: Step
-    """What belongs to no step: what came before, between and after them, or all of it."""
+    """Lines outside any step, before, between or after them; in a log without steps all lines."""
     lines: int = 0
     succeeded: bool = False
 
     def before(self, step: Step) -> Iterator[Step]:
-        """Yield the steps before one, the nearest first."""
+        """Yield the steps before a step, the nearest first."""
         if step in self.steps:
             yield from reversed(self.steps[: self.steps.index(step)])
 
@@ -92,26 +92,26 @@ _GOOD = re.compile(r"Successfully (?:built [0-9a-f]{12}|tagged \S{1,200})$")
 
 
 def read(lines: Iterable[Line]) -> Log:
-    """Sort a log's lines into its steps and tell which failed."""
+    """Sort a log's lines into its steps and find out which failed."""
     return _Reader().read(lines)
 
 
 class _Reader:
-    """Where the next line belongs."""
+    """Keeps track of the step that the next line belongs to."""
 
     def __init__(self) -> None:
         self.rest = Step()
         self.vertices: dict[str, Step] = {}
         self.classic: list[Step] = []
         self.repeated: list[Step] = []
-        """What BuildKit prints again at the end of each step that failed."""
+        """The parts of failed steps that BuildKit prints again at the end."""
         self.errors: list[tuple[Line, Step | None]] = []
         self.open: Step | None = None
         self.quoting = False
         self.good = False
         self.last = 0
         self.last_step: Step | None = None
-        """The line of the log that BuildKit's progress was read from last, and its step."""
+        """The step of the last line of BuildKit's progress; ``last`` is the number of that line."""
         self.numbers: dict[str, int] = {}
 
     def read(self, lines: Iterable[Line]) -> Log:
@@ -129,7 +129,7 @@ class _Reader:
         return self._log(number)
 
     def _other(self, line: Line) -> None:
-        """Take a line that has no step's number."""
+        """Process a line without a step's number."""
         number, text = line
         first = text[:1]
         if self.last_step is not None and self.last == number:
@@ -143,13 +143,13 @@ class _Reader:
             self._loose(line)
 
     def _loose(self, line: Line) -> None:
-        """Give a line without a step's number to the step that is open; a repeated one still has its seconds."""
+        """Add a line without a step's number to the open step; in a repeated line the seconds are still present."""
         if self.open is not None and self.open in self.repeated:
             line = Line(line.number, _SECONDS.sub("", line.text))
         (self.open or self.rest).add(line)
 
     def _vertex(self, number: int, line: str, found: re.Match[str]) -> None:
-        """One line of BuildKit's plain progress: ``#12 3.45 text``, or news of a step."""
+        """Process one line of BuildKit's plain progress: ``#12 3.45 text``, or a step's new state."""
         key, timed = found.groups()
         text = line[found.end() :]
         step = self.vertices.get(key)
@@ -172,7 +172,7 @@ class _Reader:
             step.add(Line(number, text))
 
     def _frame(self, line: Line) -> bool:
-        """Take a line that structures the log: a classic step, BuildKit's repetition or its piece of the Dockerfile."""
+        """Process a line that structures the log: a classic step, BuildKit's repetition or its Dockerfile excerpt."""
         text = line.text
         if _CLASSIC.match(text):
             if self.open is not None and self.open in self.classic:
@@ -193,11 +193,11 @@ class _Reader:
         return True
 
     def _log(self, number: int) -> Log:
-        """Tell which steps failed, by the surest sign that the log has."""
+        """Return the log with its failed steps, which are found by the most reliable sign available."""
         steps = [*self.vertices.values(), *self.classic]
         failed = [step for step in self.vertices.values() if step.error and not _is_optional(step)]
         for again in self.repeated:
-            # In a log cut at its beginning a step has a number, no name, and not all of its lines
+            # If the beginning of the log is missing, a step has a number, no name, and only some of its lines
             step = next((s for s in failed if s.name in {again.name, ""}), None)
             if step is None:
                 failed.append(again)
@@ -208,7 +208,7 @@ class _Reader:
                 step.lines[:0] = [line for line in again.lines if line.text not in own]
         if self.classic and not failed and not self.good:
             failed = [self.classic[-1]]
-        if not failed and not self.errors:  # a log cut at its end: what was still running
+        if not failed and not self.errors:  # the end of the log is missing: take the step that was still running
             failed = [step for step in self.vertices.values() if step.lines and not step.done][-1:]
         for line, at in self.errors:
             owner = at if at in failed else (failed[-1] if failed else None)
@@ -229,5 +229,5 @@ class _Reader:
 
 
 def _is_optional(step: Step) -> bool:
-    """Tell whether a step may fail: a cache that is not there yet fails no build."""
+    """Return whether a step may fail without failing the build, such as reading a cache that does not exist yet."""
     return step.name.startswith(("importing cache", "exporting cache"))

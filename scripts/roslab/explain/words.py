@@ -1,4 +1,4 @@
-"""An answer as a person reads it, and as a program does."""
+"""An answer as text for a person, and as JSON for a program."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from roslab.explain.answer import Answer, Explanation
 
 
 def text(answer: Answer) -> str:
-    """Return an answer in words: for each failed step where it stands, its line, cause and fix."""
+    """Return an answer as text: for each failed step its place, line, cause and fix."""
     if not answer.explanations:
         what = "The build in this log went well." if answer.succeeded else "This log holds nothing that failed."
         return f"{what}\n"
@@ -40,7 +40,7 @@ def _one(found: Explanation) -> str:
 
 
 def dockerfile_lines(found: Explanation) -> list[str]:
-    """Return the instructions that repair an author's own Dockerfile; none where the repair is no package."""
+    """Return the instructions that repair an author's own Dockerfile; none if the repair is not a package."""
     install = {
         "apt": "RUN apt-get update && apt-get install -y --no-install-recommends {}",
         "pip": "RUN pip install {}",
@@ -49,7 +49,7 @@ def dockerfile_lines(found: Explanation) -> list[str]:
 
 
 def problems(answer: Answer) -> tuple[Problem, ...]:
-    """Return an answer as what stopped a build, one for each step that failed."""
+    """Return an answer as problems, one for each step that failed."""
     return tuple(_problem(found) for found in answer.explanations)
 
 
