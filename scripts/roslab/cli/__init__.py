@@ -1,1 +1,1 @@
-"""The command line: arguments, one function a command, one place that catches errors."""
+"""The command line: its arguments, a function for each command, and one place that catches errors."""

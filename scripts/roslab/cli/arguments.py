@@ -17,7 +17,7 @@ exit codes:
   1  a bug of roslab's own
 """
 OVERRIDING = {"--name": "name", "--platform": "platforms", "--command": "command", "--test": "test"}
-"""Options that say what a key of roslab.yaml says, and that key, which is also their name among the parsed options."""
+"""Options that set a key of roslab.yaml, and that key, which is also the name of the parsed option."""
 _HELP = {
     "--name": ("NAME", "the image's name (default: roslab.yaml's, else the repository's)"),
     "--platform": ("LIST", "platforms to build for, such as linux/amd64,linux/arm64; they win over roslab.yaml's"),
@@ -30,7 +30,7 @@ Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 def parser(*, github: bool = False) -> argparse.ArgumentParser:
     """Return the whole command line.
 
-    ``github`` adds the steps of a workflow: nobody else calls them, and a laptop need not load their modules.
+    ``github`` adds the steps of a workflow; other callers do not need them and save loading their modules.
     """
     top = argparse.ArgumentParser(
         prog="roslab",
@@ -121,7 +121,7 @@ def _command(commands: Commands, name: str, summary: str) -> argparse.ArgumentPa
 
 
 def _repository(command: argparse.ArgumentParser, *overriding: str) -> None:
-    """Add what a command needs that reads a repository, and the options among ``OVERRIDING`` that it takes."""
+    """Add the arguments of a command that reads a repository, and those options of ``OVERRIDING`` that it takes."""
     command.add_argument("path", nargs="?", default=".", metavar="PATH", help="the repository (default: this folder)")
     command.add_argument("--config", metavar="FILE", help="roslab.yaml to read, relative to the repository")
     command.add_argument("--branch", metavar="NAME", help="the branch's name, where there is no .git to read it from")

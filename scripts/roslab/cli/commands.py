@@ -62,7 +62,7 @@ def plan(options: argparse.Namespace) -> int:
 
 
 def check(options: argparse.Namespace) -> int:
-    """Validate roslab.yaml, and that the repository can be planned with it."""
+    """Validate roslab.yaml, and check that the repository can be planned with it."""
     planned = _plan(options)
     config = planned.config
     if options.format == "json":
@@ -81,7 +81,7 @@ def check(options: argparse.Namespace) -> int:
 
 
 def migrate(options: argparse.Namespace) -> int:
-    """Print today's form of an old roslab.yaml."""
+    """Print an old roslab.yaml in today's format."""
     from roslab.config.migrate import migrate as migrated  # noqa: PLC0415
     from roslab.repository.checkout import Repository  # noqa: PLC0415
 
@@ -102,7 +102,7 @@ def migrate(options: argparse.Namespace) -> int:
 
 
 def create(options: argparse.Namespace) -> int:
-    """Write the files beside the repository's own."""
+    """Write the generated files to the repository's root or to ``--output``."""
     from roslab.files import write_all  # noqa: PLC0415
     from roslab.pipeline import rendered  # noqa: PLC0415
 
@@ -116,7 +116,7 @@ def create(options: argparse.Namespace) -> int:
 
 
 def build(options: argparse.Namespace) -> int:
-    """Build, prove, and only then name the image; the name stays with the old image where anything fails."""
+    """Build, prove, and only then name the image; if anything fails, the name stays with the old image."""
     from roslab.engine import docker as engine  # noqa: PLC0415
     from roslab.pipeline import write_dockerfile  # noqa: PLC0415
 
@@ -149,7 +149,7 @@ def build(options: argparse.Namespace) -> int:
                 if not options.no_proof:
                     _prove(planned, candidates[-1], platform, name, screenshots)
         for candidate, platform in zip(candidates, platforms, strict=True):
-            # The engine's image store may hold one platform a name: several get one name each
+            # The engine's image store may hold only one platform per name, so each of several gets its own name
             suffix = f"-{platform.rpartition('/')[2]}" if len(platforms) > 1 else ""
             engine.name_image(candidate, name + suffix)
             sys.stdout.write(f"{name}{suffix}\n")
@@ -160,9 +160,9 @@ def build(options: argparse.Namespace) -> int:
 
 
 def _screenshots(options: argparse.Namespace, planned: Planned) -> Path:
-    """Return the folder for pictures of the screen, made where one will be kept.
+    """Return the folder for screenshots, which is created if one will be kept.
 
-    By default one of the user's cache: in the repository it would change the image that is built next.
+    By default it is in the user's cache: in the repository it would change the next image that is built.
     """
     cache = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
     folder = Path(options.screenshots or Path(os.path.expanduser(cache), "roslab", planned.plan.name))  # noqa: PTH111
@@ -191,7 +191,7 @@ def _prove(planned: Planned, candidate: str, platform: str, name: str, screensho
 
 
 def run(options: argparse.Namespace) -> int:
-    """Run the image as docker_run.sh does: it is that very script."""
+    """Run the image with the same script that ``create`` writes as docker_run.sh."""
     from roslab.pipeline import rendered  # noqa: PLC0415
 
     planned = _plan(options)
@@ -215,7 +215,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def explain(options: argparse.Namespace) -> int:
-    """Say why a build failed."""
+    """Print why a build failed."""
     from roslab.explain import words  # noqa: PLC0415 - tables that no other command needs
     from roslab.explain.answer import explain as explained  # noqa: PLC0415
 
@@ -234,7 +234,7 @@ def explain(options: argparse.Namespace) -> int:
 
 
 def _apply(options: argparse.Namespace, repair: dict[str, tuple[str, ...]]) -> None:
-    """Show what a repair changes in roslab.yaml, and change it."""
+    """Show what a repair changes in roslab.yaml, and apply it."""
     from roslab.config.addition import added  # noqa: PLC0415
     from roslab.files import replace_with_backup  # noqa: PLC0415
 
@@ -272,7 +272,7 @@ def _argument(text: str) -> tuple[str, str]:
 
 
 def _warnings(planned: Planned) -> str:
-    """Return the warnings, one a line, each with its place."""
+    """Return the warnings, one per line, each with its place."""
     lines = []
     for warning in planned.decision.warnings:
         place = f"{Place(file=warning.file, line=warning.line)}: " if warning.file else ""

@@ -1,4 +1,4 @@
-"""The ``roslab`` command: one ``try`` around what was asked for, and its exit code."""
+"""The ``roslab`` command: runs the requested command, turns errors into messages and returns the exit code."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from roslab.errors import RoslabError
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line and return the exit code; no traceback reaches a user."""
     arguments = list(sys.argv[1:] if argv is None else argv)
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that `finally` runs and nothing half-built stays
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that `finally` runs and nothing half-built remains
     debug = os.environ.get("ROSLAB_DEBUG") == "1"
     try:
         options = parser(github=arguments[:1] == ["github"]).parse_args(arguments)
@@ -24,7 +24,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         _report(error)
         return error.exit_code
     except BrokenPipeError:
-        # The reader of our output went away (`| head`): not an error, but Python would print one at exit
+        # The reader of our output has closed it (`| head`): not an error, but Python would print one at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except KeyboardInterrupt:
