@@ -1,4 +1,4 @@
-"""What each command of ``cli`` does; the answer goes to standard output, progress to standard error."""
+"""What each command does; results go to standard output, progress to standard error."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The only room that knows GitHub: events, inputs, workflow commands, and what a job decides from them."""
+"""The only package that deals with GitHub: events, inputs, workflow commands, and what a job decides from them."""

@@ -134,7 +134,7 @@ def _wrong(name: str, message: str, hint: str) -> Problem:
 
 
 def _image(said: str, registry: str) -> tuple[str, list[Problem]]:
-    """Return the input ``image`` as NAME or OWNER/NAME, and what is wrong with it."""
+    """Return the input ``image`` as NAME or OWNER/NAME, and its problems."""
     path = said.lower()
     host, slash, rest = path.partition("/")
     if slash and ("." in host or ":" in host or host == "localhost"):

@@ -36,9 +36,9 @@ TODAY = Order(
     base=(base.start, base.answering_sources, base.ros_source, base.repositories),  # 1. sources of packages, the user
     stages=(system.library_stages, manifests.stage),  # 3. libraries: a new system package rebuilds none
     image=(
-        system.packages,  # 2. what is declared …
+        system.packages,  # 2. what the repository declares …
         system.tools,
-        system.guessed_packages,  # … and what was only read
+        system.guessed_packages,  # … and what was guessed
         system.icub,
         system.newer_cmake,
         python.environment,

@@ -36,7 +36,7 @@ class LayerSize:
     size: int
     """Compressed bytes."""
     text: str
-    """The instruction that made it, ``""`` where it is not known."""
+    """The instruction that made it, ``""`` if it is not known."""
     base: bool
 
 
