@@ -32,8 +32,8 @@ jobs:
           persist-credentials: false
       - uses: org/repro-action@v1
         with:
-          registry: REGISTRY
-          username: USERNAME
+          registry: THE-HOST
+          username: THE-USER
           token: ${{{{ secrets.REGISTRY_PASSWORD }}}}
           platforms: {",".join(PLATFORMS)}
 """
@@ -73,7 +73,7 @@ def publish(lab: laboratory.Laboratory, example: str) -> tuple[str, tuple[str, .
         shutil.copytree(ROOT / "examples" / example, caller)
         workflow = caller / ".github" / "workflows" / "image.yml"
         workflow.parent.mkdir(parents=True)
-        text = WORKFLOW.replace("REGISTRY", lab.registry).replace("USERNAME", lab.username)
+        text = WORKFLOW.replace("THE-HOST", lab.registry).replace("THE-USER", lab.username)
         workflow.write_text(text, encoding="utf-8")
         payload = {"ref": "refs/heads/main", "repository": {"full_name": name, "default_branch": "main"}}
         result = run_workflow(lab, caller, "push", payload, tell=tell, timeout=3600)
