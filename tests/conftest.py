@@ -53,7 +53,7 @@ def roslab() -> Roslab:
         cwd: Path | None = None,
         env: Mapping[str, str | None] | None = None,
         memory: int | None = None,
-        timeout: float = 60.0,
+        timeout: float = 300.0,
     ) -> subprocess.CompletedProcess[str]:
         # The tests may themselves run in a workflow: the program must not take that for a run of the action
         settings = {name: value for name, value in os.environ.items() if not name.startswith(("GITHUB_", "ROSLAB_"))}

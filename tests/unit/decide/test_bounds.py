@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import datetime as dt
-import time
 from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
 
+from hanging import ends
 from roslab.decide.python.bounds import decide_bounds
 from roslab.evidence.facts import Removed
 from roslab.evidence.python import removed
@@ -96,7 +96,6 @@ def test_every_row_is_whole() -> None:
 
 def test_patterns_take_linear_time() -> None:
     text = "np.x.append(from scipy.misc import yaml.load(((((" * 5_000
-    start = time.process_time()
-    for removal in removals():
-        removal.pattern.search(text)
-    assert time.process_time() - start < 5, "a pattern backtracks"
+    with ends():
+        for removal in removals():
+            removal.pattern.search(text)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import pytest
 
+from hanging import ends
 from roslab.evidence.facts import CMakeProject
 from roslab.evidence.native import cmake
 from roslab.repository.checkout import Repository
@@ -115,6 +115,5 @@ def test_added_folders_are_not_top_level(tmp_path: Path) -> None:
     ids=["never-closed", "unbalanced-quotes", "deep-conditions", "doubling-variables", "very-long"],
 )  # fmt: skip
 def test_hostile_files_end_soon(tmp_path: Path, text: str) -> None:
-    started = time.process_time()
-    read(tmp_path, "project(demo)\n" + text)
-    assert time.process_time() - started < 8
+    with ends():
+        read(tmp_path, "project(demo)\n" + text)

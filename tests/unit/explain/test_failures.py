@@ -5,10 +5,10 @@ from __future__ import annotations
 import datetime as dt
 import io
 import re
-import time
 
 import pytest
 
+from hanging import ends
 from roslab.config import generation
 from roslab.explain.answer import Answer, explain
 from roslab.explain.names import LOOKUPS
@@ -101,22 +101,18 @@ LONG = {
 @pytest.mark.parametrize("line", LONG.values(), ids=LONG)
 def test_no_pattern_hangs_on_a_long_line(line: str) -> None:
     """A pattern whose time grows with the square would need minutes for one of these lines."""
-    slow = {}
     for name, pattern in PATTERNS:
-        begun = time.process_time()
-        compiled(pattern).search(line)
-        if (spent := time.process_time() - begun) > 1.5:
-            slow[name] = spent
-    assert not slow
+        print(name)  # pytest shows it where the pattern below does not end
+        with ends():
+            compiled(pattern).search(line)
 
 
 def test_a_line_of_three_megabytes_is_read_in_time() -> None:
     for row in ALL[::8]:
         words = row.sample.strip().splitlines()
         log = "\n".join([*words[:-1], (words[-2] + " ") * (3_000_000 // len(words[-2])), words[-1]])
-        begun = time.process_time()
-        said(log)
-        assert time.process_time() - begun < 3
+        with ends():
+            said(log)
 
 
 @pytest.mark.parametrize(

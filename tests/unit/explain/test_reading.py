@@ -6,11 +6,11 @@ import base64
 import io
 import json
 import random
-import time
 import tracemalloc
 
 import pytest
 
+from hanging import ends
 from roslab.explain import reading, steps
 from roslab.explain.answer import Answer, explain
 from roslab.explain.words import as_json, text
@@ -253,12 +253,10 @@ def big(megabytes: int) -> bytes:
     return (head + line * (megabytes * 1_000_000 // len(line)) + tail).encode()
 
 
-def test_a_large_log_is_read_in_bounded_time_and_memory() -> None:
-    """A tenth of the largest log that must be read: 100 MB in 5 s and 200 MB of memory."""
-    log = big(10)
-    begun = time.process_time()
-    header_is_missing(said(log))
-    assert time.process_time() - begun < 1.5
+def test_a_large_log_is_read_in_bounded_memory() -> None:
+    """A part of the largest log that must be read: 100 MB in 200 MB of memory; its time is ``benchmarks.explain``'s."""
+    with ends():
+        header_is_missing(said(big(10)))
     tracemalloc.start()
     header_is_missing(said(big(3)))
     _, peak = tracemalloc.get_traced_memory()
