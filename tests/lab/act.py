@@ -121,8 +121,6 @@ def run_workflow(
             "REPRO_LAB_BUILDKIT": lab.buildkit,
             "REPRO_LAB_ARTIFACTS": str((artifacts or place) / "artifacts"),
             "GITHUB_RUN_ATTEMPT": str(attempt),
-            "DOCKER_BUILD_SUMMARY": "false",
-            "DOCKER_BUILD_RECORD_UPLOAD": "false",
             **(env or {}),
         }
         command = [str(lab.act), event, "--json", "-C", str(copy), "-e", str(event_file)]

@@ -185,6 +185,15 @@ def test_no_module_names_an_image_of_the_builders() -> None:
         assert not re.search(r"moby/buildkit[:@]|tonistiigi/binfmt[:@]|syft-scanner[:@]", path.read_text()), path
 
 
+@pytest.mark.parametrize(
+    "path", [ROOT / "action.yml", ROOT / ".github/workflows/image.yml"], ids=lambda path: path.name
+)
+def test_only_the_program_writes_the_summary(path: Path) -> None:
+    """The action that builds adds one of its own, with labels and arguments as they are, HTML included."""
+    (build,) = (step for step in _steps(path) if str(step.get("uses")).startswith("docker/build-push-action@"))
+    assert build["env"]["DOCKER_BUILD_SUMMARY"] == "false"
+
+
 DOCKER = re.compile(r"^docker/(?!metadata-action)| github (?:dockerfile|explain|prove|index|tag)\b")
 
 

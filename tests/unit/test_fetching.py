@@ -158,6 +158,37 @@ def test_gitmodules_can_run_nothing(tmp_path: Path, server: str) -> None:
     assert not trap.exists()
 
 
+def test_a_folder_that_looks_like_a_bare_repository_configures_nothing(tmp_path: Path, server: str) -> None:
+    """A tree can hold all files of one, and ``path`` may name its folder; git would ask its helper for a password."""
+    (tmp_path / "served/private").mkdir()
+    root, trap = tmp_path / "checkout", tmp_path / "ran"
+    root.mkdir()
+    git(root, "init", "--quiet", "--bare", "arm")
+    git(root / "arm", "config", "credential.helper", f"!touch {trap}")
+    git(root / "arm", "config", "remote.origin.url", f"{server}/private")
+    subprocess.run(["git", "-C", root / "arm", "fetch", "--quiet"], check=False, capture_output=True,
+                   env={**os.environ, "GIT_TERMINAL_PROMPT": "0"})  # fmt: skip
+    assert trap.exists(), "without care it runs, so the check below means something"
+    trap.unlink()
+    with fetching.git(fetching.Access()) as tool:
+        assert fetching.tags(tool, root / "arm") != ""
+        assert fetching.submodules(tool, root / "arm") == ()
+    assert not trap.exists()
+    assert describe(root / "arm") is None
+
+
+@pytest.mark.parametrize("name", ["", ".", "./", ".."])
+def test_a_submodule_without_a_name_removes_no_other(tmp_path: Path, server: str, name: str) -> None:
+    root = served(tmp_path, server)
+    (root / ".gitmodules").write_text(
+        (root / ".gitmodules").read_text().replace('[submodule "private"]', f'[submodule "{name}"]')
+    )
+    with fetching.git(fetching.Access()) as tool:
+        assert fetching.submodules(tool, root)
+    assert (root / ".git/modules/library/HEAD").is_file()
+    assert (root / "library/inner/deep.txt").read_text() == "deep"
+
+
 @pytest.mark.parametrize(
     ("url", "expected"),
     [

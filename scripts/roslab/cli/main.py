@@ -33,7 +33,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     except Exception as error:  # the last line of defence: a bug of ours
         if debug:
             raise
-        sys.stderr.write(f"roslab: a bug: {type(error).__name__}: {error}\n")
+        from roslab.repository.checkout import printable  # noqa: PLC0415 - nobody waits for it before
+
+        # One line without control characters: on GitHub a line of its own could be a command to the runner
+        said = printable(f"{type(error).__name__}: {error}").replace("##[", "## [")
+        sys.stderr.write(f"roslab: a bug: {said}\n")
         sys.stderr.write("Please report it; ROSLAB_DEBUG=1 shows where it happened.\n")
         return 1
 

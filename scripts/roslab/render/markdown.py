@@ -24,8 +24,10 @@ def _plain(line: str) -> str:
 
 def _escaped(line: str) -> str:
     escaped = re.sub(r"([\\`*_{}\[\]()#+!|~$-])", r"\\\1", _plain(line))
-    # A zero-width space after @ and inside a bare URL prevents GitHub from making links of them
-    return html.escape(escaped, quote=False).replace("@", "@\u200b").replace("://", ":\u200b//")
+    # A zero-width space after @ and inside a bare address prevents GitHub from making links of them:
+    # https://github.github.com/gfm/#autolinks-extension-
+    plain = html.escape(escaped, quote=False).replace("@", "@\u200b").replace("://", ":\u200b//")
+    return re.sub(r"www(?=\.)", "www\u200b", plain, flags=re.IGNORECASE)
 
 
 def prose(value: str) -> str:

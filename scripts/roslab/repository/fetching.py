@@ -70,7 +70,9 @@ class Git:
             "GIT_LITERAL_PATHSPECS": "1",
             "GIT_LFS_SKIP_SMUDGE": "1",
         }
-        quiet = ("-c", f"core.hooksPath={os.devnull}", "-c", "core.fsmonitor=false")
+        # A folder of the tree can hold the files of a bare repository, whose configuration names programs
+        settings = (f"core.hooksPath={os.devnull}", "core.fsmonitor=false", "safe.bareRepository=explicit")
+        quiet = [word for setting in settings for word in ("-c", setting)]
         command = ["git", "--no-pager", "-C", str(root), *quiet, *words]
         try:
             return subprocess.run(
@@ -179,7 +181,7 @@ def _fetch(git: Git, root: Path, path: str, name: str, url: str) -> str:
             reason = reason or _why(answer.stderr)
             git.run(root, "submodule", "deinit", "--force", "--", path)
             folder = git.run(root, "rev-parse", "--git-path", f"modules/{name}").stdout.strip()
-            if folder and ".." not in folder.split("/"):
+            if name.strip("./") and folder and ".." not in folder.split("/"):  # else it is the folder of all of them
                 shutil.rmtree(root / folder, ignore_errors=True)
     return reason or "git does not say why"
 

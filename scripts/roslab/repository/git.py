@@ -9,7 +9,9 @@ from pathlib import Path
 
 SECONDS = 30.0
 """Seconds that git may take: it reads one object."""
-_SETTINGS = ("log.showSignature=false", "core.fsmonitor=false")
+_SETTINGS = ("log.showSignature=false", "core.fsmonitor=false", "safe.bareRepository=explicit")
+"""A folder of the tree can hold the files of a bare repository, whose configuration would then be read.
+https://git-scm.com/docs/git-config#Documentation/git-config.txt-safebareRepository"""
 _ENVIRONMENT = {"GIT_ALLOW_PROTOCOL": "none", "GIT_NO_LAZY_FETCH": "1", "GIT_TERMINAL_PROMPT": "0"}
 """A missing object is not fetched. https://git-scm.com/docs/git#_environment_variables"""
 

@@ -16,7 +16,10 @@ from roslab.render.outcome import PlatformReport, ProofReport, Report
 from roslab.render.sizes import LayerSize, human, part
 from roslab.render.summary import summary
 
-HOSTILE = "`x` | <script>alert(1)</script> ![a](https://evil.example/a.png) @everyone **b** $(id) ]( \x1b[31m</details>"
+HOSTILE = (
+    "`x` | <script>alert(1)</script> ![a](https://evil.example/a.png) @everyone **b** $(id) ]( \x1b[31m</details> "
+    "www.evil.example"
+)
 
 
 def proof(*, passed: bool = True, text: str = "passed in 1.0 s") -> ProofReport:
@@ -124,6 +127,7 @@ def test_nothing_of_the_repository_is_markup(report: Report) -> None:
     assert "<img" not in rendered
     assert "evil.example" not in " ".join(re.findall(r'(?:href|src)="([^"]*)"', rendered))
     assert "@everyone" not in outside
+    assert "www." not in outside  # GitHub makes a link of it: https://github.github.com/gfm/#autolinks-extension-
     assert "\x1b" not in rendered
     assert outside.count("</details>") == len(re.findall(r"<details(?: open)?>", outside))
     rows = [row for row in re.findall(r"<tr>.*?</tr>", rendered, flags=re.DOTALL) if "<td" in row]
