@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 
-from roslab.explain.reading import Line, is_marked
+from roslab.explain.reading import Line
+from roslab.explain.skim import is_marked
 from roslab.explain.steps import Step
 
 MOST = 300_000

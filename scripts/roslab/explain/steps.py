@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from roslab.explain import progress
-from roslab.explain.reading import Line, is_marked
+from roslab.explain.reading import Line
+from roslab.explain.skim import is_marked
 
 MOST = 16_000
 """Lines of one step that are kept until unimportant lines in its middle are dropped."""

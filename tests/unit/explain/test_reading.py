@@ -256,12 +256,27 @@ def big(megabytes: int) -> bytes:
 def test_a_large_log_is_read_in_bounded_memory() -> None:
     """A part of the largest log that must be read: 100 MB in 200 MB of memory; its time is ``benchmarks.explain``'s."""
     with ends():
+        tracemalloc.start()
         header_is_missing(said(big(10)))
-    tracemalloc.start()
-    header_is_missing(said(big(3)))
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert peak < 40_000_000
+
+
+@pytest.mark.parametrize("prefix", ["", "2024-08-01T14:47:29.1234567Z "], ids=["plain", "GitHub"])
+def test_a_large_log_is_skimmed_where_nothing_failed(prefix: str) -> None:
+    """Far from any failure only the lines that might matter are kept, each with its own number."""
+    texts = [f"{prefix}#6 7.1 [ 12%] Building CXX object {number}.o" for number in range(1, 200_000)]
+    texts[0] = f"{prefix}#6 [3/4] RUN make -j8"
+    texts[100_000] = f"{prefix}#6 9.2 a.cpp:3:10: fatal error: glog/logging.h: No such file or directory"
+    texts[150_000] = f"{prefix}#7 [2/2] RUN true"
+    texts[-1] = f'{prefix}#6 ERROR: process "/bin/sh -c make" did not complete successfully: exit code: 2'
+    log = "\n".join(texts).encode()
+    found = list(reading.lines(io.BytesIO(log)))
+    assert len(found) < 100_000
+    assert all(texts[line.number - 1] == prefix + line.text for line in found)
+    assert {100_001, 150_001, len(texts)} <= {line.number for line in found}
+    header_is_missing(said(log))
 
 
 def test_mutated_logs_end_without_a_traceback() -> None:
