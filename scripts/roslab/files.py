@@ -83,6 +83,20 @@ def replace_with_backup(path: str | Path, text: str) -> Path:
     return backup
 
 
+def write_configuration(path: Path, old: str | None, new: str) -> None:
+    """Write a roslab.yaml that the author asked for; the old one, if there is one, is kept as ``NAME.old``.
+
+    Raises ``RefusedError`` as ``replace_with_backup``, ``ConfigurationError`` where it cannot be written.
+    """
+    if old is not None:
+        replace_with_backup(path, new)
+        return
+    try:
+        _replace([(path, new.encode(), False)])
+    except OSError as error:
+        raise _unwritable(path, error) from None
+
+
 def _relative(file: OutputFile) -> str:
     path = PurePosixPath(file.path)
     if path.is_absolute() or ".." in path.parts or not path.parts or str(path) != file.path:

@@ -32,6 +32,7 @@ class Planned:
 
     repository: Repository
     config: Config
+    evidence: Evidence
     decision: Decision
     plan: Plan
 
@@ -44,15 +45,17 @@ def plan_repository(
     overrides: Sequence[Override] = (),
     folder_name: str | None = None,
     top: Path | None = None,
+    config_text: str | None = None,
 ) -> Planned:
     """Read a repository and plan its image; nothing in it is executed and no network is used.
 
     ``config_file`` is read in place of the roslab.yaml at the root; ``overrides`` win over what it says;
-    ``folder_name`` names the image if nothing else does; ``top`` is the checkout that ``path`` is a folder of.
+    ``folder_name`` names the image if nothing else does; ``top`` is the checkout that ``path`` is a folder of;
+    ``config_text`` is read in place of the text of roslab.yaml, which need not exist then.
     Raises ``ConfigurationError``, ``NothingToBuildError`` or ``RefusedError``.
     """
     repository = _without_own_files(Repository.open(path, branch=branch, top=top))
-    config = _configuration(repository, config_file, overrides)
+    config = _configuration(repository, config_file, overrides, config_text)
     if config.submodules == "required":
         _require_submodules(repository)
     evidence = gather(repository)
@@ -71,7 +74,7 @@ def plan_repository(
         rosdistro_tag=rosdistro_tag(decision.ros_distro),
         source_version=version,
     )
-    return Planned(repository=repository, config=config, decision=decision, plan=plan)
+    return Planned(repository=repository, config=config, evidence=evidence, decision=decision, plan=plan)
 
 
 def _require_submodules(repository: Repository) -> None:
@@ -131,9 +134,12 @@ def _folder_name(repository: Repository) -> str:
     return repository.root.name
 
 
-def _configuration(repository: Repository, named: locate.Named | None, overrides: Sequence[Override]) -> Config:
-    file = locate.find(repository, named)
-    config = configure(locate.text(repository, file) if file else None, overrides, file=file)
+def _configuration(
+    repository: Repository, named: locate.Named | None, overrides: Sequence[Override], given: str | None
+) -> Config:
+    file = locate.find(repository, named) or (locate.NAMES[0] if given is not None else None)
+    text = given if given is not None else locate.text(repository, file) if file else None
+    config = configure(text, overrides, file=file)
     locate.check_paths(config, repository)
     return config
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from typing import TypeAlias
 
 from roslab import __version__
@@ -24,6 +25,9 @@ _HELP = {
     "--command": ("TEXT", "default command of the image, run by bash; it wins over roslab.yaml's"),
     "--test": ("TEXT", "command that proves the image, run by bash; it wins over roslab.yaml's"),
 }
+ROUNDS = 3
+"""Rounds of ``--repair`` without a number; ``MOST_ROUNDS`` keeps a typing error from building all night."""
+MOST_ROUNDS = 20
 Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 
@@ -74,7 +78,7 @@ def _reading_commands(commands: Commands) -> None:
     )
     explain = _command(commands, "explain", "Say in plain words why a build failed.")
     explain.add_argument("log", metavar="LOG", help="the saved log of a build, - for standard input")
-    _repository(explain)
+    _repository(explain, default=None)
     _format(explain)
     explain.add_argument(
         "--apply",
@@ -95,6 +99,18 @@ def _building_commands(commands: Commands) -> None:
     )
     build.add_argument("--no-cache", action="store_true", help="build every layer anew")
     build.add_argument(
+        "--repair",
+        metavar="N",
+        type=_rounds,
+        default=0,
+        help=f"after a failure add what is certainly missing and build again, at most N times ({ROUNDS})",
+    )
+    build.add_argument(
+        "--write",
+        action="store_true",
+        help="write what --repair added to roslab.yaml; the old one is kept as FILE.old",
+    )
+    build.add_argument(
         "--build-arg",
         action="append",
         default=[],
@@ -106,6 +122,18 @@ def _building_commands(commands: Commands) -> None:
     run.add_argument("--notebook", action="store_true", help="open JupyterLab instead of the default command")
     _tag(run)
     run.add_argument("arguments", nargs="*", metavar="-- COMMAND", help="a command to run instead of the default one")
+
+
+def _rounds(text: str) -> int:
+    if not text.isdigit() or not 0 < int(text) <= MOST_ROUNDS:
+        raise argparse.ArgumentTypeError(f"{text!r} is no number from 1 to {MOST_ROUNDS}")
+    return int(text)
+
+
+def completed(arguments: Sequence[str]) -> list[str]:
+    """Return the arguments with the number that ``--repair`` means alone: what follows it may be the repository."""
+    own = len(arguments) if "--" not in arguments else list(arguments).index("--")
+    return [f"--repair={ROUNDS}" if at < own and word == "--repair" else word for at, word in enumerate(arguments)]
 
 
 def _command(commands: Commands, name: str, summary: str) -> argparse.ArgumentParser:
@@ -120,9 +148,10 @@ def _command(commands: Commands, name: str, summary: str) -> argparse.ArgumentPa
     return command
 
 
-def _repository(command: argparse.ArgumentParser, *overriding: str) -> None:
+def _repository(command: argparse.ArgumentParser, *overriding: str, default: str | None = ".") -> None:
     """Add the arguments of a command that reads a repository, and those options of ``OVERRIDING`` that it takes."""
-    command.add_argument("path", nargs="?", default=".", metavar="PATH", help="the repository (default: this folder)")
+    help_ = "the repository (default: this folder)" if default else "the repository that was built: names who asked"
+    command.add_argument("path", nargs="?", default=default, metavar="PATH", help=help_)
     command.add_argument("--config", metavar="FILE", help="roslab.yaml to read, relative to the repository")
     command.add_argument("--branch", metavar="NAME", help="the branch's name, where there is no .git to read it from")
     for option in overriding:

@@ -7,9 +7,13 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Sequence
+from importlib import import_module
 
-from roslab.cli.arguments import parser
+from roslab.cli.arguments import completed, parser
 from roslab.errors import RoslabError
+
+MODULES = {"build": "building", "explain": "explaining"}
+"""Modules of the commands that are not in ``commands``."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -18,7 +22,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that `finally` runs and nothing half-built remains
     debug = os.environ.get("ROSLAB_DEBUG") == "1"
     try:
-        options = parser(github=arguments[:1] == ["github"]).parse_args(arguments)
+        options = parser(github=arguments[:1] == ["github"]).parse_args(completed(arguments))
         return _handler(options)(options)
     except RoslabError as error:
         _report(error)
@@ -46,9 +50,9 @@ def _handler(options: argparse.Namespace) -> Callable[[argparse.Namespace], int]
     if callable(options.handler):
         handler: Callable[[argparse.Namespace], int] = options.handler
         return handler
-    from roslab.cli import commands  # noqa: PLC0415 - `--help` and wrong arguments need none of it
-
-    found: Callable[[argparse.Namespace], int] = getattr(commands, options.handler)
+    # `--help` and wrong arguments need none of these, and each command only its own
+    module = import_module(f"roslab.cli.{MODULES.get(options.handler, 'commands')}")
+    found: Callable[[argparse.Namespace], int] = getattr(module, options.handler)
     return found
 
 

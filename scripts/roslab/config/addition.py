@@ -1,27 +1,46 @@
-"""Adds entries to the lists of a roslab.yaml and leaves everything else, including comments and layout, unchanged."""
+"""Adds values to a roslab.yaml and leaves everything else in it, including comments and layout, unchanged."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping as Wanted
+from collections.abc import Iterable
+from dataclasses import dataclass
 
 from roslab.config.document import parse
-from roslab.config.edit import Edits, flow_list, is_text, quoted
+from roslab.config.edit import Edits, is_text, quoted
 from roslab.config.model import Config
-from roslab.config.node import Mapping, Sequence
+from roslab.config.node import Mapping, Node, Sequence
 from roslab.config.reader import mapping_of, read
 from roslab.errors import ConfigurationError, Problem
+from roslab.repository.checkout import printable
 from roslab.values.origin import Place
 
-KEYS = ("apt", "pip", "skip_keys", "build_args")
-"""Keys with lists of texts, to which entries may be added."""
+LISTS = ("apt", "pip", "skip_keys", "build_args")
+"""Keys with lists of texts, to which values are added."""
+WORDS = ("cmake_options",)
+"""Keys with one text, to whose end values are added."""
+SINGLE = ("base.python", "base.ros", "base.ubuntu", "base.cmake_update", "gui", "submodules")
+"""Keys with one value, which is set."""
 _PLAIN = re.compile(r"[A-Za-z][\w.+-]*")
 """Text that YAML reads as text without quotes in any position; words such as ``yes`` are quoted all the same."""
-_WORDS = {"yes", "no", "on", "off", "true", "false", "null", "y", "n"}
+_WORDS = {"yes", "no", "on", "off", "null", "y", "n"}
 
 
-def added(text: str | None, wanted: Wanted[str, tuple[str, ...]], *, file: str = "roslab.yaml") -> str:
-    """Return a roslab.yaml with these entries added; it is unchanged if it has them all.
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Entry:
+    """One value for one key."""
+
+    key: str
+    """One of ``LISTS``, ``WORDS`` and ``SINGLE``."""
+    value: str
+    instead: str = ""
+    """The value of the list that it replaces."""
+    note: str = ""
+    """What a comment behind a new line says: who needs it."""
+
+
+def added(text: str | None, entries: Iterable[Entry], *, file: str = "roslab.yaml") -> str:
+    """Return a roslab.yaml with these values; it is unchanged if it has them all.
 
     ``text`` is ``None`` if there is no file yet. Raises ``ConfigurationError`` if the file is wrong, in an old format,
     or in a layout that cannot be edited reliably.
@@ -29,56 +48,124 @@ def added(text: str | None, wanted: Wanted[str, tuple[str, ...]], *, file: str =
     base = "format: 3\n" if text is None or not text.strip() else text
     config = read(base, file=file)
     if config.generation != "today":
+        hint = "run `roslab migrate --write` first"
         raise ConfigurationError(
-            Problem(
-                message="entries are added to a file of today's format only",
-                hint="run `roslab migrate --write` first",
-                origin=Place(file=file),
-            )
+            Problem(message="values are added to a file of today's format only", hint=hint, origin=Place(file=file))
         )
-    missing = {key: _missing(config, key, values) for key, values in wanted.items() if key in KEYS}
+    missing = [entry for entry in entries if not has(config, entry)]
     edits = Edits(text=base)
     root = mapping_of(parse(base, file=file))
-    new = [_entry(edits, root, key, values) for key, values in missing.items() if values]
+    groups: dict[str, list[Entry]] = {}
+    for entry in missing:
+        groups.setdefault(entry.key.partition(".")[0], []).append(entry)
+    new = [_group(edits, root, key, group) for key, group in groups.items()]
     result = edits.applied()
     if lines := "".join(new):
         result = f"{result}{'' if result.endswith(chr(10)) else chr(10)}{lines}"
-    after = read(result, file=file)
-    if any(_missing(after, key, values) for key, values in missing.items()):
+    if not all(has(read(result, file=file), entry) for entry in missing):
+        hint = "add them by hand"
         raise ConfigurationError(
-            Problem(
-                message="the entries do not fit the layout of this file",
-                hint="add them by hand",
-                origin=Place(file=file),
-            )
+            Problem(message="the values do not fit the layout of this file", hint=hint, origin=Place(file=file))
         )
     return result
 
 
-def _missing(config: Config, key: str, values: tuple[str, ...]) -> tuple[str, ...]:
-    has: tuple[str, ...] = getattr(config, key)
-    return tuple(value for value in values if value not in has)
+def has(config: Config, entry: Entry) -> bool:
+    """Return whether a configuration has a value."""
+    top, _, key = entry.key.partition(".")
+    said = getattr(config.base, key) if key else getattr(config, top)
+    if entry.key in LISTS:
+        return entry.value in said and not (entry.instead and entry.instead in said)
+    if entry.key in WORDS:
+        return entry.value in said.split()
+    return said is not None and str(said).lower() == entry.value
 
 
-def _entry(edits: Edits, root: Mapping, key: str, values: tuple[str, ...]) -> str:
+def _group(edits: Edits, root: Mapping, key: str, entries: list[Entry]) -> str:
     """Add values to an existing key, or return the lines of a key that does not exist yet."""
     node = root.get(key)
+    if "." in entries[0].key:
+        return _nested(edits, node, key, entries)
+    if key in LISTS:
+        return _list(edits, node, key, _replaced(edits, node, entries))
+    if node is None:
+        value = " ".join(entry.value for entry in entries) if key in WORDS else entries[-1].value
+        return f"{key}: {_word(value)}{_note(entries[-1].note)}\n"
+    old = f"{node.text} " if key in WORDS and is_text(node) and hasattr(node, "text") else ""
+    value = old + " ".join(entry.value for entry in entries) if key in WORDS else entries[-1].value
+    edits.put(node.start.index, node.end.index, _word(value))
+    return ""
+
+
+def _nested(edits: Edits, node: Node | None, key: str, entries: list[Entry]) -> str:
+    """Set keys of a mapping such as ``base``."""
+    pairs = [(entry.key.partition(".")[2], entry) for entry in entries]
+    if not isinstance(node, Mapping) or not node.pairs:
+        lines = "".join(f"  {name}: {_word(entry.value)}{_note(entry.note)}\n" for name, entry in pairs)
+        if node is not None:
+            edits.put(node.start.index, node.end.index, "\n" + lines.rstrip("\n"))
+            return ""
+        return f"{key}:\n{lines}"
+    for name, entry in pairs:
+        old = node.get(name)
+        if old is not None:
+            edits.put(old.start.index, old.end.index, _word(entry.value))
+            continue
+        last = node.pairs[-1][1].end.index
+        if node.flow:
+            edits.put(last, last, f", {name}: {_word(entry.value)}")
+        else:
+            at = _line_end(edits.text, last)
+            indent = " " * (node.pairs[0][0].start.column - 1)
+            edits.put(at, at, f"\n{indent}{name}: {_word(entry.value)}{_note(entry.note)}")
+    return ""
+
+
+def _replaced(edits: Edits, node: Node | None, entries: list[Entry]) -> list[Entry]:
+    """Replace the values that are to be replaced; return the entries that are still to be added."""
+    left = []
+    for entry in entries:
+        items = node.items if isinstance(node, Sequence) else (node,) if node is not None else ()
+        word = re.compile(rf"(?<![\w.+-]){re.escape(entry.instead)}(?![\w.+=-])") if entry.instead else None
+        for item in items if word else ():
+            old = edits.text[item.start.index : item.end.index]
+            new = word.sub(lambda _, value=entry.value: value, old) if word else old  # type: ignore[misc]
+            if new != old:
+                edits.put(item.start.index, item.end.index, new)
+                break
+        else:
+            left.append(entry)
+    return left
+
+
+def _list(edits: Edits, node: Node | None, key: str, entries: list[Entry]) -> str:
+    values = [_word(entry.value) for entry in entries]
+    if not values:
+        return ""
     if isinstance(node, Sequence) and node.items and node.flow:
         at = node.items[-1].end.index
-        edits.put(at, at, "".join(f", {_word(value)}" for value in values))
+        edits.put(at, at, "".join(f", {value}" for value in values))
     elif isinstance(node, Sequence) and node.items:
-        end = edits.text.find("\n", node.items[-1].end.index)
-        at = len(edits.text) if end < 0 else end
+        at = _line_end(edits.text, node.items[-1].end.index)
         indent = " " * (node.start.column - 1)
-        edits.put(at, at, "".join(f"\n{indent}- {_word(value)}" for value in values))
+        edits.put(at, at, "".join(f"\n{indent}- {_word(one.value)}{_note(one.note)}" for one in entries))
     elif node is not None and is_text(node):
         old = edits.text[node.start.index : node.end.index]
-        edits.put(node.start.index, node.end.index, f"[{', '.join([old, *map(_word, values)])}]")
+        edits.put(node.start.index, node.end.index, f"[{', '.join([old, *values])}]")
     elif node is not None:
-        edits.put(node.start.index, node.end.index, flow_list(values))
+        edits.put(node.start.index, node.end.index, f"[{', '.join(values)}]")
     else:
-        return f"{key}:\n" + "".join(f"  - {_word(value)}\n" for value in values)
+        return f"{key}:\n" + "".join(f"  - {_word(entry.value)}{_note(entry.note)}\n" for entry in entries)
     return ""
+
+
+def _line_end(text: str, at: int) -> int:
+    end = text.find("\n", at)
+    return len(text) if end < 0 else end - (text[end - 1] == "\r")
+
+
+def _note(note: str) -> str:
+    return f"  # {printable(' '.join(note.split()))}" if note else ""
 
 
 def _word(value: str) -> str:

@@ -27,6 +27,14 @@ KEPT = 20_000
 Say = Callable[[str], None]
 
 
+class FailedBuild(BuildError):  # noqa: N818 - its base says that it is an error
+    """A build or a proof that failed, with the end of its log."""
+
+    def __init__(self, *problems: Problem, log: str) -> None:
+        super().__init__(*problems)
+        self.log = log
+
+
 def say(text: str) -> None:
     """Print progress; the default wherever progress is reported here."""
     print(text, file=sys.stderr, flush=True)
@@ -82,7 +90,7 @@ def build(job: Build, *, environment: Mapping[str, str] | None = None) -> tuple[
     """Build an image, its progress on standard error as docker prints it; return its digest and the end of the log.
 
     The digest is that of the index if several platforms were pushed, that of the image if it was loaded.
-    Raises ``BuildError`` with the step that failed.
+    Raises ``FailedBuild`` with the step that failed.
     """
     with tempfile.TemporaryDirectory() as folder:
         metadata = Path(folder) / "metadata.json"
@@ -132,7 +140,7 @@ def _stream(command: Sequence[str], environment: Mapping[str, str] | None) -> st
             raise
     log = "".join(lines)
     if process.returncode:
-        raise BuildError(*why(log))
+        raise FailedBuild(*why(log), log=log)
     return log
 
 

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import IO
 
 from roslab.explain import matter, names, signatures, steps
 from roslab.explain.reading import Line, lines
 from roslab.explain.steps import Log, Step
 
+KEPT = 60_000
+"""Characters of a failed step that are kept for its repair."""
 _IMAGE = re.compile(r" ---> ([0-9a-f]{12})$")
 
 
@@ -38,6 +40,8 @@ class Explanation:
     """The lines that matter, if no known failure was found."""
     reproduce: str = ""
     """The command that starts a shell where the step failed."""
+    log: str = field(default="", repr=False)
+    """The end of the step's lines, for repairs that need more than the captured names."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -48,15 +52,6 @@ class Answer:
     lines: int
     succeeded: bool
     """Whether the log is that of a successful build."""
-
-    @property
-    def repair(self) -> dict[str, tuple[str, ...]]:
-        """The values to add to each key of roslab.yaml, from the causes that are certain."""
-        found: dict[str, dict[str, None]] = {}
-        for explanation in self.explanations:
-            for key, values in explanation.repair if explanation.certainty == "certain" else ():
-                found.setdefault(key, {}).update(dict.fromkeys(values))
-        return {key: tuple(values) for key, values in found.items()}
 
 
 def explain(stream: IO[bytes]) -> Answer:
@@ -91,6 +86,7 @@ def _step(log: Log, step: Step, image: names.Image) -> Explanation:
             error_line=first.number if first else 0,
             lines=tuple(_short(one) for one in matter.telling(said)),
             reproduce=reproduce(log, step),
+            log=_kept(step),
         )
     return Explanation(
         step=step.command,
@@ -106,7 +102,12 @@ def _step(log: Log, step: Step, image: names.Image) -> Explanation:
         certainty=found.failure.certainty,
         repair=_repair(found),
         reproduce=reproduce(log, step),
+        log=_kept(step),
     )
+
+
+def _kept(step: Step) -> str:
+    return "\n".join(line.text for line in step.lines[-2000:])[-KEPT:]
 
 
 def _repair(found: signatures.Match) -> tuple[tuple[str, tuple[str, ...]], ...]:

@@ -5,20 +5,24 @@ from __future__ import annotations
 import json
 import shlex
 from dataclasses import asdict
+from typing import Any
 
 from roslab.errors import Problem
 from roslab.explain.answer import Answer, Explanation
 
 
-def text(answer: Answer) -> str:
-    """Return an answer as text: for each failed step its place, line, cause and fix."""
+def text(answer: Answer, *, lines: bool = True) -> str:
+    """Return an answer as text: for each failed step its place, line, cause and fix.
+
+    ``lines`` adds what the log alone says about roslab.yaml and about an author's own Dockerfile.
+    """
     if not answer.explanations:
         what = "The build in this log went well." if answer.succeeded else "This log holds nothing that failed."
         return f"{what}\n"
-    return "\n".join(_one(found) for found in answer.explanations)
+    return "\n".join(_one(found, lines=lines) for found in answer.explanations)
 
 
-def _one(found: Explanation) -> str:
+def _one(found: Explanation, *, lines: bool) -> str:
     out: list[str] = []
     if found.step:
         place = f" ({found.file}:{found.line})" if found.file else ""
@@ -29,8 +33,10 @@ def _one(found: Explanation) -> str:
         out.append(f"error: {found.error}{number}")
         likely = "" if found.certainty == "certain" else " (likely)"
         out += [f"cause{likely}: {found.cause}", f"fix:   {found.fix}"]
-        out += [f"roslab.yaml: {key}: [{', '.join(values)}]" for key, values in found.repair]
-        out += [f"or in a Dockerfile of your own, before this step: {line}" for line in dockerfile_lines(found)]
+        out += [f"roslab.yaml: {key}: [{', '.join(values)}]" for key, values in found.repair if lines]
+        out += [
+            f"or in a Dockerfile of your own, before this step: {line}" for line in dockerfile_lines(found) if lines
+        ]
     else:
         out.append("no known cause. The lines that matter:")
         out += [f"  {line}" for line in found.lines] or ["  (none: the log is empty or cut off)"]
@@ -72,13 +78,18 @@ def _lines(found: Explanation) -> str:
     return f" In roslab.yaml: `{lines}`." if lines else ""
 
 
-def as_json(answer: Answer) -> str:
-    """Return an answer as JSON: ``{"succeeded", "lines", "explanations": [{"id", "cause", "fix", …}]}``."""
-    explanations = [
-        {**asdict(found), "names": dict(found.names), "repair": {key: list(values) for key, values in found.repair}}
-        for found in answer.explanations
-    ]
-    whole = {"succeeded": answer.succeeded, "lines": answer.lines, "explanations": explanations}
+def as_json(answer: Answer, repair: dict[str, Any] | None = None) -> str:
+    """Return an answer as JSON: ``{"succeeded", "lines", "explanations": [{"id", "cause", "fix", …}]}``.
+
+    ``repair`` is what the repository and the log together say about roslab.yaml; the key is missing without it.
+    """
+    explanations = []
+    for found in answer.explanations:
+        said = {**asdict(found), "names": dict(found.names)}
+        said |= {"repair": {key: list(values) for key, values in found.repair}}
+        explanations.append({key: value for key, value in said.items() if key != "log"})
+    whole: dict[str, Any] = {"succeeded": answer.succeeded, "lines": answer.lines, "explanations": explanations}
+    whole |= {"repair": repair} if repair is not None else {}
     return json.dumps(whole, indent=2, ensure_ascii=False) + "\n"
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from roslab.config.addition import added
+from roslab.config.addition import Entry, added
 from roslab.config.reader import read
 from roslab.errors import ConfigurationError
 
-WANTED = {"apt": ("libglog-dev",)}
+WANTED = (Entry(key="apt", value="libglog-dev"),)
 
 
 @pytest.mark.parametrize(
@@ -24,7 +24,7 @@ WANTED = {"apt": ("libglog-dev",)}
         ),
         ("format: 3\napt:\n- git", "format: 3\napt:\n- git\n- libglog-dev"),
         ("format: 3\napt: git\n", "format: 3\napt: [git, libglog-dev]\n"),
-        ("format: 3\napt: []\n", 'format: 3\napt: ["libglog-dev"]\n'),
+        ("format: 3\napt: []\n", "format: 3\napt: [libglog-dev]\n"),
         ("format: 3\napt: [git, libglog-dev]\n", "format: 3\napt: [git, libglog-dev]\n"),
     ],
 )
@@ -36,7 +36,8 @@ def test_an_entry_is_added_where_its_key_stands(before: str | None, after: str) 
 
 
 def test_what_yaml_would_take_for_something_else_is_quoted() -> None:
-    result = added(None, {"pip": ("numpy<2", "yes"), "build_args": ("-j1",)})
+    wanted = (("pip", "numpy<2"), ("pip", "yes"), ("build_args", "-j1"))
+    result = added(None, [Entry(key=key, value=value) for key, value in wanted])
     assert read(result).pip == ("numpy<2", "yes")
     assert read(result).build_args == ("-j1",)
 
@@ -49,3 +50,57 @@ def test_an_old_file_is_migrated_first() -> None:
 def test_a_wrong_file_is_not_written_to() -> None:
     with pytest.raises(ConfigurationError):
         added("format: 3\nappt: [git]\n", WANTED)
+
+
+@pytest.mark.parametrize(
+    ("before", "entry", "after"),
+    [
+        (None, Entry(key="base.python", value="3.10"), 'format: 3\nbase:\n  python: "3.10"\n'),
+        (
+            "format: 3\nbase:\n  ubuntu: jammy # LTS\nname: robot\n",
+            Entry(key="base.python", value="3.9"),
+            'format: 3\nbase:\n  ubuntu: jammy # LTS\n  python: "3.9"\nname: robot\n',
+        ),
+        (
+            "format: 3\nbase: {ubuntu: jammy}\n",
+            Entry(key="base.python", value="3.9"),
+            'format: 3\nbase: {ubuntu: jammy, python: "3.9"}\n',
+        ),
+        (
+            "format: 3\nbase:\n  python: '3.12' # new\n",
+            Entry(key="base.python", value="3.9"),
+            'format: 3\nbase:\n  python: "3.9" # new\n',
+        ),
+        ("format: 3\n", Entry(key="gui", value="true"), "format: 3\ngui: true\n"),
+        ("format: 3\ngui: false\n", Entry(key="gui", value="true"), "format: 3\ngui: true\n"),
+        (
+            "format: 3\ncmake_options: -DA=1\n",
+            Entry(key="cmake_options", value="-DB=2"),
+            'format: 3\ncmake_options: "-DA=1 -DB=2"\n',
+        ),
+        (
+            "format: 3\napt:\n  - git libold # both\n",
+            Entry(key="apt", value="libnew", instead="libold"),
+            "format: 3\napt:\n  - git libnew # both\n",
+        ),
+        (
+            "format: 3\napt: [libold=1.2-3, git]\n",
+            Entry(key="apt", value="libold", instead="libold=1.2-3"),
+            "format: 3\napt: [libold, git]\n",
+        ),
+        (
+            "format: 3\r\napt:\r\n  - git\r\n",
+            Entry(key="apt", value="libglog-dev", note="glog/logging.h\n(a.cpp:3)"),
+            "format: 3\r\napt:\r\n  - git\n  - libglog-dev  # glog/logging.h (a.cpp:3)\r\n",
+        ),
+    ],
+)
+def test_a_value_is_written_as_its_key_demands(before: str | None, entry: Entry, after: str) -> None:
+    result = added(before, [entry])
+    assert result == after
+    assert added(result, [entry]) == result
+
+
+def test_a_note_cannot_begin_a_line_of_its_own() -> None:
+    entry = Entry(key="apt", value="git", note="a\nname: other\x1b[31m")
+    assert read(added(None, [entry])).name is None

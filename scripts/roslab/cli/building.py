@@ -1,0 +1,124 @@
+"""``roslab build``: builds an image, proves it, and only then names it; with ``--repair`` again after each repair."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+from roslab.cli.planning import planned_of, warnings_of
+from roslab.cli.repairing import Repairing
+from roslab.engine import docker as engine
+from roslab.errors import ConfigurationError, Problem
+from roslab.pipeline import Planned, write_dockerfile
+from roslab.values.origin import Option
+
+
+def build(options: argparse.Namespace) -> int:
+    """Build, prove, and only then name the image; if anything fails, the name stays with the old image."""
+    arguments = tuple(_argument(text) for text in options.build_arg)
+    if options.write and not options.repair:
+        raise ConfigurationError(
+            Problem(message="writes what --repair adds, and was given without it", origin=Option(name="--write"))
+        )
+    planned = planned_of(options)
+    sys.stderr.write(warnings_of(planned))
+    version = engine.check()
+    engine.say(f"roslab: Docker {version}")
+    if not options.repair:
+        _once(options, planned, arguments)
+        return 0
+    repairing = Repairing(options=options, planned=planned)
+    while error := _failure(options, repairing, arguments):
+        repairing.repair(error)
+    repairing.finish()
+    return 0
+
+
+def _failure(
+    options: argparse.Namespace, repairing: Repairing, arguments: tuple[tuple[str, str], ...]
+) -> engine.FailedBuild | None:
+    """Return how one round failed, ``None`` if it did not."""
+    try:
+        _once(options, repairing.planned, arguments, again=repairing.rounds > 0)
+    except engine.FailedBuild as error:
+        return error
+    return None
+
+
+def _once(
+    options: argparse.Namespace, planned: Planned, arguments: tuple[tuple[str, str], ...], *, again: bool = False
+) -> None:
+    """Build, prove and name once; ``again`` takes every layer that an earlier round built from the cache.
+
+    Raises ``FailedBuild`` if the build or a proof fails.
+    """
+    screenshots = _screenshots(options, planned)
+    platforms = planned.plan.platforms if options.platforms else (engine.native_platform(),)
+    authored = planned.plan.author_dockerfile
+    name = f"{planned.plan.name}:{options.tag}"
+    engine.say(f"roslab: building {name} for {', '.join(platforms)}")
+    candidates: list[str] = []
+    try:
+        with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
+            dockerfile, context = write_dockerfile(planned, Path(folder))
+            for platform in platforms:
+                candidates.append(f"{planned.plan.name}:roslab-candidate-{os.getpid()}-{platform.replace('/', '-')}")
+                job = engine.Build(
+                    context=context,
+                    dockerfile=dockerfile,
+                    platforms=(platform,),
+                    tags=(candidates[-1],),
+                    labels=engine.commit_labels(planned.repository.root),
+                    arguments=(*(authored.args if authored else ()), *arguments),
+                    target=authored.target if authored else None,
+                    extra=("--no-cache",) if options.no_cache and not again else (),
+                )
+                engine.build(job)
+                if not options.no_proof:
+                    _prove(planned, candidates[-1], platform, name, screenshots)
+        for candidate, platform in zip(candidates, platforms, strict=True):
+            # The engine's image store may hold only one platform per name, so each of several gets its own name
+            suffix = f"-{platform.rpartition('/')[2]}" if len(platforms) > 1 else ""
+            engine.name_image(candidate, name + suffix)
+            sys.stdout.write(f"{name}{suffix}\n")
+    finally:
+        for candidate in candidates:
+            engine.remove_image(candidate)
+
+
+def _screenshots(options: argparse.Namespace, planned: Planned) -> Path:
+    """Return the folder for screenshots, which is created if one will be kept.
+
+    By default it is in the user's cache: in the repository it would change the next image that is built.
+    """
+    cache = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    folder = Path(options.screenshots or Path(os.path.expanduser(cache), "roslab", planned.plan.name))  # noqa: PTH111
+    if options.screenshots or (not options.no_proof and any(proof.display for proof in planned.plan.proofs)):
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            message = f"no folder {folder} can be made for screenshots: {error.strerror}"
+            raise ConfigurationError(Problem(message=message, hint="name another with --screenshots DIR")) from None
+    return folder.absolute()
+
+
+def _prove(planned: Planned, candidate: str, platform: str, name: str, screenshots: Path) -> None:
+    from roslab.prove import containers  # noqa: PLC0415
+
+    for outcome in containers.prove(
+        candidate, platform, planned.plan.proofs, limits=planned.plan.proof_limits, screenshots=screenshots
+    ):
+        if not outcome.passed:
+            message = f"{name} was not named: on {platform}, {outcome.proof.name}: {outcome.summary}"
+            hint = "its output stands above; correct it, or name another `test` in roslab.yaml"
+            raise engine.FailedBuild(Problem(message=message, hint=hint), log=outcome.output)
+
+
+def _argument(text: str) -> tuple[str, str]:
+    name, separator, value = text.partition("=")
+    if not separator or not name.isidentifier():
+        raise ConfigurationError(Problem(message=f"{text!r} is not NAME=VALUE", origin=Option(name="--build-arg")))
+    return name, value

@@ -1,0 +1,76 @@
+"""``roslab explain``: why a build failed, from its log, and with the repository what to write where."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from roslab.cli.planning import planned_of
+from roslab.cli.repairing import configuration, given
+from roslab.config.addition import added
+from roslab.errors import BuildError, ConfigurationError, Problem
+from roslab.explain import words
+from roslab.explain.answer import Answer
+from roslab.explain.answer import explain as explained
+from roslab.files import write_configuration
+from roslab.pipeline import Planned
+from roslab.repair import dockerfile
+from roslab.repair import words as repair_words
+from roslab.repair.change import Repair
+from roslab.repair.repair import repair
+
+
+def explain(options: argparse.Namespace) -> int:
+    """Print why a build failed; with a repository also who asked for what was missing, and the lines to paste."""
+    try:
+        if options.log == "-":
+            answer = explained(sys.stdin.buffer)
+        else:
+            with Path(options.log).open("rb") as stream:
+                answer = explained(stream)
+    except OSError as error:
+        raise ConfigurationError(Problem(message=f"cannot read {options.log}: {error.strerror}")) from None
+    planned = planned_of(options) if options.path or options.apply else None
+    found = repair(answer, given(planned)) if planned else Repair()
+    if options.format == "json":
+        sys.stdout.write(words.as_json(answer, repair_words.data(found) if planned else None))
+    else:
+        sys.stdout.write(words.text(answer, lines=planned is None))
+        if planned:
+            sys.stdout.write(_lines(answer, planned, found, options))
+    if options.apply and planned:
+        _apply(options, planned, found)
+    return 0
+
+
+def _lines(answer: Answer, planned: Planned, found: Repair, options: argparse.Namespace) -> str:
+    """Return the lines to paste, or the diff of the author's own Dockerfile."""
+    if author := planned.plan.author_dockerfile:
+        text = planned.repository.read(author.dockerfile)
+        changes = dockerfile.edits(answer, text)
+        return dockerfile.diff(author.dockerfile, text, changes) if changes else ""
+    return repair_words.text(found, begin=configuration(planned, options)[1] is None)
+
+
+def _apply(options: argparse.Namespace, planned: Planned, found: Repair) -> None:
+    """Show what the certain changes of a repair change in roslab.yaml, and write it."""
+    changes = found.certain
+    if author := planned.plan.author_dockerfile:
+        raise BuildError(
+            Problem(
+                message=f"nothing is written: the image is built from {author.dockerfile}, not from lists",
+                hint="make the repair there: what is certain stands above as a diff",
+            )
+        )
+    if not changes.changes:
+        why = "; ".join(reason for _, reason in found.refused)
+        raise BuildError(
+            Problem(
+                message="nothing is written: no cause here has lines for roslab.yaml that are certain", hint=why or None
+            )
+        )
+    file, old = configuration(planned, options)
+    new = added(old, changes.entries, file=file)
+    sys.stderr.write(repair_words.diff(old, changes, file))
+    write_configuration(planned.repository.root / file, old, new)

@@ -1,0 +1,117 @@
+"""``roslab build --repair``: from one failed build to the next, until it succeeds or nothing certain is left to add."""
+
+from __future__ import annotations
+
+import argparse
+import io
+from dataclasses import dataclass, field, replace
+
+from roslab.cli.planning import named, planned_of
+from roslab.config import locate
+from roslab.config.addition import Entry, added
+from roslab.engine.docker import FailedBuild, say
+from roslab.errors import BuildError, Problem
+from roslab.explain.answer import Answer, explain
+from roslab.files import write_configuration
+from roslab.pipeline import Planned
+from roslab.repair import dockerfile, words
+from roslab.repair.change import Change, Given, Repair
+from roslab.repair.repair import repair
+from roslab.repository import fetching
+
+
+def given(planned: Planned) -> Given:
+    """Return what a repair is made from, besides the log."""
+    return Given(
+        plan=planned.plan,
+        evidence=planned.evidence,
+        config=planned.config,
+        files=frozenset(file.path for file in planned.repository.files),
+    )
+
+
+def configuration(planned: Planned, options: argparse.Namespace) -> tuple[str, str | None]:
+    """Return the name of the roslab.yaml that is repaired, and its text, ``None`` if there is none yet."""
+    file = locate.find(planned.repository, named(options))
+    return (file, locate.text(planned.repository, file)) if file else (locate.NAMES[0], None)
+
+
+@dataclass(kw_only=True, slots=True)
+class Repairing:
+    """The rounds of one repaired build; roslab.yaml is changed in memory alone until ``finish``."""
+
+    options: argparse.Namespace
+    planned: Planned
+    rounds: int = 0
+    changes: list[Change] = field(default_factory=list)
+    seen: set[tuple[str, tuple[tuple[str, str], ...]]] = field(default_factory=set)
+
+    def repair(self, error: FailedBuild) -> None:
+        """Plan the next round from what the failed one says.
+
+        Raises ``BuildError`` if the rounds are used up, the same cause is back, or nothing certain can be added.
+        """
+        answer = explain(io.BytesIO(error.log.encode("utf-8", errors="replace")))
+        found = repair(answer, given(self.planned))
+        causes = {(one.id or "", one.names) for one in answer.explanations}
+        if self.rounds >= self.options.repair:
+            self._stop(error, f"{self.rounds} rounds are used up: --repair=N takes more")
+        if causes & self.seen:
+            self._stop(error, "the same cause is back, so what was added does not repair it")
+        if author := self.planned.plan.author_dockerfile:
+            self._stop(error, self._own(answer, author.dockerfile))
+        if not found.certain.changes:
+            maybe = [f"it may need {change}, for {change.asked}" for change in found.changes]
+            self._stop(error, "; ".join(maybe or [why for _, why in found.refused] or ["the log names no cause"]))
+        self.seen |= causes
+        self.rounds += 1
+        for change in found.certain.changes:
+            say(f"roslab: repair {self.rounds} adds {change}, for {change.asked}")
+        self.changes += found.certain.changes
+        if any(change.key == "submodules" for change in found.certain.changes):
+            self._fetch(error)
+        file, old = configuration(self.planned, self.options)
+        self.planned = planned_of(self.options, config_text=added(old, self._entries(), file=file))
+
+    def _entries(self) -> list[Entry]:
+        return [change.entry for change in self.changes]
+
+    def _own(self, answer: Answer, file: str) -> str:
+        """Return the repair of the author's own Dockerfile, which is shown and never written."""
+        text = self.planned.repository.read(file)
+        changes = dockerfile.edits(answer, text)
+        if not changes:
+            return f"the image is built from {file}, and no line is certain to repair it"
+        return f"the image is built from {file}; this repairs it:\n{dockerfile.diff(file, text, changes)}"
+
+    def _fetch(self, error: FailedBuild) -> None:
+        with fetching.git(fetching.Access()) as git:
+            missing = fetching.submodules(git, self.planned.repository.root)
+        if missing:
+            first = missing[0]
+            self._stop(error, f"the submodule {first.path} of {first.url} cannot be fetched: {first.reason}")
+        say("roslab: fetched the submodules")
+
+    def _stop(self, error: FailedBuild, why: str) -> None:
+        """Raise the build's own error with the reason why it is not repaired further."""
+        problem = Problem(message=f"not repaired: {why}")
+        if self.changes:
+            self._tell("tried, and not enough; nothing is written")
+        raise BuildError(*error.problems, problem) from None
+
+    def finish(self) -> None:
+        """Say what was added, and write it where that was asked for."""
+        if not self.changes:
+            return
+        file, old = configuration(self.planned, self.options)
+        if self.options.write:
+            new = added(old, self._entries(), file=file)
+            write_configuration(self.planned.repository.root / file, old, new)
+            self._tell(f"written to {file}")
+        else:
+            self._tell(f"{file} needs these lines; --write writes them")
+
+    def _tell(self, head: str) -> None:
+        file, old = configuration(self.planned, self.options)
+        changed = words.diff(old, replace(Repair(), changes=tuple(self.changes)), file)
+        say(f"roslab: {head}:\n{changed}".rstrip("\n"))

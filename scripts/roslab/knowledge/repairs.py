@@ -1,0 +1,50 @@
+"""What repairs a known failure, in roslab.yaml and in an author's own Dockerfile: ``repairs.toml``.
+
+A repair is one table with the id of a failure (``failures_*.toml``):
+
+==============  ========================================================================================
+``key``         the key of roslab.yaml that answers, ``value`` what is written there, with ``{name}`` of
+                what the failure captured
+``way``         in place of ``value``: the way in which it is worked out from plan and log, see ``repair/ways.py``
+``dockerfile``  instructions to insert before the failed one in an author's own Dockerfile, with ``{name}``
+``find``        regular expression, with ``{name}``, on the failed instruction of such a Dockerfile;
+                ``replace`` is what is written in its place
+``source``      addresses where the fact stands, ``date`` when it was read
+==============  ========================================================================================
+
+The packages that a failure's own ``lookup`` names need no table here.
+"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Repair:
+    """One repair; the fields are the table's."""
+
+    source: str
+    date: str
+    key: str = ""
+    value: str = ""
+    way: str = ""
+    dockerfile: tuple[str, ...] = ()
+    find: str = ""
+    replace: str = ""
+
+
+@cache
+def repairs() -> dict[str, Repair]:
+    """Return the repair of each failure that has one, by the failure's id."""
+    with Path(__file__).with_name("repairs.toml").open("rb") as stream:
+        found = tomllib.load(stream)
+    return {name: Repair(**{**row, "dockerfile": tuple(row.get("dockerfile", ()))}) for name, row in found.items()}

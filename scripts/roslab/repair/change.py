@@ -1,0 +1,79 @@
+"""The values of a repair: each change of roslab.yaml with what it is for and who asked for it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from roslab.config.addition import LISTS, Entry
+from roslab.config.model import Config
+from roslab.evidence.facts import Evidence
+from roslab.plan.plan import Plan
+from roslab.values.origin import Place
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Given:
+    """What a repair is made from, besides the log."""
+
+    plan: Plan
+    evidence: Evidence
+    config: Config
+    files: frozenset[str]
+    """Paths of the repository's files."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Asked:
+    """Who asked for what was missing."""
+
+    what: str
+    """``the header glog/logging.h``."""
+    place: Place | None = None
+
+    def __str__(self) -> str:
+        return f"{self.what} ({self.place})" if self.place else self.what
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Change:
+    """One value for one key of roslab.yaml."""
+
+    key: str
+    value: str
+    instead: str = ""
+    """The value of a list that it replaces."""
+    failure: str
+    """Id of the known failure that it repairs."""
+    certain: bool
+    asked: Asked
+
+    @property
+    def entry(self) -> Entry:
+        """The change as it is written; a line of its own says who asked."""
+        note = f"in place of {self.instead}" if self.instead else f"for {self.asked}"
+        return Entry(key=self.key, value=self.value, instead=self.instead, note=note)
+
+    def __str__(self) -> str:
+        value = f"{self.instead} becomes {self.value}" if self.instead else self.value
+        return f"{self.key}: {value}" if self.key not in LISTS else f"{self.key}: [{value}]"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Repair:
+    """The repair of a failed build."""
+
+    changes: tuple[Change, ...] = ()
+    refused: tuple[tuple[str, str], ...] = ()
+    """Why nothing can be written for a failure: its id (``""`` for an unknown one) and the reason."""
+    places: tuple[Place | None, ...] = ()
+    """For each explanation of the answer, the place in the repository that asked for what failed."""
+
+    @property
+    def certain(self) -> Repair:
+        """The same repair, with its certain changes alone."""
+        return replace(self, changes=tuple(change for change in self.changes if change.certain))
+
+    @property
+    def entries(self) -> tuple[Entry, ...]:
+        """The changes as they are written."""
+        return tuple(change.entry for change in self.changes)

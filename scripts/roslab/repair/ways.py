@@ -1,0 +1,168 @@
+"""Ways to work out a value of roslab.yaml from plan and log, named by ``way`` in ``knowledge/repairs.toml``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from roslab.decide.python.pythons import PREFERRED
+from roslab.explain.answer import Explanation
+from roslab.knowledge.released import released
+from roslab.repair.change import Given
+from roslab.values.specifier import admits, specifiers
+
+_ALIASES = ("float", "int", "bool", "object", "str", "complex", "long", "unicode")
+"""Names that NumPy 1.24 removed: https://numpy.org/doc/stable/release/1.24.0-notes.html"""
+_PIN = re.compile(r"==\s*([\w.!+]{1,60})$")
+_SERIAL = {
+    "catkin_make": ("-j1",),
+    "cmake": ("-j1",),
+    "catkin_tools": ("-j1", "-p1"),
+    "colcon": ("--executor", "sequential"),
+}
+"""Arguments of each build tool that compile one thing at a time."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Worked:
+    """The values that were worked out, or why there are none."""
+
+    values: tuple[str, ...] = ()
+    instead: str = ""
+    certain: bool = True
+    why: str = ""
+
+
+Way = Callable[[Explanation, Given], Worked]
+
+
+def python(found: Explanation, given: Given) -> Worked:
+    """Take a Python that what pip refused can run with."""
+    names = dict(found.names)
+    if given.plan.ros_distro:
+        return Worked(why=f"the Python of ROS {given.plan.ros_distro} cannot be exchanged: take another release of it")
+    needs = names.get("needs", "") or _required(names, found.log)
+    needs = f">={needs}" if needs[:1].isdigit() else needs
+    allowed = specifiers(needs) if needs else None
+    if allowed is None:
+        return Worked(why="the log does not say which Python it needs")
+    tried = [version for version in (given.plan.python.version, names.get("python")) if version]
+    fitting = [each for each in PREFERRED if admits(allowed, each) and not any(_is(now, each) for now in tried)]
+    if not fitting:
+        return Worked(why=f"no Python is {needs} and another than {' or '.join(tried)}")
+    return Worked(values=(fitting[0],))
+
+
+def _is(version: str, python: str) -> bool:
+    return f"{version}.".startswith(f"{python}.")
+
+
+def _required(names: Mapping[str, str], log: str) -> str:
+    """Return the Pythons of the pinned release among those that pip ignored."""
+    pin = _PIN.search(names.get("version", ""))
+    if pin is None:
+        return ""
+    said = re.search(rf"(?:: |; ){re.escape(pin[1])} Requires-Python ([^;\n]{{1,80}})", log)
+    return said[1].strip() if said else ""
+
+
+def numpy(found: Explanation, _: Given) -> Worked:
+    """Keep NumPy below the release that removed what is used."""
+    symbol = dict(found.names).get("symbol", "")
+    return Worked(values=("numpy<1.24" if symbol in _ALIASES else "numpy<2",))
+
+
+def jobs(_: Explanation, given: Given) -> Worked:
+    """Compile one thing at a time."""
+    values = _SERIAL.get(given.plan.build_tool, ())
+    return Worked(values=values, why="" if values else f"{given.plan.build_tool} takes no number of jobs")
+
+
+def cmake(found: Explanation, _: Given) -> Worked:
+    """Install the CMake that the project asks for."""
+    needs = dict(found.names).get("needs", "").strip(".").split(".")
+    return Worked(values=(".".join([*needs, "0", "0"][:3]),))
+
+
+def standard(found: Explanation, _: Given) -> Worked:
+    """Compile with the C++ standard that a library asks for."""
+    said = dict(found.names).get("standard", "")
+    return Worked(values=(f"-DCMAKE_CXX_STANDARD={said}",)) if said.isdigit() else Worked(why="the compiler is too old")
+
+
+def key(found: Explanation, given: Given) -> Worked:
+    """Skip the rosdep key whose package apt does not have."""
+    packages = dict(found.names).get("package", "").replace(",", " ").split()
+    keys = [
+        known
+        for known in given.plan.rosdep_keys
+        if any(each == known or each.endswith(f"-{known.replace('_', '-')}") for each in packages)
+    ]
+    return Worked(values=tuple(keys), why="" if keys else f"no key of a package.xml stands for {', '.join(packages)}")
+
+
+def ros(found: Explanation, given: Given) -> Worked:
+    """Install a ROS package that the distribution released."""
+    distro = given.plan.ros_distro
+    wanted = [word for word in dict(found.names).get("name", "").split(", ") if word]
+    known = [word for word in wanted if distro and word in released(distro)]
+    if distro and known:
+        return Worked(values=tuple(f"ros-{distro}-{word.replace('_', '-')}" for word in known))
+    missing = ", ".join(wanted)
+    return Worked(why=f"{missing} is not released for ROS {distro}: name its repository under `source`")
+
+
+def renamed(found: Explanation, given: Given) -> Worked:
+    """Replace a package of roslab.yaml that has another name today."""
+    names = dict(found.names)
+    old = [word for word in names.get("name", "").split(", ") if _asks(given, word)]
+    new = [word for word in names.get("package", "").split(", ") if word]
+    if len(old) == 1 and len(new) == 1:
+        return Worked(values=(new[0],), instead=old[0])
+    return Worked(why="roslab.yaml does not name it once")
+
+
+def unpinned(found: Explanation, given: Given) -> Worked:
+    """Take whatever version of a package of roslab.yaml there is."""
+    names = dict(found.names)
+    name = names.get("name", "")
+    pinned = f"{name}={names.get('version', '')}"
+    if any(pinned in value.split() for value in given.config.apt):
+        return Worked(values=(name,), instead=pinned)
+    return Worked(why=f"roslab.yaml does not pin {name}")
+
+
+def _asks(given: Given, word: str) -> bool:
+    return bool(word) and any(word in value.split() for value in given.config.apt)
+
+
+def submodules(found: Explanation, given: Given) -> Worked:
+    """Demand the submodules, if the failed step wants a file of one that is not checked out."""
+    names = dict(found.names)
+    said = [names[name] for name in ("path", "file", "header", "name") if names.get(name)]
+    for path in absent(given):
+        folder = path.rpartition("/")[2]
+        if any(path in word or folder in word.split("/") for word in (*said, *re.findall(r"[\w./-]+", found.error))):
+            return Worked(values=("required",))
+    return Worked(why="no submodule is missing")
+
+
+def absent(given: Given) -> tuple[str, ...]:
+    """Return the paths of the submodules that are not checked out."""
+    paths = [source.name for source in given.evidence.sources if source.kind == "submodule"]
+    return tuple(path for path in paths if not any(file.startswith(f"{path}/") for file in given.files))
+
+
+WAYS: Mapping[str, Way] = {
+    "cmake": cmake,
+    "jobs": jobs,
+    "key": key,
+    "numpy": numpy,
+    "python": python,
+    "released": ros,
+    "renamed": renamed,
+    "standard": standard,
+    "submodules": submodules,
+    "unpinned": unpinned,
+}

@@ -1,0 +1,233 @@
+"""What plan and log together say about roslab.yaml: the value, who asked for it, and where nothing answers."""
+
+from __future__ import annotations
+
+import io
+import subprocess
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from roslab.cli.repairing import given
+from roslab.explain.answer import explain
+from roslab.knowledge.failures import failures
+from roslab.knowledge.repairs import repairs
+from roslab.pipeline import plan_repository
+from roslab.repair import dockerfile
+from roslab.repair.change import Repair
+from roslab.repair.repair import repair
+from roslab.repair.ways import WAYS
+
+PACKAGE = """\
+<package format="2"><name>robot</name><version>1.0.0</version><description>d</description>
+<maintainer email="a@example.org">a</maintainer><license>MIT</license><buildtool_depend>catkin</buildtool_depend>
+<depend>robot_arm</depend></package>
+"""
+ROS = {"package.xml": PACKAGE, "CMakeLists.txt": "project(robot)\n", "roslab.yaml": "format: 3\nbase: {ros: noetic}\n"}
+CPP = {"CMakeLists.txt": "project(robot CXX)\nadd_executable(robot main.cpp)\n", "main.cpp": "int main() {}\n"}
+PYTHON = {"requirements.txt": "numpy\nexample==2.6.0\n", "main.py": "import numpy\nnumpy.array\nprint(1)\n"}
+
+
+def made(folder: Path, files: Mapping[str, str]) -> Path:
+    for name, text in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    return folder
+
+
+def log(command: str, *lines: str) -> str:
+    said = "".join(f"#6 1.2 {line}\n" for line in lines)
+    return f'#6 [3/4] RUN {command}\n{said}#6 ERROR: process "/bin/sh -c {command}" did not complete: exit code: 1\n'
+
+
+def repaired(folder: Path, text: str) -> Repair:
+    return repair(explain(io.BytesIO(text.encode())), given(plan_repository(folder)))
+
+
+REFUSED = "ERROR: Package 'example' requires a different Python: 3.10.12 not in '<3.10,>=3.7'"
+IGNORED = (
+    "ERROR: Ignored the following versions that require a different python version: "
+    "1.0.0 Requires-Python <3.8; 2.6.0 Requires-Python <3.9,>=3.6"
+)
+
+
+@pytest.mark.parametrize(
+    ("files", "text", "wanted", "place"),
+    [
+        (
+            {**CPP, "main.cpp": "#include <glog/logging.h>\nint main() {}\n"},
+            log("make", "/home/jovyan/robot/main.cpp:1:10: fatal error: glog/logging.h: No such file or directory"),
+            ["apt: [libgoogle-glog-dev]"],
+            "main.cpp:1",
+        ),
+        (
+            {**CPP, "CMakeLists.txt": CPP["CMakeLists.txt"] + "find_package(Ceres REQUIRED)\n"},
+            log("cmake .", "CMake Error at CMakeLists.txt:3 (find_package):", 'By not providing "FindCeres.cmake" in'),
+            ["apt: [libceres-dev]"],
+            "CMakeLists.txt:3",
+        ),
+        (PYTHON, log("pip install .", REFUSED), ["base.python: 3.8"], "requirements.txt:2"),
+        (
+            PYTHON,
+            log("pip install -r requirements.txt", IGNORED, "ERROR: No matching distribution found for example==2.6.0"),
+            ["base.python: 3.8"],
+            "requirements.txt:2",
+        ),
+        (
+            PYTHON,
+            log(
+                "python3 main.py",
+                "Traceback (most recent call last):",
+                '  File "/home/jovyan/robot/main.py", line 2, in <module>',
+                "AttributeError: module 'numpy' has no attribute 'float'.",
+            ),
+            ["pip: [numpy<1.24]"],
+            "main.py:2",
+        ),
+        (
+            ROS,
+            log("rosdep install", "apt: Failed to detect successful installation of [ros-noetic-robot-arm]"),
+            ["skip_keys: [robot_arm]"],
+            "package.xml:3",
+        ),
+        (
+            ROS,
+            log(
+                "catkin_make",
+                "Could not find a package configuration file provided by",
+                '  "cv_bridge" with any of the following names: /opt/ros/noetic',
+            ),
+            ["apt: [ros-noetic-cv-bridge]"],
+            None,
+        ),
+        (
+            {**ROS, "roslab.yaml": "format: 3\nbase: {ros: humble}\nbuild: colcon\n"},
+            log("colcon build", "c++: fatal error: Killed signal terminated program cc1plus"),
+            ["build_args: [--executor]", "build_args: [sequential]"],
+            None,
+        ),
+        (
+            {**CPP, "roslab.yaml": "format: 3\napt: [bc=1.06-1]\n"},
+            log("apt-get install bc=1.06-1", "E: Version '1.06-1' for 'bc' was not found"),
+            ["apt: [bc=1.06-1 becomes bc]"],
+            "roslab.yaml:2:7",
+        ),
+        (
+            {**CPP, "roslab.yaml": "format: 3\napt:\n  - libeigen2-dev\n"},
+            log("apt-get install libeigen2-dev", "E: Unable to locate package libeigen2-dev"),
+            ["apt: [libeigen2-dev becomes libeigen3-dev]"],
+            "roslab.yaml:3:5",
+        ),
+        (
+            CPP,
+            log("cmake .", "  CMake 3.31 or higher is required.  You are running version 3.22.1"),
+            ["base.cmake_update: 3.31.0"],
+            None,
+        ),
+        (CPP, log("make", "a.hpp:2:2: error: #error requires C++20"), ["cmake_options: -DCMAKE_CXX_STANDARD=20"], None),
+    ],
+)  # fmt: skip
+def test_plan_and_log_give_the_value_and_who_asked(
+    tmp_path: Path, files: Mapping[str, str], text: str, wanted: list[str], place: str | None
+) -> None:
+    found = repaired(made(tmp_path, files), text)
+    assert [str(change) for change in found.changes] == wanted, found
+    assert all(change.certain for change in found.changes)
+    assert str(found.changes[0].asked.place) == str(place), found
+
+
+@pytest.mark.parametrize(
+    ("files", "text", "why"),
+    [
+        (ROS, log("pip install .", REFUSED), "the Python of ROS noetic cannot be exchanged"),
+        (
+            ROS,
+            log(
+                "catkin_make",
+                "Could not find a package configuration file provided by",
+                '  "my_own_msgs" with any of the following names: /opt/ros/noetic',
+            ),
+            "my_own_msgs is not released for ROS noetic",
+        ),
+        (
+            {**CPP, "roslab.yaml": "format: 3\napt: [libgoogle-glog-dev]\n"},
+            log("make", "main.cpp:1:10: fatal error: glog/logging.h: No such file or directory"),
+            "roslab.yaml has libgoogle-glog-dev already",
+        ),
+        (CPP, log("make", "main.cpp:1:1: error: what is this"), "no known cause"),
+    ],
+)
+def test_where_nothing_answers_it_says_why(tmp_path: Path, files: Mapping[str, str], text: str, why: str) -> None:
+    found = repaired(made(tmp_path, files), text)
+    assert found.changes == ()
+    assert why in "".join(reason for _, reason in found.refused)
+
+
+def test_a_submodule_that_is_not_checked_out(tmp_path: Path) -> None:
+    made(tmp_path, CPP)
+    module = '[submodule "maths"]\n\tpath = third_party/maths\n\turl = https://example.org/maths\n'
+    (tmp_path / ".gitmodules").write_text(module)
+    subprocess.run(["git", "init", "--quiet", str(tmp_path)], check=True)
+    said = [
+        "CMake Error at CMakeLists.txt:3 (add_subdirectory):",
+        "  The source directory",
+        "    /home/jovyan/robot/third_party/maths",
+        "  does not contain a CMakeLists.txt file.",
+    ]
+    found = repaired(tmp_path, log("cmake .", *said))
+    assert [str(change) for change in found.changes] == ["submodules: required"]
+    (tmp_path / "third_party" / "maths").mkdir(parents=True)
+    (tmp_path / "third_party" / "maths" / "README").write_text("here")
+    assert repaired(tmp_path, log("cmake .", *said)).changes == (), "it is there: something else is wrong"
+
+
+INSTALL = "apt-get install -y --no-install-recommends"
+OWN = """\
+FROM ubuntu:22.04
+USER robot
+# What the robot needs
+RUN apt-get update && \\
+    apt-get install -y git
+RUN make
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        (
+            log("make", "a.cpp:1:10: fatal error: glog/logging.h: No such file or directory"),
+            f"+USER root\n+RUN apt-get update && {INSTALL} libgoogle-glog-dev\n+USER robot\n RUN make\n",
+        ),
+        (
+            "Dockerfile:4\n"
+            + log("apt-get update &&     apt-get install -y git", "E: Version '1.06-1' for 'git' was not found"),
+            None,
+        ),
+        (log("make", "error: externally-managed-environment"), "+ENV PIP_BREAK_SYSTEM_PACKAGES=1\n RUN make\n"),
+    ],
+)
+def test_an_own_dockerfile_gets_a_diff(text: str, wanted: str | None) -> None:
+    edits = dockerfile.edits(explain(io.BytesIO(text.encode())), OWN)
+    diff = dockerfile.diff("Dockerfile", OWN, edits)
+    assert (diff == "") if wanted is None else (wanted in diff), diff
+
+
+def test_a_word_of_an_own_dockerfile_is_replaced() -> None:
+    own = "FROM ubuntu:22.04\nRUN apt-get update && \\\n    apt-get install -y bc=1.06-1 git\n"
+    said = log("apt-get update &&     apt-get install -y bc=1.06-1 git", "E: Version '1.06-1' for 'bc' was not found")
+    diff = dockerfile.diff("Dockerfile", own, dockerfile.edits(explain(io.BytesIO(said.encode())), own))
+    assert "-    apt-get install -y bc=1.06-1 git\n+    apt-get install -y bc git\n" in diff
+
+
+@pytest.mark.parametrize("name", sorted(repairs()))
+def test_a_repair_belongs_to_a_failure_and_says_how(name: str) -> None:
+    row = repairs()[name]
+    assert name in {failure.id for failure in failures()}
+    assert bool(row.value) + bool(row.way) == bool(row.key)
+    assert row.way in {"", *WAYS}
+    assert row.key or row.dockerfile or row.find
+    assert bool(row.find) == bool(row.replace)
+    assert row.source
+    assert row.date
