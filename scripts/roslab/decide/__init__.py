@@ -131,6 +131,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         package_names=_names(packages, kind.answer),
         workspace=layout.answer.workspace,
         cmake_folder=layout.answer.cmake_folder,
+        program_folders=layout.answer.program_folders,
         dockerfile=own.answer.file if own.answer else None,
         context=own.answer.context if own.answer else None,
         command=command.answer.command,

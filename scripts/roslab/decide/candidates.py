@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from roslab.config.model import Kind
+from roslab.decide.programs import compiled as programs_of
+from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 
 _PLACEHOLDER = re.compile(
     r"YOUR|your[_-]|path[/_-]to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])",
     re.IGNORECASE,
 )
 """Also ``yyy-yy``: a repeated letter stands for a value that the reader fills in."""
-_TEST = re.compile(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
 """Fewest words of a command that starts something."""
+_LAUNCH = re.compile(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 """Files that serve a project without being its purpose."""
 
@@ -33,15 +35,19 @@ class Candidate:
     line: int
     strong: bool
     """The author's text says to run it."""
+    heading: str = ""
+    """The titles of the sections of the page that run it."""
+    files: tuple[str, ...] = ()
+    """Arguments that the tree has."""
 
 
 def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     """Yield what could be run; what the README runs comes first."""
     ros = kind in {"ros1", "ros2"}
     compiled = kind == "cpp" or (kind == "cuda" and _only_compiled(evidence))
-    yield from _written(evidence, ros=ros, compiled=compiled)
+    yield from _written(evidence, kind, ros=ros, compiled=compiled)
     if ros:
-        yield from _launched(evidence)
+        yield from _launched(evidence, kind)
     elif compiled or not evidence.programs:
         yield from _compiled(evidence)
     else:
@@ -56,33 +62,123 @@ def _only_compiled(evidence: Evidence) -> bool:
     return root and all("/" in file for file in manifests)
 
 
-def _written(evidence: Evidence, *, ros: bool, compiled: bool) -> Iterator[Candidate]:
+def _written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Iterator[Candidate]:
     """Yield what READMEs run; a subfolder's page, examples and helper scripts of compiled code are weaker."""
-    programs = [script.file for script in evidence.programs]
+    tree = _Tree(
+        kind=kind,
+        programs=tuple(script.file for script in evidence.programs),
+        compiled=_in_packages(evidence) if ros else dict.fromkeys((p.name for p in programs_of(evidence)), ""),
+        launched=_launch_files(evidence),
+        packages=packages_of(evidence).names,
+    )
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
     said = [m for m in said if not places.vendored(m.file)]
     nearest = min((mention.file.count("/") for mention in said), default=0)
     for mention in said:
-        argv = _runnable(mention.value, programs, ros=ros, compiled=compiled)
+        argv = _runnable(mention, tree, ros=ros, compiled=compiled)
         if argv is not None:
-            strong = not any(places.example(part) for part in argv) and not (compiled and argv[0].startswith("python"))
+            strong = ros or not any(places.example(part) for part in argv[:2])
+            strong = strong and not (compiled and argv[0].startswith("python"))
             strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)
-            yield Candidate(argv=argv, why="the README runs it", file=mention.file, line=mention.line, strong=strong)
+            yield Candidate(
+                argv=argv,
+                why="the README runs it",
+                file=mention.file,
+                line=mention.line,
+                strong=strong,
+                heading=mention.heading,
+                files=mention.files,
+            )
 
 
-def _runnable(text: str, programs: list[str], *, ros: bool, compiled: bool) -> tuple[str, ...] | None:
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Tree:
+    """What the tree has to start."""
+
+    kind: Kind
+    programs: tuple[str, ...]
+    compiled: Mapping[str, str]
+    """Compiled programs, each with its package, ``""`` where there is none."""
+    launched: Mapping[str, frozenset[str]]
+    """The launch files of each package, by their names."""
+    packages: frozenset[str]
+
+
+def _in_packages(evidence: Evidence) -> dict[str, str]:
+    """Return the programs that the CMakeLists.txt of each package compiles; of a name that two packages have, none."""
+    folders = {manifest.file.rpartition("/")[0]: manifest.name for manifest in packages_of(evidence).built}
+    found: dict[str, str] = {}
+    twice: set[str] = set()
+    for project in evidence.cmake:
+        package = _owner(project.file, folders)
+        for name, _ in project.executables if package else ():
+            if found.setdefault(name, package or "") != package:
+                twice.add(name)
+    return {name: package for name, package in found.items() if name not in twice}
+
+
+def _owner(path: str, folders: Mapping[str, str | None]) -> str | None:
+    """Return the package that a file lies in, at any depth."""
+    while path:
+        path = path.rpartition("/")[0]
+        if path in folders:
+            return folders[path]
+    return None
+
+
+def _launch_files(evidence: Evidence) -> dict[str, frozenset[str]]:
+    found: dict[str, set[str]] = {}
+    for launch in evidence.launch:
+        found.setdefault(launch.package or "", set()).add(launch.file.rpartition("/")[2])
+    return {package: frozenset(names) for package, names in found.items()}
+
+
+def _runnable(mention: Mention, tree: _Tree, *, ros: bool, compiled: bool) -> tuple[str, ...] | None:
     """Return the argv of a command as it can be run from the root; ``None`` if it starts nothing from the tree."""
-    argv = tuple(text.split())
-    if _PLACEHOLDER.search(text) or any(part.rpartition("/")[2] in TOOLS for part in argv):
+    argv = tuple(mention.value.split())
+    if _PLACEHOLDER.search(mention.value) or any(part.rpartition("/")[2] in TOOLS for part in argv):
         return None
     if len(argv) < _WORDS.get(argv[0], 1) or argv[-1].endswith(":="):
         return None  # a sentence about the command, or a placeholder for the reader to fill in
+    if argv[0] in _WORDS:
+        return _of_ros(argv, tree) if ros else None
     if not argv[0].startswith("python"):
-        return argv if ros else None
-    here = _here(argv, programs)
+        return _built(argv, tree)
+    here = _here(argv, tree.programs)
     if here is None or (compiled and _tests(here)):
         return None
     return ("python3" if ros else argv[0], *here)
+
+
+def _of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
+    """Return a command of the repository's ROS version; ``None`` if its launch file is not in the tree.
+
+    ``roslaunch path/to/a.launch`` becomes ``roslaunch PACKAGE a.launch``.
+    """
+    if (argv[0] == "ros2") != (tree.kind == "ros2"):
+        return None
+    start = argv[:1] if argv[0] == "roslaunch" else argv[:2] if argv[1:2] == ("launch",) else ()
+    if not start:
+        return argv
+    package, *rest = argv[len(start) :]
+    if _LAUNCH.search(package):
+        name = package.rpartition("/")[2]
+        owners = [owner for owner, names in tree.launched.items() if owner and name in names]
+        return (*start, owners[0], name, *rest) if len(owners) == 1 else None
+    if package not in tree.packages:
+        return argv
+    file = next((word.rpartition("/")[2] for word in rest if not word.startswith("-")), "")
+    return argv if file in tree.launched.get(package, ()) else None
+
+
+def _built(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
+    """Return the call of a compiled program by its name: ``./build/align a`` becomes ``align a``."""
+    name = argv[0].rpartition("/")[2]
+    if name not in tree.compiled:
+        return None
+    if not (package := tree.compiled[name]):
+        return (name, *argv[1:])
+    return ("rosrun", package, name, *argv[1:]) if tree.kind == "ros1" else ("ros2", "run", package, name, *argv[1:])
 
 
 def _tests(argv: tuple[str, ...]) -> bool:
@@ -91,7 +187,7 @@ def _tests(argv: tuple[str, ...]) -> bool:
     return any(part.endswith("_test.py") or places.test(part) for part in programs)
 
 
-def _here(argv: tuple[str, ...], programs: list[str]) -> tuple[str, ...] | None:
+def _here(argv: tuple[str, ...], programs: tuple[str, ...]) -> tuple[str, ...] | None:
     """Return the arguments of a Python that runs a program of the tree, its path from the root; else ``None``."""
     if argv[1:2] == ("-m",):
         module = argv[2].replace(".", "/") if len(argv) > 2 else ""
@@ -104,23 +200,20 @@ def _here(argv: tuple[str, ...], programs: list[str]) -> tuple[str, ...] | None:
     return None
 
 
-def _launched(evidence: Evidence) -> Iterator[Candidate]:
-    """Yield the launch files of the repository's packages."""
+def _launched(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
+    """Yield the launch files of the repository's packages that are for its version of ROS."""
     for launch in evidence.launch:
-        if launch.package and not places.test(launch.file):
+        if launch.package and not places.test(launch.file) and kind == f"ros{launch.ros}":
             start = ("roslaunch",) if launch.ros == 1 else ("ros2", "launch")
             argv = (*start, launch.package, launch.file.rpartition("/")[2])
             yield Candidate(argv=argv, why="a launch file", file=launch.file, line=launch.line, strong=False)
 
 
 def _compiled(evidence: Evidence) -> Iterator[Candidate]:
-    """Yield the programs of the top-level CMake project; its build folder is on the image's PATH."""
-    for project in evidence.cmake:
-        if project.top_level and not places.vendored(project.file) and project.file.count("/") <= 1:
-            for target, line in project.executables:
-                if re.fullmatch(r"[A-Za-z0-9_.+-]+", target) and not _TEST.search(target):
-                    why = "a program that CMake compiles"
-                    yield Candidate(argv=(target,), why=why, file=project.file, line=line, strong=False)
+    """Yield the programs of the top-level CMake project; the folders that hold them are on the image's PATH."""
+    for program in programs_of(evidence):
+        why = "a program that CMake compiles"
+        yield Candidate(argv=(program.name,), why=why, file=program.file, line=program.line, strong=False)
 
 
 def _installed(evidence: Evidence) -> Iterator[Candidate]:

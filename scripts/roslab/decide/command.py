@@ -10,11 +10,13 @@ from dataclasses import dataclass
 from roslab.config.model import Config, Kind
 from roslab.decide.candidates import TOOLS, Candidate, candidates_of
 from roslab.decide.decision import Choice, Reason
+from roslab.decide.first_command import first_of, named_like_it, program_of
 from roslab.decide.reasons import because, configured
 from roslab.evidence.facts import Evidence
 from roslab.values.origin import Place
 
 MAX_CANDIDATES = 30
+_COMPILED: frozenset[Kind] = frozenset({"ros1", "ros2", "cpp"})
 _WINDOWS = frozenset(
     {"PyQt5", "PyQt6", "PySide2", "PySide6", "tkinter", "Tkinter", "pygame", "wx", "pyglet", "vispy", "mayavi", "kivy"}
 )
@@ -27,6 +29,7 @@ class Weight:
     """How much each reason for a command counts."""
 
     AUTHORS_IMAGE = 60  # the CMD of the author's Dockerfile, which is built
+    FIRST = 40  # the first of those that the README runs
     ONLY_ONE = 30  # one candidate is clearly meant
     WRITTEN = 20  # a README runs it
     SHELL = 10  # several candidates; wins over a file that nobody mentions
@@ -57,7 +60,7 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
         text = config.command if isinstance(config.command, str) else shlex.join(config.command)
         said = configured(config, "command", text, "command")
         return Choice(answer=Command(command=config.command, candidates=candidates, gui=gui), reasons=(said,))
-    command, why = _authors(evidence, dockerfile) or _obvious(evidence, found, dockerfile)
+    command, why = _authors(evidence, dockerfile) or _obvious(evidence, found, kind, dockerfile)
     return Choice(
         answer=Command(command=command, candidates=candidates, gui=gui),
         reasons=(why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES])),
@@ -74,9 +77,18 @@ def _authors(evidence: Evidence, dockerfile: str | None) -> tuple[tuple[str, ...
     return authored.command, because("command", shlex.join(authored.command), why, place, weight=Weight.AUTHORS_IMAGE)
 
 
-def _obvious(evidence: Evidence, found: list[Candidate], dockerfile: str | None) -> tuple[tuple[str, ...], Reason]:
-    """Return the one obvious program, else a shell."""
+def _obvious(
+    evidence: Evidence, found: list[Candidate], kind: Kind, dockerfile: str | None
+) -> tuple[tuple[str, ...], Reason]:
+    """Return the program that the README runs first, or the one obvious program, else a shell."""
     ours = [c for c in found if _own(c.argv, evidence)]
+    if kind in _COMPILED and not dockerfile and (first := first_of(ours)):
+        others = len({program_of(c.argv) for c in ours if c.strong}) - 1
+        why = f"{first.why}, before {others} other{'s' * (others > 1)}" if others else f"the only one: {first.why}"
+        return first.argv, because("command", shlex.join(first.argv), why, first, weight=Weight.FIRST)
+    if kind in _COMPILED and not dockerfile and (named := named_like_it(ours)):
+        why = f"{named.why}, named like its package or like a demonstration"
+        return named.argv, because("command", shlex.join(named.argv), why, named, weight=Weight.ONLY_ONE)
     obvious = [c for c in ours if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
     obvious = _barest(obvious if dockerfile or any(c.strong for c in ours) else ours)
     if len(obvious) == 1 and not (obvious[0].strong and _others(evidence, obvious[0])):
@@ -119,8 +131,7 @@ def _barest(candidates: list[Candidate]) -> list[Candidate]:
     programs: dict[tuple[str, ...], Candidate] = {}
     for candidate in candidates:
         argv = candidate.argv
-        words = {"ros2": 4, "roslaunch": 3, "rosrun": 3}.get(argv[0], 2 if argv[1:2] != ("-m",) else 3)
-        program = ("python3", *argv[1:words]) if argv[0].startswith("python") else argv[:words]
+        program = program_of(argv)
         known = programs.get(program)
         if known is None or len(argv) < len(known.argv):
             programs[program] = candidate

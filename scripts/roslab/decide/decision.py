@@ -118,6 +118,7 @@ class Decision:
     workspace: Literal["none", "overlay", "root"] = "none"
     """``overlay``: the repository is a folder of ``ws/src``; ``root``: the repository itself is the workspace."""
     cmake_folder: str = ""
+    program_folders: tuple[str, ...] = ()
     """Folder of the top-level CMakeLists.txt of a plain CMake project, ``""`` for the root."""
     dockerfile: str | None = None
     context: str | None = None

@@ -81,11 +81,14 @@ class CMakeProject:
     macros: tuple[str, ...]
     """Macro families that it calls: ``catkin``, ``ament``, ``rosbuild``, ``cuda``."""
     executables: tuple[tuple[str, int], ...]
-    """Targets of ``add_executable`` and similar calls, with their lines."""
+    """Programs of ``add_executable`` and similar calls by the names of their files, with their lines."""
     dependencies: tuple[Dependency, ...]
     sources: tuple[GitSource, ...] = ()
     minimum: Dependency | None = None
     """The CMake version that ``cmake_minimum_required`` asks for, as ``version``."""
+    programs_in: str | None = None
+    """The folder that programs are written to; ``None`` if the file names none. ``source/…`` is relative to the root of
+    the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, ``build/…`` to the build folder."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -179,6 +182,10 @@ class Mention:
     line: int
     text: str
     """The words around it, which the reason quotes."""
+    files: tuple[str, ...] = ()
+    """Of a command: its arguments that are files or folders of the tree; they are relative to its root in ``value``."""
+    heading: str = ""
+    """The titles of the sections that it stands in, the outermost first (``Usage / Simulation``); of a page only."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -16,6 +16,10 @@ WORKSPACE = "ws"
 """The folder of the ROS workspace; as every folder of this module, relative to the home of the image's user."""
 
 
+MAX_FOLDERS = 8
+"""Most folders of programs on PATH beside the build folder itself."""
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class RosBuild:
     """Compiling the ROS workspace: the repository's packages, or sisters alone."""
@@ -41,6 +45,8 @@ class Program:
     cmake_options: tuple[str, ...]
     on_path: bool
     """A program is called by its name."""
+    programs: tuple[str, ...] = ()
+    """Further folders that hold its programs."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -119,12 +125,16 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
 
 def _program(decision: Decision, config: Config, folder: str) -> Program:
     inside = f"{folder}/{decision.cmake_folder}".rstrip("/")
+    sides = {"source": folder, "build": f"{folder}-build"}
+    written = ((sides[place.partition("/")[0]], place.partition("/")[2]) for place in decision.program_folders)
+    programs = tuple(f"{side}/{rest}" for side, rest in written if rest or side == folder)
     return Program(
         folder=decision.cmake_folder,
         build=f"{inside}/build" if config.compatible else f"{folder}-build",
         arguments=config.build_args,
         cmake_options=_cmake_options(config),
         on_path=not config.compatible,
+        programs=() if config.compatible else programs[:MAX_FOLDERS],
     )
 
 

@@ -115,6 +115,7 @@ def test_a_viewer_beside_the_packages_is_no_default(tmp_path: Path) -> None:
     pages = {"README.md": "```\nros2 run rviz2 rviz2\n```\n"}
     assert decided(tmp_path, {**ament(), **pages}).command == ("bash",)
     own = {"README.md": "```\nros2 run rviz2 rviz2\nros2 launch demo a.launch.py\n```\n"}
+    own["launch/a.launch.py"] = "from launch import LaunchDescription\n"
     assert decided(tmp_path, {**ament(), **own}).command == ("ros2", "launch", "demo", "a.launch.py")
 
 

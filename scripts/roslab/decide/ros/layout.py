@@ -7,9 +7,9 @@ from typing import Literal
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Choice
+from roslab.decide.programs import compiled, top_of
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import Packages
-from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.values.origin import Place
 
@@ -24,14 +24,17 @@ class Layout:
     workspace: Literal["none", "overlay", "root"] = "none"
     cmake_folder: str = ""
     """Folder of the top-level CMakeLists.txt of a plain CMake project."""
+    program_folders: tuple[str, ...] = ()
+    """Where its programs are: ``source/…``, relative to the repository's root, or ``build/…``."""
 
 
 def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[Layout]:
     """Return where the repository lies; it is the workspace itself if every package lies in its ``src``."""
     if kind not in {"ros1", "ros2"}:
-        tops = [project for project in evidence.cmake if project.top_level and not places.vendored(project.file)]
-        top = min(tops, key=lambda project: (project.file.count("/"), project.file), default=None)
-        return Choice(answer=Layout(cmake_folder=top.file.rpartition("/")[0] if top else ""))
+        top = top_of(evidence)
+        folders = tuple(dict.fromkeys(program.folder for program in compiled(evidence)))
+        folder = top.file.rpartition("/")[0] if top else ""
+        return Choice(answer=Layout(cmake_folder=folder, program_folders=folders))
     if not packages.built:
         return Choice(answer=Layout())
     first = Place(file=packages.built[0].file, line=1)

@@ -112,6 +112,10 @@ class _Scope:
             self._assign(name, words)
 
     def _assign(self, name: str, words: list[str]) -> None:
+        if name == "project":
+            value = tuple(_filled(words[:1], self.variables))
+            self.variables["PROJECT_NAME"] = value
+            self.variables.setdefault("CMAKE_PROJECT_NAME", value)
         if name == "set" and len(words) <= MAX_EXPANSION:
             values = (w for w in _filled(words[1:], self.variables) if w not in {"CACHE", "PARENT_SCOPE", "FORCE"})
             self.variables[words[0]] = tuple(values)[:MAX_EXPANSION]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from dataclasses import dataclass, field
 
@@ -32,6 +33,8 @@ _NAMES = (
             "cmake_minimum_required",
             "enable_language",
             "add_subdirectory",
+            "set",
+            "set_target_properties",
             "catkin_package",
             "catkin_simple",
             "autoware_package",
@@ -51,6 +54,10 @@ _FOUND = (
     ("ament", re.compile(r"ament_|autoware_cmake$")),
 )
 _CUDA = re.compile(r"(?:CUDA|CUDAToolkit|CUDNN|TensorRT)$")
+_PROGRAMS_IN = frozenset({"CMAKE_RUNTIME_OUTPUT_DIRECTORY", "EXECUTABLE_OUTPUT_PATH"})
+_OUTPUT = re.compile(
+    r"^(?:\$\{((?:CMAKE|PROJECT|CMAKE_CURRENT)_(?:SOURCE|BINARY)_DIR)\})?((?:/|(?<!\})(?=[\w.]))[\w./-]*|)$"
+)
 _TARGET = re.compile(r"[A-Za-z][\w.+-]*$")
 
 
@@ -63,6 +70,9 @@ class _Reading:
     languages: list[str] = field(default_factory=list)
     macros: dict[str, None] = field(default_factory=dict)
     executables: dict[str, int] = field(default_factory=dict)
+    outputs: dict[str, str] = field(default_factory=dict)
+    """File names of targets that differ from the target's name."""
+    programs_in: str | None = None
     libraries: set[str] = field(default_factory=set)
     dependencies: list[Dependency] = field(default_factory=list)
     sources: list[GitSource] = field(default_factory=list)
@@ -93,12 +103,13 @@ def _project(repository: Repository, file: File, added: set[str]) -> CMakeProjec
         top_level=reading.name is not None and file.folder not in added,
         languages=tuple(dict.fromkeys(reading.languages)),
         macros=tuple(reading.macros | ({"cuda": None} if "CUDA" in reading.languages else {})),
-        executables=tuple(reading.executables.items()),
+        executables=tuple((reading.outputs.get(name, name), line) for name, line in reading.executables.items()),
         dependencies=tuple(
             dict.fromkeys(d for d in reading.dependencies if d.namespace != "link" or d.name not in own)
         ),
         sources=tuple(reading.sources),
         minimum=reading.minimum,
+        programs_in=reading.programs_in,
     )
 
 
@@ -107,6 +118,8 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
     if name == "project" and words:
         reading.name = reading.name or words[0]
         reading.languages += [word for word in words[1:] if word in _LANGUAGES]
+    elif name in {"set", "set_target_properties"}:
+        _place_programs(call, path.rpartition("/")[0], reading)
     elif name == "cmake_minimum_required":
         reading.minimum = reading.minimum or _minimum(call, path)
     elif name == "enable_language":
@@ -119,11 +132,49 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.sources += cmake_needs.fetched(call, path)
     elif name in cmake_needs.CALLS and (not call.in_function or name == "find_package"):
         reading.dependencies += cmake_needs.needs(call, path, reading.name)
+    _macros(call, reading)
+
+
+def _macros(call: Call, reading: _Reading) -> None:
+    """Note the families of macros that a call belongs to or finds."""
+    name, words = call.name, call.words
     reading.macros |= dict.fromkeys(family for family, pattern in _FAMILIES if pattern.match(name))
     if name == "find_package" and words and not call.conditions:
         reading.macros |= dict.fromkeys(family for family, pattern in _FOUND if pattern.match(words[0]))
         if _CUDA.match(words[0]) and "REQUIRED" in words:
             reading.macros["cuda"] = None
+
+
+def _place_programs(call: Call, folder: str, reading: _Reading) -> None:
+    """Note the folder that ``set`` gives programs, and what ``set_target_properties(TARGETS… PROPERTIES …)`` does."""
+    words = call.words
+    if call.name == "set" and len(words) > 1 and words[0] in _PROGRAMS_IN:
+        reading.programs_in = _output(words[1], folder) or reading.programs_in
+    if call.name == "set" or "PROPERTIES" not in words:
+        return
+    split = words.index("PROPERTIES")
+    values = dict(zip(words[split + 1 :: 2], words[split + 2 :: 2], strict=False))
+    if (output := values.get("OUTPUT_NAME")) and _TARGET.match(output):
+        reading.outputs |= dict.fromkeys(words[:split], output)
+    if (place := values.get("RUNTIME_OUTPUT_DIRECTORY")) and any(word in reading.executables for word in words[:split]):
+        reading.programs_in = _output(place, folder) or reading.programs_in
+
+
+def _output(written: str, folder: str) -> str | None:
+    """Return a folder for programs; ``None`` if it is not known.
+
+    ``source/…`` is relative to the root of the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, and
+    ``build/…`` to the build folder's part for the root of the repository.
+    """
+    match = _OUTPUT.match(written.rstrip("/"))
+    if match is None:
+        return None
+    variable, rest = match[1] or "", match[2].strip("/")
+    side = "build" if "BINARY" in variable or not variable else "source"
+    if variable in {"CMAKE_SOURCE_DIR", "CMAKE_BINARY_DIR"}:
+        side, folder = "top" if side == "source" else "build", ""
+    place = posixpath.normpath(posixpath.join(side, folder, rest))
+    return place if place.partition("/")[0] == side else None
 
 
 def _minimum(call: Call, path: str) -> Dependency | None:

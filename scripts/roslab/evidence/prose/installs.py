@@ -17,7 +17,7 @@ MentionSource = Literal["dockerfile", "ci", "readme", "script"]
 TRIGGER = re.compile(
     r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|"
     r"\s+build|\s+init)|"
-    r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b"
+    r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b|(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"
 )
 """A line without any of these words is skipped."""
 _RUN = re.compile(r"\b(?:roslaunch|rosrun|ros2)\s")
@@ -27,6 +27,8 @@ _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
 _APT_NAME = re.compile(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
 _PYTHON = re.compile(r"^(?:i?python)(\d(?:\.\d+)?)?$")
+_BUILT = re.compile(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
+"""The path of a compiled program."""
 _BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_make", "colcon": "colcon"}
 
 
@@ -43,6 +45,8 @@ class Collector:
     mentions: list[Mention] = field(default_factory=list)
     folder: str = ""
     """The folder after ``cd``, as far as known; paths given to pip are relative to it."""
+    heading: str = ""
+    """The sections that the text stands in."""
     fresh: int | None = None
     """Index of the clone that a following ``git checkout`` belongs to."""
 
@@ -99,7 +103,15 @@ class Collector:
     ) -> None:
         words = " ".join(command.words).replace(UNKNOWN, "…")[:200]
         self.mentions.append(
-            Mention(topic=topic, value=value, source=self.source, file=self.file, line=command.line, text=words)
+            Mention(
+                topic=topic,
+                value=value,
+                source=self.source,
+                file=self.file,
+                line=command.line,
+                text=words,
+                heading=self.heading,
+            )
         )
 
     def _apt(self, command: Command) -> None:
@@ -219,6 +231,8 @@ class Collector:
                 )
             elif words[1].endswith(".py") or words[1] == "-m":
                 self._run(command)
+        elif self.source == "readme" and _BUILT.match(words[0]):
+            self._run(command)
 
     def _run(self, command: Command) -> None:
         if not any(UNKNOWN in word or "<" in word for word in command.words):

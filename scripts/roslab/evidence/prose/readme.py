@@ -6,11 +6,13 @@ everything else together, and does not read the other two.
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 from roslab.evidence import places
-from roslab.evidence.facts import Prose
+from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import TRIGGER, Collector, merge
 from roslab.repository.checkout import File, Repository
@@ -32,8 +34,10 @@ _FENCE = re.compile(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
 _START = re.compile(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
-    r"rosrun|catkin|catkin_make|colcon|cmake|uv|mkdir|cd)\s.*|catkin_make)$"
+    r"rosrun|catkin|catkin_make|colcon|cmake|uv|mkdir|cd)\s.*|catkin_make|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
 )
+_NAMED = re.compile(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
+"""A sentence that runs a program by its name."""
 _SPAN = re.compile(r"(`+)(.+?)\1")
 _HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*$")
 _ELSEWHERE = re.compile(
@@ -52,7 +56,25 @@ _RST_LINE = re.compile(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
 
 def read(repository: Repository) -> Prose:
     """Return the install and run lines and the versions of the pages that explain how to install."""
-    return merge(_read(repository.read(file), file) for file in _pages(repository))
+    return merge(_rooted(_read(repository.read(file), file), repository) for file in _pages(repository))
+
+
+def _rooted(prose: Prose, repository: Repository) -> Prose:
+    """Make the arguments of commands that are files of the tree relative to its root: ``../map.yaml``, ``map.yaml``."""
+    return prose._replace(
+        mentions=tuple(_with_files(m, repository) if m.topic == "command" else m for m in prose.mentions)
+    )
+
+
+def _with_files(mention: Mention, repository: Repository) -> Mention:
+    first, *words = mention.value.split()
+    found: list[str] = []
+    for index, word in enumerate(words):
+        path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", word)) if "/" in word or "." in word else ""
+        if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):
+            words[index] = path
+            found.append(path)
+    return replace(mention, value=" ".join((first, *words)), files=tuple(found)) if found else mention
 
 
 def _pages(repository: Repository) -> list[File]:
@@ -74,16 +96,21 @@ def _read(text: str, file: File) -> Prose:
     collector = Collector(file.path, "readme")
     if "~~" in text and "~~~" not in text:
         text = _STRUCK.sub(lambda match: "\n" * match[0].count("\n"), text)
-    if TRIGGER.search(text):
-        for line, code in _code(text):
+    if TRIGGER.search(text) or _NAMED.search(text):
+        for line, code, heading in _code(text):
+            collector.heading = heading
             collector.text(code, line)
     found = collector.prose()
     return found._replace(mentions=(*found.mentions, *mentions.read(text, file.path, "readme")))
 
 
-def _code(text: str) -> Iterator[tuple[int, str]]:
-    """Yield ``(line, shell text)``: fenced and indented blocks' lines, lines that begin with a command, inline code."""
+def _code(text: str) -> Iterator[tuple[int, str, str]]:
+    """Yield ``(line, shell text, titles above it)``.
+
+    That is the lines of fenced and indented blocks, lines that begin with a command, and inline code.
+    """
     lines = text.split("\n")
+    titles: dict[int, str] = {}
     elsewhere = index = 0
     fenced = False
     while index < len(lines):
@@ -93,23 +120,37 @@ def _code(text: str) -> Iterator[tuple[int, str]]:
             fenced = not fenced
             continue
         if not fenced:
-            elsewhere = _section(line, lines[index] if index < len(lines) else "", elsewhere)
-        if elsewhere or len(line) > MAX_LINE or not TRIGGER.search(line):
+            below = lines[index] if index < len(lines) else ""
+            elsewhere = _section(line, below, elsewhere)
+            if heading := _heading(line, below):
+                titles = {level: title for level, title in titles.items() if level < heading[0]} | {
+                    heading[0]: heading[1]
+                }
+        if elsewhere or len(line) > MAX_LINE or not (TRIGGER.search(line) or (not fenced and _NAMED.search(line))):
             continue
         first = index
         while line.rstrip().endswith("\\") and index < len(lines) and len(line) < 4 * MAX_LINE:
             line = line.rstrip() + "\n" + lines[index].lstrip()
             index += 1
         for shell in _shell(line, fenced=fenced):
-            yield first, shell
+            yield first, shell, " / ".join(titles.values())
+
+
+def _heading(line: str, below: str) -> tuple[int, str] | None:
+    """Return the level and the title of a heading: ``## Title``, or a line above a line of ``===``."""
+    if heading := _HEADING.match(line[:200]):
+        return len(heading[1]), heading[2]
+    if line.strip() and _RST_LINE.match(below[:200]):
+        return 2, line.strip()[:200]
+    return None
 
 
 def _section(line: str, below: str, elsewhere: int) -> int:
     """Return the level of the heading under which the text is for another system, 0 if it is for this one."""
-    heading = _HEADING.match(line[:200])
-    if heading is None and not (line.strip() and _RST_LINE.match(below[:200])):
+    heading = _heading(line, below)
+    if heading is None:
         return elsewhere
-    level, title = (len(heading[1]), heading[2]) if heading else (2, line)
+    level, title = heading
     if 0 < elsewhere < level:
         return elsewhere
     if _LEAF.search(title):
@@ -124,3 +165,4 @@ def _shell(line: str, *, fenced: bool) -> Iterator[str]:
         yield line
     else:
         yield from (span[2] for span in _SPAN.finditer(line) if TRIGGER.search(span[2]) and " " in span[2])
+        yield from (f"./{named[1]}" for named in _NAMED.finditer(line))

@@ -58,7 +58,8 @@ def _variables(plan: Plan) -> str:
         pairs += [("NVIDIA_VISIBLE_DEVICES", "all", True), ("NVIDIA_DRIVER_CAPABILITIES", "all", True)]
     path = "${PATH}"
     if plan.workspace.program and plan.workspace.program.on_path:
-        path = f"{HOME}/{plan.workspace.program.build}:{path}"
+        folders = (plan.workspace.program.build, *plan.workspace.program.programs)
+        path = "".join(f"{HOME}/{folder}:" for folder in folders) + path
     if plan.run.matlab:  # which is only there while docker_run.sh mounts it
         path += ":" + quote.docker(f"{plan.run.matlab.host_path}/bin").strip('"')
     if path != "${PATH}":

@@ -1,0 +1,102 @@
+"""Which of the programs that a README runs is meant by "run it": the order of commands by their pages and headings."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from roslab.decide.candidates import Candidate
+
+_USAGE = re.compile(
+    r"\b(?:run(?:ning)?|usage|use|using|launch(?:ing)?|start(?:ing|ed)?|demos?|examples?|quick|play|simulat\w*|execut\w*|"
+    r"try|tutorials?|how to|hello)\b",
+    re.IGNORECASE,
+)
+"""A section that says how to start it."""
+_ASIDE = re.compile(
+    r"\b(?:real|hardware|calibrat\w*|evaluat\w*|trouble\w*|faq|debug\w*|develop\w*|contribut\w*|convert\w*|conversion|"
+    r"record\w*|tests?|testing|docker|format\w*|annotat\w*|benchmark\w*|advanced|optional|tools?|visuali[sz]\w*)\b",
+    re.IGNORECASE,
+)
+"""A section about something else than starting it."""
+_SERVES = re.compile(
+    r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre-?proc\w*|prepare\w*|extract\w*|install\w*|set-?up|format|"
+    r"record\w*|generate\w*|gen|export\w*|annotate\w*|calibrat\w*|evaluat\w*|eval|plot\w*|tests?|bench\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
+    re.IGNORECASE,
+)
+"""The name of a program that serves the one that is meant."""
+_DATA = re.compile(
+    r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya?ml|png|mp4|avi|pcd|ply|obj|csv|json)$"
+)
+"""An argument that names a file."""
+_HELP = re.compile(r"^(?:--help|-h|--show-args|-s)$")
+_VALUE = re.compile(r"^-{0,2}[\w-]+:?=[-.]*$|^-{3,}$")
+"""A value that the reader fills in: ``name:=---``."""
+_DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "simulation", "sim", "system", "example")
+MANY = 8
+_SUFFIX = re.compile(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?$")
+
+
+def program_of(argv: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the words of a command that name the program, without its arguments; any Python counts as ``python3``."""
+    words = {"ros2": 4, "roslaunch": 3, "rosrun": 3}.get(argv[0], 1)
+    if argv[0].startswith("python"):
+        return ("python3", *argv[1 : 3 if argv[1:2] == ("-m",) else 2])
+    return argv[:words]
+
+
+def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
+    """Return the command that a page of the author runs first, ``None`` if no page runs any.
+
+    Pages nearer to the root come first, then sections about running it, then the order of the page. What needs a file
+    that the tree lacks comes after what needs none; programs that only serve others are never returned.
+    """
+    written = [c for c in candidates if c.strong and not _serves(c) and not any(_HELP.match(word) for word in c.argv)]
+    return min(written, key=_order, default=None)
+
+
+def _order(candidate: Candidate) -> tuple[bool, int, int, str, int]:
+    """Return the place of a command in the order; equal ones keep theirs."""
+    return (
+        _lacks(candidate),
+        candidate.file.count("/"),
+        -_section(candidate.heading),
+        candidate.file,
+        candidate.line,
+    )
+
+
+def _section(heading: str) -> int:
+    """Return 1 for a section about running it, -1 for one about something else, else 0; the innermost title counts."""
+    for title in reversed(heading.split(" / ")):
+        if _ASIDE.search(title):
+            return -1
+        if _USAGE.search(title):
+            return 1
+    return 0
+
+
+def _serves(candidate: Candidate) -> bool:
+    words = program_of(candidate.argv)
+    name = re.sub(r"\.\w+$", "", words[-1].rpartition("/")[2])
+    return bool(_SERVES.search(re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name)))
+
+
+def _lacks(candidate: Candidate) -> bool:
+    """Tell whether an argument names a file that the tree does not have, or a value to fill in."""
+    arguments = candidate.argv[len(program_of(candidate.argv)) :]
+    return any((_DATA.search(word) and word not in candidate.files) or _VALUE.match(word) for word in arguments)
+
+
+def named_like_it(candidates: Iterable[Candidate]) -> Candidate | None:
+    """Return the one launch file that is named like its package, else the one named like a demonstration.
+
+    Of many launch files, none is told apart by its name.
+    """
+    launched = [c for c in candidates if c.argv[0] == "roslaunch" or c.argv[:2] == ("ros2", "launch")]
+    if len(launched) > MANY:
+        return None
+    stems = [(_SUFFIX.sub("", c.argv[-1]).lower(), c.argv[-2].lower(), c) for c in launched]
+    own = [c for stem, package, c in stems if stem == package]
+    shown = [c for stem, _, c in stems if stem in _DEMONSTRATION]
+    return own[0] if len(own) == 1 else shown[0] if not own and len(shown) == 1 else None

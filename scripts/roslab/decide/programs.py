@@ -1,0 +1,76 @@
+"""The programs that CMake compiles: which there are, and the folders that they are written to."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from roslab.evidence import places
+from roslab.evidence.facts import CMakeProject, Evidence
+
+_NAME = re.compile(r"[A-Za-z0-9_.+-]+")
+_FOLDER = re.compile(r"[A-Za-z0-9_.+/-]+")
+_TEST = re.compile(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Compiled:
+    """A program that CMake compiles."""
+
+    name: str
+    folder: str
+    """``source/…``, relative to the repository's root, or ``build/…``, relative to the build folder."""
+    file: str
+    line: int
+
+
+def top_of(evidence: Evidence) -> CMakeProject | None:
+    """Return the CMake project that is built where the repository is no ROS package: the one nearest to the root."""
+    tops = [project for project in evidence.cmake if project.top_level and not places.vendored(project.file)]
+    return min(tops, key=lambda project: (project.file.count("/"), project.file), default=None)
+
+
+def compiled(evidence: Evidence) -> tuple[Compiled, ...]:
+    """Return the programs of the top-level CMake project and of the folders that it adds, without tests."""
+    top = top_of(evidence)
+    if top is None:
+        return ()
+    found: dict[str, Compiled] = {}
+    for project in _inside(evidence, top):
+        folder = _folder(project, evidence, top)
+        for name, line in project.executables:
+            if _NAME.fullmatch(name) and not _TEST.search(name):
+                found.setdefault(name, Compiled(name=name, folder=folder, file=project.file, line=line))
+    return tuple(found.values())
+
+
+def _inside(evidence: Evidence, top: CMakeProject) -> Iterator[CMakeProject]:
+    """Yield the CMakeLists.txt of the top-level project and those below it, but no copied and no separate ones."""
+    root = _place(top)
+    for project in sorted(evidence.cmake, key=lambda p: (p.file.count("/"), p.file)):
+        below = not root or _place(project) == root or _place(project).startswith(f"{root}/")
+        aside = places.vendored(project.file) or places.test(project.file)
+        if below and not aside and (project is top or not project.top_level):
+            yield project
+
+
+def _place(project: CMakeProject) -> str:
+    return project.file.rpartition("/")[0]
+
+
+def _folder(project: CMakeProject, evidence: Evidence, top: CMakeProject) -> str:
+    """Return the folder of a project's programs: what the nearest file above sets, else its own in the build."""
+    root, here = _place(top), _place(project)
+    above = [p for p in evidence.cmake if p.programs_in and f"{here}/".startswith(f"{_place(p)}/".lstrip("/"))]
+    nearest = max(above, key=lambda p: p.file.count("/"), default=None)
+    written = nearest.programs_in if nearest and nearest.programs_in else f"build/{here}".rstrip("/")
+    side, _, rest = written.partition("/")
+    if not _FOLDER.fullmatch(written):
+        return "build"
+    if side == "top":
+        return posixpath.normpath(posixpath.join("source", root, rest))
+    if side == "build" and root:
+        rest = posixpath.relpath(rest, root) if (rest + "/").startswith(f"{root}/") else rest
+    return posixpath.normpath(f"{side}/{rest}")

@@ -1,0 +1,116 @@
+"""The default command is the program that the README runs first, if the tree can start it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = "<package><name>demo</name><buildtool_depend>{tool}</buildtool_depend></package>"
+ROS1 = {
+    "package.xml": PACKAGE.format(tool="catkin"),
+    "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\nadd_executable(${PROJECT_NAME}_node a.cpp)\n",
+    "launch/map.launch": "<launch/>",
+    "launch/odometry.launch": "<launch/>",
+    "launch/replay.launch": "<launch/>",
+}
+ROS2 = {
+    "package.xml": PACKAGE.format(tool="ament_cmake"),
+    "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\nadd_executable(talker a.cpp)\n",
+    "launch/map.launch.py": "from launch import LaunchDescription\n",
+    "launch/bringup.launch.py": "from launch import LaunchDescription\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("```\nroslaunch demo map.launch\nroslaunch demo odometry.launch\n```\n", "roslaunch demo map.launch"),
+        ("roslaunch demo map.launch\n# Usage\nroslaunch demo odometry.launch\n", "roslaunch demo odometry.launch"),
+        (
+            "# Calibration\nroslaunch demo map.launch\n# Demo\nroslaunch demo replay.launch\n",
+            "roslaunch demo replay.launch",
+        ),
+        (
+            "# Run\n## Tests\nroslaunch demo map.launch\n## Simulation\nroslaunch demo replay.launch\n",
+            "roslaunch demo replay.launch",
+        ),
+        (
+            "roslaunch demo gone.launch\nroslaunch demo replay.launch\nroslaunch demo map.launch\n",
+            "roslaunch demo replay.launch",
+        ),
+        ("roslaunch camera_driver usb.launch\nroslaunch demo map.launch\n", "roslaunch demo map.launch"),
+        ("ros2 launch demo map.launch.py\nroslaunch demo map.launch\n", "roslaunch demo map.launch"),
+        ("roslaunch demo replay.launch bag:=data/a.bag\nroslaunch demo map.launch\n", "roslaunch demo map.launch"),
+        ("rosrun demo download_bags.sh\nroslaunch demo map.launch\n", "roslaunch demo map.launch"),
+        ("roslaunch launch/map.launch\n", "roslaunch demo map.launch"),
+        ("Start it:\n```\n./devel/lib/demo/demo_node --fast\n```\n", "rosrun demo demo_node --fast"),
+        ("roslaunch demo gone.launch\n", "bash"),
+    ],
+)
+def test_the_first_command_of_a_page_for_ros_1(tree: Tree, page: str, command: str) -> None:
+    assert " ".join(tree({**ROS1, "README.md": page}).command) == command
+
+
+def test_the_root_page_comes_before_those_of_folders(tree: Tree) -> None:
+    pages = {"a/README.md": "# Usage\nroslaunch demo map.launch\n", "README.md": "roslaunch demo replay.launch\n"}
+    assert tree({**ROS1, **pages}).command == ("roslaunch", "demo", "replay.launch")
+
+
+def test_the_first_command_of_a_page_for_ros_2(tree: Tree) -> None:
+    page = "roslaunch demo map.launch\nros2 run demo talker a:=---\nros2 launch demo map.launch.py\n"
+    assert tree({**ROS2, "README.md": page}).command == ("ros2", "launch", "demo", "map.launch.py")
+
+
+def test_where_no_page_runs_anything_a_name_may_tell(tree: Tree) -> None:
+    assert tree(ROS2).command == ("ros2", "launch", "demo", "bringup.launch.py")
+
+
+def test_of_many_launch_files_no_name_tells(tree: Tree) -> None:
+    more = {f"launch/part_{number}.launch.py": "from launch import LaunchDescription\n" for number in range(8)}
+    assert tree({**ROS2, **more}).command == ("bash",)
+
+
+CMAKE = "project(Align CXX)\n{more}add_executable(align a.cpp)\nadd_executable(convert b.cpp)\nadd_subdirectory(apps)\n"
+APPS = {"apps/CMakeLists.txt": "add_executable(viewer v.cpp)\n", "a.cpp": "int main() {}\n", "maps/a.yaml": "a: 1\n"}
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("# Run\n```\ncd build\n./align -i ../maps/a.yaml\n```\n", "align -i maps/a.yaml"),
+        ("```\n./convert maps/a.yaml\n./build/apps/viewer\n```\n", "viewer"),
+        ("```\n./align /data/kitti/00\n./apps/viewer\n```\n", "viewer"),
+        ("Then run `viewer` in the folder.\n```\nmkdir build\n```\n", "viewer"),
+        ("```\n./align data/kitti.bag\n```\n", "align data/kitti.bag"),
+        ("```\n./install.sh\n```\n", "bash"),
+    ],
+)
+def test_the_first_compiled_program_of_a_page(tree: Tree, page: str, command: str) -> None:
+    files = {**APPS, "CMakeLists.txt": CMAKE.format(more=""), "README.md": page}
+    assert " ".join(tree(files).command) == command
+
+
+@pytest.mark.parametrize(
+    ("more", "folders"),
+    [
+        ("", ("build", "build/apps")),
+        ("set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_SOURCE_DIR}/bin)\n", ("source/bin",)),
+        ("set(EXECUTABLE_OUTPUT_PATH ${PROJECT_BINARY_DIR}/bin)\n", ("build/bin",)),
+        ("set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${SOMEWHERE}/bin)\n", ("build", "build/apps")),
+        ("set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ../../bin)\n", ("build", "build/apps")),
+    ],
+)
+def test_the_folders_of_compiled_programs(tree: Tree, more: str, folders: tuple[str, ...]) -> None:
+    assert tree({**APPS, "CMakeLists.txt": CMAKE.format(more=more)}).program_folders == folders
+
+
+def test_a_program_has_the_name_of_its_file(tree: Tree) -> None:
+    files = {
+        "CMakeLists.txt": "project(x CXX)\nadd_executable(a a.cpp)\n"
+        "set_target_properties(a PROPERTIES OUTPUT_NAME align)\n"
+    }
+    assert tree({**files, "a.cpp": "int main() {}\n"}).command == ("align",)
