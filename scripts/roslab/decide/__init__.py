@@ -15,6 +15,7 @@ from roslab.decide.kind import decide_kind
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.proof import decide_test
+from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
 from roslab.decide.python.installed import installed
 from roslab.decide.python.own import decide_version
@@ -107,6 +108,11 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
 
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else NO_CUDA
+    compiling = decide_compiling(
+        [project for project in evidence.python if (project.folder or ".") in python.answer.projects],
+        (*everything, *python.answer.first),
+        cuda.answer.version,
+    )
     command = decide_command(evidence, config, kind.answer, own.answer.file if own.answer else None)
     test = decide_test(config)
     platforms = decide_platforms(
@@ -125,6 +131,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         apt_guessed=system.answer.apt_guessed,
         python=python.answer,
         pip=everything,
+        compiling=compiling,
         source=sources.answer.sources,
         vcs=sources.answer.vcs,
         packages=tuple(manifest.file for manifest in packages.built) if kind.answer in _ROS else (),

@@ -7,6 +7,7 @@ from typing import Generic, Literal, TypeVar
 
 from roslab.config.model import BuildTool, Kind
 from roslab.config.model import Source as SourceDependency
+from roslab.decide.python.compiling import NOTHING, Compiling
 from roslab.decide.python.pythons import ANY
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
@@ -75,6 +76,8 @@ class Python:
     alone: tuple[str, ...] = ()
     """Those of ``projects`` to install without their dependencies, because one of these cannot be had anywhere."""
     conda_file: str | None = None
+    conda_defaults: bool = False
+    """The environment file counts on conda's default channels, which conda adds by itself and micromamba does not."""
     first: tuple[Requirement, ...] = ()
     """What must be installed before the others are built (numpy, torch, Cython)."""
     bounds: tuple[Requirement, ...] = ()
@@ -108,6 +111,7 @@ class Decision:
     python: Python
     pip: tuple[Requirement, ...] = ()
     """Everything that pip and conda install, also what files, projects and environments ask for; for the report."""
+    compiling: Compiling = NOTHING
     source: tuple[SourceDependency, ...] = ()
     vcs: tuple[str, ...] = ()
     """vcs files to import into the workspace, relative to the root."""

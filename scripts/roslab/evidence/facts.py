@@ -139,6 +139,7 @@ class CondaEnvironment:
     packages: tuple[CondaPackage, ...]
     requirements: tuple[Requirement, ...]
     """The ``pip:`` part."""
+    channels: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -46,17 +46,33 @@ def _needs(decision: Decision, config: Config) -> list[str]:
         needs += ["build-essential", "cmake"]
     if any(source.zip for source in decision.source) or config.base.cmake_update or config.base.icub:
         needs += ["build-essential", "ca-certificates", "curl", "unzip"]
-    return needs + _python_needs(decision, notebook=bool(config.notebook))
+    return needs + _python_needs(decision, notebook=bool(config.notebook), compatible=bool(config.compatible))
 
 
-def _python_needs(decision: Decision, *, notebook: bool) -> list[str]:
+def _compilers(decision: Decision, *, own_python: bool) -> list[str]:
+    """Return what pip compiles with; the images of ROS and those with CUDA's toolkit have a compiler.
+
+    ``own_python``: the base brings its Python with its headers, as conda's has them too.
+    """
+    if not decision.compiling.compiler:
+        return []
+    has_one = decision.kind in ("ros1", "ros2") or "-devel" in decision.base_image
+    needs = [] if has_one else ["build-essential"]
+    if decision.python.manager != "conda" and not own_python:
+        needs.append("python-dev" if (decision.python.version or "").startswith("2") else "python3-dev")
+    return needs + (["cargo"] if decision.compiling.rust else [])
+
+
+def _python_needs(decision: Decision, *, notebook: bool, compatible: bool) -> list[str]:
     """Return the system packages that the image's Python needs."""
     python = decision.python
     own_python = decision.base_image.rpartition("/")[2].startswith("python:")  # it has pip and venv in /usr/local
     asked = (*python.pip, *python.pip_guessed, *python.first, *python.python2)
-    needs = ["ca-certificates", "git"] if any(each.vcs for each in asked) else []
+    needs = ["ca-certificates", "git"] if decision.compiling.git or any(each.vcs for each in asked) else []
     if python.manager == "conda":
         needs.append("ca-certificates")
+    if not compatible:
+        needs += _compilers(decision, own_python=own_python)
     if not own_python and (python.manager == "venv" or notebook):
         needs += ["ca-certificates", "python3", "python3-venv"]
     if not own_python and python.manager == "system" and (asked or python.requirements or python.projects):

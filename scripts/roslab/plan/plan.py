@@ -214,7 +214,7 @@ def make_plan(
             else None
         ),
         rosdep_keys=decision.rosdep,
-        python=python_plan(decision.python),
+        python=python_plan(decision.python, decision.compiling),
         python_tools=python_tools(decision.python.version, decision.ubuntu),
         source_version=source_version,
         workspace=place,

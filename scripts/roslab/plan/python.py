@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from roslab.decide import decision
 from roslab.decide.decision import Manager
+from roslab.decide.python.compiling import NOTHING, Compiling
 from roslab.values.requirement import Requirement
 
 
@@ -29,9 +30,13 @@ class PythonPlan:
     pip_options: tuple[str, ...]
     python2: tuple[str, ...]
     python2_options: tuple[str, ...]
+    conda_defaults: bool = False
+    git_hosts: tuple[str, ...] = ()
+    """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
+    cuda_architectures: str = ""
 
 
-def python_plan(python: decision.Python) -> PythonPlan:
+def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> PythonPlan:
     """Write the decision's requirements out as lines."""
     return PythonPlan(
         version=python.version,
@@ -49,6 +54,9 @@ def python_plan(python: decision.Python) -> PythonPlan:
         pip_options=python.pip_options,
         python2=_lines(python.python2),
         python2_options=python.python2_options,
+        conda_defaults=python.conda_defaults,
+        git_hosts=compiling.hosts,
+        cuda_architectures=compiling.architectures,
     )
 
 

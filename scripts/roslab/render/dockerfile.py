@@ -41,6 +41,7 @@ TODAY = Order(
         system.guessed_packages,  # … and what was guessed
         system.icub,
         system.newer_cmake,
+        python.building,
         python.environment,
         python.jupyter,
         system.libraries,
@@ -62,6 +63,7 @@ OLD_FORMATS = Order(  # the order of the old generators, in which later steps us
     image=(
         system.first_packages,
         system.tools,
+        python.building,
         python.environment,
         python.jupyter,
         system.icub,

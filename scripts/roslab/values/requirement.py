@@ -23,14 +23,26 @@ RequirementOrigin = Literal["manifest", "conda", "prose", "import", "build", "co
 """Who asks: a file made for pip, a conda environment, an install line for humans or for another machine, the code, the
 build, roslab.yaml, or a table of the program's own."""
 Role = Literal[
-    "", "editable", "repaired", "member", "source", "extra", "test", "python2", "conda", "project", "file", "option"
+    "environment",
+    "",
+    "editable",
+    "repaired",
+    "member",
+    "source",
+    "extra",
+    "test",
+    "python2",
+    "conda",
+    "project",
+    "file",
+    "option",
 ]
 """``""``: to be installed as it stands; ``editable``: from a URL, with ``-e``; ``repaired``: pip would refuse the way
 its author spells it; ``member``, ``source``: uv has it in the same tree, or from elsewhere than the index; ``extra``,
 ``test``: only for those who ask for more; ``python2``: by Python 2's pip; ``conda``: by ``conda install``, or among
-conda's own packages. ``project``, ``file`` and ``option`` name no package: a path to install, a requirements file, an
-option of pip's."""
-_NO_PACKAGE = frozenset({"project", "file", "option"})
+conda's own packages. ``project``, ``file``, ``environment`` and ``option`` name no package: a path to install, a
+requirements file, a conda environment's file, an option of pip's."""
+_NO_PACKAGE = frozenset({"project", "file", "option", "environment"})
 _EXACT = frozenset({"==", "===", "~="})
 _UPPER = frozenset({"<", "<="})
 _EDITABLE = re.compile(r"^(?:-e|--editable)[ =]*(\S.*)$")

@@ -99,3 +99,9 @@ def test_patterns_take_linear_time() -> None:
     with ends():
         for removal in removals():
             removal.pattern.search(text)
+
+
+def test_a_comment_uses_nothing(tmp_path: Path) -> None:
+    assert bounds(tmp_path, "    # scipy.misc.imsave(filename, image)\nx = np.float(1)  # np.float\n") == {
+        "numpy<1.24": 2
+    }

@@ -10,6 +10,7 @@ import pytest
 from roslab.config.model import Base, Config, Kind
 from roslab.decide.cuda.version import decide_cuda
 from roslab.decide.decision import Python
+from roslab.decide.python.compiling import Compiling, decide_compiling
 from roslab.decide.python.environment import decide_python
 from roslab.decide.python.installed import installed
 from roslab.decide.python.own import decide_version
@@ -264,3 +265,81 @@ def test_a_page_of_the_documentation_tells_what_to_install_but_not_what_develope
 def test_documentation_itself_is_installed_nowhere(tmp_path: Path) -> None:
     tools = {"CMakeLists.txt": "project(x)\n", "docs/install.sh": "pip install sphinx-thing\n"}
     assert decide(tmp_path, tools, kind="cpp").pip_guessed == ()
+
+
+def compiling_of(tmp_path: Path, files: dict[str, str], cuda: str | None = None) -> Compiling:
+    """Decide what the packages of a small CUDA or Python repository take to be built."""
+    evidence = evidence_of(tmp_path, files)
+    python = chosen(evidence, Config(), "cuda" if cuda else "python")
+    projects = [project for project in evidence.python if (project.folder or ".") in python.projects]
+    return decide_compiling(projects, (*installed(evidence, python), *python.first), cuda)
+
+
+def test_packages_with_wheels_for_every_python_need_no_compiler(tmp_path: Path) -> None:
+    assert compiling_of(tmp_path, {"requirements.txt": "numpy\nscipy>=1.5\nmatplotlib\n"}) == Compiling()
+    assert compiling_of(tmp_path, {"requirements.txt": "numpy\nmpi4py\n"}).compiler
+
+
+def test_git_lines_of_a_setup_py_need_git(tmp_path: Path) -> None:
+    line = "fcl @ git+ssh://git@github.com/someone/fcl.git@v1"
+    setup = f"from setuptools import setup\nsetup(name='a', install_requires=['numpy', '{line}'])\n"
+    found = compiling_of(tmp_path, {"setup.py": setup})
+    assert found.git
+    assert found.hosts == ("github.com",)
+
+
+def test_lines_in_a_conda_file_with_the_protocol_that_ended(tmp_path: Path) -> None:
+    listed = "dependencies:\n- python=3.6\n- pip:\n  - git+git://github.com/someone/suite.git\n"
+    found = compiling_of(tmp_path, {"environment.yml": listed + "  - git+ssh://git@code.example.org/a/b.git\n"})
+    assert found.git
+    assert found.hosts == ("github.com",)  # nobody says that the other answers to https
+
+
+def test_a_rust_backend_needs_cargo(tmp_path: Path) -> None:
+    text = "[build-system]\nrequires = ['maturin>=1']\nbuild-backend = 'maturin'\n[project]\nname = 'a'\n"
+    found = compiling_of(tmp_path, {"pyproject.toml": text})
+    assert found.rust
+    assert found.compiler
+
+
+def test_extensions_of_torch_are_compiled_without_a_gpu(tmp_path: Path) -> None:
+    setup = (
+        "from setuptools import setup\nfrom torch.utils.cpp_extension import CUDAExtension\n"
+        "setup(name='a', ext_modules=[CUDAExtension('a', ['a.cu'])])\n"
+    )
+    assert compiling_of(tmp_path, {"setup.py": setup}, "11.3").architectures == "6.1;7.0;7.5;8.0;8.6+PTX"
+    assert compiling_of(tmp_path, {"setup.py": setup}, "11.0").architectures == "6.1;7.0;7.5;8.0+PTX"
+    assert not compiling_of(tmp_path / "plain", {"requirements.txt": "torch\n"}, "11.3").architectures
+
+
+def test_the_environment_that_the_readme_creates_wins_over_a_project(tmp_path: Path) -> None:
+    files = {
+        "environment.yaml": "channels: [conda-forge]\ndependencies: [python=3.9, numpy]\n",
+        "setup.py": "from setuptools import setup\nsetup(name='a', install_requires=['numpy'])\n",
+    }
+    assert decide(tmp_path / "unnamed", files).conda_file is None
+    files["README.md"] = "```\nconda env create -f environment.yaml\nconda activate a\npip install -e .\n```\n"
+    found = decide(tmp_path, files)
+    assert found.conda_file == "environment.yaml"
+    assert found.projects == (".",)
+
+
+def test_requirements_that_the_readme_installs_first_win_over_its_environment(tmp_path: Path) -> None:
+    files = {
+        "environment.yml": "dependencies: [python=3.9, numpy]\n",
+        "requirements.txt": "numpy\n",
+        "README.md": "```\npip install -r requirements.txt\n```\nor\n```\nconda env create -f environment.yml\n```\n",
+    }
+    assert decide(tmp_path, files).requirements == ("requirements.txt",)
+
+
+def test_conda_adds_its_default_channels(tmp_path: Path) -> None:
+    start = "dependencies: [python=3.7, numpy]\n"
+    assert decide(tmp_path / "a", {"environment.yml": "channels: [conda-forge]\n" + start}).conda_defaults
+    assert not decide(tmp_path / "b", {"environment.yml": "channels: [x, nodefaults]\n" + start}).conda_defaults
+    assert not decide(tmp_path / "c", {"environment.yml": "channels: [defaults]\n" + start}).conda_defaults
+
+
+def test_a_backend_that_brings_what_it_compiles_with_is_isolated(tmp_path: Path) -> None:
+    text = "[build-system]\nrequires = ['scikit-build-core', 'pybind11']\nbuild-backend = 'scikit_build_core.build'\n"
+    assert decide(tmp_path, {"pyproject.toml": text + "[project]\nname = 'a'\ndependencies = ['numpy']\n"}).first == ()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import pytest
 
 from roslab.config.model import Base, Config, Custom, Source
 from roslab.decide.decision import Decision, Python
+from roslab.decide.python.compiling import Compiling
 from roslab.errors import ConfigurationError
 from roslab.plan.plan import Plan, from_json, image_name, make_plan, to_json
 from roslab.render import image_scripts
@@ -312,3 +314,37 @@ def test_a_sister_is_prepared_after_its_clone_and_gives_the_workspace_its_option
     clone, prepare, build = positions(text, "git clone", "cp a.xml package.xml", "catkin_make -j")
     assert clone < prepare < build
     assert "'-DEDITION=R 1'" in text[build:].splitlines()[0]
+
+
+def test_how_pip_builds(plan: Callable[..., Plan]) -> None:
+    text = dockerfile(
+        plan(
+            manager="conda",
+            conda_file="environment.yml",
+            conda_defaults=True,
+            git_hosts=("github.com",),
+            cuda_architectures="7.0;7.5+PTX",
+        )
+    )
+    assert "ENV PIP_PREFER_BINARY=1" in text
+    assert '\n    TORCH_CUDA_ARCH_LIST="7.0;7.5+PTX"\n' in text
+    assert "git config --system --add url.https://github.com/.insteadOf git://github.com/ \\\n" in text
+    assert "--add url.https://github.com/.insteadOf git@github.com:\n" in text
+    assert "RUN CONDA_CHANNELS=defaults micromamba create" in text
+    assert text.index("insteadOf") < text.index("micromamba create")  # its pip part clones
+    assert "insteadOf" not in dockerfile(plan())
+    assert "TORCH_CUDA_ARCH_LIST" not in dockerfile(plan())
+
+
+def test_pip_compiles_with_what_the_base_lacks() -> None:
+    def apt(**changes: Any) -> tuple[str, ...]:
+        python = Python(version="3.10", manager=changes.pop("manager", "venv"), pip=(stated("mpi4py"),))
+        values = {"kind": "python", "ubuntu": "jammy", "base_image": "ubuntu:22.04", **changes}
+        compiling = Compiling(compiler=True)
+        decision = Decision(ros_distro=None, build_tool="pip", python=python, compiling=compiling, **values)
+        return make_plan(decision, Config(), folder_name="a").apt
+
+    assert {"build-essential", "python3-dev"} < set(apt())
+    assert "python3-dev" not in apt(manager="conda")
+    assert "python3-dev" not in apt(base_image="python:3.7-slim-bookworm", ubuntu=None)
+    assert "build-essential" not in apt(kind="cuda", base_image="nvidia/cuda:11.8.0-devel-ubuntu22.04")

@@ -85,6 +85,7 @@ def decide_python(
         projects=tuple(project.folder or "." for project in chosen.projects),
         alone=repaired.alone,
         conda_file=conda,
+        conda_defaults=_default_channels(evidence, conda),
         first=first(everything, chosen.projects),
         bounds=(*bounds.answer, *exact.answer),
         options=tuple(dict.fromkeys((*indexes, *_file_options(evidence, chosen, repaired), *chosen.options))),
@@ -97,6 +98,15 @@ def decide_python(
         reasons=(*own.reasons, *_reasons(chosen), *kept.values(), *bounds.reasons, *exact.reasons),
         warnings=(*outvoted(own, ubuntu, ros_distro), *repaired.warnings, *lists.warnings),
     )
+
+
+def _default_channels(evidence: Evidence, conda: str | None) -> bool:
+    """Tell whether conda would add its default channels to those of the file.
+
+    https://docs.conda.io/projects/conda/en/stable/user-guide/tasks/manage-environments.html, read 2026-11-21.
+    """
+    channels = next((environment.channels for environment in evidence.conda if environment.file == conda), None)
+    return channels is not None and not {"defaults", "nodefaults"} & set(channels)
 
 
 def _interpreter(version: str | None) -> Interpreter:

@@ -16,7 +16,7 @@ def first(asked: Sequence[Requirement], projects: Sequence[PythonProject]) -> tu
     requirements too.
     """
     by_name = {each.key: each for each in reversed(asked) if each.name}
-    extensions = {extension for project in projects for extension in project.extensions}
+    extensions = {extension for project in projects for extension in project.extensions if not _isolated(project)}
     needs = [stated(name) for each in asked for name in build_needs().get(each.key, ())]
     if "cuda" in extensions or ("c" in extensions and "torch" in by_name):
         needs += [stated("numpy"), stated("torch")]
@@ -26,6 +26,15 @@ def first(asked: Sequence[Requirement], projects: Sequence[PythonProject]) -> tu
     if needs:
         needs += [line for project in projects for line in project.build_requires]
     return tuple({need.key: by_name.get(need.key, need) for need in needs}.values())
+
+
+def _isolated(project: PythonProject) -> bool:
+    """Tell whether its pyproject.toml names what its extensions are built with: pip then brings exactly that.
+
+    An extension of torch is built in the image's own environment all the same: it must fit the torch that is there.
+    """
+    needs = {each.key for each in project.build_requires} - {"setuptools", "wheel", "setuptools-scm"}
+    return bool(needs) and project.file.endswith("pyproject.toml") and "cuda" not in project.extensions
 
 
 def _for_setup(project: PythonProject) -> Iterator[Requirement]:

@@ -21,6 +21,8 @@ _VARIANT = re.compile(
     r"real|robot|server|web|app|viz|vis)(?:[-_.\d]|$)",
     re.IGNORECASE,
 )
+_PAGE = re.compile(r"^(?:docs?/|\.github/)?(?:readme|install(?:ation)?)\b[^/]*$", re.IGNORECASE)
+"""The pages whose lines tell how the project is installed."""
 MAX_PROJECTS = 6
 
 
@@ -43,6 +45,8 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
     best = min(
         own, key=lambda e: (e.file.count("/"), bool(_VARIANT.search(e.file.rpartition(".")[0])), len(e.file), e.file)
     )
+    if said := _environment_of_readme(evidence, [each.file for each in own]):
+        return said
     folder = best.file.rpartition("/")[0]
     beside = any(
         file.purpose == "run"
@@ -54,6 +58,19 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
         p.installable and not p.folder and any(not asked.role for asked in p.requirements) for p in evidence.python
     )
     return None if beside or declared else best.file
+
+
+def _environment_of_readme(evidence: Evidence, known: Sequence[str]) -> str | None:
+    """Return the environment that the README creates, unless the same page installs a requirements file before."""
+    first: dict[str, Requirement] = {}
+    for asked in evidence.prose_pip:
+        if asked.role in {"environment", "file"} and _PAGE.search(asked.file):
+            known_one = first.setdefault(asked.file, asked)
+            if asked.line < known_one.line:
+                first[asked.file] = asked
+    chosen = (first[page] for page in sorted(first, key=lambda page: (page.count("/"), page)))
+    said = next(chosen, None)
+    return _resolve(said, known) if said and said.role == "environment" else None
 
 
 def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str | None) -> tuple[RequirementFile, ...]:

@@ -45,7 +45,7 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
     items = [item for listed in inner for item in listed if isinstance(item, str)]
     pip = [found for item in items if (found := _item(item, file.path, line_of(item)))]
     python = next((package.version for package in packages if package.name == "python" and package.version), None)
-    name = data.get("name")
+    name, channels = data.get("name"), data.get("channels")
     return CondaEnvironment(
         file=file.path,
         line=1,
@@ -53,6 +53,7 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
         python=minor_of(python) if python else None,
         packages=packages,
         requirements=tuple(pip),
+        channels=tuple(each for each in channels if isinstance(each, str)) if isinstance(channels, list) else (),
     )
 
 

@@ -95,9 +95,23 @@ def _argument(written: str, role: Role, file: str, line: int) -> Requirement:
     return Requirement(name="", written=written, origin="prose", role=role, file=file, line=line)
 
 
+def _environment(command: Command, file: str) -> Iterator[Requirement]:
+    """Yield the environment file of ``conda env create``; without ``--file`` it is environment.yml."""
+    named = "environment.yml"
+    for word, following in zip(command.words[3:], (*command.words[4:], ""), strict=True):
+        flag, _, glued = word.partition("=")
+        if flag in {"-f", "--file"}:
+            named = glued or following
+    if named and UNKNOWN not in named:
+        yield _argument(named, "environment", file, command.line)
+
+
 def conda_asks(command: Command, file: str) -> Iterator[Requirement | Version]:
-    """Yield what ``conda install`` or ``conda create`` is given."""
+    """Yield what ``conda install`` or ``conda create`` is given, and the file of ``conda env create``."""
     words = command.words
+    if words[1:2] == ("env",) and {"create", "update"} & set(words[2:3]):
+        yield from _environment(command, file)
+        return
     if not {"install", "create"} & set(words[1:3]):
         return
     skip = False

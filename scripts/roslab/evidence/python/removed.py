@@ -16,9 +16,17 @@ def read(repository: Repository) -> tuple[Removed, ...]:
         for rank, row in enumerate(removals()):
             if row.package in found and found[row.package][0] <= rank:
                 continue  # only a lower bound of the same package would matter
-            if row.hint not in text or not (match := row.pattern.search(text)):
+            if row.hint not in text:
+                continue
+            match = next((m for m in row.pattern.finditer(text) if not _comment(text, m.start())), None)
+            if match is None:
                 continue
             line = text.count("\n", 0, match.start()) + 1
             use = Removed(bound=row.bound, what=row.what, file=file.path, line=line)
             found[row.package] = (rank, use)
     return tuple(sorted((use for _, use in found.values()), key=lambda use: use.bound.written))
+
+
+def _comment(text: str, position: int) -> bool:
+    """Tell whether a position lies in a line that is a comment."""
+    return text[text.rfind("\n", 0, position) + 1 : position + 1].lstrip().startswith("#")

@@ -12,6 +12,33 @@ from roslab.render.layers import manifests, shell
 GET_PIP = "https://bootstrap.pypa.io/pip/2.7/get-pip.py"
 
 
+def building(plan: Plan) -> str:
+    """Say how pip builds: from wheels where there are any, for GPUs that no build sees, with git over https."""
+    python = plan.python
+    lines: list[str] = []
+    if plan.compatible:
+        return ""
+    if python.manager != "system" or _installs(plan):
+        lines += ["# An older wheel is taken before the source of a newer release", "ENV PIP_PREFER_BINARY=1"]
+    if python.cuda_architectures:
+        lines.append("# No GPU is seen while an image is built: extensions are compiled for all of these")
+        lines.append(f"ENV FORCE_CUDA=1 \\\n    TORCH_CUDA_ARCH_LIST={quote.docker(python.cuda_architectures)}")
+    if python.git_hosts:
+        commands = [
+            f"git config --system --add url.https://{host}/.insteadOf {quote.shell(written + host + end)}"
+            for host in python.git_hosts
+            for written, end in (("git://", "/"), ("ssh://git@", "/"), ("git@", ":"))
+        ]
+        lines.append(shell.run(*commands, comment="Public repositories that are named by git:// or ssh://"))
+    return "\n".join(lines)
+
+
+def _installs(plan: Plan) -> bool:
+    """Tell whether pip installs anything for the image's own Python."""
+    python = plan.python
+    return bool(python.pip or python.pip_guessed or python.first or python.requirements or python.projects)
+
+
 def environment(plan: Plan) -> str:
     """Make the Python environment: the base's own interpreter, a virtual one over it, or a conda one."""
     python = plan.python
@@ -30,7 +57,7 @@ def environment(plan: Plan) -> str:
             )
         )
     lines = []
-    installs = bool(python.pip or python.pip_guessed or python.first or python.requirements or python.projects)
+    installs = _installs(plan)
     if installs or plan.rosdep or plan.compatible:
         lines.append("# The image is the environment: packages go beside the distribution's own")
         lines.append("ENV PIP_BREAK_SYSTEM_PACKAGES=1")
@@ -81,7 +108,8 @@ def _conda(plan: Plan) -> str:
     if python.conda_file:
         copy = manifests.copy(plan, manifests.of_conda(plan))
         source = f"--file {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}"
-    create = f"micromamba create --yes --quiet --prefix /opt/conda {source}"
+    channels = "CONDA_CHANNELS=defaults " if python.conda_defaults else ""
+    create = f"{channels}micromamba create --yes --quiet --prefix /opt/conda {source}"
     return (
         "# A conda environment: the author's own, or for a Python that the base does not have\n"
         f"COPY --from={tool_image('micromamba')} /bin/micromamba /usr/local/bin/micromamba\n{copy}"

@@ -1,0 +1,62 @@
+"""What pip has to compile while the image is built, and what that takes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from packaging.version import Version
+
+from roslab.evidence.facts import PythonProject
+from roslab.knowledge.compiled import architectures, prebuilt, public_hosts
+from roslab.knowledge.frameworks import build_needs
+from roslab.values.requirement import Requirement
+
+_RUST = frozenset({"maturin", "setuptools-rust"})
+_CLOSED = re.compile(r"(?:\w+\+)?(?:git|ssh)://(?:[^@/]*@)?([\w.-]+)/|(?:\w+\+)?git@([\w.-]+):")
+"""An address that needs a key, or a protocol that GitHub ended on 2022-03-15.
+
+https://github.blog/security/application-security/improving-git-protocol-security-github/"""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Compiling:
+    """What the builds of Python packages need that a base may lack."""
+
+    compiler: bool = False
+    """Something may have no wheel: it takes a C++ compiler and Python's headers."""
+    rust: bool = False
+    git: bool = False
+    hosts: tuple[str, ...] = ()
+    """Public hosts that a line names by ``git://`` or ``ssh://``; all of them answer to https."""
+    architectures: str = ""
+    """``TORCH_CUDA_ARCH_LIST`` for extensions of torch: it asks the GPU otherwise, and a build sees none."""
+
+
+NOTHING = Compiling()
+
+
+def decide_compiling(
+    projects: Sequence[PythonProject], installed: Iterable[Requirement], cuda: str | None
+) -> Compiling:
+    """Return what it takes to build the ``projects`` and what they ask for, on an image with that ``cuda``."""
+    packages = [each for each in installed if each.package]
+    build = {each.key for project in projects for each in project.build_requires}
+    extensions = {extension for project in projects for extension in project.extensions}
+    rust = bool(build & _RUST)
+    on_torch = "cuda" in extensions or any("torch" in build_needs().get(each.key, ()) for each in packages)
+    closed = (match[1] or match[2] for each in packages if (match := _CLOSED.match(each.url)))
+    return Compiling(
+        compiler=bool(extensions) or rust or any(each.vcs or each.key not in prebuilt() for each in packages),
+        rust=rust,
+        git=any(each.vcs for each in packages),
+        hosts=tuple(sorted({host for host in closed if host in public_hosts()})),
+        architectures=_architectures(cuda) if cuda and on_torch else "",
+    )
+
+
+def _architectures(cuda: str) -> str:
+    """Return the GPUs that the newest row not above this CUDA names."""
+    known = [(Version(version), names) for version, names in architectures() if Version(version) <= Version(cuda)]
+    return max(known)[1] if known else ""

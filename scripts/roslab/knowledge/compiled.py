@@ -1,0 +1,25 @@
+"""Packages that need no compiler, GPUs that each CUDA compiles for, and hosts that serve everything by https."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from roslab.knowledge.table import rows
+
+
+@cache
+def prebuilt() -> frozenset[str]:
+    """Return the packages of pip's index that have a wheel for each Python and platform, or hold no compiled code."""
+    return frozenset(row["pip"] for row in rows("prebuilt"))
+
+
+@cache
+def architectures() -> tuple[tuple[str, str], ...]:
+    """Return ``(CUDA, value of TORCH_CUDA_ARCH_LIST)``: a row holds from its CUDA on."""
+    return tuple((row["cuda"], row["architectures"]) for row in rows("cuda_architectures"))
+
+
+@cache
+def public_hosts() -> frozenset[str]:
+    """Return the hosts of public code whose every repository can be cloned by https."""
+    return frozenset(row["host"] for row in rows("git_hosts"))
