@@ -111,16 +111,3 @@ def test_a_branch_that_is_none(  # noqa: PLR0917 - fixtures
     assert ran.exit_code == 0, ran.log
     assert {tag.partition("-")[0] for tag in registry.tags(f"{doors.OWNER}/{name}")} == expected
     assert ("gets no tag of its name" in ran.log) == bool(expected)
-
-
-@pytest.mark.parametrize("signed", [True, False])
-def test_an_image_that_cannot_be_signed(lab: Laboratory, tmp_path: Path, name: str, *, signed: bool) -> None:
-    """The tags move after the signature, or with a warning that says which right is missing."""
-    caller = doors.through_workflow(tmp_path / "caller", {"registry": lab.registry, "platforms": "linux/amd64"})
-    environment = {**doors.builder(lab), "ACTIONS_ID_TOKEN_REQUEST_URL": "http://127.0.0.1:9/"}
-    environment |= {} if signed else {"REPRO_LAB_ATTEST": "fail"}
-    ran = run_workflow(lab, caller, "push", doors.payload(name), env=environment)
-    assert ran.exit_code == 0, ran.log
-    assert {"main", "latest"} < set(registry.tags(f"{doors.OWNER}/{name}"))
-    assert ran.log.index("Main Sign the image") < ran.log.index("Main Move the tags")
-    assert ("the image is not signed (grant the calling job `attestations: write`" in ran.log) != signed

@@ -204,20 +204,27 @@ def pull(reference: str, platform: str) -> None:
         raise BuildError(Problem(message=f"cannot pull {reference} for {platform}: {last_line(answer.stderr)}"))
 
 
-def create_index(image: str, sources: Sequence[str], tag: str) -> str:
+def annotations_of(image: str, digest: str) -> dict[str, str]:
+    """Return the annotations of a manifest or index. Raises ``BuildError`` if the registry does not return it."""
+    found = _inspect(f"{image}@{digest}").get("annotations")
+    return {str(name): str(value) for name, value in found.items()} if isinstance(found, dict) else {}
+
+
+def create_index(image: str, sources: Sequence[str], tag: str, annotated: Mapping[str, str]) -> str:
     """Create an index of the given images under a tag and return its digest.
 
-    ``sources`` are digests of indexes or manifests of ``image``; ``tag`` is a complete reference. The digest is that of
-    the index written here, not of what the tag names a moment later: another run may write the same tag.
-    Raises ``BuildError`` if the registry refuses, with its message.
+    ``sources`` are digests of indexes or manifests of ``image``; ``tag`` is a complete reference; ``annotated`` are the
+    index's annotations. The digest is that of the index written here, not of what the tag names a moment later: another
+    run may write the same tag. Raises ``BuildError`` if the registry refuses, with its message.
     """
-    references = [f"{image}@{source}" for source in sources]
-    command = ["docker", "buildx", "imagetools", "create", "--dry-run", "--tag", tag, *references]
+    flags = [word for name, value in annotated.items() for word in ("--annotation", f"index:{name}={value}")]
+    words = [*flags, *(f"{image}@{source}" for source in sources)]
+    command = ["docker", "buildx", "imagetools", "create", "--dry-run", "--tag", tag, *words]
     answer = with_retries(lambda: output(command, timeout=600.0))
     if answer.returncode:
         raise BuildError(Problem(message=f"no index can be made of {', '.join(sources)}: {last_line(answer.stderr)}"))
     digest = "sha256:" + hashlib.sha256(answer.stdout.removesuffix("\n").encode()).hexdigest()
-    _create([tag], references)
+    _create([tag], words)
     _inspect(f"{image}@{digest}")
     return digest
 
@@ -228,9 +235,9 @@ def put_tags(image: str, digest: str, tags: Sequence[str]) -> None:
         _create(tags, [f"{image}@{digest}"])
 
 
-def _create(tags: Sequence[str], sources: Sequence[str]) -> None:
+def _create(tags: Sequence[str], words: Sequence[str]) -> None:
     flags = [word for tag in tags for word in ("--tag", tag)]
-    command = ["docker", "buildx", "imagetools", "create", *flags, *sources]
+    command = ["docker", "buildx", "imagetools", "create", *flags, *words]
     answer = with_retries(lambda: output(command, timeout=600.0))
     if answer.returncode:
         names = ", ".join(tag.rpartition(":")[2] for tag in tags)

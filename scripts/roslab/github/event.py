@@ -44,6 +44,12 @@ class Event:
     """Repository that the code of a pull request comes from, ``None`` if it was deleted or there is none."""
     public: bool = False
     """The repository is known to be public."""
+    enterprise: bool = False
+    """The repository belongs to an enterprise, so GitHub signs for it although it is private."""
+    description: str = ""
+    """What GitHub shows below the repository's name."""
+    licence: str = ""
+    """Identifier of SPDX, ``""`` if GitHub does not know the licence."""
     signing: bool = False
     """The caller granted ``id-token: write``."""
     act: bool = False
@@ -111,6 +117,9 @@ def read(environment: Mapping[str, str]) -> Event:
         proposed=pull_request,
         head=head,
         public=_get(payload, "repository", "private") is False,
+        enterprise=bool(_get(payload, "enterprise")),
+        description=_text(payload, "repository", "description"),
+        licence=_text(payload, "repository", "license", "spdx_id").removesuffix("NOASSERTION"),
         signing=bool(environment.get("ACTIONS_ID_TOKEN_REQUEST_URL")),
         act=environment.get("ACT") == "true",
     )

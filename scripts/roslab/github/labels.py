@@ -1,4 +1,4 @@
-"""The labels of an image: its name, its commit and the commit's time, but never the time of the build."""
+"""The labels of an image, which are its annotations too: its name, its commit and that commit's time."""
 
 from __future__ import annotations
 
@@ -10,15 +10,21 @@ from roslab.plan.plan import Plan
 
 PREFIX = "org.opencontainers.image"
 """https://github.com/opencontainers/image-spec/blob/main/annotations.md"""
+LONGEST = 512
+"""Most characters of a description that GitHub shows:
+https://docs.github.com/en/packages/working-with-a-github-packages-registry/working-with-the-container-registry"""
 
 
 def labels(plan: Plan, event: Event, *, revision: str, seconds: int | None) -> tuple[tuple[str, str], ...]:
-    """Return the labels, which depend only on the commit, so that two builds of it can be identical.
+    """Return the labels; none has the time of the build, so that two builds of a commit can be identical.
 
-    ``revision`` is the commit that was checked out, ``seconds`` its time since 1970.
+    Only the description and the licence are not the commit's, but what GitHub says of the repository. ``revision`` is
+    the commit that was checked out, ``seconds`` its time since 1970.
     """
     found = {
         "title": plan.name,
+        "description": event.description[:LONGEST],
+        "licenses": event.licence,
         "url": f"{event.server}/{event.repository}",
         "source": f"{event.server}/{event.repository}",
         "revision": revision or event.sha,
@@ -27,7 +33,7 @@ def labels(plan: Plan, event: Event, *, revision: str, seconds: int | None) -> t
         "created": timestamp(seconds) if seconds is not None else "",
     }
     # buildx reads one label per line, as CSV: a quote or a line break would end the value
-    return tuple((f"{PREFIX}.{key}", re.sub(r'[\s"]+', " ", value)) for key, value in found.items() if value)
+    return tuple((f"{PREFIX}.{key}", re.sub(r'[\s"]+', " ", value).strip()) for key, value in found.items() if value)
 
 
 def timestamp(seconds: int) -> str:

@@ -7,12 +7,13 @@ from collections.abc import Mapping
 
 from roslab.engine import credentials, registry
 from roslab.errors import BuildError, Problem, RefusedError
-from roslab.github import api, event, kept, rebuild, tags, workflow
+from roslab.github import api, event, kept, rebuild, signing, tags, workflow
 from roslab.github.event import Event
+from roslab.github.labels import PREFIX
 from roslab.github.run import Folder, Run, reports_folder
 from roslab.render.outcome import PlatformReport, platforms_of
 
-REVISION = "org.opencontainers.image.revision"
+REVISION = f"{PREFIX}.revision"
 
 
 def index(environment: Mapping[str, str]) -> None:
@@ -31,12 +32,13 @@ def index(environment: Mapping[str, str]) -> None:
         raise BuildError(Problem(message=f"nothing gets a tag: {reason}"))
     verify(run, proved)
     own = tags.dressed(tags.own(said, run.image, what), run.plan.tags)
-    digest = registry.create_index(run.image, tuple(dict.fromkeys(report.source for report in proved)), own)
-    folder.write("index.json", json.dumps({"digest": digest, "own": own}))
-    workflow.outputs(
-        {"digest": digest, "sign": "true" if what.signing and what.public else "false"},
-        environment,
-    )
+    said_of_it = registry.annotations_of(run.image, proved[0].digest)
+    annotated = {name: value for name, value in said_of_it.items() if name.startswith(PREFIX)}
+    digest = registry.create_index(run.image, tuple(dict.fromkeys(report.source for report in proved)), own, annotated)
+    digests = {report.platform: report.digest for report in proved}
+    unsigned = signing.unsigned(what)
+    folder.write("index.json", json.dumps({"digest": digest, "own": own, "digests": digests, "unsigned": unsigned}))
+    workflow.outputs({"digest": digest, "sign": "false" if unsigned else "true"}, environment)
 
 
 def _asked(folder: Folder, environment: Mapping[str, str]) -> tuple[Run, Event, str]:
@@ -77,15 +79,17 @@ def verify(run: Run, reports: tuple[PlatformReport, ...]) -> None:
 def tag(environment: Mapping[str, str]) -> None:
     """Move the other tags to the index; those of a branch move only if its head is still this commit.
 
-    ROSLAB_SIGNATURE is the outcome of the step that signed. Raises ``BuildError`` if the registry refuses.
+    ROSLAB_SIGNATURE is the outcome of the step that signed, ROSLAB_SIGNER the repository of the workflow that it
+    belongs to. Raises ``BuildError`` if the registry refuses.
     """
     folder = Folder.of(environment)
     run, what, said = _asked(folder, environment)
     made = json.loads(folder.read("index.json"))
     digest = str(made["digest"])
-    if environment.get("ROSLAB_SIGNATURE") == "failure":
-        hint = "grant the calling job `attestations: write` beside `id-token: write`"
-        workflow.warn(Problem(message="the image is not signed", hint=hint))
+    signed = environment.get("ROSLAB_SIGNATURE") == "success"
+    unsigned = "" if signed else str(made["unsigned"]) or signing.FAILED
+    if unsigned == signing.FAILED:
+        workflow.warn(Problem(message="the image is not signed", hint=signing.FAILED))
     ask = api.asker(environment)
     # Asked as late as possible: somebody may have pushed while this commit was built
     head, releases = api.branch_head(what, ask), api.releases(what, ask)
@@ -96,6 +100,9 @@ def tag(environment: Mapping[str, str]) -> None:
     registry.put_tags(run.image, digest, moving)
     names = (str(made["own"]), *moving)
     public = credentials.is_public(run.image, digest)
-    folder.write("published.json", json.dumps({"digest": digest, "tags": names, "public": public}))
-    workflow.outputs({"digest": digest, "tags": "\n".join(names)}, environment)
+    verify = signing.verification(run.image, digest, what, environment.get("ROSLAB_SIGNER", "")) if signed else ()
+    published = {"digest": digest, "tags": names, "public": public, "verify": verify, "unsigned": unsigned}
+    folder.write("published.json", json.dumps(published))
+    digests = json.dumps(made["digests"], separators=(",", ":"))
+    workflow.outputs({"digest": digest, "digests": digests, "tags": "\n".join(names)}, environment)
     workflow.notice(f"{names[-1]} is {digest}")

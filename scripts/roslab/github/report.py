@@ -36,6 +36,8 @@ def collect(folder: Folder, reports: Path, event: Event) -> Report:
         tags=tuple(published.get("tags", ())),
         platforms=platforms,
         failures=failures,
+        verify=tuple(published.get("verify", ())),
+        unsigned=published.get("unsigned", ""),
         notes=_visibility(run, event, public=published.get("public")) if published else (),
         badge=_badge(run, event),
     )

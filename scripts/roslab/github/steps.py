@@ -171,6 +171,8 @@ def dockerfile(environment: Environment) -> None:
         "dockerfile": str(dockerfile),
         "context": str(context),
         "labels": "\n".join(f"{name}={value}" for name, value in named),
+        # Those of the index are made with it: the build of one platform has none
+        "annotations": "\n".join(f"manifest:{name}={value}" for name, value in named) if run.push else "",
         "platforms": ",".join(platforms),
         "build-args": "\n".join(f"{name}={value}" for name, value in authored.args) if authored else "",
         "target": (authored.target or "") if authored else "",

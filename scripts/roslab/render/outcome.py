@@ -72,6 +72,10 @@ class Report:
     tags: tuple[str, ...] = ()
     platforms: tuple[PlatformReport, ...] = ()
     failures: tuple[str, ...] = ()
+    verify: tuple[str, ...] = ()
+    """Command that checks the image's signature, in groups of words; empty if it is not signed."""
+    unsigned: str = ""
+    """Why a published image is not signed."""
     notes: tuple[str, ...] = ()
     """Further notes in Markdown, for example on the cache or whether the package is public."""
     badge: str = ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+from collections.abc import Sequence
 
 from roslab.decide.decision import Reason
 from roslab.plan.plan import Plan
@@ -49,9 +50,16 @@ def _headline(report: Report) -> str:
     if report.published:
         reference = f"{report.image}:{_tag(report)}"
         notes = "".join(f"\n{note}\n" for note in report.notes)
-        return f"### ✅ Published as {code(reference)}\n\n{_run(report.plan, reference)}{notes}"
+        return f"### ✅ Published as {code(reference)}\n\n{_run(report.plan, reference)}{notes}{_signature(report)}"
     why = prose(report.reason[:1].upper() + report.reason[1:])
     return f"### ✅ Built and proved, not published: {code(report.plan.name)}\n\n{why}.\n"
+
+
+def _signature(report: Report) -> str:
+    """Return how to check that the image is this repository's, or why that cannot be checked."""
+    if report.verify:
+        return f"\nIt is signed: this tells that a workflow of the repository made it.\n\n{_lines(report.verify)}"
+    return f"\nIt is not signed: {prose(report.unsigned)}.\n" if report.unsigned else ""
 
 
 def _tag(report: Report) -> str:
@@ -67,7 +75,11 @@ def _run(plan: Plan, reference: str) -> str:
     groups += [["-p", port] for port in run.ports]
     if run.gui:
         groups += [["-e", "DISPLAY"], ["-v", "/tmp/.X11-unix:/tmp/.X11-unix"]]  # noqa: S108 - where X keeps its sockets
-    words = [shlex.join(group) for group in (*groups, [reference])]
+    return _lines([shlex.join(group) for group in (*groups, [reference])])
+
+
+def _lines(words: Sequence[str]) -> str:
+    """Return a command, broken between these parts if it does not fit on a phone."""
     line = " ".join(words)
     return block(line if len(line) <= PHONE else " \\\n  ".join(words), "bash")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from roslab.github.event import Event
@@ -19,6 +20,12 @@ def test_labels(examples: Path) -> None:
     assert found["org.opencontainers.image.revision"] == "2" * 40
     assert found["org.opencontainers.image.created"] == "1970-01-01T00:00:00Z"
     assert found["org.opencontainers.image.base.name"] == plan.base_image
+    assert "org.opencontainers.image.description" not in found
+    known = replace(EVENT, description='An arm, "soft"\nand slow ' + "x" * 600, licence="BSD-3-Clause")
+    said = dict(labels(plan, known, revision="2" * 40, seconds=0))
+    assert said["org.opencontainers.image.description"].startswith("An arm, soft and slow xxx")
+    assert len(said["org.opencontainers.image.description"]) <= 512
+    assert said["org.opencontainers.image.licenses"] == "BSD-3-Clause"
     without = dict(labels(plan, EVENT, revision="", seconds=None))
     assert without["org.opencontainers.image.revision"] == "1" * 40
     assert "org.opencontainers.image.created" not in without

@@ -61,6 +61,19 @@ def test_a_private_package_says_how_to_open_it(folder: Folder) -> None:
     assert published(folder, None).notes == ()
 
 
+def test_a_signature_comes_with_the_line_that_checks_it(folder: Folder) -> None:
+    line = ["gh attestation verify", f"oci://ghcr.io/lab/robot@{DIGEST}", "--repo lab/robot"]
+    content = {"digest": DIGEST, "tags": ["ghcr.io/lab/robot:main"], "public": True, "verify": line, "unsigned": ""}
+    folder.write("published.json", json.dumps(content))
+    text = summary(report.collect(folder, folder.artifact, EVENT))
+    assert f"gh attestation verify \\\n  {line[1]} \\\n  {line[2]}\n" in text
+    assert "not signed" not in text
+    folder.write("published.json", json.dumps({**content, "verify": [], "unsigned": "grant `this`"}))
+    text = summary(report.collect(folder, folder.artifact, EVENT))
+    assert "It is not signed: grant `this`." in text
+    assert "gh attestation" not in text
+
+
 def test_a_failure_is_told_once(folder: Folder) -> None:
     """What stopped a job in its own folder, and the same among what was fetched of it."""
     kept.fail(folder.artifact, ["on linux/arm64, test: failed"])
