@@ -77,6 +77,16 @@ def plan_repository(
     return Planned(repository=repository, config=config, evidence=evidence, decision=decision, plan=plan)
 
 
+def read_configuration(
+    path: Path, *, config_file: locate.Named | None, overrides: Sequence[Override], top: Path
+) -> Config:
+    """Return what roslab.yaml says of a repository, with ``overrides`` over it; the code itself is not read.
+
+    Raises ``ConfigurationError`` or ``RefusedError``.
+    """
+    return _configuration(Repository.open(path, top=top), config_file, overrides)
+
+
 def _require_submodules(repository: Repository) -> None:
     """Raise ``ConfigurationError`` where a submodule is not checked out."""
     if problems := [
@@ -135,7 +145,7 @@ def _folder_name(repository: Repository) -> str:
 
 
 def _configuration(
-    repository: Repository, named: locate.Named | None, overrides: Sequence[Override], given: str | None
+    repository: Repository, named: locate.Named | None, overrides: Sequence[Override], given: str | None = None
 ) -> Config:
     file = locate.find(repository, named) or (locate.NAMES[0] if given is not None else None)
     text = given if given is not None else locate.text(repository, file) if file else None

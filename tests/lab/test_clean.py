@@ -7,6 +7,7 @@ import hashlib
 import json
 import urllib.error
 import urllib.request
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -57,11 +58,22 @@ def index(lab: Laboratory, repository: str, entries: list[dict[str, object]], *t
     return "sha256:" + hashlib.sha256(content).hexdigest()
 
 
-def cleaned(lab: Laboratory, folder: Path, name: str, **inputs: bool | str) -> Result:
+def cleaned(
+    lab: Laboratory,
+    folder: Path,
+    name: str,
+    files: Mapping[str, str] | None = None,
+    *,
+    pull: bool = False,
+    **inputs: bool | str,
+) -> Result:
+    """Run the cleaner; ``pull`` is a run that the closing of the pull request 7 starts."""
     settings = {"registry": lab.registry, "username": lab.username, **inputs}
     lines = "".join(f"      {key.replace('_', '-')}: {json.dumps(value)}\n" for key, value in settings.items())
     workflow = f"""
-on: [workflow_dispatch]
+on:
+  workflow_dispatch:
+  pull_request: {{types: [closed]}}
 jobs:
   image:
     uses: org/repro-action/.github/workflows/clean.yml@v1
@@ -71,9 +83,11 @@ jobs:
     secrets:
       registry-token: ${{{{ secrets.REGISTRY_PASSWORD }}}}
 """
-    caller = doors.write(folder, {".github/workflows/caller.yml": workflow})
+    caller = doors.write(folder, {**(files or {}), ".github/workflows/caller.yml": workflow})
     github = {"heads": {"main": "0" * 40}, "closed": {7: "fix/it"}}
-    return run_workflow(lab, caller, "workflow_dispatch", doors.payload(name), github=github)
+    payload = doors.payload(name, head=f"{doors.OWNER}/{name}" if pull else None)
+    payload |= {"action": "closed"} if pull else {}
+    return run_workflow(lab, caller, "pull_request" if pull else "workflow_dispatch", payload, github=github)
 
 
 def test_a_closed_branch_goes_and_what_it_shares_stays(lab: Laboratory, tmp_path: Path, name: str) -> None:
@@ -113,3 +127,16 @@ def test_a_tag_that_is_kept_stays(lab: Laboratory, tmp_path: Path, name: str) ->
     done = cleaned(lab, tmp_path / "done", name, dry_run=False, keep="fix-*")
     assert done.exit_code == 0, done.log
     assert registry.tags(repository) == ("fix-it",)
+
+
+def test_a_closed_pull_request_takes_its_image_along(lab: Laboratory, tmp_path: Path, name: str) -> None:
+    """Its tags have the suffix that roslab.yaml says; a closed branch's are left to a run of the whole."""
+    repository = f"{doors.OWNER}/{name}"
+    own = push(lab, repository, "amd64", "pull")
+    pull = index(lab, repository, [own], "pr-7-humble")
+    index(lab, repository, [push(lab, repository, "amd64", "other")], "pr-7", "fix-it-humble")
+    files = {"roslab.yaml": "format: 3\ntags: {suffix: -humble}\n"}
+    done = cleaned(lab, tmp_path / "done", name, files, pull=True, dry_run=False, runners='{"tag": "ubuntu-24.04"}')
+    assert done.exit_code == 0, done.log
+    assert done.output("found").split() == [pull, own["digest"]]
+    assert registry.tags(repository) == ("fix-it-humble", "pr-7")

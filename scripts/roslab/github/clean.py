@@ -1,18 +1,25 @@
-"""Removing an image's unneeded versions: by default they are only listed."""
+"""Removing an image's unneeded versions: by default they are only listed.
+
+A run that the closing of a pull request starts removes that pull request's image alone.
+"""
 
 from __future__ import annotations
 
 import datetime as dt
 import re
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
-from roslab.config.model import TagParts
+from roslab.config.model import Config, TagParts
 from roslab.engine import credentials, versions
 from roslab.engine.versions import Manifest, Store, Version
 from roslab.errors import BuildError, ConfigurationError, Problem
-from roslab.github import access, api, event, inputs, packages, unneeded, workflow
+from roslab.github import access, api, checkout, event, inputs, packages, unneeded, workflow
 from roslab.github.event import Event
+from roslab.github.inputs import Inputs
+from roslab.github.run import image_folder_name
 from roslab.github.unneeded import Names, Removal, Rules
+from roslab.pipeline import read_configuration
 from roslab.plan.plan import image_name
 from roslab.render.markdown import code, prose, table
 from roslab.values.origin import Input
@@ -27,13 +34,18 @@ def clean(environment: Mapping[str, str]) -> None:
     and ``BuildError``, with nothing removed, if GitHub or the registry does not give all the necessary information.
     """
     what, asked = event.read(environment), inputs.read(environment)
-    dry, rules = _read(environment)
-    image = inputs.image(asked, owner=what.owner, name=image_name(what.repository.partition("/")[2]))
+    if reason := _nothing_of(what):
+        workflow.notice(reason)
+        return
+    config = _configuration(asked, environment)
+    dry, rules = _read(environment, what, config.tags)
+    name = config.name or image_name(image_folder_name(what.repository, asked.path))
+    image = inputs.image(asked, owner=what.owner, name=name)
     given = environment.get("ROSLAB_SECRET_GIVEN") == "true"
     access.require_secret(asked.registry, name="registry-token", given=given)
     store = _store(image, asked.username or what.actor, environment)
-    names = names_of(what, api.asker(environment))
-    found = store.versions()
+    names = Names() if rules.pull else names_of(what, api.asker(environment))
+    found = _versions(store, rules)
     going = unneeded.chosen(found, manifests_of(store, found), names, rules)
     staying = len({version.digest for version in found} - {each.version.digest for each in going})
     title = f"{len(going)} versions {'would go' if dry else 'go'}, {staying} stay" if going else "Nothing has to go"
@@ -50,6 +62,40 @@ def clean(environment: Mapping[str, str]) -> None:
             store.remove(each.version)
     workflow.outputs({"found": "\n".join(each.version.digest for each in going)}, environment)
     workflow.notice(f"{image}: {title[0].lower()}{title[1:]}")
+
+
+def _nothing_of(what: Event) -> str:
+    """Return why a pull request's closing leaves nothing to remove, ``""`` if something may be there.
+
+    Raises ``ConfigurationError`` for a pull request that is open.
+    """
+    if not what.proposed:
+        return ""
+    if not what.closed:
+        hint = "write `types: [closed]` below `pull_request:` in the workflow that calls this"
+        raise ConfigurationError(Problem(message=f"an event {what.name} that closes no pull request", hint=hint))
+    if what.foreign:
+        return f"the pull request {what.pull} is another repository's, and has no image here"
+    return "this run may only read: a later one removes the image, if there is one" if what.dependabot else ""
+
+
+def _configuration(asked: Inputs, environment: Mapping[str, str]) -> Config:
+    """Return what roslab.yaml and the inputs say of the image."""
+    workspace = Path(environment.get("GITHUB_WORKSPACE") or ".").resolve()
+    root = checkout.part(workspace, asked.path)
+    with checkout.placed(asked.path):
+        return read_configuration(root, config_file=asked.config, overrides=asked.overrides, top=workspace)
+
+
+def _versions(store: Store, rules: Rules) -> tuple[Version, ...]:
+    """Return the versions; a repository whose pull request is closed may have published nothing yet."""
+    try:
+        return store.versions()
+    except packages.NoPackageError as error:
+        if not rules.pull:
+            raise
+        workflow.warn(error.problems[0])
+        return ()
 
 
 def names_of(what: Event, ask: api.Ask) -> Names:
@@ -71,8 +117,8 @@ def names_of(what: Event, ask: api.Ask) -> Names:
     )
 
 
-def _read(environment: Mapping[str, str]) -> tuple[bool, Rules]:
-    """Return whether this is a dry run, and the rules that the inputs give."""
+def _read(environment: Mapping[str, str], what: Event, parts: TagParts) -> tuple[bool, Rules]:
+    """Return whether this is a dry run, and the rules that the inputs and the event give."""
     dry = (environment.get("INPUT_DRY_RUN") or "true").strip().lower()
     days = (environment.get("INPUT_DAYS") or "30").strip()
     problems = []
@@ -85,12 +131,9 @@ def _read(environment: Mapping[str, str]) -> tuple[bool, Rules]:
         problems.append(Problem(message=f"{days!r} is no number of days", hint=hint, origin=Input(name="days")))
     if problems:
         raise ConfigurationError(*problems)
-    parts = TagParts(
-        prefix=(environment.get("INPUT_TAG_PREFIX") or "").strip(),
-        suffix=(environment.get("INPUT_TAG_SUFFIX") or "").strip(),
-    )
     keep = tuple(re.split(r"[\s,]+", (environment.get("INPUT_KEEP") or "").strip()))
-    return dry == "true", Rules(days=int(days), keep=tuple(filter(None, keep)), parts=parts)
+    pull = str(what.pull) if what.closed else ""
+    return dry == "true", Rules(days=int(days), keep=tuple(filter(None, keep)), parts=parts, pull=pull)
 
 
 def _store(image: str, username: str, environment: Mapping[str, str]) -> Store:

@@ -42,6 +42,10 @@ class Event:
     """The code is only proposed: the event is a pull request or follows from one."""
     head: str | None = None
     """Repository that the code of a pull request comes from, ``None`` if it was deleted or there is none."""
+    pull: int | None = None
+    """Number of the pull request, ``None`` if the event names none."""
+    closed: bool = False
+    """The pull request was just closed, merged or not."""
     public: bool = False
     """The repository is known to be public."""
     enterprise: bool = False
@@ -73,6 +77,14 @@ class Event:
     def queued(self) -> bool:
         """The code waits in a merge queue and is not merged yet; the queue's branches trigger ``push`` too."""
         return self.name == "merge_group" or self.ref.startswith(QUEUE)
+
+    @property
+    def dependabot(self) -> bool:
+        """Dependabot started the run, whose token may then only read.
+
+        https://docs.github.com/en/code-security/dependabot/troubleshooting-dependabot/troubleshooting-dependabot-on-github-actions
+        """
+        return self.actor == "dependabot[bot]"
 
     @property
     def foreign(self) -> bool:
@@ -116,6 +128,8 @@ def read(environment: Mapping[str, str]) -> Event:
         base_branch=environment.get("GITHUB_BASE_REF") or _text(payload, "pull_request", "base", "ref"),
         proposed=pull_request,
         head=head,
+        pull=_number(payload),
+        closed=name == "pull_request" and _text(payload, "action") == "closed",
         public=_get(payload, "repository", "private") is False,
         enterprise=bool(_get(payload, "enterprise")),
         description=_text(payload, "repository", "description"),
@@ -174,6 +188,11 @@ def _get(payload: Mapping[str, Any], *keys: str) -> Any:
     return value
 
 
+def _number(payload: Mapping[str, Any]) -> int | None:
+    value = _get(payload, "pull_request", "number")
+    return value if isinstance(value, int) else None
+
+
 def _text(payload: Mapping[str, Any], *keys: str) -> str:
     value = _get(payload, *keys)
     return value if isinstance(value, str) else ""
@@ -190,8 +209,7 @@ def publication(event: Event, wish: Push) -> Publication:
         )
     if wish == "false":
         return Publication(push=False, reason="`push: false` was asked for")
-    if event.name == "push" and event.actor == "dependabot[bot]":
-        # https://docs.github.com/en/code-security/dependabot/troubleshooting-dependabot/troubleshooting-dependabot-on-github-actions
+    if event.name == "push" and event.dependabot:
         reason = "Dependabot's own pushes hold a token that may only read"
         return Publication(
             push=False, reason=reason, warning=f"`push: true` is ignored: {reason}" if wish == "true" else None

@@ -14,11 +14,15 @@ from roslab.errors import BuildError, Problem
 from roslab.github.api import Ask, pages
 
 
+class NoPackageError(BuildError):
+    """There is no such package, or the job may not see it."""
+
+
 def store(image: str, ask: Ask, remove: Ask, session: Session, *, now: dt.datetime) -> Store:
     """Return the store of an image on ghcr.io.
 
     ``ask`` reads GitHub's API, ``remove`` deletes through it; ``session`` reads the image's manifests. ``versions``
-    raises ``BuildError`` if the job's token may not see the package.
+    raises ``NoPackageError`` if the job's token sees no such package.
     """
     _, owner, name = image.split("/", 2)
     place: list[str] = []
@@ -32,7 +36,7 @@ def store(image: str, ask: Ask, remove: Ask, session: Session, *, now: dt.dateti
         hint = (
             "grant the calling job `packages: write`, and name the package by the input image where it has another name"
         )
-        raise BuildError(Problem(message=f"GitHub shows no package {name} of {owner} to this job", hint=hint))
+        raise NoPackageError(Problem(message=f"GitHub shows no package {name} of {owner} to this job", hint=hint))
 
     def gone(version: Version) -> None:
         remove(f"{place[0]}/{version.name}")

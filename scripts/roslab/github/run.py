@@ -146,6 +146,11 @@ def candidate(folder: Folder, run: Run, platform: str) -> str:
     return f"{run.plan.name}:{folder.path.name.lower()}-{slug(platform)}"
 
 
+def image_folder_name(repository: str, path: str) -> str:
+    """Return what an image is called after if nothing names it: the repository, and the folder of it that is built."""
+    return "-".join(filter(None, (repository.partition("/")[2], path)))
+
+
 def slug(platform: str) -> str:
     """Return a platform as part of a file name: ``linux-arm-v7``."""
     return platform.replace("/", "-")

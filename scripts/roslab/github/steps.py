@@ -52,7 +52,7 @@ def plan(environment: Environment) -> None:
             branch=what.branch or what.base_branch or None,
             config_file=asked.config,
             overrides=asked.overrides,
-            folder_name="-".join(filter(None, (what.repository.partition("/")[2], asked.path))),
+            folder_name=runs.image_folder_name(what.repository, asked.path),
             top=workspace,
         )
     publication = event.publication(what, asked.push)

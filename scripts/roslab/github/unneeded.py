@@ -23,11 +23,11 @@ PROPOSED = re.compile(r"pr-(?P<number>\d+)")
 class Names:
     """Names of the repository's branches and pull requests."""
 
-    branches: frozenset[str]
-    git_tags: frozenset[str]
-    closed: frozenset[str]
+    branches: frozenset[str] = frozenset()
+    git_tags: frozenset[str] = frozenset()
+    closed: frozenset[str] = frozenset()
     """Names of branches whose pull request is closed."""
-    closed_pulls: frozenset[str]
+    closed_pulls: frozenset[str] = frozenset()
     """Numbers of the closed pull requests."""
 
 
@@ -39,6 +39,8 @@ class Rules:
     keep: tuple[str, ...] = ()
     """Tags, with ``*`` and ``?``, and digests that are never removed."""
     parts: TagParts = field(default_factory=TagParts)
+    pull: str = ""
+    """Number of the only pull request whose image is removed, ``""`` if all that is not needed is."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -59,7 +61,7 @@ def chosen(
     of a digest that stays.
     """
     going: dict[str, Removal] = {}
-    closed = _closed(versions, names)
+    closed = frozenset[str]() if rules.pull else _closed(versions, names)
     for version in versions:
         if version.tags and (reason := _tagged(version, names, rules, closed)):
             going[version.digest] = Removal(version=version, reason=reason)
@@ -117,7 +119,7 @@ def _reached(roots: Iterable[str], manifests: Mapping[str, Manifest]) -> set[str
 
 def _loose(version: Version, rules: Rules) -> bool:
     old = version.days is not None and version.days >= rules.days
-    return not version.tags and old and version.digest not in rules.keep
+    return not rules.pull and not version.tags and old and version.digest not in rules.keep
 
 
 def _tagged(version: Version, names: Names, rules: Rules, closed: frozenset[str]) -> str:
@@ -129,7 +131,8 @@ def _tagged(version: Version, names: Names, rules: Rules, closed: frozenset[str]
         name = _bare(tag, rules.parts)
         if name is not None and OWN.fullmatch(name):
             continue  # a commit's tag is removed with its branch's; without one it stays
-        reason = _cached(tag, version, rules, closed) or (_gone(name, names, closed) if name is not None else "")
+        pulls = frozenset({rules.pull}) if rules.pull else names.closed_pulls
+        reason = _cached(tag, version, rules, closed) or (_gone(name, pulls, closed) if name is not None else "")
         if not reason:
             return ""
         reasons.append(reason)
@@ -142,13 +145,13 @@ def _cached(tag: str, version: Version, rules: Rules, closed: frozenset[str]) ->
         return ""
     if match["branch"] in {name[:80] for name in closed}:
         return f"layers of the branch {match['branch']}, which is closed"
-    if version.days is not None and version.days >= rules.days:
+    if not rules.pull and version.days is not None and version.days >= rules.days:
         return f"layers that no build wrote for {int(version.days)} days"
     return ""
 
 
-def _gone(name: str, names: Names, closed: frozenset[str]) -> str:
-    if (match := PROPOSED.fullmatch(name)) and match["number"] in names.closed_pulls:
+def _gone(name: str, closed_pulls: frozenset[str], closed: frozenset[str]) -> str:
+    if (match := PROPOSED.fullmatch(name)) and match["number"] in closed_pulls:
         return f"the pull request {match['number']} is closed"
     if name in closed and not RESERVED.fullmatch(name):
         return f"the branch {name} is closed"

@@ -19,7 +19,7 @@ from roslab.engine import credentials, versions
 from roslab.engine.versions import Manifest, Version
 from roslab.errors import BuildError, ConfigurationError, RefusedError
 from roslab.github import api, packages
-from roslab.github.clean import clean, manifests_of
+from roslab.github.clean import _versions, clean, manifests_of
 from roslab.github.unneeded import Names, Rules, chosen
 
 NAMES = Names(
@@ -231,6 +231,67 @@ def test_it_shows_first_and_removes_only_where_it_is_told_to(tmp_path: Path) -> 
         clean(environment(host, tmp_path, INPUT_DRY_RUN="false"))
     assert registry.removed == [closed, part]
     assert f"{closed}\n{part}\n" in (tmp_path / "output").read_text()
+
+
+def test_the_image_is_called_as_the_build_calls_it(tmp_path: Path) -> None:
+    """By roslab.yaml, of the folder that is built, and by the inputs over it."""
+    (tmp_path / "robots/arm").mkdir(parents=True)
+    (tmp_path / "robots/arm/roslab.yaml").write_text("format: 3\nname: arm\ntags: {suffix: -humble}\n")
+    registry = Registry()
+    closed, other = registry.push("fix-humble", note="humble"), registry.push("fix-jazzy", note="jazzy")
+    with served(registry) as host:
+        asked = environment(host, tmp_path, INPUT_PATH="robots/arm", GITHUB_WORKSPACE=str(tmp_path))
+        clean({**asked, "INPUT_DRY_RUN": "false"})
+        assert registry.removed == [closed]
+        assert f"Of `{host}/lab/arm`" in (tmp_path / "summary").read_text()
+        clean({**asked, "INPUT_DRY_RUN": "false", "INPUT_TAG_SUFFIX": "-jazzy"})
+    assert registry.removed == [closed, other]
+
+
+def closing(folder: Path, *, head: str = "lab/robot", action: str = "closed") -> dict[str, str]:
+    """Return the event of a pull request, number 7."""
+    event = {"action": action, "pull_request": {"number": 7, "head": {"repo": {"full_name": head}}}}
+    (folder / "event.json").write_text(json.dumps(event))
+    return {"GITHUB_EVENT_NAME": "pull_request", "GITHUB_EVENT_PATH": str(folder / "event.json")}
+
+
+def test_a_pull_request_that_closes_takes_its_own_image_along_alone(tmp_path: Path) -> None:
+    registry = Registry()
+    part, shared = registry.push(note="part"), registry.push(note="shared")
+    closed = registry.push("pr-7", parts=(part, shared))
+    for tag in ("main", "pr-8", "fix", "buildcache-fix-01234567-all"):
+        registry.push(tag, parts=(shared,), note=tag)
+    registry.branches = []  # it needs no right to ask for them
+    with served(registry) as host:
+        clean({**environment(host, tmp_path, INPUT_DRY_RUN="false"), **closing(tmp_path)})
+    assert registry.removed == [closed, part]
+    assert "the pull request 7 is closed" in (tmp_path / "summary").read_text()
+
+
+def test_what_is_no_closing_of_our_own_removes_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    registry = Registry()
+    registry.push("pr-7")
+    with served(registry) as host:
+        asked = environment(host, tmp_path, INPUT_DRY_RUN="false")
+        with pytest.raises(ConfigurationError, match="closes no pull request"):
+            clean({**asked, **closing(tmp_path, action="opened")})
+        clean({**asked, **closing(tmp_path, head="stranger/robot")})
+        assert "is another repository's" in capsys.readouterr().err
+        clean({**asked, **closing(tmp_path), "GITHUB_ACTOR": "dependabot[bot]"})
+    assert registry.removed == []
+
+
+def test_a_closed_pull_request_of_a_repository_without_a_package(monkeypatch: pytest.MonkeyPatch) -> None:
+    registry = Registry()
+    with served(registry) as host:
+        monkeypatch.setattr(Registry, "package", lambda *_: (404, {}, {}))
+        session = credentials.session(f"{host}/lab/robot", "lab", "right", "pull")
+        ask = api.asker({"GITHUB_API_URL": f"http://{host}"})
+        now = dt.datetime(2026, 2, 1, tzinfo=dt.timezone.utc)
+        store = packages.store(f"{host}/lab/robot", ask, ask, session, now=now)
+        assert _versions(store, Rules(days=30, pull="7")) == ()
+        with pytest.raises(packages.NoPackageError, match="no package robot of lab"):
+            _versions(store, RULES)
 
 
 def test_a_package_of_github() -> None:
