@@ -9,6 +9,7 @@ from roslab.decide.author_dockerfile import decide_dockerfile
 from roslab.decide.base import decide_base, of_dockerfile
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.command import decide_command
+from roslab.decide.cuda.toolkit import decide_toolkit
 from roslab.decide.cuda.version import NO_CUDA, decide_cuda, of_image
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.kind import decide_kind
@@ -50,7 +51,15 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     mentioned = pins(evidence)
     cuda = decide_cuda(evidence, config, mentioned)
     version = decide_version(evidence, config, kind.answer, pins=mentioned, ros_distro=distro, cuda=cuda.answer.version)
-    base = decide_base(evidence, config, kind.answer, chosen=release, cuda=cuda.answer, python=version.answer.version)
+    base = decide_base(
+        evidence,
+        config,
+        kind.answer,
+        chosen=release,
+        cuda=cuda.answer,
+        python=version.answer.version,
+        toolkit=decide_toolkit(evidence, version.answer.chosen),
+    )
     python = decide_python(
         evidence,
         config,

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from roslab.config.model import Config, Kind
+from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.base import base_for
@@ -49,8 +50,9 @@ def decide_base(
     chosen: Choice[Distro | None],
     cuda: Cuda,
     python: str | None,
+    toolkit: Toolkit = "devel",
 ) -> Choice[BaseImage]:
-    """Return the image to start from."""
+    """Return the image to start from; ``toolkit`` is how much of CUDA the packages need."""
     base = config.base
     if base.image:
         said = configured(config, "base_image", base.image, "base.image")
@@ -61,7 +63,9 @@ def decide_base(
     if kind == "cpp" and not cuda.version:
         return _cpp(evidence, config)
     python = None if kind == "cpp" else python  # for C++ the Ubuntu is chosen without regard to Python
-    image, ubuntu, reasons = base_for(kind, cuda.version, cuda.cudnn if cuda.cudnn_named else None, base.ubuntu, python)
+    cudnn = cuda.cudnn if cuda.cudnn_named else None
+    toolkit = "devel" if base.cuda else toolkit
+    image, ubuntu, reasons = base_for(kind, cuda.version, cudnn, base.ubuntu, python, toolkit=toolkit)
     return Choice(answer=BaseImage(image=image, ubuntu=ubuntu), reasons=reasons)
 
 

@@ -71,6 +71,16 @@ def newest_framework(package: str) -> Framework | None:
     return next((row for _, row in _frameworks().get(tabled(package), ())), None)
 
 
+def newest_on_cuda(package: str, cuda: str, python: str | None) -> Framework | None:
+    """Return the row of the newest release with wheels for a CUDA and a Python, any Python if that is not known."""
+    number = Version(python) if python else None
+    for _, row in _frameworks().get(package, ()):
+        fits = number is None or Version(row.python_min) <= number <= Version(row.python_max)
+        if cuda in row.cuda and fits:
+            return row
+    return None
+
+
 def last_below(package: str, release: str) -> Framework | None:
     """Return the row of the newest release before this one, ``None`` if the table has none."""
     numbers = _numbers(release)

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from roslab.config.model import Base, Config
+from roslab.decide.cuda.toolkit import decide_toolkit
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.cuda.version import decide_cuda as from_pins
 from roslab.decide.decision import Choice
 from roslab.decide.python.base import base_for
+from roslab.decide.python.packages import Chosen
 from roslab.decide.python.pins import pins
+from roslab.decide.python.torch_build import torch_build
 from roslab.evidence.facts import CondaEnvironment, Evidence, Mention, RequirementFile
 from roslab.knowledge.frameworks import cuda_images, nearest_cuda_image
 from roslab.values.conda import conda_package
@@ -116,3 +121,39 @@ def test_every_image_row_can_be_named() -> None:
     for row in cuda_images():
         assert bool(row.tag) == bool(row.ubuntu)
         assert nearest_cuda_image(row.cuda).tag
+
+
+def toolkit(*lines: str, **changes: Any) -> str:
+    chosen = Chosen(guessed=tuple(stated(line) for line in lines))
+    return decide_toolkit(Evidence(**changes), chosen)
+
+
+def test_no_compiler_of_cuda_where_nothing_is_compiled() -> None:
+    assert toolkit("torch", "numpy") == "base"  # its wheel brings the libraries
+    assert toolkit("tensorflow==2.4", "numpy") == "runtime"
+    assert toolkit("torch", "jax[cuda12]") == "runtime"
+    assert toolkit("torch", "pytorch3d") == "devel"
+    assert toolkit("torch", "a @ git+https://github.com/a/a") == "devel"  # nobody knows what it compiles
+    assert toolkit("torch", cuda_files=("src/a.cu",)) == "devel"
+    assert toolkit() == "devel"  # a program of its own
+    image, _, _ = base_for("cuda", "11.8", None, None, "3.10", toolkit="runtime")
+    assert image == "nvidia/cuda:11.8.0-cudnn8-runtime-ubuntu22.04"
+    assert base_for("cuda", "11.8", None, None, "3.10", toolkit="base")[0] == "nvidia/cuda:11.8.0-base-ubuntu22.04"
+
+
+@pytest.mark.parametrize(
+    ("line", "cuda", "python", "limits", "options"),
+    [
+        ("torch", "11.3", "3.8", ["torch==1.12.*"], ["--extra-index-url https://download.pytorch.org/whl/cu113"]),
+        ("torch>=1.1", "12.1", "3.8", ["torch==2.4.*"], []),
+        ("torch", "11.1", "3.7", ["torch==1.10.*"], ["--find-links https://download.pytorch.org/whl/cu111/torch_stable.html"]),
+        ("torch==1.11.0", "11.3", "3.8", [], ["--extra-index-url https://download.pytorch.org/whl/cu113"]),
+        ("torch==1.13.1+cu116", "11.6", "3.8", [], []),
+        ("numpy", "11.3", "3.8", [], []),
+    ],
+)  # fmt: skip
+def test_torch_fits_the_toolkit_that_compiles_its_extensions(
+    line: str, cuda: str, python: str, limits: list[str], options: list[str]
+) -> None:
+    found = torch_build([stated(line)], cuda, python).answer
+    assert ([each.written for each in found[0]], list(found[1])) == (limits, options)

@@ -331,6 +331,8 @@ def test_requirements_that_the_readme_installs_first_win_over_its_environment(tm
         "README.md": "```\npip install -r requirements.txt\n```\nor\n```\nconda env create -f environment.yml\n```\n",
     }
     assert decide(tmp_path, files).requirements == ("requirements.txt",)
+    files["README.md"] = "```\npip3 install -e .\n```\nAlternatively\n```\nconda env create -f environment.yml\n```\n"
+    assert decide(tmp_path, files).requirements == ("requirements.txt",)
 
 
 def test_conda_adds_its_default_channels(tmp_path: Path) -> None:

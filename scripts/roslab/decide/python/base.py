@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslab.config.model import Kind
+from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.decision import Reason
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus
 from roslab.knowledge.frameworks import cuda_image, nearest_cuda_image
@@ -25,7 +26,13 @@ def version_of(codename: str) -> str:
 
 
 def base_for(
-    kind: Kind, cuda: str | None, cudnn: str | None, ubuntu: str | None, python_version: str | None
+    kind: Kind,
+    cuda: str | None,
+    cudnn: str | None,
+    ubuntu: str | None,
+    python_version: str | None,
+    *,
+    toolkit: Toolkit = "devel",
 ) -> tuple[str, str | None, tuple[Reason, ...]]:
     """Return the image, its Ubuntu codename (``None`` on Debian) and why.
 
@@ -33,7 +40,7 @@ def base_for(
     """
     if kind == "cuda":
         # Frameworks expect cuDNN; plain CUDA programs get it if something names it
-        return _cuda(cuda or "11.8", ubuntu, python_version, cudnn=bool(cudnn or python_version))
+        return _cuda(cuda or "11.8", ubuntu, python_version, cudnn=bool(cudnn or python_version), toolkit=toolkit)
     if ubuntu is None and (fitting := system_ubuntu(python_version)):
         image = f"ubuntu:{version_of(fitting)}"
         return image, fitting, (_reason(image, f"its own Python is {python_version}"),)
@@ -58,12 +65,12 @@ def cuda_ubuntu(cuda: str, ubuntu: str | None, python_version: str | None) -> st
 
 
 def _cuda(
-    cuda: str, ubuntu: str | None, python_version: str | None, *, cudnn: bool
+    cuda: str, ubuntu: str | None, python_version: str | None, *, cudnn: bool, toolkit: Toolkit
 ) -> tuple[str, str, tuple[Reason, ...]]:
     row = cuda_image(cuda)
     row = row if row and row.tag else nearest_cuda_image(cuda)
     chosen = cuda_ubuntu(cuda, ubuntu, python_version)
-    flavour = f"{row.cudnn}-devel" if cudnn else "devel"
+    flavour = f"{row.cudnn}-{toolkit}" if cudnn and toolkit != "base" else toolkit
     name = f"nvidia/cuda:{row.tag}-{flavour}-ubuntu{version_of(chosen)}"
     if chosen == ubuntu:
         why = f"CUDA {row.cuda} on the requested Ubuntu; -devel because extensions are compiled"
@@ -73,6 +80,7 @@ def _cuda(
         why = f"the last patch of CUDA {row.cuda}, on the Ubuntu whose Python is {python_version}"
     else:
         why = f"the last patch of CUDA {row.cuda}; Python {python_version or ''} comes from conda".replace("  ", " ")
+    why += {"devel": "", "runtime": "; nothing is compiled for it", "base": "; the wheels bring its libraries"}[toolkit]
     return name, chosen, (_reason(name, why, row.source),)
 
 

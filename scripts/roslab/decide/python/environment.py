@@ -8,6 +8,7 @@ from packaging.utils import canonicalize_name
 from packaging.version import Version
 
 from roslab.config.model import Config, Kind
+from roslab.decide.cuda.toolkit import extends_torch
 from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.first import first
@@ -19,6 +20,7 @@ from roslab.decide.python.pins import Pin
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, repair, right
+from roslab.decide.python.torch_build import ONE_PAGE_BEFORE, torch_build
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import packages_of, ros_versions, types
@@ -33,10 +35,6 @@ from roslab.values.version import minor_of
 
 _WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}
 _WITH_LOCAL_VERSIONS = frozenset({"torch", "torchvision", "torchaudio"})
-_ONE_PAGE_BEFORE = Version("1.11")
-"""Before this release torch's wheels for a CUDA were listed on a page, not in an index of their own.
-
-https://pytorch.org/get-started/previous-versions/, read 2026-08-22."""
 
 
 def decide_python(
@@ -71,6 +69,8 @@ def decide_python(
     # The distribution's own packages are old enough: only what pip chooses needs a bound
     bounds = decide_bounds(evidence.bounds if manager != "system" else (), everything)
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
+    compiled = kind == "cuda" and manager != "system" and not exact.answer and extends_torch(evidence, chosen)
+    build = torch_build(everything if compiled else (), cuda, number)
     indexes = _indexes([*declared, *chosen.guessed, *exact.answer])
     whole = [file for file in chosen.files if file.file not in repaired.files]
     conda = chosen.conda if manager == "conda" else None
@@ -87,15 +87,17 @@ def decide_python(
         conda_file=conda,
         conda_defaults=_default_channels(evidence, conda),
         first=first(everything, chosen.projects),
-        bounds=(*bounds.answer, *exact.answer),
-        options=tuple(dict.fromkeys((*indexes, *_file_options(evidence, chosen, repaired), *chosen.options))),
+        bounds=(*bounds.answer, *exact.answer, *build.answer[0]),
+        options=tuple(
+            dict.fromkeys((*indexes, *build.answer[1], *_file_options(evidence, chosen, repaired), *chosen.options))
+        ),
         pip_options=lists.options,
         python2=lists.python2,
         python2_options=lists.python2_options,
     )
     return Choice(
         answer=answer,
-        reasons=(*own.reasons, *_reasons(chosen), *kept.values(), *bounds.reasons, *exact.reasons),
+        reasons=(*own.reasons, *_reasons(chosen), *kept.values(), *bounds.reasons, *exact.reasons, *build.reasons),
         warnings=(*outvoted(own, ubuntu, ros_distro), *repaired.warnings, *lists.warnings),
     )
 
@@ -153,7 +155,7 @@ def _indexes(asked: Sequence[Requirement]) -> Iterator[str]:
         release = Version(each.release) if each.release and each.key in _WITH_LOCAL_VERSIONS and not each.url else None
         if release is not None and release.local:
             page = f"https://download.pytorch.org/whl/{release.local}"
-            old = each.key == "torch" and release < _ONE_PAGE_BEFORE
+            old = each.key == "torch" and release < ONE_PAGE_BEFORE
             yield f"--find-links {page}/torch_stable.html" if old else f"--extra-index-url {page}"
 
 

@@ -61,10 +61,10 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
 
 
 def _environment_of_readme(evidence: Evidence, known: Sequence[str]) -> str | None:
-    """Return the environment that the README creates, unless the same page installs a requirements file before."""
+    """Return the environment that the README creates, unless the same page first installs in another way."""
     first: dict[str, Requirement] = {}
     for asked in evidence.prose_pip:
-        if asked.role in {"environment", "file"} and _PAGE.search(asked.file):
+        if asked.role in {"environment", "file", "project"} and _PAGE.search(asked.file):
             known_one = first.setdefault(asked.file, asked)
             if asked.line < known_one.line:
                 first[asked.file] = asked

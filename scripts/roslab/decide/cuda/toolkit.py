@@ -1,0 +1,62 @@
+"""How much of CUDA an image needs: its compiler, its libraries, or only what the driver's users share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Literal
+
+from roslab.decide.python.packages import Chosen
+from roslab.decide.python.pins import of_conda
+from roslab.evidence import places
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.frameworks import build_needs
+from roslab.values.requirement import Requirement
+
+Toolkit = Literal["devel", "runtime", "base"]
+_WITH_NVCC = frozenset({"pycuda", "tensorrt", "triton", "taichi", "nvidia-dali"})
+_BRING_CUDA = frozenset({"torch", "torchvision", "torchaudio"})
+"""Their wheels hold CUDA's libraries, and nothing else asks for them. https://github.com/pytorch/pytorch/wiki"""
+_USE_IT = ("tensorflow", "jax", "cupy", "onnxruntime-gpu", "paddlepaddle", "mxnet", "numba", "keras", "theano")
+"""They load the libraries of the system."""
+
+
+def decide_toolkit(evidence: Evidence, chosen: Chosen) -> Toolkit:
+    """Return ``devel`` where anything may be compiled for the GPU, ``base`` where the wheels bring all of CUDA."""
+    asked = [each for each in _asked(evidence, chosen) if each.package]
+    if _compiled(evidence, chosen, asked) or not asked:
+        return "devel"
+    names = {each.key for each in asked}
+    if any(name.startswith(_USE_IT) for name in names) or not names & _BRING_CUDA:
+        return "runtime"
+    return "base"
+
+
+def extends_torch(evidence: Evidence, chosen: Chosen) -> bool:
+    """Tell whether something that pip builds is compiled against the torch of the image."""
+    if any("cuda" in project.extensions for project in chosen.projects):
+        return True
+    return any("torch" in build_needs().get(each.key, ()) for each in _asked(evidence, chosen))
+
+
+def _compiled(evidence: Evidence, chosen: Chosen, asked: Iterable[Requirement]) -> bool:
+    """Tell whether CUDA sources are in the tree, or may be in what pip fetches."""
+    own = any("cuda" in p.macros and not places.vendored(p.file) and not places.example(p.file) for p in evidence.cmake)
+    if evidence.cuda_files or own or any(project.extensions for project in chosen.projects):
+        return True
+    for authored in evidence.dockerfiles:
+        if authored.purpose == "project" and "-devel" in (authored.base or ""):
+            return True
+    return any(each.vcs or each.key in _WITH_NVCC or "torch" in build_needs().get(each.key, ()) for each in asked)
+
+
+def _asked(evidence: Evidence, chosen: Chosen) -> Iterable[Requirement]:
+    """Yield everything that pip or conda installs."""
+    for file in chosen.files:
+        yield from file.requirements
+    for project in chosen.projects:
+        yield from (each for each in project.requirements if each.role not in {"extra", "test"})
+    for environment in evidence.conda:
+        if environment.file == chosen.conda:
+            yield from environment.requirements
+            yield from of_conda(environment)
+    yield from chosen.guessed

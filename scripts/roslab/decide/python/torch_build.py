@@ -1,0 +1,53 @@
+"""A torch that was built with the CUDA of the image, where extensions are compiled against it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from packaging.version import Version
+
+from roslab.decide.decision import Choice, Reason
+from roslab.decide.python.weights import PackageWeight as Weight
+from roslab.decide.reasons import because
+from roslab.knowledge.frameworks import Framework, framework, newest_on_cuda
+from roslab.values.requirement import Requirement, stated
+
+ONE_PAGE_BEFORE = Version("1.11")
+"""Before this release torch's wheels for a CUDA were listed on a page, not in an index of their own.
+
+https://pytorch.org/get-started/previous-versions/, read 2026-08-22."""
+Build = tuple[tuple[Requirement, ...], tuple[str, ...]]
+"""Constraints, and pip's options."""
+
+
+def torch_build(asked: Iterable[Requirement], cuda: str | None, python: str | None) -> Choice[Build]:
+    """Return a limit for a torch that nothing pins, and the index of its wheels for this CUDA.
+
+    PyTorch refuses to compile with a toolkit of another major version than its own:
+    https://github.com/pytorch/pytorch/blob/main/torch/utils/cpp_extension.py, ``_check_cuda_version``.
+    """
+    torch = next((each for each in asked if each.key == "torch" and not each.url), None)
+    if torch is None or cuda is None:
+        return Choice(answer=((), ()))
+    release = Version(torch.release) if torch.release else None
+    if release is not None and release.local:
+        return Choice(answer=((), ()))  # its own index is known
+    row = framework("torch", torch.release) if torch.release else newest_on_cuda("torch", cuda, python)
+    if row is None or cuda not in row.cuda or not torch.specifier.contains(torch.release or f"{row.first}.0"):
+        return Choice(answer=((), ()))
+    options = () if cuda == row.cuda[0] else (_option(row, cuda),)
+    if torch.release or torch.below:
+        return Choice(answer=((), options))
+    limit = stated(f"torch=={row.first}.*")
+    return Choice(answer=((limit,), options), reasons=(_why(limit, cuda, torch),))
+
+
+def _option(row: Framework, cuda: str) -> str:
+    page = f"https://download.pytorch.org/whl/cu{cuda.replace('.', '')}"
+    old = Version(row.first) < ONE_PAGE_BEFORE
+    return f"--find-links {page}/torch_stable.html" if old else f"--extra-index-url {page}"
+
+
+def _why(limit: Requirement, cuda: str, torch: Requirement) -> Reason:
+    why = f"extensions are compiled with CUDA {cuda}: the newest torch that was built with it"
+    return because("dependencies", limit.written, why, torch if torch.file else None, weight=Weight.BOUND)
