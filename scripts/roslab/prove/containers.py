@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import secrets
 import subprocess
 import tempfile
 import time
@@ -35,6 +36,10 @@ KEPT_OUTPUT = 64 * 1024
 """Bytes that are kept from the end of a proof's output."""
 READ_OUTPUT = 64 * 1024 * 1024
 """Bytes of output that are searched for dead nodes of a launch: a program may print without end."""
+
+DOMAINS = range(1, 102)
+"""Numbers of ROS 2 domains whose ports no system uses for anything else; 0 is everybody's.
+https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Domain-ID.html"""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -83,7 +88,7 @@ def prove(
 
 
 def options(limits: ProofLimits) -> tuple[str, ...]:
-    """Return the options of ``docker run`` that fence a proof in.
+    """Return the options of ``docker run`` that fence a proof in, also against other proofs on this machine.
 
     https://docs.docker.com/reference/cli/docker/container/run/
     """
@@ -91,7 +96,18 @@ def options(limits: ProofLimits) -> tuple[str, ...]:
     words = ["--network", limits.network, "--pids-limit", str(limits.pids)]
     words += ["--memory", memory] if memory else []
     words += [] if limits.new_privileges else ["--security-opt", "no-new-privileges"]
-    return tuple(words)
+    return (*words, *_apart())
+
+
+def _apart() -> tuple[str, ...]:
+    """Return the options by which ROS 2 in a container does not hear the nodes of another container.
+
+    Its nodes find each other by multicast, which docker's bridge carries to every container on it: two proofs at the
+    same time would take each other's nodes and messages for their own. Distributions before Iron know only the domain.
+    https://docs.ros.org/en/jazzy/Tutorials/Advanced/Improved-Dynamic-Discovery.html
+    """
+    variables = ("ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST", f"ROS_DOMAIN_ID={secrets.choice(DOMAINS)}")
+    return tuple(word for variable in variables for word in ("--env", variable))
 
 
 def _prove_once(reference: str, platform: str, proof: Proof, fences: Sequence[str], screenshots: Path) -> Outcome:
