@@ -29,6 +29,11 @@ of each in OWNER__NAME, such as docker__build-push-action, with its action.yml a
 stand-in, and so does actions/checkout, which under act cannot know which code is under test:
 
   REPRO_LAB_ACTIONS=FOLDER python3 -m pytest tests/lab/test_action.py tests/lab/test_workflows.py
+
+Debian packages no rclcpp, so the stand-ins for ROS 2 have ament, the message generators and colcon alone. Where
+packages ros-jazzy-* for Debian 12 are at hand, ros-jazzy-ros-base among them, name their folder once; they are kept:
+
+  REPRO_LAB_ROS2=FOLDER python3 tests/lab up
 """
 
 

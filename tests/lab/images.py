@@ -6,8 +6,9 @@ import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-from . import facts, registry, rootfs
+from . import facts, packages_folder, registry, rootfs
 from .command import run, succeeds
 from .home import HERE, folder, recipe
 
@@ -25,13 +26,21 @@ class Image:
     args: tuple[tuple[str, str], ...]
     names: tuple[str, ...]
     architectures: tuple[str, ...]
+    contexts: tuple[tuple[str, Path], ...] = ()
+    """Folders beside the recipe's, by the names of the stages that they replace."""
 
 
 def wanted(architectures: Sequence[str], *, everything: bool = False) -> tuple[Image, ...]:
     """Return the stand-ins of images.toml, each after the one it is based on, for these architectures.
 
     Those that take long under emulation are made for their own architecture only, unless `everything` is wanted.
+    An image of a distribution's own packages is made only where they are, with the names of the one it replaces.
     """
+    rows = [
+        row for row in facts.table("images")["image"] if "packages" not in row or packages_folder.place(row["packages"])
+    ]
+    replaced = {row["replaces"]: row["id"] for row in rows if "replaces" in row}
+    names = {replaced.get(row["id"], row["id"]): row["names"] for row in rows if "replaces" not in row}
     return tuple(
         Image(
             id=row["id"],
@@ -39,13 +48,22 @@ def wanted(architectures: Sequence[str], *, everything: bool = False) -> tuple[I
             base=row.get("base"),
             suite=row.get("suite"),
             args=tuple(sorted(row.get("args", {}).items())),
-            names=tuple(row["names"]),
+            names=tuple(names[row["id"]]),
+            contexts=_contexts(row),
             architectures=tuple(
                 a for a in architectures if a in row["platforms"] and (everything or a not in row.get("slow", ()))
             ),
         )
-        for row in facts.table("images")["image"]
+        for row in rows
+        if row["id"] not in replaced
     )
+
+
+def _contexts(row: dict[str, Any]) -> tuple[tuple[str, Path], ...]:
+    """Return the folders that an image takes beside its recipe: other recipes, and a distribution's own packages."""
+    beside = tuple((name, RECIPES / recipe) for name, recipe in sorted(row.get("contexts", {}).items()))
+    packages = packages_folder.place(row["packages"]) if "packages" in row else None
+    return (*beside, ("packages", packages)) if packages else beside
 
 
 def make(image: Image, others: Sequence[Image], env: dict[str, str]) -> str:
@@ -116,7 +134,9 @@ def _reference(image: Image, by_id: dict[str, Image]) -> str:
 
 def _key(image: Image, by_id: dict[str, Image]) -> str:
     if image.base is not None:
-        return recipe(RECIPES / image.recipe, image.args, image.architectures, _key(by_id[image.base], by_id))
+        # An index of packages tells their content; the packages themselves would take seconds to read
+        beside = [index if (index := place / packages_folder.INDEX).exists() else place for _, place in image.contexts]
+        return recipe(RECIPES / image.recipe, image.args, image.architectures, _key(by_id[image.base], by_id), *beside)
     tars = [rootfs.make(architecture, image.suite).name for architecture in image.architectures]
     return recipe(RECIPES / image.recipe, tars, folder("rootfs", "machine"))
 
@@ -124,6 +144,7 @@ def _key(image: Image, by_id: dict[str, Image]) -> str:
 def _context(image: Image, by_id: dict[str, Image]) -> tuple[Path, list[str]]:
     """Return the build context of an image and the arguments that its build takes."""
     arguments = [word for name, value in image.args for word in ("--build-arg", f"{name}={value}")]
+    arguments += [word for name, place in image.contexts for word in ("--build-context", f"{name}={place}")]
     if image.base is not None:
         return RECIPES / image.recipe, [*arguments, "--build-arg", f"BASE={_reference(by_id[image.base], by_id)}"]
     context = folder("rootfs", "context")

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from . import buildkit, emulation, engine, images, network, processes, registry, rootfs, tools
+from . import buildkit, emulation, engine, images, network, packages_folder, processes, registry, rootfs, tools
 from .command import LabError
 from .home import folder, lock
 from .steps import step
@@ -33,6 +33,8 @@ class Laboratory:
     node: Path
     docker_config: Path
     standins: bool
+    ros2: bool
+    """The images of ROS 2 Jazzy have rclcpp: real ones, or stand-ins of packages that the lab was given."""
     environment: Mapping[str, str] = field(repr=False)
 
     def fresh_repository(self, name: str) -> str:
@@ -137,11 +139,12 @@ def current() -> Laboratory:
         raise LabError(f"the lab is not up ({', '.join(missing)}): run `python3 tests/lab up` first")
     username, password = registry.credentials()
     environment = _environment()
+    standins = _standins_marker().read_text() == "yes"
     return Laboratory(
         docker_host=environment["DOCKER_HOST"], registry=registry.address(registry.PROTECTED),
         mirror=registry.address(registry.MIRROR), username=username, password=password, buildkit=buildkit.address(),
         act=tools.act(), node=tools.node(), docker_config=Path(environment["DOCKER_CONFIG"]),
-        standins=_standins_marker().read_text() == "yes", environment=environment,
+        standins=standins, ros2=not standins or packages_folder.place("jazzy") is not None, environment=environment,
     )  # fmt: skip
 
 

@@ -4,6 +4,9 @@ For every ROS package that Debian has under names of its own, an empty package `
 Debian's goes into a local apt repository; so do the tools' names of the ROS repository (python3-catkin-tools ...).
 The rosdep table maps ROS packages to those names and common system keys to Debian's packages; a key that neither has
 stays unresolved, as an unknown key does in reality. Usage: names.py DISTRO
+
+Where the distribution's packages are there themselves, `names.py DISTRO INDEX` names the index of their apt source:
+nothing of Debian's ROS then gets a name, and the rosdep table maps to those packages alone.
 """
 
 from __future__ import annotations
@@ -30,19 +33,32 @@ REPOSITORY = Path("/opt/lab/apt")
 VERSION = "99-stand-in"
 
 
-def main(distro: str) -> None:
+def main(distro: str, index: str = "") -> None:
     data = tomllib.loads((HERE / "names.toml").read_text())
     known = set(_lines("apt-cache", "pkgnames"))
-    ros = {name: packages for name, packages in _ros_packages(data, known).items() if set(packages) <= known}
-    names = {f"ros-{distro}-{name.replace('_', '-')}": packages for name, packages in ros.items()}
+    ros, names = _indexed(distro, Path(index)) if index else _debians(distro, data, known)
     tools = {name: packages for name, packages in data["tools"].items() if name not in known and set(packages) <= known}
     _write_repository({**names, **tools})
     rules = _system_rules(known)
     _write("stand-in.yaml", rules)
     _write("index-v4.yaml", _index(distro, data))
-    _write(f"{distro}.yaml", _distribution(sorted(ros)))
+    _write(f"{distro}.yaml", _distribution(ros))
     _install_satisfied(names)
     print(f"{len(names)} names of {distro}, {len(tools)} of tools, {len(rules)} system keys")
+
+
+def _debians(
+    distro: str, data: dict[str, dict[str, list[str]]], known: set[str]
+) -> tuple[list[str], dict[str, list[str]]]:
+    """Return the ROS packages that Debian has, and their names in this distribution with Debian's packages."""
+    ros = {name: packages for name, packages in _ros_packages(data, known).items() if set(packages) <= known}
+    return sorted(ros), {f"ros-{distro}-{name.replace('_', '-')}": packages for name, packages in ros.items()}
+
+
+def _indexed(distro: str, index: Path) -> tuple[list[str], dict[str, list[str]]]:
+    """Return the ROS packages of an apt source; they have their names already, so none is to be made."""
+    found = re.findall(rf"^Package: ros-{distro}-(\S+)$", index.read_text(), re.MULTILINE)
+    return sorted(name.replace("-", "_") for name in found), {}
 
 
 def _rule(answer: object) -> dict[str, object]:
@@ -158,7 +174,8 @@ def _install_satisfied(names: dict[str, list[str]]) -> None:
     """Install the names whose Debian packages this image holds already: the real image has them installed."""
     have = set(_lines("dpkg-query", "-W", "-f", "${Package}\n"))
     satisfied = [str(REPOSITORY / f"{name}.deb") for name, packages in names.items() if set(packages) <= have]
-    subprocess.run(["dpkg", "-i", *sorted(satisfied)], check=True, stdout=subprocess.DEVNULL)
+    if satisfied:
+        subprocess.run(["dpkg", "-i", *sorted(satisfied)], check=True, stdout=subprocess.DEVNULL)
 
 
 def _lines(*command: str) -> list[str]:
@@ -166,4 +183,4 @@ def _lines(*command: str) -> list[str]:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main(*sys.argv[1:])
