@@ -101,18 +101,40 @@ def test_the_papers_home_folder_was_the_source_where_that_is_no_workspace() -> N
 
 
 @pytest.mark.parametrize(
-    ("base", "source", "nvidia"),
+    ("distro", "base", "ubuntu", "ros", "ended"),
     [
-        ("ros:noetic-ros-base", False, False),
-        ("ghcr.io/someone/ros:noetic", False, False),
-        ("nvidia/cuda:11.8.0-devel-ubuntu20.04", True, True),
-        ("ubuntu:20.04", True, False),
+        pytest.param("humble", "ros:humble-ros-base", "jammy", None, False, id="maintained"),
+        pytest.param("humble", "osrf/ros:humble-desktop", "jammy", "replaced", False, id="not-built-again"),
+        pytest.param("humble", "nvidia/cuda:12.1.0-devel-ubuntu22.04", "jammy", "added", True, id="cuda"),
+        pytest.param("noetic", "ros:noetic-ros-base", "focal", "replaced", True, id="ended"),
+        pytest.param("noetic", "ghcr.io/someone/ros:noetic", "focal", "replaced", True, id="somebody's"),
+        pytest.param("noetic", "ubuntu:20.04", "focal", "added", True, id="plain"),
+        pytest.param("iron", "ros:iron-ros-base", "jammy", "replaced", False, id="ended-on-a-maintained-ubuntu"),
     ],
 )
-def test_where_ros_comes_from(base: str, source: bool, nvidia: bool) -> None:
-    found = plan(base_image=base)
-    assert bool(found.ros_source) == source
-    assert found.nvidia_source == nvidia
-    if found.ros_source:
-        assert (found.ros_source.distro, found.ros_source.ubuntu) == ("noetic", "focal")
-        assert found.ros_source.url.startswith("http")
+def test_what_is_changed_in_a_bases_package_sources(
+    distro: str, base: str, ubuntu: str, ros: str | None, ended: bool
+) -> None:
+    kind = "ros1" if distro == "noetic" else "ros2"
+    found = plan(base_image=base, ros_distro=distro, ubuntu=ubuntu, kind=kind).package_sources
+    if ros is None:
+        assert found is None
+        return
+    assert found
+    assert found.ros
+    assert (found.ros.in_base, found.ended) == (ros == "replaced", ended)
+    assert (found.ros.distro, found.ros.ubuntu) == (distro, ubuntu)
+    snapshots = (f"http://snapshots.ros.org/{distro}/final/ubuntu", "ros-snapshots")
+    assert ((found.ros.url, found.ros.key) == snapshots) == (distro != "humble")
+
+
+def test_a_plain_program_on_an_ended_ubuntu_needs_no_ros() -> None:
+    changes: dict[str, Any] = {"kind": "cpp", "ros_distro": None, "workspace": "none", "build_tool": "cmake"}
+    found = plan(base_image="ubuntu:16.04", ubuntu="xenial", **changes).package_sources
+    assert found
+    assert (found.ros, found.ended) == (None, True)
+    assert plan(base_image="ubuntu:24.04", ubuntu="noble", **changes).package_sources is None
+
+
+def test_the_package_sources_of_an_authors_own_dockerfile_are_left_alone() -> None:
+    assert plan(dockerfile="Dockerfile").package_sources is None

@@ -10,7 +10,7 @@ from roslab.knowledge.table import rows
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class PackageSource:
-    """An apt source: its address and that of its key."""
+    """An apt source: its address, and its key's name in ``keys.csv``."""
 
     url: str
     key: str

@@ -26,6 +26,7 @@ from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.distros import distro
 from roslab.knowledge.ros_packages import ros_packages
 from roslab.knowledge.tools import PythonTools, python_tools
+from roslab.plan.package_sources import PackageSources, package_sources
 from roslab.plan.packages import image_packages
 from roslab.plan.proof import Proof, proofs
 from roslab.plan.python import PythonPlan, python_plan
@@ -60,17 +61,6 @@ class Rosdep:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class RosSource:
-    """ROS's own package source, for a base that is not an image of ROS."""
-
-    distro: str
-    ubuntu: str
-    url: str
-    key: str
-    """URL of the key that signs it."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
 class Run:
     """What a container of the image needs to start."""
 
@@ -98,10 +88,7 @@ class Plan:
     ros_distro: str | None
     ubuntu: str | None
     base_image: str
-    ros_source: RosSource | None
-    """``None`` where the base has ROS, or the image needs none."""
-    nvidia_source: bool
-    """The base brings NVIDIA's package source, signed in an older one by a key that NVIDIA replaced in 2022."""
+    package_sources: PackageSources | None
     build_tool: BuildTool
     author_dockerfile: AuthorDockerfile | None
     repositories: tuple[str, ...]
@@ -198,8 +185,7 @@ def make_plan(
         ros_distro=decision.ros_distro,
         ubuntu=decision.ubuntu,
         base_image=decision.base_image,
-        ros_source=_ros_source(decision),
-        nvidia_source=decision.base_image.startswith("nvidia/"),
+        package_sources=package_sources(decision),
         build_tool=decision.build_tool,
         author_dockerfile=author_dockerfile,
         repositories=config.repositories,
@@ -233,20 +219,6 @@ def make_plan(
         warnings=decision.warnings,
         reasons=decision.reasons,
     )
-
-
-def _ros_source(decision: Decision) -> RosSource | None:
-    """Return where ROS comes from where the base has none.
-
-    The name of a base tells whether it has ROS; if another one has it too, apt finds its packages installed.
-    """
-    release = distro(decision.ros_distro)
-    if release is None or decision.kind not in ("ros1", "ros2") or decision.dockerfile:
-        return None
-    if re.match(r"(?:[^/]+/)*ros:", decision.base_image):
-        return None
-    source = ros_packages(release)
-    return RosSource(distro=release.name, ubuntu=release.ubuntu, url=source.url, key=source.key)
 
 
 def to_json(plan: Plan) -> str:

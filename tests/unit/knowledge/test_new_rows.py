@@ -16,8 +16,8 @@ DISTRO = (
     "zephyr,2,{ubuntu},{ubuntu},3.14,2027-05-23,2032-05-31,,yes,9,no,yes,yes,https://example.org,2027-05-23",
 )
 UBUNTU = (
-    "codename,version,python,cmake,released,source,date",
-    "sparkling,28.04,3.16,4.6,2028-04-20,https://example.org,2028-04-20",
+    "codename,version,python,cmake,released,ended,source,date",
+    "sparkling,28.04,3.16,4.6,2028-04-20,2033-04-30,https://example.org,2028-04-20",
 )
 MANIFEST = """\
 <package format="3">

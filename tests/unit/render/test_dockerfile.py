@@ -112,10 +112,17 @@ def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> No
     carried = re.compile(r"<<'EOF' /([\w-]+)$", re.MULTILINE)
     python = Python(version="3.8", manager="system", pip_guessed=(stated("numpy"),))
     plain = dockerfile(plan(build_tool="none", packages=(), kind="python", ros_distro=None))
-    assert carried.findall(plain) == ["create-user"]
+    assert carried.findall(plain) == ["create-user", "renew-package-sources"]
     full = plan(Config(base=Base(cmake_update="3.18.4")), apt_guessed=("libglew-dev",), python=python, source=(CERES,))
     text = dockerfile(full)
-    names = ["create-user", "compile-jobs", "install-optional-apt", "install-rosdep-keys", "install-optional-pip"]
+    names = [
+        "create-user",
+        "renew-package-sources",
+        "compile-jobs",
+        "install-optional-apt",
+        "install-rosdep-keys",
+        "install-optional-pip",
+    ]
     assert carried.findall(text) == [*names, "roslab-entrypoint"]
     library, image = text.split("\nFROM base AS library-1-ceres\n")[1].split("\nFROM base\n")
     for stage in (library, image):

@@ -16,35 +16,31 @@ ARG NB_UID=1000
 ENV LANG=C.UTF-8 LC_ALL=C.UTF-8 NB_USER=${{NB_USER}} NB_UID=${{NB_UID}}
 {shell.copy_script("create-user")}RUN create-user"""
 
+WHY = {
+    False: "ROS's package source",
+    True: "Package sources that answer: this base's release has ended, or its keys may be old",
+}
+"""The comment above the step, by whether the base has ended."""
+
 
 def start(_: Plan) -> str:
     """Start with bash as the shell, no questions from apt, a UTF-8 locale and the image's user."""
     return START
 
 
-def answering_sources(plan: Plan) -> str:
-    """Leave out NVIDIA's package source where the base has its old key: CUDA itself is in the base."""
-    if not plan.nvidia_source:
+def package_sources(plan: Plan) -> str:
+    """Make the base's package sources answer, and add ROS's own to a base that is no image of ROS, such as NVIDIA's."""
+    found = plan.package_sources
+    if found is None:
         return ""
-    return shell.call("remove-unsigned-cuda-source", comment="Older images of CUDA know only NVIDIA's old key")
-
-
-def ros_source(plan: Plan) -> str:
-    """Add ROS's own package source to a base that is not an image of ROS, such as NVIDIA's."""
-    source = plan.ros_source
-    if source is None:
-        return ""
-    keyring = "/usr/share/keyrings/ros-archive-keyring.gpg"
-    line = f"deb [signed-by={keyring}] {source.url} {source.ubuntu} main"
-    run = shell.run(
-        "apt-get update",
-        "apt-get install --yes --no-install-recommends ca-certificates curl gnupg",
-        f"curl --fail --silent --show-error --location {quote.shell(source.key)} | gpg --dearmor --output {keyring}",
-        f"echo {quote.shell(line)} >/etc/apt/sources.list.d/roslab-ros.list",
-        "rm -rf /var/lib/apt/lists/*",
-        comment="ROS's package source, which this base lacks",
-    )
-    return f"ENV ROS_DISTRO={quote.docker(source.distro)}\n{run}"
+    options, before, ros = "", "", found.ros
+    if ros:
+        options = f" --ros {quote.shell(ros.url)} {quote.shell(ros.ubuntu)} {quote.shell(ros.key)}"
+        options += "" if ros.in_base else " --add"
+        before = shell.copy_key(ros.key)
+    options += " --ended" if found.ended else ""
+    called = shell.call("renew-package-sources", options, comment=WHY[found.ended], before=before)
+    return called if ros is None or ros.in_base else f"ENV ROS_DISTRO={quote.docker(ros.distro)}\n{called}"
 
 
 def repositories(plan: Plan) -> str:

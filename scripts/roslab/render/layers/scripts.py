@@ -1,4 +1,4 @@
-"""The scripts that a Dockerfile carries in itself, so that what is the same in every image does not hide what is not.
+"""The scripts and keys that a Dockerfile carries in itself, so that what is the same in every image does not hide what is not.
 
 They stand in a stage of their own, and each is copied where it is first used. BuildKit compares what is copied by
 content: a changed script repeats the steps from its first use on and nothing before, wherever it stands in the file.
@@ -10,20 +10,24 @@ import re
 from functools import cache
 from pathlib import Path
 
+from roslab.knowledge.keys import key
 from roslab.render.layers import shell
 
 _FOLDER = Path(__file__).parent.parent / "image_scripts"
-_COPY = re.compile(re.escape(shell.copy_script("NAME").rstrip()).replace("NAME", r"(\S+)"), re.MULTILINE)
+_COPY = re.compile(r"^COPY --from=scripts /(\S+) /usr/local/(?:bin|share/roslab)/$", re.MULTILINE)
+"""What ``shell.copy_script`` and ``shell.copy_key`` write."""
 _WHY = "# What is the same in every image, as small scripts; what belongs to this repository begins below them."
 
 
 def stage(image: str) -> str:
-    """Return the stage that holds the scripts that the text of the other stages copies; ``""`` where they copy none."""
+    """Return the stage that holds the scripts and keys that the other stages copy; ``""`` where they copy none."""
     names = dict.fromkeys(_COPY.findall(image))
-    parts = (shell.heredoc(f"/{name}", _text(name), executable=True) for name in names)
+    parts = (shell.heredoc(f"/{name}", _text(name), executable=not name.endswith(".asc")) for name in names)
     return "\n".join((_WHY, "FROM scratch AS scripts", *parts)).rstrip("\n") if names else ""
 
 
 @cache
 def _text(name: str) -> str:
+    if name.endswith(".asc"):
+        return key(name.removesuffix(".asc"))
     return (_FOLDER / f"{name}.sh").read_text(encoding="utf-8")

@@ -31,6 +31,11 @@ def copy_script(name: str) -> str:
     return f"COPY --from=scripts /{name} /usr/local/bin/\n"
 
 
+def copy_key(name: str) -> str:
+    """Return the line that brings a key of ``keys.csv`` into a stage."""
+    return f"COPY --from=scripts /{name}.asc /usr/local/share/roslab/\n"
+
+
 def comment_lines(text: str) -> str:
     """Return text as comment lines, ``""`` for none."""
     return "".join(f"# {line}\n" for line in text.splitlines())

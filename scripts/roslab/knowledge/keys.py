@@ -1,0 +1,18 @@
+"""The keys that sign package sources: each a file of this folder, so that an image needs no key server."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+from roslab.knowledge.table import rows
+
+_FOLDER = Path(__file__).parent / "keys"
+
+
+@cache
+def key(name: str) -> str:
+    """Return the armoured key of a row of ``keys.csv``. Raises ``KeyError`` for another name."""
+    if not any(row["name"] == name for row in rows("keys")):
+        raise KeyError(name)
+    return (_FOLDER / f"{name}.asc").read_text(encoding="ascii")
