@@ -23,8 +23,6 @@ from roslab.config.model import (
 )
 from roslab.decide.decision import Decision, Reason, Warning_
 from roslab.errors import ConfigurationError, Problem
-from roslab.knowledge.distros import distro
-from roslab.knowledge.ros_packages import ros_packages
 from roslab.knowledge.tools import PythonTools, python_tools
 from roslab.plan.package_sources import PackageSources, package_sources
 from roslab.plan.packages import image_packages

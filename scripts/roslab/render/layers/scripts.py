@@ -1,4 +1,4 @@
-"""The scripts and keys that a Dockerfile carries in itself, so that what is the same in every image does not hide what is not.
+"""The scripts and keys that a Dockerfile carries, so that what is the same in every image does not hide what is not.
 
 They stand in a stage of their own, and each is copied where it is first used. BuildKit compares what is copied by
 content: a changed script repeats the steps from its first use on and nothing before, wherever it stands in the file.
