@@ -38,6 +38,17 @@ ROS_2 = """\
 [ERROR] [talker-1]: process has died [pid 63, exit code 1, cmd '/ws/install/robot/lib/robot/talker --ros-args'].
 [INFO] [listener-2]: process has finished cleanly [pid 65]
 """
+ROS_2_ENDED = """\
+[ERROR] [crash-3]: process has died [pid 1378, exit code 3, cmd 'crash'].
+[INFO] [first-4]: process has finished cleanly [pid 1380]
+[INFO] [stubborn-2]: sending signal 'SIGINT' to process[stubborn-2]
+[INFO] [worker-1]: sending signal 'SIGINT' to process[worker-1]
+[worker-1] KeyboardInterrupt
+[ERROR] [worker-1]: process has died [pid 1373, exit code -2, cmd 'worker'].
+[ERROR] [stubborn-2]: process[stubborn-2] failed to terminate '2' seconds after receiving 'SIGINT', escalating
+[INFO] [stubborn-2]: sending signal 'SIGTERM' to process[stubborn-2]
+[ERROR] [stubborn-2]: process has died [pid 1376, exit code -15, cmd 'stubborn'].
+"""
 
 
 @pytest.mark.parametrize(
@@ -48,6 +59,11 @@ ROS_2 = """\
         (ROS_1_MISSING, ("robot/no_such_node cannot be started",)),
         (ROS_2, ("talker-1 died with exit code 1",)),
         (ROS_2 * 20, ("talker-1 died with exit code 1",)),
+        (ROS_2_ENDED, ("crash-3 died with exit code 3",)),
+        (
+            ROS_2 + ROS_2_ENDED.replace("worker-1", "talker-1"),
+            ("talker-1 died with exit code 1", "crash-3 died with exit code 3"),
+        ),
         (ROS_1_MISSING + ROS_1, ("robot/no_such_node cannot be started", "talker-2 died with exit code 1")),
         ("[robot] my process has died [pid 3, exit code 1\nINFO: process has died\n[a-1] process has died\n", ()),
         ("", ()),

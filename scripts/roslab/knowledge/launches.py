@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from roslab.knowledge.table import rows
 
@@ -12,11 +13,22 @@ _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 def dead_nodes(log: str) -> tuple[str, ...]:
     """Return a message for each node that died or did not start, in their order: ``talker-2 died with exit code 1``.
 
-    A node that exited with 0 or was respawned does not count; one that dies repeatedly is named once.
+    A node that exited with 0 or was respawned does not count, nor one that the launch had told to end: few Python nodes
+    take that signal for a normal end. One that dies repeatedly is named once.
     """
     text = _COLOUR.sub("", log)
+    ended: dict[str, int] = {}
+    for _, match in _matches(text, "ended"):
+        ended.setdefault(match[1], match.start())
     found: dict[str, int] = {}
-    for row in rows("launches"):
-        for match in re.finditer(row["pattern"], text, flags=re.MULTILINE):
-            found.setdefault(row["said"].format(*match.groups()), match.start())
+    for said, match in _matches(text, "died"):
+        if match.start() < ended.get(match[1], len(text)):
+            found.setdefault(said.format(*match.groups()), match.start())
     return tuple(sorted(found, key=lambda said: found[said]))
+
+
+def _matches(text: str, event: str) -> Iterator[tuple[str, re.Match[str]]]:
+    """Yield what is said of each line about this event, and the line; its first group is the node."""
+    for row in rows("launches"):
+        if row["event"] == event:
+            yield from ((row["said"], match) for match in re.finditer(row["pattern"], text, flags=re.MULTILINE))
