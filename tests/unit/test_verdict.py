@@ -38,6 +38,13 @@ ROS_2 = """\
 [ERROR] [talker-1]: process has died [pid 63, exit code 1, cmd '/ws/install/robot/lib/robot/talker --ros-args'].
 [INFO] [listener-2]: process has finished cleanly [pid 65]
 """
+ROS_2_MISSING = """\
+[ERROR] [program-1]: exception occurred while executing process:
+Traceback (most recent call last):
+FileNotFoundError: [Errno 2] No such file or directory: '/no/such/program'
+[INFO] [first-4]: process started with pid [2514]
+[INFO] [first-4]: process has finished cleanly [pid 2514]
+"""
 ROS_2_ENDED = """\
 [ERROR] [crash-3]: process has died [pid 1378, exit code 3, cmd 'crash'].
 [INFO] [first-4]: process has finished cleanly [pid 1380]
@@ -59,6 +66,7 @@ ROS_2_ENDED = """\
         (ROS_1_MISSING, ("robot/no_such_node cannot be started",)),
         (ROS_2, ("talker-1 died with exit code 1",)),
         (ROS_2 * 20, ("talker-1 died with exit code 1",)),
+        (ROS_2_MISSING, ("program-1 cannot be started",)),
         (ROS_2_ENDED, ("crash-3 died with exit code 3",)),
         (
             ROS_2 + ROS_2_ENDED.replace("worker-1", "talker-1"),
