@@ -19,6 +19,7 @@ from roslab.config.reading import Reading
 from roslab.config.shape import Shape
 from roslab.config.vocabulary import Schema
 from roslab.errors import ConfigurationError, Problem
+from roslab.knowledge.distros import releases_of
 from roslab.values.origin import Input, Option, Origin
 
 _SEPARATOR = re.compile(r"[\s,]+")
@@ -47,9 +48,23 @@ def configure(text: str | None, overrides: Several[Override] = (), *, file: str 
         config = configure(text, file=file)
     except ConfigurationError as error:
         raise ConfigurationError(*error.problems, *problems) from None
+    problems = problems or _conflicts(config, said)
     if problems:
         raise ConfigurationError(*problems)
     return laid_over(config, said)
+
+
+def _conflicts(config: Config, said: Config) -> tuple[Problem, ...]:
+    """Return the problem of a ROS distribution that has no packages for the Ubuntu release of the file."""
+    ros, ubuntu = said.base.ros, config.base.ubuntu
+    if ros is None or ubuntu is None or config.base.image is not None:
+        return ()
+    distro = ros.partition("-")[0]
+    if ubuntu in releases_of()[distro]:
+        return ()
+    message = f"ROS {distro} has no packages for Ubuntu {ubuntu}, which {config.origin('base.ubuntu')} names"
+    hint = "leave `ubuntu` out of the file: it follows from the distribution"
+    return (Problem(message=message, hint=hint, origin=said.origin("base.ros")),)
 
 
 def problems_of(overrides: Several[Override]) -> tuple[Problem, ...]:

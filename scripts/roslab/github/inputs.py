@@ -75,8 +75,18 @@ class Inputs:
 def read(environment: Mapping[str, str]) -> Inputs:
     """Read ``INPUT_*``; an empty one counts as not given.
 
-    Raises ``ConfigurationError`` with one problem for each wrong input that has no key in roslab.yaml; ``overrides``
-    are validated later, with roslab.yaml.
+    Raises ``ConfigurationError`` with one problem for each wrong input.
+    """
+    asked, problems = gather(environment)
+    if problems:
+        raise ConfigurationError(*problems, *problems_of(asked.overrides))
+    return asked
+
+
+def gather(environment: Mapping[str, str]) -> tuple[Inputs, tuple[Problem, ...]]:
+    """Return the inputs, and one problem for each wrong one that has no key in roslab.yaml; it has its default.
+
+    ``overrides`` are validated later, with roslab.yaml, so that a caller can report all mistakes of both at once.
     """
     said = {
         name[6:].lower().replace("_", "-"): value.strip()
@@ -102,21 +112,21 @@ def read(environment: Mapping[str, str]) -> Inputs:
         for name, key in SETTINGS.items()
         if (text := said.get(name))
     )
-    if problems:
-        raise ConfigurationError(*problems, *problems_of(overrides))
-    return Inputs(
+    wrong = {str(problem.origin.name) for problem in problems if isinstance(problem.origin, Input)}
+    asked = Inputs(
         ref=said.get("ref", ""),
         path=part(environment),
         config=Named(path=path, origin=Input(name="config")) if (path := said.get("config")) else None,
-        image=image,
-        push=cast("Push", push),
-        registry=registry,
+        image=None if "image" in wrong else image,
+        push="auto" if "push" in wrong else cast("Push", push),
+        registry="ghcr.io" if "registry" in wrong else registry,
         username=said.get("username", ""),
-        cache=cast("Cache", cache),
+        cache="auto" if "cache" in wrong else cast("Cache", cache),
         overrides=overrides,
         runners=runners,
         variant=json.dumps({name: said[name] for name in VARIANT if said.get(name)}),
     )
+    return asked, tuple(problems)
 
 
 def part(environment: Mapping[str, str]) -> str:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import posixpath
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 from roslab.engine import credentials
 from roslab.engine import docker as engine
 from roslab.engine.client import private_client
-from roslab.errors import BuildError, Problem
+from roslab.errors import BuildError, ConfigurationError, Problem, RoslabError
 from roslab.github import access, builder, cache, checkout, disk, event, inputs, kept, rebuild, report, workflow
 from roslab.github import run as runs
 from roslab.github import source as completion
@@ -39,14 +40,14 @@ def plan(environment: Environment) -> None:
     Raises ``ConfigurationError``, ``NothingToBuildError`` or ``RefusedError``.
     """
     what = event.read(environment)
-    asked = inputs.read(environment)
+    asked, wrong = inputs.gather(environment)
     workspace = _workspace(environment)
     root = checkout.part(workspace, asked.path)
     revision = commits.head(workspace)[0] or what.sha
     tag = f"{rebuild.TAG}{asked.ref}" if asked.ref and commits.is_tag(workspace, asked.ref) else ""
     rebuilt = tag if asked.ref else None
     what = rebuild.event_of(what, rebuilt, revision)
-    with checkout.placed(asked.path):
+    with _reported_with(wrong), checkout.placed(asked.path):
         planned = plan_repository(
             root,
             branch=what.branch or what.base_branch or None,
@@ -205,6 +206,17 @@ def summary(environment: Environment) -> None:
     folder = Folder.of(environment)
     found = report.collect(folder, runs.reports_folder(folder, environment), event.read(environment))
     workflow.summary(render_summary(found), environment)
+
+
+@contextmanager
+def _reported_with(problems: tuple[Problem, ...]) -> Iterator[None]:
+    """Report these problems of the inputs together with those that are raised inside."""
+    try:
+        yield
+    except RoslabError as error:
+        raise (ConfigurationError(*problems, *error.problems) if problems else error) from None
+    if problems:
+        raise ConfigurationError(*problems)
 
 
 def nothing_built(problems: Sequence[str]) -> str:

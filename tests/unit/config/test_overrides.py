@@ -27,9 +27,9 @@ def test_a_list_is_parted_by_commas_blanks_and_line_breaks(text: str) -> None:
 
 
 def test_what_is_said_beside_the_file_wins_and_the_rest_stays() -> None:
-    distro = Override(key="base.ros", text="humble", origin=Input(name="distro"))
+    distro = Override(key="base.ros", text="galactic", origin=Input(name="distro"))
     config = configure(FILE, (distro, *said(platforms="linux/amd64")), file="roslab.yaml")
-    assert (config.base.ros, config.base.ubuntu) == ("humble", "focal")
+    assert (config.base.ros, config.base.ubuntu) == ("galactic", "focal")
     assert (config.platforms, config.command, config.apt) == (("linux/amd64",), "roslaunch old.launch", ("git",))
     assert config.origin("base.ros") == Input(name="distro")
     assert config.origin("platforms") == config.origin("platforms.0") == Input(name="platforms")
@@ -37,6 +37,20 @@ def test_what_is_said_beside_the_file_wins_and_the_rest_stays() -> None:
     assert config.origin("base.ubuntu") == Place(file="roslab.yaml", line=2, column=19)
     assert config.origin("command") == Place(file="roslab.yaml", line=3, column=1)
     assert config.file == "roslab.yaml"
+
+
+def test_a_distribution_without_packages_for_the_ubuntu_of_the_file_is_told() -> None:
+    """One of the two is wrong, and nobody but the author knows which."""
+    distro = Override(key="base.ros", text="humble-desktop", origin=Input(name="distro"))
+    with pytest.raises(ConfigurationError) as caught:
+        configure(FILE, (distro,), file="roslab.yaml")
+    (problem,) = caught.value.problems
+    assert str(problem) == (
+        "input distro: ROS humble has no packages for Ubuntu focal, which roslab.yaml:2:19 names "
+        "(leave `ubuntu` out of the file: it follows from the distribution)"
+    )
+    image = "format: 3\nbase: {image: 'example.org/robot:1', ubuntu: focal}\n"
+    assert configure(image, (distro,)).base.ros == "humble-desktop"  # the image decides what it holds
 
 
 @pytest.mark.parametrize("text", [None, FILE, "distro: kinetic\n", "base: {ubuntu: xenial, ros: kinetic}\n"])

@@ -55,6 +55,23 @@ def test_the_folder_is_planned_as_the_whole(environment: dict[str, str]) -> None
     assert plan["tags"] == {"prefix": "ros-", "suffix": "-arm"}
 
 
+def test_mistakes_of_inputs_and_file_are_reported_together(environment: dict[str, str]) -> None:
+    Path(environment["GITHUB_WORKSPACE"], "robots/arm/roslab.yaml").write_text("format: 3\nkind: pythn\n")
+    wrong = {"INPUT_PUSH": "yes", "INPUT_REGISTRY": "https://ghcr.io", "INPUT_CACHE": "all", "INPUT_RUNNERS": "[]"}
+    with pytest.raises(ConfigurationError) as caught:
+        steps.plan({**environment, **wrong, "INPUT_PLATFORMS": "amd64", "INPUT_IMAGE": "A B"})
+    said = [str(problem) for problem in caught.value.problems]
+    starts = [f"input {name}: " for name in ("push", "cache", "registry", "image", "runners")]
+    assert [line for line, start in zip(said, starts, strict=False) if not line.startswith(start)] == []
+    assert said[5].startswith("robots/arm/roslab.yaml:2:7: ")
+    assert said[6].startswith("input platforms: ")
+    assert len(said) == 7
+    Path(environment["GITHUB_WORKSPACE"], "robots/arm/roslab.yaml").unlink()
+    with pytest.raises(ConfigurationError, match="input push: ") as caught:
+        steps.plan({**environment, "INPUT_PUSH": "yes"})
+    assert len(caught.value.problems) == 1
+
+
 def test_a_mistake_is_named_by_its_path_in_the_repository(environment: dict[str, str]) -> None:
     Path(environment["GITHUB_WORKSPACE"], "robots/arm/roslab.yaml").write_text("format: 3\nkind: pythn\n")
     with pytest.raises(ConfigurationError, match=r"robots/arm/roslab\.yaml:2:7"):
