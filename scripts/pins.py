@@ -2,6 +2,7 @@
 
 A maintainer runs ``python3 scripts/pins.py`` and reads the difference; ``--check`` writes nothing, and ends with 1
 where there is something newer. It asks GitHub for the releases, and by ``docker buildx`` the registry for the digests.
+``--complete`` asks nobody, and ends with 1 where an image has no digest: a release must not have one of those.
 """
 
 from __future__ import annotations
@@ -69,12 +70,25 @@ def written(rows: Sequence[Row]) -> str:
     return stream.getvalue()
 
 
+def loose(rows: Sequence[Row]) -> list[str]:
+    """Return the names of the images without a digest, whose tag could be moved to another image."""
+    return [row["name"] for row in rows if row["image"] and not row["digest"]]
+
+
 def main(arguments: Sequence[str]) -> int:
-    """Return the exit code: 0 done, 1 something is newer (``--check``), 5 GitHub or the registry does not answer."""
+    """Return the exit code: 0 done, 5 GitHub or the registry does not answer.
+
+    It is 1 where something is newer (``--check``) or has no digest (``--complete``).
+    """
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0] if __doc__ else "")
     parser.add_argument("--check", action="store_true", help="write nothing; end with 1 where something is newer")
+    parser.add_argument("--complete", action="store_true", help="ask nobody; end with 1 where a digest is missing")
     options = parser.parse_args(arguments)
     before = FILE.read_text(encoding="utf-8")
+    if options.complete:
+        if names := loose(list(csv.DictReader(io.StringIO(before)))):
+            print(f"error: no digest of {', '.join(names)}: run python3 scripts/pins.py, and commit", file=sys.stderr)
+        return int(bool(names))
     try:
         day = dt.datetime.now(tz=dt.timezone.utc).date().isoformat()
         after = written(renewed(list(csv.DictReader(io.StringIO(before))), newest, digest, day))

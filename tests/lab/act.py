@@ -86,16 +86,20 @@ def run_workflow(
     attempt: int = 1,
     matrix: str | None = None,
     github: Mapping[str, Any] | None = None,
+    raw: Callable[[str], None] | None = None,
+    subject: str = "Everything",
+    staged: Sequence[tuple[str, ...]] = (),
 ) -> Result:
     """Run the caller's workflows for an event in a throw-away copy and return what came of it.
 
     `jobs` and `workflow` (a path below the caller) narrow what runs; `env` is added to every step's environment;
-    `tell` is given each line as it comes;
+    `tell` is given each line as it comes, `raw` the same as act's JSON;
     `place` is where it runs, and stays there afterwards; `unmasked` has act log secrets as they are, for a search;
     `inputs` are those of workflow_dispatch; `actions_dir` holds copies of real actions in folders OWNER__NAME.
     `attempt` above 1 is a run that is started again over the `artifacts` of an earlier attempt, a folder, and `matrix`
     (KEY:VALUE) narrows its matrix, as "re-run failed jobs" does; `github` is what GitHub's API says: `heads`, commits
     of branches (unless said, the event's branch is where it is built), and `tags`, names of git tags.
+    `subject` is the commit's, `staged` are git's commands that change the index before it.
     The caller's folder and the user's home are not touched. Raises LabError when an action has no stand-in.
     """
     payload = _payload(event_payload or {})
@@ -106,7 +110,7 @@ def run_workflow(
         artifact_door(server := f"127.0.0.1:{_free_port()}") as service,
     ):
         place = Path(name)
-        copy = caller.prepare(caller_dir, place / "caller", payload)
+        copy = caller.prepare(caller_dir, place / "caller", payload, subject=subject, staged=staged)
         ref = str(payload.get("ref") or f"refs/heads/{branch}")
         if "heads" not in (github or {}) and ref.startswith("refs/heads/"):
             known["heads"] = {ref.removeprefix("refs/heads/"): caller.commit(copy)}
@@ -138,7 +142,7 @@ def run_workflow(
         for option, values in (("--env", steps), ("--secret", hidden), ("--input", inputs or {})):
             for key, value in values.items():
                 command += [option, f"{key}={value}"]
-        code, lines = _run(command, environment, timeout, tell)
+        code, lines = _run(command, environment, timeout, tell, raw)
     return _result(code, lines)
 
 
@@ -194,7 +198,11 @@ def _offline(place: Path, server: str) -> list[str]:
 
 
 def _run(
-    command: Sequence[str], environment: Mapping[str, str], timeout: float, tell: Callable[[str], None] | None
+    command: Sequence[str],
+    environment: Mapping[str, str],
+    timeout: float,
+    tell: Callable[[str], None] | None,
+    raw: Callable[[str], None] | None,
 ) -> tuple[int, list[str]]:
     """Run act in a process group of its own and end the whole of it when it takes too long."""
     process = subprocess.Popen(
@@ -209,6 +217,8 @@ def _run(
             lines.append(line.rstrip("\n"))
             if tell is not None:
                 tell(_spoken(lines[-1]))
+            if raw is not None:
+                raw(lines[-1])
         code = process.wait()
     finally:
         if late.finished.is_set():

@@ -19,11 +19,19 @@ USES = re.compile(STEP + r"(?P<name>[\w.-]+/[\w.-]+)(?:/[^@\s'\"]+)?@(?P<ref>[^\
 NESTED = re.compile(STEP + r"\./(?P<path>\.github/workflows/[\w.-]+\.ya?ml)", re.MULTILINE)
 
 
-def prepare(source: Path, place: Path, payload: dict[str, Any]) -> Path:
+def prepare(
+    source: Path,
+    place: Path,
+    payload: dict[str, Any],
+    *,
+    subject: str = "Everything",
+    staged: Iterable[tuple[str, ...]] = (),
+) -> Path:
     """Copy a caller to `place` and make it the git repository that act wants, on the branch or tag of the event.
 
     Our workflows that call a sibling by `./` are right on GitHub, but act looks in the caller: it gets copies of those,
-    and a workflow of the caller's own that has such a name is put aside under `moved` of it.
+    and a workflow of the caller's own that has such a name is put aside under `moved` of it. `subject` is the commit's,
+    and `staged` are git's commands that change the index before it, for what no folder shows.
     """
     shutil.copytree(source, place, symlinks=True, ignore=shutil.ignore_patterns(".git"))
     for path in nested_workflows():
@@ -42,7 +50,8 @@ def prepare(source: Path, place: Path, payload: dict[str, Any]) -> Path:
         ("init", "--quiet", f"--initial-branch={branch}"),
         ("remote", "add", "origin", f"https://github.com/{name}"),
         ("add", "--all", "--force"),
-        ("commit", "--quiet", "--allow-empty", "--message", "Everything"),
+        *staged,
+        ("commit", "--quiet", "--allow-empty", "--message", subject),
     ]
     if ref.startswith("refs/tags/"):
         commands.append(("tag", ref.removeprefix("refs/tags/")))

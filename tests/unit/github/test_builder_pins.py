@@ -19,6 +19,8 @@ sys.path.insert(0, str(ROOT / "scripts"))
 import pins  # noqa: E402 - a maintainer's script, beside the package
 
 DIGEST = "sha256:" + "a" * 64
+VERSION = re.compile(r"(?:qemu-)?v?\d+\.\d+\.\d+(?:-\d+)?")
+"""A tag that its makers do not move."""
 
 
 def test_a_runners_builder_is_pinned() -> None:
@@ -52,7 +54,7 @@ def test_the_scanner(said: str, expected: str, *, wanted: bool, act: bool) -> No
 
 def test_nothing_in_the_table_floats() -> None:
     for row in rows("pins"):
-        assert re.fullmatch(r"(?:qemu-)?v?\d+\.\d+\.\d+(?:-\d+)?", row["version"]), row["name"]
+        assert VERSION.fullmatch(row["version"]), row["name"]
         assert re.fullmatch(r"(?:sha256:[0-9a-f]{64})?", row["digest"]), row["name"]
 
 
@@ -80,6 +82,25 @@ def test_renewing() -> None:
     assert found["binfmt"]["date"] == "2030-01-01"
     with pytest.raises(ValueError, match="deploy/… was expected for a release, not buildkit/v9"):
         renewed({**tags, "tonistiigi/binfmt": "buildkit/v9"})
+
+
+def test_a_release_needs_every_digest(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    table = [dict(row) for row in rows("pins")]
+    full = [{**row, "digest": DIGEST if row["image"] else ""} for row in table]
+    assert pins.loose(full) == []  # buildx is a program, which its version names
+    assert pins.loose([{**row, "digest": ""} for row in full]) == ["buildkit", "binfmt", "scanner"]
+    monkeypatch.setattr(pins, "FILE", tmp_path / "pins.csv")
+    for found, code in ((full, 0), ([full[0], {**full[1], "digest": ""}], 1)):
+        (tmp_path / "pins.csv").write_text(pins.written(found))
+        assert pins.main(["--complete"]) == code
+    assert capsys.readouterr().err == "error: no digest of buildkit: run python3 scripts/pins.py, and commit\n"
+
+
+@pytest.mark.parametrize("version", ["latest", "v1", "buildx-stable-1", "v1.2", ""])
+def test_a_version_that_floats_is_found(version: str) -> None:
+    assert not VERSION.fullmatch(version)
 
 
 def test_what_is_written_is_read_again() -> None:
