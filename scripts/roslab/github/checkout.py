@@ -92,8 +92,15 @@ def _has_credential(file: Path) -> bool:
 
 
 def _ignored(dockerfile: Path, context: Path) -> list[str]:
-    """Return the lines of the ignore file that docker reads: https://docs.docker.com/build/concepts/context/."""
+    """Return the lines of the ignore file that docker reads: https://docs.docker.com/build/concepts/context/.
+
+    A link that leads out of the context is read by neither.
+    """
+    top = context.resolve()
     for file in (dockerfile.with_name(f"{dockerfile.name}.dockerignore"), context / ".dockerignore"):
-        if file.is_file():
-            return file.read_text(encoding="utf-8", errors="replace").splitlines()
+        try:
+            if file.resolve().is_relative_to(top) and file.is_file():
+                return file.read_text(encoding="utf-8", errors="replace").splitlines()
+        except (OSError, RuntimeError):  # a link to itself
+            continue
     return []

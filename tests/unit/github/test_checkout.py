@@ -52,3 +52,19 @@ def test_a_link_is_not_followed(tmp_path: Path) -> None:
     (tmp_path / "outside").write_text(HEADER)
     (tmp_path / "r/.git/config.worktree").symlink_to(tmp_path / "outside")
     assert checkout.shielded(dockerfile, tmp_path / "r", folder) is None
+
+
+@pytest.mark.parametrize("target", ["../outside", "/proc/1/mem", ".dockerignore"])
+def test_an_ignore_file_out_of_the_tree_ignores_nothing(tmp_path: Path, target: str) -> None:
+    """docker does not read it either: what it names would be in the build."""
+    dockerfile, folder = repository(tmp_path / "r", HEADER)
+    (tmp_path / "outside").write_text(".git\n")
+    (tmp_path / "r/.dockerignore").symlink_to(target)
+    assert checkout.shielded(dockerfile, tmp_path / "r", folder)
+    assert (folder / "Dockerfile.dockerignore").read_text() == "**/.git\n"
+
+
+def test_an_ignore_file_that_is_a_link_within_the_tree_is_read(tmp_path: Path) -> None:
+    dockerfile, folder = repository(tmp_path / "r", HEADER, **{"docker/ignored": ".git\n"})
+    (tmp_path / "r/.dockerignore").symlink_to("docker/ignored")
+    assert checkout.shielded(dockerfile, tmp_path / "r", folder) is None
