@@ -48,3 +48,25 @@ def test_every_right_that_a_starter_asks_for_has_its_reason() -> None:
         for job in (yaml.safe_load(starter.read_text()).get("jobs") or {}).values():
             for right, level in job["permissions"].items():
                 assert f"| `{right}: {level}` |" in page, f"{starter.name}: {right}"
+
+
+def test_what_shows_what_names_only_what_exists() -> None:
+    """The lab's table names tests, jobs of the live workflow, and what is tried by hand; each is there."""
+    page = (ROOT / "tests/lab/README.md").read_text()
+    live = yaml.safe_load((ROOT / ".github/workflows/.live.yml").read_text())
+    tests: dict[str, str] = {}
+    for path in (ROOT / "tests").rglob("test_*.py"):
+        tests[path.name] = tests.get(path.name, "") + path.read_text()
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines() if line.startswith("| ")][2:]
+    jobs: set[str] = set()
+    for row in rows:
+        what, named, shown_live = row
+        for file, test in re.findall(r"`(test_\w+\.py)(?:::(\w+))?", named):
+            assert file in tests, f"{what}: there is no {file}"
+            assert f"def {test}" in tests[file], f"{what}: {file} has no {test}"
+        assert "`" in named or shown_live, f"nothing shows: {what}"
+        jobs |= set(re.findall(r"`([a-z-]+)`", shown_live)) - {"dry-run"}
+    assert jobs == set(live["jobs"]) - {"table"}
+    assert set(live["jobs"]["table"]["needs"]) == jobs
+    by_hand = {name.replace(" ", "-") for name in re.findall(r"^- \*\*(.+?)\*\*", page, flags=re.MULTILINE)}
+    assert by_hand == set(live[True]["workflow_dispatch"]["inputs"]) - {"push"}
