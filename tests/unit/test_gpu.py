@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
 from roslab.engine import gpu
+from roslab.github import proving
+from roslab.github.run import Folder, Run, to_line
+from roslab.pipeline import plan_repository
 
 
 @pytest.fixture
@@ -37,3 +41,26 @@ def test_what_a_machine_can_give(
     stand_in(machine, "nvidia-smi", driver, code)
     stand_in(machine, "docker", engine)
     assert gpu.usable() == expected
+
+
+@pytest.mark.parametrize(("example", "given"), [("cuda_saxpy", True), ("own_dockerfile", False)])
+def test_a_proof_gets_what_its_image_needs_and_the_report_says_so(
+    machine: Path, examples: Path, tmp_path: Path, example: str, *, given: bool
+) -> None:
+    stand_in(machine, "nvidia-smi", "NVIDIA A10")
+    (machine / "docker").write_text(
+        f'#!/bin/sh\n[ $1 != run ] || echo "$*" >>{tmp_path}/run\n[ $1 != info ] || echo \'"nvidia"\'\n'
+    )
+    (machine / "docker").chmod(0o755)
+    plan = plan_repository(examples / example).plan
+    folder = Folder.new({"RUNNER_TEMP": str(tmp_path)})
+    run = Run(plan=plan, image="ghcr.io/lab/robot", username="lab", push=False, reason="why", cache="auto")
+    folder.write("run", to_line(run))
+    build = {"started": 0, "platforms": "linux/amd64", "labels": "", "context": ".", "dockerfile": "Dockerfile"}
+    folder.write("build.json", json.dumps({**build, "exporter": "type=docker,name=x", "epoch": ""}))
+    proving.prove({"ROSLAB_FOLDER": str(folder.path), "GITHUB_OUTPUT": str(tmp_path / "outputs")})
+    started = (tmp_path / "run").read_text().splitlines()
+    assert [("--gpus all" in line) for line in started] == [given] * len(started)
+    proofs = json.loads((folder.artifact / "report-linux-amd64.json").read_text())["proofs"]
+    assert [proof["summary"].endswith(", on NVIDIA A10") for proof in proofs] == [given] * len(proofs)
+    assert proofs
