@@ -22,7 +22,8 @@ BUILD = "build"
 Door = Callable[..., Path]
 OURS = {"error", "warning", "notice", "group", "endgroup"}
 KNOWN = re.compile(
-    r".*/(?:tmp/(?:roslab-|docker-config\b)|act/actions\b|act/workflow\b|workflow/|hostexecutor/(?:\.git/|sub\b)|\.rustup\b)",
+    r".*/(?:tmp/(?:roslab-|docker-config\b|docker-actions-toolkit-)|act/(?:actions|workflow)\b|workflow/|"
+    r"hostexecutor/(?:\.git/|sub\b)|\.rustup\b)",
     re.DOTALL,
 )
 """What act, the builder's client and the program itself write in a job, the submodules' empty folders
