@@ -96,11 +96,14 @@ def _ignored(dockerfile: Path, context: Path) -> list[str]:
 
     A link that leads out of the context is read by neither.
     """
-    top = context.resolve()
-    for file in (dockerfile.with_name(f"{dockerfile.name}.dockerignore"), context / ".dockerignore"):
-        try:
-            if file.resolve().is_relative_to(top) and file.is_file():
-                return file.read_text(encoding="utf-8", errors="replace").splitlines()
-        except (OSError, RuntimeError):  # a link to itself
-            continue
-    return []
+    candidates = (dockerfile.with_name(f"{dockerfile.name}.dockerignore"), context / ".dockerignore")
+    found = next((file for file in candidates if _is_inside(file, context)), None)
+    return found.read_text(encoding="utf-8", errors="replace").splitlines() if found else []
+
+
+def _is_inside(file: Path, context: Path) -> bool:
+    """Return whether a path is a file of the context, also where a link leads to it."""
+    try:
+        return file.resolve().is_relative_to(context.resolve()) and file.is_file()
+    except (OSError, RuntimeError):  # a link to itself
+        return False

@@ -30,7 +30,8 @@ Environment = Mapping[str, str]
 
 
 def source(environment: Environment) -> None:
-    """Complete the checkout."""
+    """Complete the checkout. Raises ``RefusedError`` before anything is fetched for a stranger's code."""
+    event.read(environment)
     completion.complete(_workspace(environment), inputs.part(environment), environment)
 
 

@@ -101,3 +101,21 @@ def test_an_old_tag_is_planned_as_that_tag(environment: dict[str, str]) -> None:
     assert found["latest"] == "false"
     run = from_line(found["run"])
     assert (run.rebuilt, run.revision) == ("refs/tags/v1.2.3", commit)
+
+
+def test_nothing_is_fetched_for_a_strangers_code_that_holds_rights(
+    environment: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its .gitmodules would choose what the repository's tokens fetch."""
+    head = {"ref": "change", "repo": {"full_name": "stranger/robot", "fork": True}}
+    (tmp_path / "event.json").write_text(json.dumps({"pull_request": {"number": 7, "head": head}}))
+    Path(environment["GITHUB_WORKSPACE"], ".gitmodules").write_text('[submodule "x"]\n\tpath = x\n\turl = ../x\n')
+    privileged = {"GITHUB_EVENT_NAME": "pull_request_target", "GITHUB_EVENT_PATH": str(tmp_path / "event.json")}
+    (tmp_path / "git").write_text(f"#!/bin/sh\necho >>{tmp_path}/asked\nexit 1\n")
+    (tmp_path / "git").chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(RefusedError, match="refused: pull_request_target"):
+        steps.source({**environment, **privileged})
+    assert not (tmp_path / "asked").exists()
+    steps.source(environment)
+    assert (tmp_path / "asked").exists(), "without a refusal it is asked, so the check above means something"
