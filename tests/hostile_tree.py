@@ -228,7 +228,8 @@ def page(markdown: str) -> str:
     """Return Markdown as HTML, HTML in it included, as GitHub does before it removes what it does not allow."""
     from markdown_it import MarkdownIt
 
-    return MarkdownIt("commonmark", {"html": True}).enable(["table", "strikethrough"]).render(markdown)
+    html: str = MarkdownIt("commonmark", {"html": True}).enable(["table", "strikethrough"]).render(markdown)
+    return html
 
 
 def foreign(markdown: str) -> list[str]:
