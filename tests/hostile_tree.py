@@ -102,6 +102,7 @@ def write(root: Path, outside: Path) -> None:
     python = f"open({str(ran)!r}, 'a').write(__file__)\nraise SystemExit(1)\n"
     texts = {
         "Dockerfile": DOCKERFILE.format(shout=SHOUT.replace('"', "").replace("$", "")),
+        "Dockerfile.base": f"FROM ##[error]{MARK}\n",
         "Dockerfile.broken": DOCKERFILE.format(shout="x") + f"RUN echo {json.dumps(SHOUT).replace('`', '')} && false\n",
         "says": says,
         "main.sh": "cat /source/says\n",
@@ -113,6 +114,7 @@ def write(root: Path, outside: Path) -> None:
         "roslab.yaml": _recipe("Dockerfile", f"cat /source/says; echo {SHOUT!r}"),
         "fails.yaml": _recipe("Dockerfile", "cat /source/says; exit 1"),
         "broken.yaml": _recipe("Dockerfile.broken", "true"),
+        "base.yaml": _recipe("Dockerfile.base", "true"),
         "generated.yaml": f"format: 3\nkind: cpp\nbase: {{image: 'ubuntu:24.04'}}\ntest: {quoted}\n",
         "wrong.yaml": f"format: 3\nkind: {quoted}\napt: [{quoted}, 'a\tb']\nname: {quoted}\n{quoted}: {quoted}\n",
         ".lfsconfig": f'[lfs]\n\turl = file://{outside}\n[lfs "customtransfer.x"]\n\tpath = touch\n\targs = {ran}\n',

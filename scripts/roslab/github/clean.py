@@ -56,7 +56,7 @@ def clean(environment: Mapping[str, str]) -> None:
     )
     workflow.summary(_page(image, title, going, notes, dry=dry), environment)
     for each in going:
-        print(f"{each.version.digest} {' '.join(each.version.tags)}: {each.reason}", flush=True)
+        workflow.say(f"{each.version.digest} {' '.join(each.version.tags)}: {each.reason}")
     if not dry:
         for each in going:
             store.remove(each.version)

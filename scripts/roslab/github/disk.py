@@ -10,7 +10,6 @@ import re
 from collections.abc import Mapping, Sequence
 
 from roslab.engine import disk, registry
-from roslab.engine.docker import say
 from roslab.errors import BuildError, Problem
 from roslab.github import workflow
 from roslab.github.run import Run
@@ -40,7 +39,7 @@ def before_build(run: Run, platforms: Sequence[str], environment: Mapping[str, s
     least = base * (1 + UNPACKED)
     wanted = 2 * least + (FRAMEWORK if _heavy(run.plan) else PACKAGES)
     known = f"{run.plan.base_image} needs at least {_gb(least)}" if base else "the base image's size is not known"
-    say(f"disk: {_gb(available)} free; {known}, the whole build about {_gb(wanted)}")
+    workflow.say(f"disk: {_gb(available)} free; {known}, the whole build about {_gb(wanted)}")
     if available < wanted and environment.get("RUNNER_ENVIRONMENT") == "github-hosted":
         available = make_room(wanted)
     if available < least:
@@ -57,7 +56,9 @@ def make_room(wanted: int, weights: Sequence[tuple[str, str]] | None = None) -> 
                 break
             if disk.remove(folder):
                 before, available = available, disk.free() or 0
-                say(f"removed {folder} ({holds}): {_gb(max(0, available - before))} more, {_gb(available)} free")
+                workflow.say(
+                    f"removed {folder} ({holds}): {_gb(max(0, available - before))} more, {_gb(available)} free"
+                )
     return available
 
 
@@ -72,10 +73,10 @@ def before_pull(image: registry.PlatformImage, environment: Mapping[str, str]) -
     if available is None or available >= needed + GB:
         return
     if owns_builder(environment):
-        say(f"disk: {_gb(available)} free, {_gb(needed)} are needed: BuildKit's store is emptied")
+        workflow.say(f"disk: {_gb(available)} free, {_gb(needed)} are needed: BuildKit's store is emptied")
         disk.prune()
         available = disk.free() or 0
-        say(f"disk: {_gb(available)} free")
+        workflow.say(f"disk: {_gb(available)} free")
     if available < size * UNPACKED:
         message = f"the image was built and needs about {_gb(needed)} to be run, and {_gb(available)} are free"
         raise BuildError(Problem(message=message, hint=LARGER))

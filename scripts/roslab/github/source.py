@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from roslab.engine import docker as engine
 from roslab.errors import ConfigurationError, Problem
 from roslab.evidence.python import project
 from roslab.github import checkout, workflow
@@ -54,7 +53,7 @@ def complete(top: Path, part: str, environment: Mapping[str, str]) -> None:
         )
     if unread:
         workflow.warn(Problem(message=f"the tags, which a version comes from, cannot be fetched: {unread}"))
-    engine.say(f"{len(missing)} submodules missing, {len(left)} large files missing")
+    workflow.say(f"{len(missing)} submodules missing, {len(left)} large files missing")
 
 
 def _asks_for_tags(root: Path) -> bool:

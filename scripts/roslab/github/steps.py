@@ -108,7 +108,7 @@ def plan(environment: Environment) -> None:
         },
         environment,
     )
-    engine.say(f"{image} from {planned.plan.base_image} for {', '.join(run.plan.platforms)}; {publication.reason}")
+    workflow.say(f"{image} from {planned.plan.base_image} for {', '.join(run.plan.platforms)}; {publication.reason}")
 
 
 def ready(environment: Environment) -> None:
@@ -125,7 +125,7 @@ def ready(environment: Environment) -> None:
     attempt = int(environment.get("GITHUB_RUN_ATTEMPT") or 1)
     kept.begin(folder.artifact, platform=environment.get("ROSLAB_PLATFORM", ""), attempt=attempt)
     run = folder.run
-    engine.say(f"Docker engine {engine.check()}")
+    workflow.say(f"Docker engine {engine.check()}")
     if run.push:
         right = credentials.may_push(run.image, run.username, environment.get("ROSLAB_TOKEN", ""))
         access.require(right, image=run.image, event=event.read(environment))
@@ -166,7 +166,7 @@ def dockerfile(environment: Environment) -> None:
     publication = event.Publication(push=run.push, reason=run.reason)
     part = slug(platforms[0]) if len(platforms) == 1 else "all"
     layers = cache.layers(what, publication, run.cache, image=run.image, part=part, variant=run.variant)
-    engine.say(f"layer cache: {layers.reason}")
+    workflow.say(f"layer cache: {layers.reason}")
     by_digest = f"type=image,name={run.image},push=true,push-by-digest=true,name-canonical=true"
     loaded = f"type=docker,name={runs.candidate(folder, run, platforms[0])}" if len(platforms) == 1 else ""
     build = {

@@ -6,6 +6,7 @@ https://docs.github.com/en/actions/reference/workflows-and-actions/workflow-comm
 from __future__ import annotations
 
 import os
+import re
 import secrets
 import sys
 from collections.abc import Iterator, Mapping
@@ -14,6 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from roslab.errors import Problem, RoslabError
+from roslab.repository.checkout import printable
 
 SUMMARY_LIMIT = 1024 * 1024
 """Most bytes of one step's summary; the runner drops a longer one completely."""
@@ -44,6 +46,16 @@ def annotation(level: str, problem: Problem) -> str:
 def error_commands(error: RoslabError) -> str:
     """Return an error as one ``::error`` line for each of its problems."""
     return "".join(annotation("error", problem) + "\n" for problem in error.problems)
+
+
+def say(text: str) -> None:
+    """Print one line of progress, in which nothing that a repository wrote is a command.
+
+    The runner also knows ``##[command]``, anywhere in a line:
+    https://github.com/actions/runner/blob/main/src/Runner.Common/ActionCommand.cs
+    """
+    line = printable(text).replace("##[", "# #[")
+    _print(re.sub(r"^(\s*):(?=:)", r"\1: ", line))
 
 
 def warn(problem: Problem) -> None:

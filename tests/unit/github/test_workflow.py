@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from hostile_tree import commands
 from roslab.errors import ConfigurationError, Problem
 from roslab.github import workflow
 from roslab.values.origin import Place
@@ -22,6 +23,19 @@ def test_an_error_at_its_place() -> None:
 
 def test_a_line_break_begins_no_command() -> None:
     assert "\n" not in workflow.command("warning", "a\r\n::set-output name=x::y", {"file": "a\n::b"})
+
+
+@pytest.mark.parametrize(
+    "said",
+    ["a\n::error::x", "a\r::error::x", "  ::error::x", "::set-output name=a::b", "b ##[add-mask]x", "##[error]x"],
+)
+def test_a_line_of_progress_is_no_command(capfd: pytest.CaptureFixture[str], said: str) -> None:
+    workflow.say(said)
+    printed = capfd.readouterr().err
+    assert printed.count("\n") == 1
+    assert len(printed.splitlines()) == 1
+    assert commands(printed) == []
+    assert commands(said) != []
 
 
 def test_an_output_cannot_end_itself(tmp_path: Path) -> None:
