@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime as dt
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
@@ -11,10 +12,14 @@ from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.base import base_for
 from roslab.decide.reasons import because, configured, ranked, strongest
+from roslab.decide.ros.distro_dates import ADOPTED, dated
 from roslab.decide.system.cmake_version import has_it, needed_cmake
+from roslab.decide.system.code_fits import misfits
 from roslab.evidence.facts import AuthorDockerfile, Dependency, Evidence
-from roslab.knowledge.distros import Distro, distros, ubuntus, variants
+from roslab.knowledge.distros import Distro, distros, ubuntu_released, ubuntus, variants
 
+OLDEST_BY_DATE = "xenial"
+"""No older Ubuntu is chosen by a date alone: code for an older one still compiles on it."""
 DEFAULT_UBUNTU = "jammy"
 """The Ubuntu of plain C++ when nothing names one: old enough for older code, new enough for today's."""
 _NVIDIA = ("nvidia/", "nvcr.io/")
@@ -29,7 +34,9 @@ class Weight:
     SAID: ClassVar = {"ci": 400, "readme": 300, "script": 200}
     SAID_ELSEWHERE = 100
     NEW_ENOUGH = 50  # has the CMake that the build asks for; what the author names wins: CMake can come from pip
+    DATE = 2  # the last commit's time, where nothing else is known
     DEFAULT = 1
+    DOES_NOT_COMPILE = 400  # subtracted: a page may be older than the code
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -133,7 +140,7 @@ def _nvidia_dockerfile(evidence: Evidence) -> AuthorDockerfile | None:
 
 
 def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
-    reasons = [because("ubuntu", DEFAULT_UBUNTU, "no Ubuntu is named: the default", weight=Weight.DEFAULT)]
+    reasons = [_by_date(evidence)]
     if config.base.ubuntu:
         reasons.append(configured(config, "ubuntu", config.base.ubuntu, "base.ubuntu"))
     for authored in evidence.dockerfiles:
@@ -146,12 +153,51 @@ def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
         if mention.topic == "ubuntu" and codename in ubuntus().values():
             weight = Weight.SAID.get(mention.source, Weight.SAID_ELSEWHERE)
             reasons.append(because("ubuntu", codename, mention.text[:120], mention, weight=weight))
-    reasons = _new_enough(reasons, needed_cmake(evidence))
+    reasons = [_compiling(reason, misfits(evidence)) for reason in reasons]
+    reasons = _fitting(_new_enough(reasons, needed_cmake(evidence)), misfits(evidence))
     best = strongest(reasons)
     version = next(number for number, codename in ubuntus().items() if codename == best.answer)
     image = f"ubuntu:{version}"
     base = replace(best, question="base_image", answer=image, reason=f"plain C++ on Ubuntu {version}")
     return Choice(answer=BaseImage(image=image, ubuntu=best.answer), reasons=(base, *ranked(reasons, best.answer)))
+
+
+def _by_date(evidence: Evidence) -> Reason:
+    """Return the default Ubuntu, or an older one that code of its last commit's time was written for."""
+    date = dated(evidence)
+    released = ubuntu_released()
+    later = (dt.date.fromisoformat(released[DEFAULT_UBUNTU]) + ADOPTED).isoformat()
+    if date is None or date.value >= later:
+        return because("ubuntu", DEFAULT_UBUNTU, "no Ubuntu is named: the default", weight=Weight.DEFAULT)
+    adopted = [
+        name for name, day in released.items() if (dt.date.fromisoformat(day) + ADOPTED).isoformat() <= date.value
+    ]
+    answer = max((OLDEST_BY_DATE, *adopted), key=lambda name: released[name])
+    return because(
+        "ubuntu", answer, f"no Ubuntu is named; the last commit is of {date.value}", date, weight=Weight.DATE
+    )
+
+
+def _compiling(reason: Reason, lacking: dict[str, tuple[str, ...]]) -> Reason:
+    """Lower the weight of an Ubuntu whose compiler or libraries the code does not compile with."""
+    missing = lacking.get(reason.answer, ())
+    if not missing or reason.weight >= Weight.AUTHORS_IMAGE:
+        return reason
+    text = f"{reason.reason}; but {reason.answer} has no {missing[0]}"
+    return replace(reason, reason=text, weight=max(Weight.DEFAULT - 1, reason.weight - Weight.DOES_NOT_COMPILE))
+
+
+def _fitting(reasons: list[Reason], lacking: dict[str, tuple[str, ...]]) -> list[Reason]:
+    """Add the default Ubuntu, else the newest older one, else the oldest newer one, that the code compiles on."""
+    if not any(lacking.get(reason.answer) for reason in reasons):
+        return reasons
+    names = list(ubuntus().values())
+    default = names.index(DEFAULT_UBUNTU)
+    order = (*reversed(names[: default + 1]), *names[default + 1 :])
+    fitting = next((name for name in order if not lacking.get(name)), None)
+    if fitting is None:
+        return reasons
+    return [*reasons, because("ubuntu", fitting, "the code compiles with its libraries", weight=Weight.NEW_ENOUGH)]
 
 
 def _new_enough(reasons: list[Reason], demand: Dependency | None) -> list[Reason]:

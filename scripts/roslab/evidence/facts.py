@@ -224,6 +224,18 @@ class Removed:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class CodeLimit:
+    """A sign in the code of the versions of a library, or of the compiler, that it compiles with."""
+
+    library: str
+    at_least: str | None
+    below: str | None
+    what: str
+    file: str
+    line: int
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Evidence:
     """Everything that was read, sorted by file within each source."""
 
@@ -245,6 +257,8 @@ class Evidence:
     mentions: tuple[Mention, ...] = ()
     bounds: tuple[Removed, ...] = ()
     """Upper bounds of Python packages, from removed names that the code uses."""
+    limits: tuple[CodeLimit, ...] = ()
+    """Versions of compilers and libraries that the C++ code compiles with."""
     cuda_files: tuple[str, ...] = ()
     problems: tuple[tuple[str, str | None, int | None], ...] = ()
     """``(message, file, line)``: what could not be read and was skipped; file and line may be ``None``."""

@@ -6,6 +6,7 @@ import re
 
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import cmake, cpp
+from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import author_dockerfile, ci, install_scripts, readme
 from roslab.evidence.prose.installs import merge
 from roslab.evidence.python import conda, imports, print_statement, project, removed, requirements
@@ -23,6 +24,7 @@ PROSE = (
 def gather(repository: Repository) -> Evidence:
     """Read everything that a repository says about itself; nothing of it is executed."""
     manifests = package_xml.read(repository)
+    signs = Signs()
     cmake_projects = cmake.read(repository)
     prose = merge(reader(repository) for reader in PROSE)
     sources = (
@@ -39,7 +41,7 @@ def gather(repository: Repository) -> Evidence:
         dockerfiles=author_dockerfile.read(repository),
         launch=launch.read(repository),
         programs=imports.programs(repository),
-        code=(*cpp.read(repository), *imports.read(repository), *launch.plugins(repository)),
+        code=(*cpp.read(repository, signs), *imports.read(repository), *launch.plugins(repository)),
         prose=prose.dependencies,
         prose_pip=prose.requirements,
         sources=sources,
@@ -47,9 +49,10 @@ def gather(repository: Repository) -> Evidence:
             *distro_names.read(repository),
             *prose.mentions,
             *print_statement.read(repository),
-            *(commit_date.read(repository) if manifests else ()),
+            *(commit_date.read(repository) if manifests or cmake_projects else ()),
         ),
         bounds=removed.read(repository),
+        limits=signs.all(repository),
         cuda_files=cpp.cuda_files(repository),
         problems=(*repository.problems, *(_malformed(m) for m in manifests if m.malformed), *vcs.absent(repository)),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 _VENDORED = re.compile(
-    r"(?:^|/)(?:third[_-]?part(?:y|ies)|3rd[_-]?party|thirdparty|vendor(?:ed)?|externals?|extern|ext|deps|"
+    r"(?:^|/)(?:third[_-]?part(?:y|ies)|3rd(?:[_-]?party)?|thirdparty|vendor(?:ed)?|externals?|extern|ext|deps|"
     r"submodules?|_deps|site-packages|node_modules|"
     r"pybind11|googletest|gtest|contrib|attic|deprecated|archived?|old|legacy)(?:/|$)",
     re.IGNORECASE,

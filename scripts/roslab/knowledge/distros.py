@@ -117,6 +117,12 @@ def python_of_ubuntu() -> dict[str, str]:
 
 
 @cache
+def ubuntu_released() -> dict[str, str]:
+    """Return ``{codename: date}`` of the release of each Ubuntu, oldest first."""
+    return {row["codename"]: row["released"] for row in rows("ubuntu")}
+
+
+@cache
 def variants() -> dict[str, bool]:
     """Return ``{variant: whether every distribution has an official image of it}``: ``ros-base``, ``desktop``.
 

@@ -10,6 +10,7 @@ from roslab.decide.reasons import because, configured, ranked, warn
 from roslab.decide.ros.distro_dates import dated, of_its_time
 from roslab.decide.ros.distro_evidence import Weight, reasons_for
 from roslab.decide.ros.workspace import packages_of
+from roslab.decide.system.code_fits import misfits
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import Distro, default_distro, distro, distros, distros_of
@@ -26,13 +27,16 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
         return Choice(answer=None)
     ros = 1 if kind == "ros1" else 2
     unknown = _unknown_keys(evidence, ros)
-    reasons = [_fitted(reason, unknown) for reason in reasons_for(evidence, ros)]
+    lacking = misfits(evidence)
+    reasons = [_compiling(_fitted(reason, unknown), lacking) for reason in reasons_for(evidence, ros)]
     if config.base.ubuntu and (fitting := distros_of(config.base.ubuntu, 1 if ros == 1 else 2)):
         inside = [reason for reason in reasons if reason.answer in fitting]
         answer = max(inside, key=_order).answer if inside else fitting[0]
         said = configured(config, "ros_distro", answer, "base.ubuntu")
         return Choice(answer=distros()[answer], reasons=ranked([said, *reasons], answer))
-    reasons += _fitting(reasons, unknown)
+    excluded = {name: frozenset(lacking.get(found.ubuntu, ())) for name, found in distros().items()}
+    unknown = {name: missing | excluded[name] for name, missing in unknown.items()}
+    reasons += _nearest(reasons, unknown, lacking) or _fitting(reasons, unknown)
     if not reasons:
         return _default(evidence, kind, unknown)
     best = max(reasons, key=_order)
@@ -77,12 +81,42 @@ def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
     return replace(reason, reason=text, weight=max(Weight.DEFAULT, reason.weight - Weight.LACKS_A_KEY))
 
 
+def _compiling(reason: Reason, lacking: dict[str, tuple[str, ...]]) -> Reason:
+    """Lower the weight of a distribution that a page names and whose libraries the code does not compile with.
+
+    Where CI or the author's image builds it, the libraries may come from elsewhere.
+    """
+    missing = lacking.get(distros()[reason.answer].ubuntu, ())
+    if not missing or reason.weight > Weight.RECOMMENDED:
+        return reason
+    text = f"{reason.reason}; but {reason.answer} has no {missing[0]}"
+    return replace(reason, reason=text, weight=max(Weight.DEFAULT, reason.weight - Weight.LACKS_A_KEY))
+
+
+def _nearest(
+    reasons: list[Reason], unknown: dict[str, frozenset[str]], lacking: dict[str, tuple[str, ...]]
+) -> list[Reason]:
+    """Add the distribution released nearest to a named one that the code does not compile with, a newer one first."""
+    line = sorted(unknown, key=lambda name: distros()[name].released)
+    named = [r for r in reasons if lacking.get(distros()[r.answer].ubuntu) and r.weight <= Weight.DEFAULT]
+    fitting = [name for name in line if not unknown[name]]
+    if len(named) < len(reasons) or not named or not fitting:
+        return []
+    place = line.index(max(named, key=_order).answer)
+    best = min(fitting, key=lambda name: (abs(line.index(name) - place), line.index(name) < place))
+    why = f"of those that the code compiles with, it is the nearest to {line[place]}"
+    return [because("ros_distro", best, why, weight=Weight.HAS_EVERY_KEY)]
+
+
 def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[Reason]:
     """Add the best distribution with every declared key, if a named one lacks some."""
     if not any(unknown.get(reason.answer) for reason in reasons):
         return []
-    best = max((name for name, missing in unknown.items() if not missing), key=_preference)
-    return [because("ros_distro", best, "it has every key that the packages declare", weight=Weight.HAS_EVERY_KEY)]
+    fitting = [name for name, missing in unknown.items() if not missing]
+    if not fitting:
+        return []
+    why = "it has every key that the packages declare, and the code compiles with its libraries"
+    return [because("ros_distro", max(fitting, key=_preference), why, weight=Weight.HAS_EVERY_KEY)]
 
 
 def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]]) -> Choice[Distro | None]:
@@ -95,8 +129,9 @@ def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]])
         usual = "the default fits" if answer == default else f"{answer}, not the default {default}, fits"
         why = f"no distribution is named; {usual} the last commit, of {date.value}"
     if unknown.get(answer):
-        answer = max((name for name, missing in unknown.items() if not missing), key=_preference)
-        why = "no distribution is named: the default of those that have every key that the packages declare"
+        fitting = [name for name, missing in unknown.items() if not missing]
+        answer = max(fitting, key=_preference, default=answer)
+        why = "no distribution is named: the default of those that have what the packages declare and the code needs"
     message = f"nothing says which ROS distribution this is for: {answer} is used; set base.ros in roslab.yaml"
     reason = because("ros_distro", answer, why, date, weight=Weight.DEFAULT)
     return Choice(answer=distros()[answer], reasons=(reason,), warnings=(warn(message),))

@@ -6,6 +6,7 @@ import re
 
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency
+from roslab.evidence.native.limits import Signs
 from roslab.knowledge.libraries import library
 from roslab.repository.checkout import File, Repository
 
@@ -21,11 +22,16 @@ _STANDARD = re.compile(
 )
 
 
-def read(repository: Repository) -> tuple[Dependency, ...]:
-    """Return the included headers that neither the tree nor the compiler has, each once, at its first place."""
+def read(repository: Repository, signs: Signs | None = None) -> tuple[Dependency, ...]:
+    """Return the included headers that neither the tree nor the compiler has, each once, at its first place.
+
+    ``signs`` is shown every file, so that each is read once.
+    """
     found: dict[str, Dependency] = {}
     for file in _sources(repository):
         text = repository.read_bytes(file, limit=MAX_READ).decode("utf-8", errors="replace")
+        if signs and not file.name.endswith((".cu", ".cuh")):  # compiled where there is CUDA only
+            signs.source(file.path, text)
         position, line = 0, 1
         for match in _INCLUDE.finditer(text):
             name = match[1]

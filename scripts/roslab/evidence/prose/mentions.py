@@ -12,7 +12,9 @@ from roslab.knowledge.distros import english_words, releases_of, ubuntus
 
 MAX_MENTIONS = 120
 """Most mentions per file and topic: a changelog names very many versions."""
-_NO_UBUNTU = {"focal": r"(?!['\u2019]?s?[\s_-]{1,3}(?:lengths?|points?|planes?|distances?|axis|ratio|loss|spots?))"}
+_NO_UBUNTU = {
+    "focal": r"(?!['\u2019]?s?[\s_-]{1,3}(?:lengths?|points?|planes?|search|fields?|distances?|axis|ratio|loss|spots?))"
+}
 """What follows a word that is no release name there: "focal length" is no Ubuntu."""
 _CUDA = r"cuda(?:[\s_-]{0,3}toolkit)?(?:\s{0,3}\(?(?:version|v|==?|>=|~|:)?\s{0,3}|[-=:]{1,3})(\d{1,2}\.\d)"
 _CUDNN = r"cudnn(?:[\s:v=_-]|version){0,9}(\d)"

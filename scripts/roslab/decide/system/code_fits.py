@@ -1,0 +1,61 @@
+"""Which Ubuntus the code cannot compile on, whatever a page says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from packaging.version import Version
+
+from roslab.decide.programs import top_of
+from roslab.decide.ros.workspace import packages_of
+from roslab.evidence import places
+from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.knowledge.code_limits import fits, satisfies
+from roslab.knowledge.distros import cmake_of_ubuntu, ubuntus
+
+TOO_OLD_FOR_PIP = frozenset({"trusty"})
+"""Here pip cannot install a newer CMake: its own version does not know today's wheels.
+https://github.com/pypa/manylinux#readme (pip 8.1 is the first)"""
+
+
+def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
+    """Return, for each Ubuntu, what the code asks for and the Ubuntu does not have: ``PCL 1.9``, ``CMake 3.1``."""
+    found: dict[str, dict[str, None]] = {ubuntu: {} for ubuntu in ubuntus().values()}
+    for ubuntu, lacks in found.items():
+        for limit in evidence.limits:
+            if not fits(limit.library, ubuntu, at_least=limit.at_least, below=limit.below):
+                wanted = f"{limit.at_least} or newer" if limit.at_least else f"older than {limit.below}"
+                lacks[f"{limit.library} {wanted} ({limit.what}, {limit.file}:{limit.line})"] = None
+        cmake = cmake_of_ubuntu()[ubuntu]
+        if needs_newer_cmake(evidence, ubuntu, cmake):
+            lacks[f"CMake {needs_newer_cmake(evidence, ubuntu, cmake)}"] = None
+        for name, version, place in _asked(evidence):
+            if not satisfies(name, ubuntu, version):
+                lacks[f"{name} {version} ({place})"] = None
+    return {ubuntu: tuple(lacks) for ubuntu, lacks in found.items() if lacks}
+
+
+def _asked(evidence: Evidence) -> Iterator[tuple[str, str, str]]:
+    """Yield name, version and place of what the projects that are built require at a version."""
+    for project in _built(evidence):
+        for d in project.dependencies:
+            if d.namespace == "cmake" and d.strength == "declared" and d.version and d.role != "test":
+                yield d.name, d.version, f"{d.file}:{d.line}"
+
+
+def _built(evidence: Evidence) -> Iterator[CMakeProject]:
+    folders = {manifest.file.rpartition("/")[0] for manifest in packages_of(evidence).built}
+    top = top_of(evidence)
+    for project in evidence.cmake:
+        aside = places.vendored(project.file) or places.test(project.file) or places.example(project.file)
+        if not aside and (project.file.rpartition("/")[0] in folders or (not folders and project is top)):
+            yield project
+
+
+def needs_newer_cmake(evidence: Evidence, ubuntu: str, cmake: str) -> str | None:
+    """Return the CMake that a project asks for, if neither the Ubuntu nor pip on it has one."""
+    if ubuntu not in TOO_OLD_FOR_PIP:
+        return None
+    asked = [p.minimum.version for p in _built(evidence) if p.minimum and p.minimum.version]
+    newest = max(asked, key=Version, default=None)
+    return newest if newest and Version(newest) > Version(cmake) else None

@@ -1,0 +1,77 @@
+"""What code compiles with: signs of the versions of a library, and the versions that each Ubuntu has."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from typing import Literal, cast
+
+from packaging.version import Version
+
+from roslab.knowledge.table import rows
+
+Sign = Literal["include", "name", "standard"]
+"""A header, a name in the code, a C++ standard that CMake asks for."""
+_OWN = frozenset({"library", "same_major", "source", "date"})
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Limit:
+    """A sign in the code, and the versions of a library that it compiles with."""
+
+    where: Sign
+    pattern: re.Pattern[str]
+    library: str
+    at_least: str | None
+    below: str | None
+    what: str
+
+
+@cache
+def limits() -> tuple[Limit, ...]:
+    """Return every sign."""
+    return tuple(
+        Limit(
+            where=cast("Sign", row["where"]),
+            pattern=re.compile(row["pattern"]),
+            library=row["library"],
+            at_least=row["at_least"] or None,
+            below=row["below"] or None,
+            what=row["what"],
+        )
+        for row in rows("code_limits")
+    )
+
+
+@cache
+def _versions() -> dict[str, dict[str, str]]:
+    return {row["library"]: {key: row[key] for key in row.keys() - _OWN} for row in rows("library_versions")}
+
+
+@cache
+def _same_major() -> frozenset[str]:
+    return frozenset(row["library"] for row in rows("library_versions") if row["same_major"] == "yes")
+
+
+def version_of(library: str, ubuntu: str) -> str | None:
+    """Return the version of a library in an Ubuntu, ``None`` where the table has none."""
+    return _versions().get(library, {}).get(ubuntu) or None
+
+
+def fits(library: str, ubuntu: str, *, at_least: str | None, below: str | None) -> bool:
+    """Tell whether an Ubuntu's version lies in the bounds; unknown ones do."""
+    found = version_of(library, ubuntu)
+    if found is None:
+        return True
+    version = Version(found)
+    return (at_least is None or version >= Version(at_least)) and (below is None or version < Version(below))
+
+
+def satisfies(library: str, ubuntu: str, asked: str) -> bool:
+    """Tell whether ``find_package(LIBRARY ASKED REQUIRED)`` succeeds on an Ubuntu; of an unknown library it does."""
+    found = version_of(library, ubuntu)
+    if found is None:
+        return True
+    same = library not in _same_major() or Version(found).major == Version(asked).major
+    return same and Version(found) >= Version(asked)

@@ -1,0 +1,84 @@
+"""What the code cannot compile with rules out distributions and Ubuntus that a page names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.knowledge.code_limits import fits, satisfies
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+
+
+def ros1(cmake: str = "", code: str = "", page: str = "Tested with ROS Kinetic") -> dict[str, str]:
+    made = f"cmake_minimum_required(VERSION 2.8.3)\nproject(demo)\nfind_package(catkin REQUIRED)\n{cmake}"
+    return {"package.xml": PACKAGE, "CMakeLists.txt": made, "src/a.cpp": code, "README.md": page}
+
+
+@pytest.mark.parametrize(
+    ("cmake", "code", "page", "distro"),
+    [
+        ("", "", "Tested with ROS Kinetic", "kinetic"),
+        ("find_package(PCL 1.9 REQUIRED)\n", "", "Tested on **Ubuntu 16.04**", "noetic"),
+        ("find_package(PCL 1.8 REQUIRED)\n", "", "Tested with ROS Kinetic", "melodic"),
+        ("find_package(PCL 1.9 QUIET)\n", "", "Tested with ROS Kinetic", "kinetic"),
+        ("find_package(OpenCV 3 REQUIRED)\n", "", "Tested with ROS Noetic", "melodic"),
+        ("", "#include <opencv/cv.h>\n", "Tested with ROS Noetic", "melodic"),
+        ("", "void f() { imread(a, CV_LOAD_IMAGE_COLOR); }\n", "Tested with ROS Noetic", "melodic"),
+        ("", "// CV_LOAD_IMAGE_COLOR\n", "Tested with ROS Noetic", "noetic"),
+        ("", "#if CV_MAJOR_VERSION < 4\nint f = CV_LOAD_IMAGE_COLOR;\n#endif\n", "Tested with ROS Noetic", "noetic"),
+        ("set(CMAKE_CXX_STANDARD 17)\n", "", "Tested with ROS Kinetic", "melodic"),
+        ('set(CMAKE_CXX_FLAGS "-std=c++17")\n', "", "Tested with ROS Kinetic", "melodic"),
+        ("# set(CMAKE_CXX_STANDARD 17)\n", "", "Tested with ROS Kinetic", "kinetic"),
+        ("", "#include <filesystem>\n", "Tested with ROS Melodic", "noetic"),
+    ],
+)  # fmt: skip
+def test_a_page_yields_to_the_code(tree: Tree, cmake: str, code: str, page: str, distro: str) -> None:
+    assert tree(ros1(cmake, code, page)).ros_distro == distro
+
+
+def test_a_newer_cmake_cannot_come_from_pip_everywhere(tree: Tree) -> None:
+    files = ros1(page="Tested with ROS Indigo")
+    files["CMakeLists.txt"] = files["CMakeLists.txt"].replace("2.8.3", "3.1.3")
+    assert tree(files).ros_distro == "kinetic"
+    files["CMakeLists.txt"] = files["CMakeLists.txt"].replace("3.1.3", "3.8")
+    files["README.md"] = "Tested with ROS Kinetic"
+    assert tree(files).ros_distro == "kinetic"
+
+
+def test_what_ci_builds_has_its_libraries_from_elsewhere(tree: Tree) -> None:
+    files = ros1("find_package(PCL 1.9 REQUIRED)\n")
+    ci = "jobs:\n  a:\n    container: ros:kinetic\n    steps: []\n"
+    assert tree({**files, ".github/workflows/ci.yml": ci}).ros_distro == "kinetic"
+
+
+def test_code_of_cuda_and_copied_code_tell_nothing(tree: Tree) -> None:
+    files = ros1(page="Tested with ROS Noetic")
+    more = {"src/b.cu": "#include <opencv/cv.h>\n", "3rd/x/a.cpp": "#include <opencv/cv.h>\n"}
+    assert tree({**files, **more}).ros_distro == "noetic"
+
+
+@pytest.mark.parametrize(
+    ("cmake", "page", "ubuntu"),
+    [
+        ("", "", "jammy"),
+        ("", "Tested on Ubuntu 16.04", "xenial"),
+        ("set(CMAKE_CXX_STANDARD 17)\n", "Tested on Ubuntu 16.04", "jammy"),
+        ("find_package(OpenCV 3 REQUIRED)\n", "", "bionic"),
+        ("", "A* epsilon (also known as focal search) on Ubuntu", "jammy"),
+    ],
+)
+def test_an_ubuntu_for_plain_code(tree: Tree, cmake: str, page: str, ubuntu: str) -> None:
+    made = f"cmake_minimum_required(VERSION 2.8.3)\nproject(demo CXX)\n{cmake}add_executable(a a.cpp)\n"
+    assert tree({"CMakeLists.txt": made, "a.cpp": "int main() {}\n", "README.md": page}).ubuntu == ubuntu
+
+
+def test_versions() -> None:
+    assert satisfies("Boost", "focal", "1.58")
+    assert not satisfies("OpenCV", "focal", "3.2")
+    assert satisfies("Unknown", "focal", "3.2")
+    assert fits("Ceres", "jammy", at_least=None, below="2.2")
+    assert not fits("Ceres", "noble", at_least=None, below="2.2")
