@@ -143,6 +143,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         compiling=compiling,
         source=sources.answer.sources,
         vcs=sources.answer.vcs,
+        submodules=() if own.answer else sources.answer.submodules,
         packages=tuple(manifest.file for manifest in packages.built) if kind.answer in _ROS else (),
         package_names=_names(packages, kind.answer),
         workspace=layout.answer.workspace,

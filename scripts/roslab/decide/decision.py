@@ -115,6 +115,8 @@ class Decision:
     source: tuple[SourceDependency, ...] = ()
     vcs: tuple[str, ...] = ()
     """vcs files to import into the workspace, relative to the root."""
+    submodules: tuple[SourceDependency, ...] = ()
+    """Submodules that are not checked out and are cloned in the image, each at its path."""
     packages: tuple[str, ...] = ()
     """Paths of the package.xml files that are built (neither ignored nor an asset)."""
     package_names: tuple[str, ...] = ()

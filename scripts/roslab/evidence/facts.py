@@ -47,6 +47,8 @@ class GitSource:
     line: int
     kind: Literal["vcs", "submodule", "git_url", "clone", "fetch"]
     """What names it: a vcs file, .gitmodules, package.xml's export, a clone line, CMake's FetchContent."""
+    absent: bool = False
+    """A submodule that is not checked out; its ``ref`` is the commit that the repository records, if git tells it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -162,7 +162,7 @@ def make_plan(
         s for s in decision.source if ros and s.build in ("catkin_make", "catkin_tools", "colcon", "none")
     )
     libraries = tuple(s for s in decision.source if s not in in_workspace)
-    packages = image_packages(decision, config, in_workspace)
+    packages = image_packages(decision, config, (*in_workspace, *decision.submodules))
     name = config.name or image_name(folder_name)
     place = workspace(decision, config, in_workspace, name)
     run = Run(
@@ -194,7 +194,7 @@ def make_plan(
         libraries=tuple(library(source, config) for source in libraries),
         rosdep=(
             Rosdep(manifests=decision.packages, skip_keys=decision.skip_keys, rosdistro_tag=rosdistro_tag)
-            if ros and (decision.packages or in_workspace)
+            if ros and (decision.packages or in_workspace or decision.submodules)
             else None
         ),
         rosdep_keys=decision.rosdep,

@@ -61,6 +61,8 @@ class Workspace:
     program: Program | None
     sources: tuple[Source, ...]
     """Sister packages that are cloned into the workspace."""
+    submodules: tuple[Source, ...] = ()
+    """Submodules that are not checked out: cloned into the repository's folder, each at the path that is its name."""
     python_projects: tuple[str, ...]
     links: tuple[tuple[str, str], ...]
     """Name and target of the links that keep the paths of an image in an old format."""
@@ -84,6 +86,7 @@ def workspace(decision: Decision, config: Config, sisters: tuple[Source, ...], n
         ros=_ros_build(decision, config, sisters) if ros and (in_workspace or sisters) else None,
         program=_program(decision, config, folder) if decision.build_tool == "cmake" else None,
         sources=sisters,
+        submodules=decision.submodules,
         python_projects=decision.python.projects,
         links=tuple(links),
     )

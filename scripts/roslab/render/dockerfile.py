@@ -46,6 +46,7 @@ TODAY = Order(
         python.jupyter,
         system.libraries,
         workspace.sister_sources,
+        workspace.submodules,
         workspace.rosdep,  # 4. what the manifests name
         python.constraints,
         python.packages,

@@ -30,6 +30,13 @@ def describe(root: Path) -> tuple[str, int] | None:
     return (match[1], int(match[2])) if match else None
 
 
+def recorded(root: Path, paths: tuple[str, ...]) -> dict[str, str]:
+    """Return the commit that the checkout's commit records for each submodule at one of the paths."""
+    lines = _read(root, "ls-tree", "HEAD", "--", *paths).split("\n") if paths else []
+    matches = (re.fullmatch(r"160000 commit ([0-9a-f]{40,64})\t(.+)", line) for line in lines)
+    return {match[2]: match[1] for match in matches if match}
+
+
 def is_tag(root: Path, name: str) -> bool:
     """Tell whether the commit of a checkout has this git tag."""
     commit = _read(root, "rev-parse", "--quiet", "--verify", f"refs/tags/{name}^{{commit}}")

@@ -21,6 +21,8 @@ from roslab.values.origin import Place
 _EXTRA = re.compile(
     r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
 )
+_CLONED = re.compile(r"https?://")
+_PATH = re.compile(r"(?!\.\.?(?:/|$))[\w.+-]+(?:/(?!\.\.?(?:/|$))[\w.+-]+)*")
 _WORDS = re.compile(r"[a-z]+")
 SHORTEST = 4
 """Fewest letters of a word that can identify a family of packages."""
@@ -47,6 +49,8 @@ class Sources:
 
     sources: tuple[Source, ...] = ()
     vcs: tuple[str, ...] = ()
+    submodules: tuple[Source, ...] = ()
+    """Submodules that are not checked out; the name of each is its path."""
     libraries: tuple[tuple[str, Dependency], ...] = ()
     """Names of rows in the table of recipes that these sources link, with what asks for each."""
     names: frozenset[str] = frozenset()
@@ -67,7 +71,7 @@ def decide_sources(
     """Return the sources; ``needed``: names that a manifest or CMake asks for, ``own``: the repository's packages."""
     chosen = _Chosen(build_tool=build_tool)
     chosen.configure(config)
-    chosen.submodules(evidence)
+    chosen.submodules(evidence, config)
     if kind not in {"ros1", "ros2"}:
         return chosen.choice(())
     itself = {folder_name.lower(), *(name.lower() for name in own if len(own) == 1)}
@@ -94,12 +98,17 @@ class _Chosen:
     reasons: list[Reason] = field(default_factory=list)
     warnings: list[Warning_] = field(default_factory=list)
     libraries: dict[str, Dependency] = field(default_factory=dict)
+    empty: list[Source] = field(default_factory=list)
 
     def add(self, git: GitSource, why: str) -> bool:
         """Add a repository unless one of that name or URL was added before; tell whether it was added."""
         name = re.sub(r"[^\w.-]+", "_", git.name.strip("/").rpartition("/")[2]).strip(".") or "source"
-        urls = {_url(source.repo) for source in self.sources.values() if source.repo}
-        if name in self.sources or _url(git.url) in urls:
+        urls = {_url(source.repo) for source in (*self.sources.values(), *self.empty) if source.repo}
+        if (
+            name in self.sources
+            or _url(git.url) in urls
+            or name in {each.name.rpartition("/")[2] for each in self.empty}
+        ):
             return False
         self.sources[name] = Source(
             name=name,
@@ -125,12 +134,18 @@ class _Chosen:
             more = "rosdep has a package of the same name, which may be another one: the clone is used"
             self.warnings.append(warn(f"{message}; {more}", asked))
 
-    def submodules(self, evidence: Evidence) -> None:
-        """Report the submodules: they come with the checkout and are not cloned."""
+    def submodules(self, evidence: Evidence, config: Config) -> None:
+        """Report the submodules: those that are not checked out are cloned in the image."""
         for git in evidence.sources:
-            if git.kind == "submodule":
-                why = f"a submodule ({git.url}): check it out with the repository"
-                self.reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
+            if git.kind != "submodule":
+                continue
+            why = f"a submodule ({git.url}): check it out with the repository"
+            if git.absent and not config.compatible and _CLONED.match(git.url) and _PATH.fullmatch(git.name):
+                commit = f"at {git.ref}" if git.ref else "at no fixed commit, for git does not tell it"
+                why = f"a submodule that is not checked out: it is cloned from {git.url} {commit}"
+                place = Place(file=git.file, line=git.line)
+                self.empty.append(Source(name=git.name, repo=git.url, ref=_ref(git.ref), build="none", place=place))
+            self.reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
 
     def known(self, needed: Iterable[Dependency], elsewhere: frozenset[str], ros: int, distro: str) -> None:
         """Add unreleased packages from the table for names that nothing else provides.
@@ -177,6 +192,7 @@ class _Chosen:
             answer=Sources(
                 sources=tuple(self.sources.values()),
                 vcs=files,
+                submodules=tuple(self.empty),
                 libraries=tuple(self.libraries.items()),
                 names=frozenset(self.sources) | {_plain(name) for name in self.sources},
             ),

@@ -8,10 +8,12 @@ from __future__ import annotations
 import configparser
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 from roslab.evidence import places
 from roslab.evidence.facts import GitSource
 from roslab.evidence.lex.yaml import load
+from roslab.repository import git
 from roslab.repository.checkout import File, Repository
 
 MAX_SIZE = 256 * 1024
@@ -28,19 +30,31 @@ def read(repository: Repository) -> tuple[GitSource, ...]:
     """Return every repository that a list names, with https URLs; ``decide`` leaves out the repository itself."""
     found = [source for file in _files(repository) for source in _listed(repository, file)]
     for file in repository.named(".gitmodules"):
-        found += _submodules(repository, file)
+        found += _with_commits(repository, tuple(_submodules(repository, file)))
     return tuple(found)
+
+
+def _with_commits(repository: Repository, modules: tuple[GitSource, ...]) -> Iterator[GitSource]:
+    """Mark the submodules that are not checked out, and give them the commits that the repository records."""
+    missing = tuple(module.name for module in modules if not _checked_out(repository, module))
+    commits = git.recorded(repository.root, missing) if missing and repository.git_folder else {}
+    for module in modules:
+        if module.name in missing:
+            yield replace(module, absent=True, ref=commits.get(module.name, module.ref))
+        else:
+            yield module
+
+
+def _checked_out(repository: Repository, module: GitSource) -> bool:
+    return module.name in repository.folders or any(
+        folder.startswith(f"{module.name}/") for folder in repository.folders
+    )
 
 
 def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
     """Return ``(message, file, line)`` for submodules that are not checked out, whose content was not read."""
-    folders = {file.folder for file in repository.files}
     for file in repository.named(".gitmodules"):
-        missing = [
-            source
-            for source in _submodules(repository, file)
-            if not any(folder == source.name or folder.startswith(f"{source.name}/") for folder in folders)
-        ]
+        missing = [source for source in _submodules(repository, file) if not _checked_out(repository, source)]
         if missing:
             names = ", ".join(source.name for source in missing)
             what = "a submodule is" if len(missing) == 1 else "submodules are"

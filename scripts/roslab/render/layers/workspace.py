@@ -33,6 +33,23 @@ def sister_sources(plan: Plan) -> str:
     return "\n".join([head, *blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
 
 
+def submodules(plan: Plan) -> str:
+    """Clone the submodules that are not checked out into the folder that the source is copied to afterwards.
+
+    What is private or gone is told and left out, as where the workflows fetch submodules.
+    """
+    if not plan.workspace.submodules:
+        return ""
+    runs = []
+    for source in plan.workspace.submodules:
+        folder = quote.shell_with_user(f"{source_folder(plan)}/{source.name}")
+        left_out = quote.shell(f"roslab: left out: the submodule {source.name} cannot be cloned")
+        cloned = " \\\n   && ".join(fetch(source, folder))
+        runs.append(shell.run(f"mkdir --parents {folder}", f"{{ {cloned}; }} \\\n || echo {left_out}"))
+    head = "# Submodules that are not checked out, at the commits that the repository records"
+    return "\n".join([head, "USER ${NB_USER}", *runs, "USER root"])
+
+
 def _fetched(source: Source) -> list[str]:
     folder = quote.shell_with_user(f"{WS}/src/{source.name}")
     return fetch(source, folder) + ([f"(cd {folder} && {source.prepare})"] if source.prepare else [])
@@ -45,7 +62,8 @@ def rosdep(plan: Plan) -> str:
     files = manifests.of_rosdep(plan)
     tag, skip = plan.rosdep.rosdistro_tag, " ".join(plan.rosdep.skip_keys)
     folders = [manifests.FOLDER] if files else []
-    folders += [f"{WS}/src"] if plan.workspace.sources else []
+    cloned = [f"{WS}/src"] if plan.workspace.sources else []
+    folders += cloned or ([source_folder(plan)] if plan.workspace.submodules else [])
     return shell.call(
         "install-rosdep-keys",
         (f" --tables {quote.shell(tag)}" if tag else "")

@@ -1,0 +1,70 @@
+"""Submodules that are not checked out are cloned in the image, at the commits that the repository records."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+COMMIT = "0dbfc6e1cb0bd7fc209bee6de83c01b49ac9398a"
+PACKAGE = (
+    "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><depend>catkin_simple</depend></package>"
+)
+MODULES = """\
+[submodule "planner"]
+\tpath = third_party/planner
+\turl = git@github.com:lab/planner.git
+[submodule "simple"]
+\tpath = catkin_simple
+\turl = https://github.com/catkin/catkin_simple.git
+"""
+FILES = {
+    "package.xml": PACKAGE,
+    "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED COMPONENTS catkin_simple)\n",
+    ".gitmodules": MODULES,
+}
+
+
+def test_they_are_cloned_once_and_by_https(tree: Tree) -> None:
+    decision = tree(FILES)
+    assert [(s.name, s.repo, s.ref) for s in decision.submodules] == [
+        ("third_party/planner", "https://github.com/lab/planner.git", None),
+        ("catkin_simple", "https://github.com/catkin/catkin_simple.git", None),
+    ]
+    assert decision.source == ()  # not cloned a second time, as a sister
+
+
+def test_what_is_checked_out_is_not_cloned(tree: Tree) -> None:
+    there = {"third_party/planner/a.txt": "", "catkin_simple/src/a.txt": ""}
+    assert tree({**FILES, **there}).submodules == ()
+
+
+@pytest.mark.parametrize("path", ["../planner", "a/../../b", "a b"])
+def test_no_path_leads_out_of_the_repository(tree: Tree, path: str) -> None:
+    modules = f'[submodule "a"]\n\tpath = {path}\n\turl = https://github.com/lab/planner.git\n'
+    assert tree({**FILES, ".gitmodules": modules}).submodules == ()
+
+
+def test_the_recorded_commit_is_cloned(tmp_path: Path) -> None:
+    def git(*words: str) -> None:
+        identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
+        subprocess.run(["git", "-C", str(tmp_path), *identity, *words], check=True, capture_output=True)
+
+    for path, text in FILES.items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    git("init")
+    git("add", ".")
+    git("update-index", "--add", "--cacheinfo", f"160000,{COMMIT},third_party/planner")
+    git("commit", "--message", "a")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    folder = f"ws/src/{plan_repository(tmp_path).plan.name}/third_party/planner"
+    assert f"git clone https://github.com/lab/planner.git /home/${{NB_USER}}/{folder}" in text
+    assert f"checkout {COMMIT}" in text
+    assert text.index(COMMIT) < text.index("RUN install-rosdep-keys") < text.index("\nCOPY --chown")
