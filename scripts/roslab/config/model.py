@@ -62,6 +62,8 @@ class Source:
     keep_source: bool = False
     prepare: str = ""
     """Shell text from this program's own tables, run in the fresh checkout."""
+    before: str = ""
+    """Without a ``ref``: the newest commit not after this date (``YYYY-MM-DD``) is taken, if there is one."""
     place: Place | None = None
 
 

@@ -25,11 +25,13 @@ from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.layout import decide_layout
+from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.workspace import Packages, packages_of
+from roslab.decide.system.by_hand import as_written, by_hand
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, started
-from roslab.decide.system.packages import decide_system
+from roslab.decide.system.packages import decide_system, without_twins
 from roslab.decide.system.recipes import recipes_for
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
@@ -113,7 +115,14 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     if config.compatible:
         everything = installed(evidence, python.answer)
     recipes = (*sources.answer.libraries, *system.answer.recipes)
-    sources = with_recipes(sources, recipes_for(recipes, base.answer.ubuntu))
+    libraries = as_written(recipes_for(recipes, base.answer.ubuntu), evidence)
+    taken = sources.answer.names | {plain(source.name) for source, _ in libraries}
+    taken |= {plain(git.name) for git in evidence.sources if git.kind == "submodule"} | packages.names
+    linked = by_hand(evidence, config, kind.answer, target=target, packages=packages, taken=taken)
+    depends = tuple(name for name in system.answer.apt if name.endswith("-dev"))
+    linked = tuple((replace(source, depends=depends), asked) for source, asked in linked)
+    sources = with_recipes(sources, (*libraries, *linked))
+    system = without_twins(system, frozenset(source.name for source, _ in (*libraries, *linked)))
 
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else NO_CUDA

@@ -106,7 +106,19 @@ def doubt(authored: AuthorDockerfile, kind: Kind, ros_distro: str | None) -> str
         return f"it builds {authored.context}, not the whole repository"
     if authored.base is None or "$" in authored.base:
         return f"its base is not known: {authored.base or 'no FROM'}"
-    return _base_doubt(authored.base, kind, ros_distro)
+    return _base_doubt(authored.base, kind, ros_distro) or _tables_doubt(authored)
+
+
+def _tables_doubt(authored: AuthorDockerfile) -> str | None:
+    """Return a doubt if it asks rosdep for the tables of a distribution that has ended, which rosdep then skips.
+
+    https://github.com/ros-infrastructure/rosdep/issues/818
+    """
+    named = _ROS.search(authored.base or "")
+    release = distro(named[1]) if named else None
+    if release is None or release.rosdistro_tag is None or authored.updates_rosdep is None:
+        return None
+    return f"its `rosdep update` (line {authored.updates_rosdep}) skips {release.name}, which has ended"
 
 
 def _chained(authored: AuthorDockerfile, evidence: Evidence) -> str | None:

@@ -133,6 +133,7 @@ def _nvidia_dockerfile(evidence: Evidence) -> AuthorDockerfile | None:
         key=lambda authored: (
             authored.file.count("/"),
             authored.file.rpartition("/")[2].lower() != "dockerfile",
+            (authored.base or "").startswith(_NVIDIA),  # beside one without CUDA, it is for those who want it
             authored.file,
         )
     )

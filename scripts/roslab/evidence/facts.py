@@ -45,8 +45,11 @@ class GitSource:
     strength: Strength
     file: str
     line: int
-    kind: Literal["vcs", "submodule", "git_url", "clone", "fetch"]
-    """What names it: a vcs file, .gitmodules, package.xml's export, a clone line, CMake's FetchContent."""
+    kind: Literal["vcs", "submodule", "git_url", "clone", "fetch", "link"]
+    """What names it: a vcs file, .gitmodules, package.xml's export, a clone line, CMake's FetchContent, a link."""
+    installed: bool = False
+    """The page compiles it by hand with CMake and installs it, with these options."""
+    options: str = ""
     absent: bool = False
     """A submodule that is not checked out; its ``ref`` is the commit that the repository records, if git tells it."""
 
@@ -166,6 +169,8 @@ class AuthorDockerfile:
     """Build context that its COPY lines fit, relative to the root; ``None`` if nothing is copied."""
     command_line: int | None = None
     """The line of ``command``."""
+    updates_rosdep: int | None = None
+    """The line of a ``rosdep update`` that skips distributions that have ended."""
     clones_itself: bool = False
     """It clones this repository instead of building the checkout."""
 

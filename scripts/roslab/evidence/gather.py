@@ -41,7 +41,12 @@ def gather(repository: Repository) -> Evidence:
         dockerfiles=author_dockerfile.read(repository),
         launch=launch.read(repository),
         programs=imports.programs(repository),
-        code=(*cpp.read(repository, signs), *imports.read(repository), *launch.plugins(repository)),
+        code=(
+            *cpp.read(repository, signs),
+            *imports.read(repository),
+            *launch.plugins(repository),
+            *cmake.fetching(repository),
+        ),
         prose=prose.dependencies,
         prose_pip=prose.requirements,
         sources=sources,

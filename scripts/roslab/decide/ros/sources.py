@@ -10,6 +10,8 @@ from typing import Literal
 from roslab.config.model import BuildTool, Config, Kind, Source
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
+from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.source_names import address, asked_for, fixed, itself_in, plain, wanted_names
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency, Evidence, GitSource
 from roslab.evidence.ros.vcs import https
@@ -24,10 +26,6 @@ _EXTRA = re.compile(
 _CLONED = re.compile(r"https?://")
 _PATH = re.compile(r"(?!\.\.?(?:/|$))[\w.+-]+(?:/(?!\.\.?(?:/|$))[\w.+-]+)*")
 _WORDS = re.compile(r"[a-z]+")
-SHORTEST = 4
-"""Fewest letters of a word that can identify a family of packages."""
-_COMMON = frozenset({"msgs", "driver", "drivers", "common", "robot", "core", "tools", "utils", "ros1", "ros2"})
-_TOOLS = frozenset({"catkin", "ament_cmake", "ament_package", "cmake"})
 _IN_WORKSPACE: dict[BuildTool, Literal["catkin_make", "catkin_tools", "colcon"]] = {
     "catkin_make": "catkin_make",
     "catkin_tools": "catkin_tools",
@@ -69,7 +67,8 @@ def decide_sources(
     folder_name: str,
 ) -> Choice[Sources]:
     """Return the sources; ``needed``: names that a manifest or CMake asks for, ``own``: the repository's packages."""
-    chosen = _Chosen(build_tool=build_tool)
+    date = None if config.compatible else dated(evidence)
+    chosen = _Chosen(build_tool=build_tool, before=date.value if date else "")
     chosen.configure(config)
     chosen.submodules(evidence, config)
     if kind not in {"ros1", "ros2"}:
@@ -77,12 +76,12 @@ def decide_sources(
     itself = {folder_name.lower(), *(name.lower() for name in own if len(own) == 1)}
     files = _vcs_files(evidence, config, ros_distro)
     for git in evidence.sources:
-        if git.kind == "vcs" and git.file in files and not _is(git, itself):
+        if git.kind == "vcs" and git.file in files and not itself_in(git, itself):
             chosen.add(git, f"{git.file} lists it")
     known = released(ros_distro or "") | own
-    wanted = _wanted(needed)
+    wanted = wanted_names(needed)
     for git in _clones(evidence, ros_distro):
-        asked = None if _is(git, itself) or _plain(git.name) in own else _asked(git, wanted, known)
+        asked = None if itself_in(git, itself) or plain(git.name) in own else asked_for(git, wanted, known)
         if asked is not None:
             chosen.clone(git, asked, known | rosdep_keys())
     chosen.known(needed, known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
@@ -94,6 +93,8 @@ class _Chosen:
     """The sources chosen so far."""
 
     build_tool: BuildTool
+    before: str = ""
+    """The date of the repository's last commit: what it clones without a ref is taken as it was then."""
     sources: dict[str, Source] = field(default_factory=dict)
     reasons: list[Reason] = field(default_factory=list)
     warnings: list[Warning_] = field(default_factory=list)
@@ -103,18 +104,19 @@ class _Chosen:
     def add(self, git: GitSource, why: str) -> bool:
         """Add a repository unless one of that name or URL was added before; tell whether it was added."""
         name = re.sub(r"[^\w.-]+", "_", git.name.strip("/").rpartition("/")[2]).strip(".") or "source"
-        urls = {_url(source.repo) for source in (*self.sources.values(), *self.empty) if source.repo}
+        urls = {address(source.repo) for source in (*self.sources.values(), *self.empty) if source.repo}
         if (
             name in self.sources
-            or _url(git.url) in urls
+            or address(git.url) in urls
             or name in {each.name.rpartition("/")[2] for each in self.empty}
         ):
             return False
         self.sources[name] = Source(
             name=name,
             repo=https(git.url),
-            ref=_ref(git.ref),
+            ref=fixed(git.ref),
             build=_IN_WORKSPACE.get(self.build_tool, "none"),
+            before="" if fixed(git.ref) else self.before,
             place=Place(file=git.file, line=git.line),
         )
         self.reasons.append(because("source", name, why, git, weight=Weight.LISTED))
@@ -144,7 +146,10 @@ class _Chosen:
                 commit = f"at {git.ref}" if git.ref else "at no fixed commit, for git does not tell it"
                 why = f"a submodule that is not checked out: it is cloned from {git.url} {commit}"
                 place = Place(file=git.file, line=git.line)
-                self.empty.append(Source(name=git.name, repo=git.url, ref=_ref(git.ref), build="none", place=place))
+                ref, before = fixed(git.ref), "" if git.ref else self.before
+                self.empty.append(
+                    Source(name=git.name, repo=git.url, ref=ref, before=before, build="none", place=place)
+                )
             self.reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
 
     def known(self, needed: Iterable[Dependency], elsewhere: frozenset[str], ros: int, distro: str) -> None:
@@ -171,7 +176,7 @@ class _Chosen:
 
     def _complete(self, found: RosSource, asked: Dependency, distro: str) -> None:
         source = self.sources[found.package]
-        if source.repo is None or _url(source.repo) != _url(found.repo):
+        if source.repo is None or address(source.repo) != address(found.repo):
             return  # another repository of that name
         if found.library:
             self.libraries.setdefault(found.library, asked)
@@ -180,7 +185,8 @@ class _Chosen:
 
     def loose(self) -> tuple[Warning_, ...]:
         """Warn about sources without a ref: a later build may get other code."""
-        names = sorted(source.name for source in self.sources.values() if source.repo and not source.ref)
+        open_ = (source for source in self.sources.values() if source.repo and not (source.ref or source.before))
+        names = sorted(source.name for source in open_)
         if not names:
             return ()
         message = f"cloned without a fixed ref: {', '.join(names)}; a later build may get other code"
@@ -194,56 +200,11 @@ class _Chosen:
                 vcs=files,
                 submodules=tuple(self.empty),
                 libraries=tuple(self.libraries.items()),
-                names=frozenset(self.sources) | {_plain(name) for name in self.sources},
+                names=frozenset(self.sources) | {plain(name) for name in self.sources},
             ),
             reasons=tuple(self.reasons),
             warnings=(*self.warnings, *self.loose()),
         )
-
-
-def _ref(ref: str | None) -> str | None:
-    return ref if ref and re.fullmatch(r"[\w./+-]+", ref) and not ref.startswith("-") else None
-
-
-def _url(url: str) -> str:
-    return https(url).removesuffix(".git").rstrip("/").lower()
-
-
-def _plain(name: str) -> str:
-    return re.sub(r"[-_.]+", "_", name.rpartition("/")[2]).lower()
-
-
-def _is(git: GitSource, names: set[str]) -> bool:
-    """Tell whether a list names the repository itself."""
-    return _plain(git.name) in {_plain(name) for name in names} or _url(git.url).rpartition("/")[2] in names
-
-
-def _wanted(needed: Iterable[Dependency]) -> dict[str, Dependency]:
-    """Return the needed names in one spelling, without build tools, which the base image has."""
-    found: dict[str, Dependency] = {}
-    for dependency in needed:
-        if dependency.role == "buildtool" and dependency.name in _TOOLS:
-            continue
-        found.setdefault(_plain(dependency.name), dependency)
-        if dependency.name.startswith("lib"):
-            found.setdefault(_plain(dependency.name[3:]), dependency)
-    return found
-
-
-def _asked(git: GitSource, wanted: dict[str, Dependency], known: frozenset[str]) -> Dependency | None:
-    """Return what needs a clone: a name equal to the clone's, or an unreleased package whose name begins with it.
-
-    A key that rosdep does not have also matches a clone with the key's first word in its name: ``vikit_ros`` matches
-    ``rpg_vikit``.
-    """
-    name = _plain(git.name)
-    if name in wanted:
-        return wanted[name]
-    unknown = [(each, d) for each, d in wanted.items() if d.name not in known]
-    family = (d for each, d in unknown if each.startswith(f"{name}_") and d.namespace in {"rosdep", "ros"})
-    words = {word for word in name.split("_") if len(word) >= SHORTEST} - _COMMON
-    related = (d for each, d in unknown if d.namespace == "rosdep" and each.partition("_")[0] in words)
-    return next(family, None) or next((d for d in related if d.name not in rosdep_keys()), None)
 
 
 def _clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
@@ -253,6 +214,7 @@ def _clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
     """
     dockerfiles = {authored.file: _distros(authored.base or "") for authored in evidence.dockerfiles}
     found = [git for git in evidence.sources if git.kind in {"clone", "git_url"} and not places.vendored(git.file)]
+    found = [git for git in found if not git.installed and "/archive/" not in git.url]
     found += [clone for authored in evidence.dockerfiles if authored.purpose == "project" for clone in authored.clones]
     found = [git for git in found if not dockerfiles.get(git.file) or ros_distro in dockerfiles[git.file]]
     return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Python, Reason, Warning_
@@ -29,6 +30,7 @@ _HOW = {
     "ros": "the ROS package {} is used",
     "apt": "an install line names {}",
     "rosdep": "the key {} is named",
+    "fetch": "a CMake file clones, which needs {}",
     "shebang": "the first line of a program names {}",
 }
 
@@ -110,6 +112,14 @@ def decide_system(
         reasons=(*said, *_explained(found.declared, kept, keys)),
         warnings=tuple(found.warnings),
     )
+
+
+def without_twins(choice: Choice[SystemPackages], built: frozenset[str]) -> Choice[SystemPackages]:
+    """Leave out ROS's packages of libraries that are built from their source: two versions would be mixed."""
+    names = "|".join(re.escape(re.sub(r"[^a-z0-9]", "", name.lower())) for name in built)
+    twin = re.compile(rf"ros-[a-z]+-(?:{names})") if names else None
+    kept = tuple(name for name in choice.answer.apt_guessed if twin is None or not twin.fullmatch(name))
+    return replace(choice, answer=replace(choice.answer, apt_guessed=kept))
 
 
 def _requested(config: Config, ubuntu: str | None) -> Iterator[str]:

@@ -12,6 +12,10 @@ from roslab.evidence.native import cmake_needs
 from roslab.repository.checkout import File, Repository
 
 MAX_PROJECTS = 3_000
+MAX_MODULES = 300
+"""Most CMake files that are searched for what they clone, those nearest to the root first."""
+MAX_MODULE = 64 * 1024
+_CLONES = re.compile(r"^[^#\n]*\b(?:GIT_REPOSITORY|GITHUB_REPOSITORY|CPMAddPackage|git\s+clone)\b", re.MULTILINE)
 _EXECUTABLE = frozenset(
     [
         "add_executable",
@@ -85,6 +89,21 @@ def read(repository: Repository) -> tuple[CMakeProject, ...]:
     found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
     kept = (p for p in found if p.name or p.dependencies or p.executables or p.macros)
     return tuple(sorted(kept, key=lambda project: project.file))
+
+
+def fetching(repository: Repository) -> tuple[Dependency, ...]:
+    """Return git, and what it needs for https, if a CMake file clones something while it configures."""
+    files = [*repository.suffixed(".cmake"), *repository.named("CMakeLists.txt")]
+    files = [file for file in files if file.size <= MAX_MODULE and "/CMakeFiles/" not in file.path]
+    for file in sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_MODULES]:
+        text = repository.read(file)
+        if match := _CLONES.search(text):
+            line = text.count("\n", 0, match.start()) + 1
+            return tuple(
+                Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="fetch")
+                for name in ("ca-certificates", "git")
+            )
+    return ()
 
 
 def _project(repository: Repository, file: File, added: set[str]) -> CMakeProject:

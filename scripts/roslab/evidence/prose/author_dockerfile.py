@@ -27,6 +27,8 @@ _DOCKER_FOLDER = re.compile(
 )
 """Folders that only hold Dockerfiles, whose build context is the root."""
 _FROM = re.compile(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
+_UPDATE = re.compile(r"\brosdep\s+update\b(?!\s+--(?:include-eol-distros|rosdistro))")
+"""Not told to keep distributions that have ended. https://github.com/ros-infrastructure/rosdep/issues/818"""
 _PAIR = re.compile(r"(\w+)=(\"[^\"]*\"|'[^']*'|\S*)")
 _DEPLOY = re.compile(
     r"jetson|l4t|deploy|tegra|raspberry|\brpi\b|arm64|aarch64|armhf|production|release|simulator|\bursim\b",
@@ -95,6 +97,7 @@ class _Reading:
     command_line: int | None = None
     problem: str | None = None
     """Why it does not parse."""
+    updates_rosdep: int | None = None
     needs: str | None = None
     """What it needs that a build cannot give it."""
 
@@ -111,6 +114,8 @@ class _Reading:
             self._set(name, body)
         elif name == "RUN":
             _collect(self.collector, instruction)
+            if _UPDATE.search(body):
+                self.updates_rosdep = self.updates_rosdep or line
             if _PRIVATE.search(body):
                 self.needs = self.needs or f"line {line} needs a private key or token"
         elif name in {"COPY", "ADD"}:
@@ -160,6 +165,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         problem=problem or reading.needs or missing,
         context=context,
         clones_itself=itself,
+        updates_rosdep=reading.updates_rosdep,
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from roslab.evidence.facts import Dependency, GitSource, Mention, Prose
@@ -17,7 +17,7 @@ MentionSource = Literal["dockerfile", "ci", "readme", "script"]
 TRIGGER = re.compile(
     r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|"
     r"\s+build|\s+init)|"
-    r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b|(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"
+    r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b|/archive/|(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"
 )
 """A line without any of these words is skipped."""
 _RUN = re.compile(r"\b(?:roslaunch|rosrun|ros2)\s")
@@ -27,6 +27,10 @@ _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
 _APT_NAME = re.compile(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
 _PYTHON = re.compile(r"^(?:i?python)(\d(?:\.\d+)?)?$")
+_OPTION = re.compile(r"-D[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
+_ARCHIVE = re.compile(
+    r"(https://github\.com/[\w-]+/([\w.-]+))/archive/(?:refs/tags/)?([\w.+-]+?)\.(?:zip|tar\.gz|tgz)$"
+)
 _BUILT = re.compile(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
 """The path of a compiled program."""
 _BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_make", "colcon": "colcon"}
@@ -47,6 +51,8 @@ class Collector:
     """The folder after ``cd``, as far as known; paths given to pip are relative to it."""
     heading: str = ""
     """The sections that the text stands in."""
+    options: str = ""
+    """The options of the last ``cmake``."""
     fresh: int | None = None
     """Index of the clone that a following ``git checkout`` belongs to."""
 
@@ -171,15 +177,7 @@ class Collector:
             clone = self.sources[self.fresh]
             ref = words[-1] if words[-1] != "--" else ""
             if clone.ref is None and re.fullmatch(r"[\w./-]+", ref) and not ref.startswith("-"):
-                self.sources[self.fresh] = GitSource(
-                    name=clone.name,
-                    url=clone.url,
-                    ref=ref.removeprefix("tags/"),
-                    strength=clone.strength,
-                    file=clone.file,
-                    line=clone.line,
-                    kind=clone.kind,
-                )
+                self.sources[self.fresh] = replace(clone, ref=ref.removeprefix("tags/"))
             self.fresh = None
             return
         if "clone" not in words:
@@ -197,7 +195,7 @@ class Collector:
         branch = next((words[i + 1] for i, w in enumerate(words[:-1]) if w in {"-b", "--branch"}), None)
         url = url.rstrip(".,;)")
         name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
-        self.fresh = len(self.sources)
+        self.fresh, self.options = len(self.sources), ""
         branch = None if branch is None or UNKNOWN in branch else branch
         self.sources.append(
             GitSource(
@@ -211,14 +209,48 @@ class Collector:
             )
         )
 
+    def _by_hand(self, program: str, command: Command) -> None:
+        """Note what CMake is told, and, where something is installed, the clone in whose folder the text is now."""
+        words = command.words
+        if program in {"wget", "curl"}:
+            self._archive(command)
+            return
+        if program == "cmake":
+            self._mention("build_tool", "cmake", command)
+            self.options = " ".join(word for word in words if _OPTION.fullmatch(word)) or self.options
+        if not {"install", "--install"} & {*words}:
+            return
+        here = {re.sub(r"[-_.]+", "_", part).lower() for part in self.folder.split("/")}
+        for index in range(len(self.sources) - 1, -1, -1):
+            name = re.sub(r"[-_.]+", "_", self.sources[index].name).lower()
+            if any(part == name or part.startswith(f"{name}_") for part in here):
+                self.sources[index] = replace(self.sources[index], installed=True, options=self.options)
+                return
+
+    def _archive(self, command: Command) -> None:
+        """Read a release that is fetched as an archive: it is the tag of a repository."""
+        for word in command.words:
+            if match := _ARCHIVE.match(word):
+                self.sources.append(
+                    GitSource(
+                        name=match[2],
+                        url=match[1],
+                        ref=match[3],
+                        strength="prose",
+                        file=self.file,
+                        line=command.line,
+                        kind="clone",
+                    )
+                )
+
     def _program(self, program: str, command: Command) -> None:
         words = command.words
         if program in _BUILD_TOOLS:
             self._mention("build_tool", _BUILD_TOOLS[program], command)
         elif program == "catkin" and words[1:2] in {("build",), ("init",), ("config",), ("b",)}:
             self._mention("build_tool", "catkin_tools", command)
-        elif program == "cmake":
-            self._mention("build_tool", "cmake", command)
+        elif program in {"cmake", "make", "ninja", "wget", "curl"}:
+            self._by_hand(program, command)
         elif program in {"roslaunch", "rosrun"} or (program == "ros2" and words[1:2] in {("launch",), ("run",)}):
             self._run(command)
         elif (python := _PYTHON.match(program)) and len(words) > 1:

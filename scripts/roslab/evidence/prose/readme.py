@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from roslab.evidence import places
-from roslab.evidence.facts import Mention, Prose
+from roslab.evidence.facts import GitSource, Mention, Prose
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import TRIGGER, Collector, merge
 from roslab.repository.checkout import File, Repository
@@ -38,6 +38,9 @@ _START = re.compile(
 )
 _NAMED = re.compile(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
 """A sentence that runs a program by its name."""
+MAX_LINKS = 100
+_LINK = re.compile(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?!\.?[\w/-])")
+"""A page of a repository itself, not of a file in it."""
 _SPAN = re.compile(r"(`+)(.+?)\1")
 _HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*$")
 _ELSEWHERE = re.compile(
@@ -100,8 +103,21 @@ def _read(text: str, file: File) -> Prose:
         for line, code, heading in _code(text):
             collector.heading = heading
             collector.text(code, line)
+    collector.sources += _links(text, file)
     found = collector.prose()
     return found._replace(mentions=(*found.mentions, *mentions.read(text, file.path, "readme")))
+
+
+def _links(text: str, file: File) -> list[GitSource]:
+    """Return the repositories that a page links to: one of them may be a library that CMake asks for by its name."""
+    found: dict[str, GitSource] = {}
+    for match in _LINK.finditer(text) if file.path.count("/") <= 1 else ():
+        url, name = match[0].removesuffix(".git"), match[1].removesuffix(".git").rstrip(".")
+        line = text.count("\n", 0, match.start()) + 1
+        found.setdefault(
+            url, GitSource(name=name, url=url, ref=None, strength="prose", file=file.path, line=line, kind="link")
+        )
+    return list(found.values())[:MAX_LINKS]
 
 
 def _code(text: str) -> Iterator[tuple[int, str, str]]:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from typing import Literal
 
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency, LaunchFile
+from roslab.evidence.facts import Dependency, LaunchFile, Strength
 from roslab.repository.checkout import File, Repository
 
 MAX_SIZE = 256 * 1024
@@ -41,6 +41,12 @@ _NEW = re.compile(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composa
 _GUI = re.compile(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
 _COMMENT = {"xml": re.compile(r"<!--.*?-->", re.DOTALL), "hash": re.compile(r"^[ \t]*#.*$", re.MULTILINE)}
 _NAME = re.compile(r"<name>\s*([\w-]+)\s*</name>")
+NEAR = 300
+"""Most characters between a package's name and the end of the call or element that it belongs to."""
+_IF = re.compile(r"\s(?:if|unless)\s*=")
+_ACTION = re.compile(
+    r"\b(?:Node|IncludeLaunchDescription|ExecuteProcess|LaunchDescription|GroupAction|DeclareLaunchArgument)\("
+)
 _NO_PACKAGE = frozenset({"find", "pkg", "package", "name", "python", "python3", "self"})
 
 
@@ -129,7 +135,22 @@ def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> It
             name = next(group for group in match.groups() if group)
             if name not in _NO_PACKAGE:
                 line = text.count("\n", 0, match.start()) + 1
-                yield Dependency(namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec")
+                strength: Strength = "optional" if _conditional(text, match.start(), match.end()) else "used"
+                yield Dependency(namespace="ros", name=name, strength=strength, file=file.path, line=line, role="exec")
+
+
+def _conditional(text: str, begin: int, end: int) -> bool:
+    """Tell whether what names a package is only started under a condition: ``if="…"``, ``condition=IfCondition(…)``."""
+    tag = text[max(text.rfind("<", 0, begin), begin - NEAR, 0) : text.find(">", end, end + NEAR)]
+    if _IF.search(tag):
+        return True
+    group = text.rfind("<group", 0, begin)
+    if group >= 0 and text.rfind("</group", 0, begin) < group and _IF.search(text[group : text.find(">", group)]):
+        return True
+    before = [match.end() for match in _ACTION.finditer(text, max(0, begin - 4 * NEAR), begin)]
+    after = _ACTION.search(text, end, end + 4 * NEAR)
+    call = text[before[-1] if before else begin : after.start() if after else end + 2 * NEAR]
+    return "condition=" in call.replace(" ", "")
 
 
 def _packages(repository: Repository) -> dict[str, str]:

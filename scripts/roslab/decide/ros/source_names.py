@@ -1,0 +1,65 @@
+"""Names and addresses of repositories in one spelling, and which needed name asks for which of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from roslab.evidence.facts import Dependency, GitSource
+from roslab.evidence.ros.vcs import https
+from roslab.knowledge.released import rosdep_keys
+
+SHORTEST = 4
+"""Fewest letters of a word that can identify a family of packages."""
+_COMMON = frozenset({"msgs", "driver", "drivers", "common", "robot", "core", "tools", "utils", "ros1", "ros2"})
+_TOOLS = frozenset({"catkin", "ament_cmake", "ament_package", "cmake"})
+
+
+def fixed(ref: str | None) -> str | None:
+    """Return a ref that a shell and git can take, else ``None``."""
+    return ref if ref and re.fullmatch(r"[\w./+-]+", ref) and not ref.startswith("-") else None
+
+
+def address(url: str) -> str:
+    """Return an address in the one spelling in which two are compared."""
+    return https(url).removesuffix(".git").rstrip("/").lower()
+
+
+def plain(name: str) -> str:
+    """Return a name in the one spelling in which two are compared."""
+    return re.sub(r"[-_.]+", "_", name.rpartition("/")[2]).lower()
+
+
+def itself_in(git: GitSource, names: set[str]) -> bool:
+    """Tell whether a list names the repository itself."""
+    return plain(git.name) in {plain(name) for name in names} or address(git.url).rpartition("/")[2] in names
+
+
+def wanted_names(needed: Iterable[Dependency]) -> dict[str, Dependency]:
+    """Return the needed names in one spelling, without build tools, which the base image has."""
+    found: dict[str, Dependency] = {}
+    for dependency in needed:
+        if dependency.role == "buildtool" and dependency.name in _TOOLS:
+            continue
+        if dependency.role == "exec" and dependency.strength == "optional":
+            continue  # a launch file starts it under a condition only
+        found.setdefault(plain(dependency.name), dependency)
+        if dependency.name.startswith("lib"):
+            found.setdefault(plain(dependency.name[3:]), dependency)
+    return found
+
+
+def asked_for(git: GitSource, wanted: dict[str, Dependency], known: frozenset[str]) -> Dependency | None:
+    """Return what needs a clone: a name equal to the clone's, or an unreleased package whose name begins with it.
+
+    A key that rosdep does not have also matches a clone with the key's first word in its name: ``vikit_ros`` matches
+    ``rpg_vikit``.
+    """
+    name = plain(git.name)
+    if name in wanted:
+        return wanted[name]
+    unknown = [(each, d) for each, d in wanted.items() if d.name not in known]
+    family = (d for each, d in unknown if each.startswith(f"{name}_") and d.namespace in {"rosdep", "ros"})
+    words = {word for word in name.split("_") if len(word) >= SHORTEST} - _COMMON
+    related = (d for each, d in unknown if d.namespace == "rosdep" and each.partition("_")[0] in words)
+    return next(family, None) or next((d for d in related if d.name not in rosdep_keys()), None)

@@ -1,0 +1,82 @@
+"""Libraries that a page compiles by hand, or links to, and that CMake asks for: each is built in a stage of its own."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+from roslab.config.model import Config, Kind, Source
+from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.source_names import address, fixed, plain
+from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.names import Target, resolve
+from roslab.decide.system.needs import code_needs
+from roslab.evidence import places
+from roslab.evidence.facts import Dependency, Evidence, GitSource
+from roslab.values.origin import Place
+
+SHORTEST = 3
+"""Fewest letters of a name by which a link is taken for a library."""
+
+
+def as_written(
+    sources: Iterable[tuple[Source, Dependency]], evidence: Evidence
+) -> tuple[tuple[Source, Dependency], ...]:
+    """Give the libraries of the table the ref and the options with which a page builds them by hand."""
+    by_url = {address(git.url): git for git in _installed(evidence)}
+    return tuple((_like(source, by_url.get(address(source.repo or ""))), asked) for source, asked in sources)
+
+
+def _installed(evidence: Evidence) -> Iterator[GitSource]:
+    return (git for git in evidence.sources if git.installed and not places.vendored(git.file))
+
+
+def _like(source: Source, git: GitSource | None) -> Source:
+    if git is None or not (ref := fixed(git.ref)):
+        return source
+    said = {word.partition("=")[0] for word in git.options.split()}
+    ours = (word for word in source.cmake_options.split() if word.partition("=")[0] not in said)
+    place = Place(file=git.file, line=git.line)
+    return replace(source, ref=ref, cmake_options=" ".join((*ours, git.options)).strip(), place=place)
+
+
+def by_hand(
+    evidence: Evidence, config: Config, kind: Kind, *, target: Target, packages: Packages, taken: frozenset[str]
+) -> tuple[tuple[Source, Dependency], ...]:
+    """Return the libraries that no table knows, that CMake asks for by name, and that a page clones or links to.
+
+    ``taken``: names that come from elsewhere. Each is built as it was at the time of the repository's last commit.
+    """
+    if config.compatible or kind not in {"ros1", "ros2", "cpp"}:
+        return ()
+    date = dated(evidence)
+    offered: dict[str, GitSource] = {}
+    for git in sorted(evidence.sources, key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
+        if (git.installed or git.kind == "link") and not places.vendored(git.file):
+            offered.setdefault(plain(git.name), git)
+    found: dict[str, tuple[Source, Dependency]] = {}
+    for asked in code_needs(evidence, packages):
+        name = re.sub(r"^lib(?=[a-z])", "", plain(asked.name))
+        if name not in offered or len(name) < SHORTEST or name in taken or not _unknown(asked, target):
+            continue
+        git = offered[name]
+        ref = fixed(git.ref)
+        source = Source(
+            name=git.name,
+            repo=git.url,
+            ref=ref,
+            before="" if ref or date is None else date.value,
+            build="cmake",
+            cmake_options=git.options,
+            place=Place(file=git.file, line=git.line),
+        )
+        found.setdefault(name, (source, asked))
+    return tuple(found.values())
+
+
+def _unknown(asked: Dependency, target: Target) -> bool:
+    """Tell whether no table knows a name that the build requires; what CMake only tries is no reason to build it."""
+    required = asked.strength == "declared" if asked.namespace == "cmake" else asked.namespace == "link"
+    meant = resolve(asked, target)
+    return required and not (meant.apt or meant.recipe)

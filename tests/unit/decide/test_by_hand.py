@@ -1,0 +1,140 @@
+"""What a page builds by hand, links to or clones, as a stage, a source, or nothing."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+
+
+def ros1(cmake: str, page: str) -> dict[str, str]:
+    made = f"project(demo)\nfind_package(catkin REQUIRED)\n{cmake}"
+    return {"package.xml": PACKAGE, "CMakeLists.txt": made, "README.md": f"ROS Noetic\n{page}"}
+
+
+ARCHIVE = """\
+```
+wget -O gtsam.zip https://github.com/borglab/gtsam/archive/refs/tags/4.1.1.zip
+unzip gtsam.zip
+cd gtsam-4.1.1/
+mkdir build && cd build
+cmake -DGTSAM_BUILD_TESTS=ON -DGTSAM_POSE3_EXPMAP=ON ..
+sudo make install -j16
+```
+"""
+CLONE = """\
+```
+git clone https://github.com/borglab/gtsam.git
+cd gtsam
+git checkout 4.0.2
+mkdir build
+cd build
+cmake ..
+make install
+```
+"""
+
+
+@pytest.mark.parametrize(("page", "ref"), [("", "4.0.3"), (ARCHIVE, "4.1.1"), (CLONE, "4.0.2")])
+def test_a_library_is_built_as_the_page_builds_it(tree: Tree, page: str, ref: str) -> None:
+    decision = tree(ros1("find_package(GTSAM REQUIRED)\n", page))
+    assert [(source.name, source.ref) for source in decision.source] == [("gtsam", ref)]
+    assert "ros-noetic-gtsam" not in decision.apt_guessed
+
+
+def test_the_options_of_the_page_win(tree: Tree) -> None:
+    options = tree(ros1("find_package(GTSAM REQUIRED)\n", ARCHIVE)).source[0].cmake_options.split()
+    assert "-DGTSAM_POSE3_EXPMAP=ON" in options
+    assert [word for word in options if word.startswith("-DGTSAM_BUILD_TESTS")] == ["-DGTSAM_BUILD_TESTS=ON"]
+
+
+@pytest.mark.parametrize(
+    ("cmake", "page", "names"),
+    [
+        ("find_library(G NAMES grasplib PATHS /usr/local/lib)\n", "(https://github.com/lab/grasplib#a)", ["grasplib"]),
+        ("find_package(grasplib REQUIRED)\n", "See https://github.com/lab/grasplib.", ["grasplib"]),
+        ("find_package(grasplib QUIET)\n", "See https://github.com/lab/grasplib.", []),
+        ("find_package(grasplib REQUIRED)\n", "See https://github.com/lab/other.", []),
+        ("find_package(grasplib REQUIRED)\n", "See https://github.com/lab/grasplib/issues/3.", []),
+        ("find_package(Eigen3 REQUIRED)\n", "See https://github.com/lab/eigen3.", []),
+    ],
+)  # fmt: skip
+def test_a_linked_library_that_cmake_asks_for(tree: Tree, cmake: str, page: str, names: list[str]) -> None:
+    found = tree(ros1(cmake, page)).source
+    assert [source.name for source in found] == names
+    assert all(source.build == "cmake" for source in found)
+
+
+def test_what_is_cloned_without_a_ref_is_taken_as_it_was(tmp_path: Path) -> None:
+    files = ros1("find_package(grasplib REQUIRED)\n", "See https://github.com/lab/grasplib.")
+    for path, text in files.items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    for words in (("init",), ("add", "."), ("commit", "--message", "a", "--date", "2019-01-25T00:00:00Z")):
+        identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
+        environment = {"GIT_COMMITTER_DATE": "2019-01-25T00:00:00Z", "PATH": "/usr/local/bin:/usr/bin:/bin"}
+        subprocess.run(
+            ["git", "-C", str(tmp_path), *identity, *words], check=True, capture_output=True, env=environment
+        )
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert "--before=2019-01-25 HEAD" in text
+    assert '"${commit:-HEAD}"' in text
+
+
+LAUNCHED = """\
+from launch import LaunchDescription
+LaunchDescription([Node({more}package='lidar_driver', executable='a'{after})])
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "after", "names"),
+    [
+        ("", "", ["lidar_driver"]),
+        ("", ", condition=IfCondition(x)", []),
+        ("condition=LaunchConfigurationEquals('a', 'b'), ", "", []),
+    ],
+)
+def test_a_driver_that_is_started_under_a_condition_is_not_cloned(
+    tree: Tree, more: str, after: str, names: list[str]
+) -> None:
+    files = {
+        "package.xml": PACKAGE.replace("catkin", "ament_cmake"),
+        "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n",
+        "launch/a.launch.py": LAUNCHED.format(more=more, after=after),
+        "README.md": "ROS Humble\n```\ngit clone https://github.com/lab/lidar_driver\n```\n",
+    }
+    assert [source.name for source in tree(files).source] == names
+
+
+@pytest.mark.parametrize(
+    ("update", "file"),
+    [
+        ("rosdep update", None),
+        ("rosdep update --rosdistro kinetic", "Dockerfile"),
+        ("rosdep update --include-eol-distros", "Dockerfile"),
+        ("apt-get update", "Dockerfile"),
+    ],
+)
+def test_an_authors_dockerfile_without_tables_is_not_built(tree: Tree, update: str, file: str | None) -> None:
+    made = f"FROM ros:kinetic-ros-base\nCOPY . /ws/src/demo\nRUN {update}\n"
+    assert tree({**ros1("", ""), "README.md": "", "Dockerfile": made}).dockerfile == file
+
+
+def test_what_cmake_clones_needs_git(tree: Tree) -> None:
+    files = {
+        "CMakeLists.txt": "project(demo CXX)\ninclude(external/glow.cmake)\nadd_executable(a a.cpp)\n",
+        "external/glow.cmake": "FetchContent_Declare(glow GIT_REPOSITORY https://github.com/x/glow.git)\n",
+        "a.cpp": "int main() {}\n",
+    }
+    assert "git" in tree(files).apt_guessed
+    files["external/glow.cmake"] = "# GIT_REPOSITORY\n"
+    assert "git" not in tree(files).apt_guessed
