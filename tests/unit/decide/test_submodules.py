@@ -68,3 +68,12 @@ def test_the_recorded_commit_is_cloned(tmp_path: Path) -> None:
     assert f"git clone https://github.com/lab/planner.git /home/${{NB_USER}}/{folder}" in text
     assert f"checkout {COMMIT}" in text
     assert text.index(COMMIT) < text.index("RUN install-rosdep-keys") < text.index("\nCOPY --chown")
+
+
+def test_a_library_that_a_submodule_links_is_built(tree: Tree) -> None:
+    url = "https://github.com/Livox-SDK/livox_ros_driver"
+    modules = f'[submodule "a"]\n\tpath = third_party/livox_ros_driver\n\turl = {url}\n'
+    decision = tree({**FILES, "README.md": "ROS Noetic", ".gitmodules": modules})
+    assert "livox-sdk" in [source.name for source in decision.source]
+    modules = modules.replace("Livox-SDK", "somebody-else")
+    assert "livox-sdk" not in [source.name for source in tree({**FILES, ".gitmodules": modules}).source]

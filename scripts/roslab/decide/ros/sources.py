@@ -150,7 +150,17 @@ class _Chosen:
                 self.empty.append(
                     Source(name=git.name, repo=git.url, ref=ref, before=before, build="none", place=place)
                 )
+                self._linked(git, 2 if self.build_tool == "colcon" else 1)
             self.reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
+
+    def _linked(self, git: GitSource, ros: int) -> None:
+        """Note the library that a submodule links, if the table of unreleased packages knows the submodule."""
+        for found in ros_sources(git.name.rpartition("/")[2], ros):
+            if found.library and address(found.repo) == address(git.url):
+                asked = Dependency(
+                    namespace="ros", name=found.package, strength="declared", file=git.file, line=git.line, role="build"
+                )
+                self.libraries.setdefault(found.library, asked)
 
     def known(self, needed: Iterable[Dependency], elsewhere: frozenset[str], ros: int, distro: str) -> None:
         """Add unreleased packages from the table for names that nothing else provides.
