@@ -54,23 +54,24 @@ def _same_major() -> frozenset[str]:
     return frozenset(row["library"] for row in rows("library_versions") if row["same_major"] == "yes")
 
 
-def version_of(library: str, ubuntu: str) -> str | None:
-    """Return the version of a library in an Ubuntu, ``None`` where the table has none."""
-    return _versions().get(library, {}).get(ubuntu) or None
+def version_of(library: str, ubuntu: str, *, ros: bool = False) -> str | None:
+    """Return the version of a library in an Ubuntu, ``None`` where the table has none; ROS may bring another one."""
+    own = _versions().get(f"{library} of ROS", {}).get(ubuntu) if ros else None
+    return own or _versions().get(library, {}).get(ubuntu) or None
 
 
-def fits(library: str, ubuntu: str, *, at_least: str | None, below: str | None) -> bool:
+def fits(library: str, ubuntu: str, *, at_least: str | None, below: str | None, ros: bool = False) -> bool:
     """Tell whether an Ubuntu's version lies in the bounds; unknown ones do."""
-    found = version_of(library, ubuntu)
+    found = version_of(library, ubuntu, ros=ros)
     if found is None:
         return True
     version = Version(found)
     return (at_least is None or version >= Version(at_least)) and (below is None or version < Version(below))
 
 
-def satisfies(library: str, ubuntu: str, asked: str) -> bool:
+def satisfies(library: str, ubuntu: str, asked: str, *, ros: bool = False) -> bool:
     """Tell whether ``find_package(LIBRARY ASKED REQUIRED)`` succeeds on an Ubuntu; of an unknown library it does."""
-    found = version_of(library, ubuntu)
+    found = version_of(library, ubuntu, ros=ros)
     if found is None:
         return True
     same = library not in _same_major() or Version(found).major == Version(asked).major

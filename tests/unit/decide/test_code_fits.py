@@ -79,6 +79,8 @@ def test_an_ubuntu_for_plain_code(tree: Tree, cmake: str, page: str, ubuntu: str
 def test_versions() -> None:
     assert satisfies("Boost", "focal", "1.58")
     assert not satisfies("OpenCV", "focal", "3.2")
+    assert not satisfies("OpenCV", "xenial", "3")
+    assert satisfies("OpenCV", "xenial", "3", ros=True)  # ros-kinetic-opencv3
     assert satisfies("Unknown", "focal", "3.2")
     assert fits("Ceres", "jammy", at_least=None, below="2.2")
     assert not fits("Ceres", "noble", at_least=None, below="2.2")

@@ -20,17 +20,18 @@ https://github.com/pypa/manylinux#readme (pip 8.1 is the first)"""
 
 def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     """Return, for each Ubuntu, what the code asks for and the Ubuntu does not have: ``PCL 1.9``, ``CMake 3.1``."""
+    ros = bool(packages_of(evidence).built)
     found: dict[str, dict[str, None]] = {ubuntu: {} for ubuntu in ubuntus().values()}
     for ubuntu, lacks in found.items():
         for limit in evidence.limits:
-            if not fits(limit.library, ubuntu, at_least=limit.at_least, below=limit.below):
+            if not fits(limit.library, ubuntu, at_least=limit.at_least, below=limit.below, ros=ros):
                 wanted = f"{limit.at_least} or newer" if limit.at_least else f"older than {limit.below}"
                 lacks[f"{limit.library} {wanted} ({limit.what}, {limit.file}:{limit.line})"] = None
         cmake = cmake_of_ubuntu()[ubuntu]
         if needs_newer_cmake(evidence, ubuntu, cmake):
             lacks[f"CMake {needs_newer_cmake(evidence, ubuntu, cmake)}"] = None
         for name, version, place in _asked(evidence):
-            if not satisfies(name, ubuntu, version):
+            if not satisfies(name, ubuntu, version, ros=ros):
                 lacks[f"{name} {version} ({place})"] = None
     return {ubuntu: tuple(lacks) for ubuntu, lacks in found.items() if lacks}
 
