@@ -12,15 +12,13 @@ from roslab.decide.candidates import TOOLS, Candidate, candidates_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.first_command import first_of, named_like_it, program_of
 from roslab.decide.reasons import because, configured
+from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.windows import opens
 from roslab.values.origin import Place
 
 MAX_CANDIDATES = 30
 _COMPILED: frozenset[Kind] = frozenset({"ros1", "ros2", "cpp"})
-_WINDOWS = frozenset(
-    {"PyQt5", "PyQt6", "PySide2", "PySide6", "tkinter", "Tkinter", "pygame", "wx", "pyglet", "vispy", "mayavi", "kivy"}
-)
-"""Python libraries that open windows."""
 _ARGUMENT = re.compile(r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|--help\b|(?:^|\s)-h\b|--show-args\b|\s(?:-s|--ros-args)$")
 """An argument that names a file or asks for help: such a command is no default."""
 
@@ -139,7 +137,13 @@ def _barest(candidates: list[Candidate]) -> list[Candidate]:
 
 
 def _gui(evidence: Evidence) -> bool:
-    return any(launch.gui for launch in evidence.launch) or any(
-        dependency.namespace == "import" and dependency.name in _WINDOWS and dependency.strength == "used"
-        for dependency in evidence.code
-    )
+    """Tell whether a launch file starts a viewer, or the code uses a library that opens windows."""
+    if any(launch.gui for launch in evidence.launch):
+        return True
+    asked = (d for project in evidence.cmake if not places.vendored(project.file) for d in project.dependencies)
+    found = (*evidence.code, *(d for d in asked if d.strength == "declared" and d.role != "test"))
+    return any(d.strength != "optional" and opens(d.namespace, d.name) for d in found if not _aside(d.file))
+
+
+def _aside(path: str) -> bool:
+    return places.test(path) or places.example(path) or places.vendored(path)

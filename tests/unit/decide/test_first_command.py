@@ -114,3 +114,19 @@ def test_a_program_has_the_name_of_its_file(tree: Tree) -> None:
         "set_target_properties(a PROPERTIES OUTPUT_NAME align)\n"
     }
     assert tree({**files, "a.cpp": "int main() {}\n"}).command == ("align",)
+
+
+@pytest.mark.parametrize(
+    ("cmake", "code", "gui"),
+    [
+        ("find_package(Pangolin REQUIRED)\n", "", True),
+        ("find_package(Pangolin QUIET)\n", "", False),
+        ("find_package(OpenCV REQUIRED)\n", "", False),
+        ("", "#include <GLFW/glfw3.h>\n", True),
+        ("", "#include <pcl/visualization/pcl_visualizer.h>\n", True),
+        ("", "#include <pcl/point_types.h>\n", False),
+    ],
+)
+def test_libraries_that_open_windows(tree: Tree, cmake: str, code: str, gui: bool) -> None:
+    files = {"CMakeLists.txt": f"project(x CXX)\n{cmake}add_executable(a a.cpp)\n", "a.cpp": f"{code}int main() {{}}\n"}
+    assert tree(files).gui is gui
