@@ -203,6 +203,10 @@ class Repository:
         seconds = git.head(self.root)[1] if self.git_folder else None
         return None if seconds is None else dt.datetime.fromtimestamp(seconds, tz=dt.timezone.utc)
 
+    def recorded(self, paths: tuple[str, ...]) -> dict[str, str]:
+        """Return the commit that the checkout's commit records for each submodule at one of the paths, if git tells."""
+        return git.recorded(self.root, paths) if paths and self.git_folder else {}
+
     def _git_text(self, name: str) -> str:
         try:
             return (self.git_folder / name).read_text(errors="replace")[:65536] if self.git_folder else ""

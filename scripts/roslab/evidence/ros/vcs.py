@@ -13,7 +13,6 @@ from dataclasses import replace
 from roslab.evidence import places
 from roslab.evidence.facts import GitSource
 from roslab.evidence.lex.yaml import load
-from roslab.repository import git
 from roslab.repository.checkout import File, Repository
 
 MAX_SIZE = 256 * 1024
@@ -37,7 +36,7 @@ def read(repository: Repository) -> tuple[GitSource, ...]:
 def _with_commits(repository: Repository, modules: tuple[GitSource, ...]) -> Iterator[GitSource]:
     """Mark the submodules that are not checked out, and give them the commits that the repository records."""
     missing = tuple(module.name for module in modules if not _checked_out(repository, module))
-    commits = git.recorded(repository.root, missing) if missing and repository.git_folder else {}
+    commits = repository.recorded(missing)
     for module in modules:
         if module.name in missing:
             yield replace(module, absent=True, ref=commits.get(module.name, module.ref))
