@@ -7,14 +7,18 @@ import re
 from roslab.explain.reading import Line
 from roslab.explain.skim import is_marked
 from roslab.explain.steps import Step
+from roslab.knowledge.failures import compiled
+from roslab.knowledge.table import rows
 
 MOST = 300_000
 """Most characters of a step that patterns are matched on; of a longer step, its beginning and its end."""
 _QUOTES = str.maketrans({0x2018: "'", 0x2019: "'", 0x201C: '"', 0x201D: '"'})
 """Compilers use curved quotation marks in a UTF-8 locale."""
+_FOREIGN = re.compile(r"Fehler|nicht gefunden|erreur|fichier|introuvable|No existe|denegado|referencia a")
 _NEVER = re.compile(
     r"\s{0,8}(?:"
     r"\+{1,3} "  # commands printed by `set -x`
+    r"|npm (?:WARN|warn|notice|http|verb|info|sill|timing) |warning \S{1,200} > "
     r"|Get:\d|Ign:\d|Hit:\d|Setting up |Unpacking |Selecting previously|Preparing to unpack|\(Reading database"
     r"|Reading (?:package lists|state)|Building dependency tree|Processing triggers|update-alternatives: "
     r"|checking |-- (?:Looking for|Performing Test|Check for|Checking|Detecting|Found |Installing: |Up-to-date: )"
@@ -45,7 +49,7 @@ _LAST = re.compile(
 def lines(step: Step) -> list[Line]:
     """Return a step's lines, including the builder's own message, without those that are never errors."""
     found = [
-        Line(line.number, line.text.translate(_QUOTES))
+        Line(line.number, _english(line.text).translate(_QUOTES))
         for line in step.lines
         if line.text and not _NEVER.match(line.text) and not _PROBE.search(line.text)
     ]
@@ -53,6 +57,14 @@ def lines(step: Step) -> list[Line]:
     if word:
         found.append(Line(found[-1].number if found else 0, word))
     return _bounded(found)
+
+
+def _english(text: str) -> str:
+    """Return a line with the commonest messages of compilers and the C library in English."""
+    if not text.isascii() or _FOREIGN.search(text):
+        for row in rows("localised"):
+            text = compiled(row["pattern"]).sub(row["english"], text)
+    return text
 
 
 def last_word(step: Step) -> str:

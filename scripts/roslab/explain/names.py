@@ -112,6 +112,14 @@ def _namespace(names: Names, where: Image) -> Names:
     return {"library": space} if space != "std" else _built_with(names, where)
 
 
+def _symbol(names: Names, _: Image) -> Names:
+    """Name the library of the first symbol that is missing, if a table has its namespace or prefix."""
+    for row in rows("symbols"):
+        if compiled(row["pattern"]).match(names.get("symbol", "")):
+            return {"library": row["library"], "how": row["how"]}
+    return {}
+
+
 _INCLUDED = re.compile(r"/(?:include|site-packages|dist-packages|pkg/mod/[\w.]{1,60})/([\w.+-]{2,60})/")
 _FOLDERS = re.compile(r"(?:\bcd |/)((?:/?[\w.$-]{1,60}/){1,8}[\w.-]{1,60})")
 
@@ -131,6 +139,9 @@ _VARIABLE = re.compile(r"\$\{?([A-Za-z_]\w{1,60})")
 
 def _argument(names: Names, where: Image) -> Names:
     found = _VARIABLE.findall(where.instruction)
+    if package := names.get("package"):
+        beside = re.search(rf"{re.escape(package)}={{1,2}}['\"]?\$\{{?(\w{{1,60}})", where.instruction)
+        found = [beside[1]] if beside else found
     return {"name": names["name"]} if names.get("name") else ({"name": found[0]} if found else {})
 
 
@@ -175,5 +186,6 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "program": _table("programs", "program", "apt", "program"),
     "ros": _ros,
     "secret": _secret,
+    "symbol": _symbol,
     "shared": _table("shared_objects", "library", "apt", "library"),
 }

@@ -32,7 +32,7 @@ _COLOUR = re.compile(
     r"|\x1b[()][0-9A-Z]|\x1b[@-Z\\-_=>]"
     r"|\^\[\[[0-9;]{0,20}m"  # colours as `cat -v` shows them
 )
-_BARE_COLOUR = re.compile(r"\[(?:\d{1,3}(?:;\d{1,3}){0,4})?m")
+_BARE_COLOUR = re.compile(r"\[\d{1,3}(?:;\d{1,3}){0,4}m|\[m(?=\s|$|\[)", re.MULTILINE)
 """A colour whose escape character was lost when the log was saved."""
 
 

@@ -75,14 +75,25 @@ class _Case:
 
 
 def match(log: Log, step: Step, image: Image) -> Match | None:
-    """Return the known failure that explains a step: the one with the best rank, and among these the earliest."""
+    """Return the known failure that explains a step: the one with the best rank, and among these the earliest.
+
+    A failure that builds often survive gives way to any other that is known after its line.
+    """
+    survived: tuple[int, Match] | None = None
     raw = "\n".join(line.text for line in step.lines[-4000:])
     case = _Case(log=log, step=step, image=image, text=_Text.of(matter.lines(step)), raw=raw)
     for _, rank in groupby(failures(), key=lambda failure: failure.rank):
         found = [one for failure in rank if (one := _one(failure, case)) is not None]
-        if found:
-            return min(found, key=lambda entry: entry[0])[1]
-    return None
+        if survived is not None:
+            later = case.text.text.find("\n", survived[0])
+            found = [entry for entry in found if 0 <= later < entry[0] and not entry[1].failure.passing]
+        if not found:
+            continue
+        best = min(found, key=lambda entry: entry[0])
+        if not best[1].failure.passing:
+            return best[1]
+        survived = best
+    return survived[1] if survived else None
 
 
 def _one(failure: Failure, case: _Case) -> tuple[int, Match] | None:
@@ -160,11 +171,18 @@ def _extra(failure: Failure, case: _Case, position: int) -> Names:
         text = case.text.text
         end = text.find("\n", position)
         near = list(pattern.finditer(text[max(0, position - _NEAR) : end if end >= 0 else None]))
-        return _groups(near[-1:] or instruction[:1])
+        return _groups(near[-1:] or _traced(pattern, case, position) or instruction[:1])
     merged: Names = {}
     for one in list(pattern.finditer(case.raw)) or instruction:
         merged = {**_groups([one]), **merged}
     return merged
+
+
+def _traced(pattern: re.Pattern[str], case: _Case, position: int) -> list[re.Match[str]]:
+    """Return what the last command that `set -x` printed before a position names."""
+    number = case.text.line(position).number
+    traced = (line.text for line in reversed(case.step.lines) if line.number <= number and line.text.startswith("+"))
+    return next((found[-1:] for text in islice(traced, 8) if (found := list(pattern.finditer(text)))), [])
 
 
 def _before(failure: Failure, case: _Case) -> Names | None:
@@ -193,7 +211,7 @@ def filled(sentence: str, names: Names) -> str:
             parts.append(names.get(name, ""))
     text = "".join(parts)
     text = re.sub(r" \((?:Python|[,;:…\s])*\)", "", text)
-    text = re.sub(r",\s*(?=\))", "", text)
+    text = re.sub(r"[,:]\s*(?=\))", "", text)
     text = re.sub(r"\(\s*,\s*", "(", text)
     text = re.sub(r"\s{2,}", " ", text)
     return re.sub(r"\s+([,;:)](?=\s|$)|\.(?=\s|$))", r"\1", text).strip()

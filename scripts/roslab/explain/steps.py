@@ -154,9 +154,10 @@ class _Reader:
         key, timed = found.groups()
         text = line[found.end() :]
         step = self.vertices.get(key)
-        if step is None:
-            step = self.vertices[key] = Step()
-        self.open, self.last, self.last_step = None, number, step
+        again = self.open if self.open is not None and self.open in self.repeated else None
+        if step is None:  # an old BuildKit writes the numbers in its repetition too, often there alone
+            step = self.vertices[key] = again or Step()
+        self.open, self.last, self.last_step = again, number, step
         if timed:
             step.lines.append(_new(Line, (number, text)))
             if len(step.lines) > MOST:
@@ -202,8 +203,8 @@ class _Reader:
             step = next((s for s in failed if s.name in {again.name, ""}), None)
             if step is None:
                 failed.append(again)
-                steps.append(again)
-            else:
+                steps += [] if again in steps else [again]
+            elif step is not again:
                 step.name = again.name
                 own = {line.text for line in step.lines}
                 step.lines[:0] = [line for line in again.lines if line.text not in own]

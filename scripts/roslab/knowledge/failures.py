@@ -19,6 +19,7 @@ A failure is one table ``[id]`` in a file ``failures_WORLD.toml``:
 ``repair``     the key of roslab.yaml that a found ``{package}`` is added to; ``key:value`` for a fixed value
 ``certainty``  ``certain`` (default), or ``likely``: reported as such, and never applied without being asked
 ``rank``       1 to 9 (default 5): a lower one wins over a higher one, then the earlier line
+``passing``    ``true``: builds often go on after it; it counts only if no other failure is known after its line
 ``source``     addresses where the fact stands, ``date`` when it was read
 ``sample``     a log of our own making that it explains, ``unlike`` one that looks alike and that it must not
 =============  =========================================================================================
@@ -38,7 +39,7 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
-WORLDS = ("images", "apt", "system", "fetch", "python", "native", "languages")
+WORLDS = ("images", "apt", "system", "fetch", "ros", "python", "native", "languages", "own_words")
 """The files, in their order: of two failures of one rank that match on one line, the earlier one wins."""
 
 
@@ -63,6 +64,7 @@ class Failure:
     extra_before: bool = False
     every: bool = False
     errors: bool = False
+    passing: bool = False
     lookup: str = ""
     required: bool = False
     otherwise: str = ""

@@ -32,6 +32,7 @@ LOOKED_UP = {
     "low",
     "hint",
     "before_step",
+    "how",
 }
 
 
@@ -116,7 +117,18 @@ def test_a_line_of_three_megabytes_is_read_in_time() -> None:
 
 
 @pytest.mark.parametrize(
-    "table", ["ended", "programs", "apt_names", "shared_objects", "api_changes", "headers", "package_advice"]
+    "table",
+    [
+        "ended",
+        "programs",
+        "apt_names",
+        "shared_objects",
+        "api_changes",
+        "headers",
+        "package_advice",
+        "symbols",
+        "localised",
+    ],
 )
 def test_every_row_of_a_table_has_a_source_and_a_date(table: str) -> None:
     assert rows(table)
@@ -124,6 +136,11 @@ def test_every_row_of_a_table_has_a_source_and_a_date(table: str) -> None:
         assert row["source"].startswith(("https://", "PyPI: "))
         assert dt.date.fromisoformat(row["date"])
         assert all(isinstance(value, str) for value in row.values())
+
+
+@pytest.mark.parametrize("row", [*rows("symbols"), *rows("localised")], ids=lambda row: row["pattern"][:30])
+def test_a_pattern_of_a_table_is_bounded(row: dict[str, str]) -> None:
+    test_a_pattern_is_bounded("", row["pattern"])
 
 
 @pytest.mark.parametrize("row", rows("api_changes"), ids=lambda row: row["why"][:60])
@@ -168,3 +185,62 @@ def test_a_workspace_s_missing_package_is_told_from_a_library(name: str, known: 
     found = said(log).explanations[0]
     assert found.id == known
     assert known != "ros-package-missing" or found.repair == (("apt", ("ros-humble-nav2-msgs",)),)
+
+
+def test_the_library_of_a_missing_symbol_is_named() -> None:
+    found = said("a.cpp:90: undefined reference to `cv::Mat::Mat()'\ncollect2: error: ld returned 1 exit status\n")
+    assert [one.id for one in found.explanations] == ["link-undefined"]
+    assert "OpenCV" in found.explanations[0].cause
+    assert "find_package(OpenCV REQUIRED)" in found.explanations[0].fix
+
+
+@pytest.mark.parametrize(
+    ("line", "known"),
+    [
+        ("/ws/libslam.so：对‘cv::String::deallocate()’未定义的引用", "link-undefined"),  # noqa: RUF001
+        ("a.cpp:3:10: 致命错误：glog/logging.h：没有那个文件或目录", "header-missing"),  # noqa: RUF001
+        ("a.cpp:3:10: schwerwiegender Fehler: glog/logging.h: Datei oder Verzeichnis nicht gefunden", "header-missing"),
+        ("a.cpp:3:10: erreur fatale : glog/logging.h: Aucun fichier ou dossier de ce type", "header-missing"),
+        ("a.cpp:9: référence indéfinie vers « cv::Mat::Mat() »", "link-undefined"),
+    ],
+)
+def test_messages_in_other_languages_are_read(line: str, known: str) -> None:
+    assert [one.id for one in said(f"{line}\nmake: *** [all] Error 2\n").explanations] == [known]
+
+
+def test_what_a_build_survives_gives_way_to_what_stops_it() -> None:
+    """A package's script complains of systemd in every image; the missing package after it is what stops the build."""
+    log = """
+Step 3/5 : RUN dnf install -y robot && dnf install -y missing
+ ---> Running in 1a2b3c4d5e6f
+System has not been booted with systemd as init system (PID 1). Can't operate.
+Complete!
+No match for argument: missing
+Error: Unable to find a match: missing
+The command '/bin/sh -c dnf install -y robot && dnf install -y missing' returned a non-zero code: 1
+"""
+    assert [one.id for one in said(log).explanations] == ["yum-missing"]
+
+
+def test_the_address_of_the_traced_command_is_named() -> None:
+    log = """
+Step 3/5 : RUN set -x && curl -fL http://a.example.org/a.tgz -o a && curl -fL http://b.example.org/b.tgz -o b
+ ---> Running in 1a2b3c4d5e6f
++ curl -fL http://a.example.org/a.tgz -o a
++ curl -fL http://b.example.org/b.tgz -o b
+curl: (22) The requested URL returned error: 404 Not Found
+The command '/bin/sh -c set -x && curl' returned a non-zero code: 22
+"""
+    found = said(log).explanations
+    assert [one.id for one in found] == ["download-gone"]
+    assert "http://b.example.org/b.tgz" in found[0].cause
+
+
+def test_the_variable_that_gives_a_version_is_named() -> None:
+    log = """
+Step 3/5 : RUN echo $suite && apt-get install -y robot=$version
+ ---> Running in 1a2b3c4d5e6f
+E: Version '' for 'robot' was not found
+The command '/bin/sh -c echo $suite && apt-get install -y robot=$version' returned a non-zero code: 100
+"""
+    assert dict(said(log).explanations[0].names)["name"] == "version"

@@ -173,6 +173,24 @@ def test_a_cache_that_is_not_there_yet_fails_nothing() -> None:
     header_is_missing(said(cache + PLAIN))
 
 
+def test_an_old_buildkit_numbers_the_lines_of_its_repetition() -> None:
+    log = """\
+ => ERROR [3/4] RUN make -j8                                                            3.6s
+------
+ > [3/4] RUN make -j8:
+#12 1.137 building
+#12 3.374 src/a.cpp:3:10: fatal error: glog/logging.h: No such file or directory
+------
+executor failed running [/bin/sh -c make -j8]: exit code: 2
+"""
+    header_is_missing(said(log))
+
+
+def test_a_bracket_before_a_word_is_no_colour() -> None:
+    log = "\x1b[31m#3 [internal] load metadata\x1b[0m\n#3 ERROR: status code [manifests 2022]: 403 [0mForbidden\n"
+    assert "[manifests 2022]" in "\n".join(line.text for line in reading.lines(io.BytesIO(log.encode())))
+
+
 def test_a_step_that_was_cancelled_did_not_fail() -> None:
     log = "#9 [other 2/2] RUN sleep 99\n#9 0.1 error: nothing\n#9 CANCELED\n" + PLAIN
     header_is_missing(said(log))
