@@ -75,11 +75,16 @@ def large() -> bool:
         del third
         log.seek(0)
         begun = time.process_time()
+        lines = sum(1 for _ in log)
+        alone = time.process_time() - begun
+        log.seek(0)
+        begun = time.process_time()
         answer = explain(log)
         seconds = time.process_time() - begun
     megabytes = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     known = [found.id for found in answer.explanations]
-    print(f"100 MB: {known}, {seconds:.2f} s on the processor; peak of this program {megabytes:.0f} MB")
+    times = f"{seconds / alone:.1f} times what a loop over its {lines} lines takes"
+    print(f"100 MB: {known}, {seconds:.2f} s on the processor, {times}; peak of this program {megabytes:.0f} MB")
     return known == ["header-missing"] and seconds <= SECONDS and megabytes <= MEGABYTES
 
 

@@ -111,11 +111,20 @@ def prefixed(log: str, prefix: str) -> str:
         "2026-01-02T03:04:05.123456Z 01E+",
         "[image/build]   | ",
         "[2026-01-02 03:04:05] ",
+        "robot_1  | ",
     ],
-    ids=["GitHub", "gh run view", "GitLab", "GitLab, continued", "act", "a clock"],
+    ids=["GitHub", "gh run view", "GitLab", "GitLab, continued", "act", "a clock", "docker compose"],
 )
 def test_prefixes_of_services_are_taken_off(log: str, prefix: str) -> None:
     header_is_missing(said(prefixed(log, prefix)))
+
+
+def test_a_part_of_a_repetition_is_read_without_its_seconds() -> None:
+    log = (
+        "15.11 RuntimeError:\n15.12 The detected CUDA version (11.8) mismatches the version that was used to compile\n"
+    )
+    log += "15.12 PyTorch (12.1). Please make sure to use the same CUDA versions.\n"
+    assert [found.id for found in said(log).explanations] == ["torch-other-cuda"]
 
 
 def test_sections_of_gitlab_are_no_lines_of_a_step() -> None:
