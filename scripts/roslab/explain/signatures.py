@@ -16,6 +16,8 @@ from roslab.explain.steps import Log, Step
 from roslab.knowledge.failures import Failure, compiled, failures
 
 _ERRORS = re.compile(r"CMake Error|(?i:\berror\b)|\*\*\*|Configuring incomplete")
+_GUESSED = 8
+"""From this rank on, a failure only tells how a step ended, which outweighs nothing that is known."""
 _NEAR = 600
 """Number of characters before a match that are searched for the name that belongs to it."""
 
@@ -82,7 +84,9 @@ def match(log: Log, step: Step, image: Image) -> Match | None:
     survived: tuple[int, Match] | None = None
     raw = "\n".join(line.text for line in step.lines[-4000:])
     case = _Case(log=log, step=step, image=image, text=_Text.of(matter.lines(step)), raw=raw)
-    for _, rank in groupby(failures(), key=lambda failure: failure.rank):
+    for number, rank in groupby(failures(), key=lambda failure: failure.rank):
+        if survived is not None and number >= _GUESSED:
+            break
         found = [one for failure in rank if (one := _one(failure, case)) is not None]
         if survived is not None:
             later = case.text.text.find("\n", survived[0])
