@@ -14,7 +14,10 @@ MOST = 300_000
 """Most characters of a step that patterns are matched on; of a longer step, its beginning and its end."""
 _QUOTES = str.maketrans({0x2018: "'", 0x2019: "'", 0x201C: '"', 0x201D: '"'})
 """Compilers use curved quotation marks in a UTF-8 locale."""
-_FOREIGN = re.compile(r"Fehler|nicht gefunden|erreur|fichier|introuvable|No existe|denegado|referencia a")
+_FOREIGN = re.compile(
+    r"Fehler|nicht gefunden|erreur|fichier|introuvable|No existe|denegado|referencia a"
+    r"|kann nicht|Impossible de|No se ha podido"
+)
 _NEVER = re.compile(
     r"\s{0,8}(?:"
     r"\+{1,3} "  # commands printed by `set -x`
