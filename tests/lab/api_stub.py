@@ -15,6 +15,7 @@ REPOSITORY = re.compile(r"/repos/([^/]+/[^/]+)$")
 HEAD = re.compile(r"/repos/[^/]+/[^/]+/git/ref/heads/(.+)$")
 TAGS = re.compile(r"/repos/[^/]+/[^/]+/git/matching-refs/tags/(.*)$")
 LISTS = re.compile(r"/repos/([^/]+/[^/]+)/(branches|tags|pulls)$")
+OF_PULL = re.compile(r"/repos/[^/]+/[^/]+/(?:pulls|issues)/\d+/(files|comments)$")
 COMMIT = re.compile(r"/repos/([^/]+/[^/]+)/commits/([0-9a-f]{7,40})$")
 
 
@@ -22,7 +23,7 @@ def answer(path: str, repository: dict[str, Any]) -> Any:  # noqa: PLR0911 - a t
     """Return what the API would say to a GET of this path, None for what the stand-in does not know.
 
     ``heads`` and ``tags`` of the repository are the commits of its branches and the names of its git tags, ``closed``
-    the branches of its closed pull requests by their numbers.
+    the branches of its closed pull requests by their numbers, ``files`` those of an open one.
     """
     if found := REPOSITORY.match(path):
         name = found[1]
@@ -50,6 +51,8 @@ def answer(path: str, repository: dict[str, Any]) -> Any:  # noqa: PLR0911 - a t
             {"number": number, "head": {"ref": ref, "repo": own}}
             for number, ref in repository.get("closed", {}).items()
         ]
+    if found := OF_PULL.match(path):
+        return repository.get("files", []) if found[1] == "files" else []
     if found := COMMIT.match(path):
         return {"sha": found[2], "commit": {"committer": {"date": "2026-01-01T00:00:00Z"}}}
     return None
@@ -57,7 +60,10 @@ def answer(path: str, repository: dict[str, Any]) -> Any:  # noqa: PLR0911 - a t
 
 @contextmanager
 def api_stub(repository: dict[str, Any] | None = None) -> Iterator[str]:
-    """Serve the stand-in on a free port of the loopback and yield its address; `repository` overrides what it says."""
+    """Serve the stand-in on a free port of the loopback and yield its address; `repository` overrides what it says.
+
+    Its list ``posted`` gets the path and the body of each comment that is posted.
+    """
 
     class Handler(BaseHTTPRequestHandler):
         def do_GET(self) -> None:
@@ -68,6 +74,14 @@ def api_stub(repository: dict[str, Any] | None = None) -> Iterator[str]:
             self.send_header("Content-Length", str(len(body)))
             self.end_headers()
             self.wfile.write(body)
+
+        def do_POST(self) -> None:
+            body = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
+            (repository or {}).get("posted", []).append((self.path, body))
+            self.send_response(201)
+            self.send_header("Content-Length", "2")
+            self.end_headers()
+            self.wfile.write(b"{}")
 
         def log_message(self, *args: object) -> None:
             """Say nothing: act's log is what a test reads."""

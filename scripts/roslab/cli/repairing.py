@@ -105,9 +105,8 @@ class Repairing:
             return
         file, old = configuration(self.planned, self.options)
         if self.options.write:
-            new = added(old, self._entries(), file=file)
-            write_configuration(self.planned.repository.root / file, old, new)
-            self._tell(f"written to {file}")
+            self._tell(f"these lines are written to {file}")
+            write_configuration(self.planned.repository.root / file, old, added(old, self._entries(), file=file))
         else:
             self._tell(f"{file} needs these lines; --write writes them")
 

@@ -54,17 +54,19 @@ def dockerfile_lines(found: Explanation) -> list[str]:
     return [install[key].format(" ".join(map(shlex.quote, values))) for key, values in found.repair if key in install]
 
 
-def problems(answer: Answer) -> tuple[Problem, ...]:
-    """Return an answer as problems, one for each step that failed."""
-    return tuple(_problem(found) for found in answer.explanations)
+def problems(answer: Answer, *, lines: bool = True) -> tuple[Problem, ...]:
+    """Return an answer as problems, one for each step that failed.
+
+    ``lines`` adds what the log alone says about roslab.yaml.
+    """
+    return tuple(_problem(found, lines=lines) for found in answer.explanations)
 
 
-def _problem(found: Explanation) -> Problem:
+def _problem(found: Explanation, *, lines: bool) -> Problem:
     platform = f" on {found.platform}" if found.platform else ""
     if found.id is not None:
-        return Problem(
-            message=f"{found.cause.rstrip('.')}{platform}: {found.error}", hint=f"{found.fix}{_lines(found)}"
-        )
+        hint = f"{found.fix}{_lines(found)}" if lines else found.fix
+        return Problem(message=f"{found.cause.rstrip('.')}{platform}: {found.error}", hint=hint)
     step = f" in `{_flat(found.step, 120)}`" if found.step else ""
     return Problem(
         message=f"the build failed{platform}{step}: {found.error or 'its log does not say why'}",

@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Mapping
 
 from roslab.errors import RoslabError
-from roslab.github import clean, kept, proving, publishing, steps, workflow
+from roslab.github import clean, explaining, kept, proving, publishing, steps, workflow
 from roslab.github.run import Folder
 
 STEPS: Mapping[str, tuple[str, Callable[[Mapping[str, str]], None]]] = {
@@ -18,7 +18,7 @@ STEPS: Mapping[str, tuple[str, Callable[[Mapping[str, str]], None]]] = {
     ),
     "ready": ("Check the engine and the registry before anything is built.", steps.ready),
     "dockerfile": ("Write the Dockerfile and the settings of the build.", steps.dockerfile),
-    "explain": ("Say in plain words why the build failed.", steps.explain),
+    "explain": ("Say in plain words why the build failed.", explaining.explain),
     "prove": ("Run the image on its platforms.", proving.prove),
     "index": ("Put the proved images under their commit's tag.", publishing.index),
     "tag": ("Move the other tags to the proved images.", publishing.tag),

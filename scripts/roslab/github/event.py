@@ -46,6 +46,8 @@ class Event:
     """Number of the pull request, ``None`` if the event names none."""
     closed: bool = False
     """The pull request was just closed, merged or not."""
+    head_commit: str = ""
+    """The newest commit of the pull request; ``sha`` is that of its merge."""
     public: bool = False
     """The repository is known to be public."""
     enterprise: bool = False
@@ -130,6 +132,7 @@ def read(environment: Mapping[str, str]) -> Event:
         head=head,
         pull=_number(payload),
         closed=name == "pull_request" and _text(payload, "action") == "closed",
+        head_commit=_text(payload, "pull_request", "head", "sha"),
         public=_get(payload, "repository", "private") is False,
         enterprise=bool(_get(payload, "enterprise")),
         description=_text(payload, "repository", "description"),

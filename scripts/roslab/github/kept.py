@@ -8,13 +8,14 @@ https://docs.github.com/en/actions/how-tos/manage-workflow-runs/re-run-workflows
 
 from __future__ import annotations
 
+import dataclasses
 import json
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from roslab.errors import ConfigurationError, Problem
-from roslab.render.outcome import PlatformReport, from_json
+from roslab.render.outcome import PlatformReport, Repair, from_json
 
 NAME = "job.json"
 
@@ -27,6 +28,7 @@ class Job:
     """The platform that it builds, ``""`` for a job that builds all or none."""
     attempt: int
     failures: tuple[str, ...] = ()
+    repairs: tuple[Repair, ...] = ()
     reports: tuple[PlatformReport, ...] = ()
 
 
@@ -41,7 +43,14 @@ def fail(folder: Path, lines: Sequence[str]) -> None:
     """Record what stopped the job."""
     folder.mkdir(exist_ok=True)
     job = _job(folder / NAME) if (folder / NAME).exists() else Job(platform="", attempt=1)
-    _write(folder, job.platform, job.attempt, (*job.failures, *lines))
+    _write(folder, job.platform, job.attempt, (*job.failures, *lines), job.repairs)
+
+
+def mend(folder: Path, repairs: Sequence[Repair]) -> None:
+    """Record what repairs the job's build."""
+    folder.mkdir(exist_ok=True)
+    job = _job(folder / NAME) if (folder / NAME).exists() else Job(platform="", attempt=1)
+    _write(folder, job.platform, job.attempt, job.failures, repairs)
 
 
 def gather(folder: Path) -> tuple[Job, ...]:
@@ -72,13 +81,15 @@ def _job(file: Path) -> Job:
         data = json.loads(file.read_text(encoding="utf-8"))
         platform, attempt, failures = data["platform"], data["attempt"], data["failures"]
         known = isinstance(platform, str) and type(attempt) is int and all(isinstance(line, str) for line in failures)
+        repairs = tuple(Repair(**entry) for entry in data.get("repairs", ()))
+        known = known and all(isinstance(each.file, str) and isinstance(each.text, str) for each in repairs)
         found = tuple(_reports(file.parent))
     except (ValueError, KeyError, TypeError, RecursionError) as error:
         raise ConfigurationError(Problem(message=f"{file.parent.name} is no report of a job: {error}")) from None
     strange = [report.platform for report in found if platform and report.platform != platform]
     if not known or strange:
         raise ConfigurationError(Problem(message=f"{file.parent.name} is no report of a job for {platform}"))
-    return Job(platform=platform, attempt=attempt, failures=tuple(failures), reports=found)
+    return Job(platform=platform, attempt=attempt, failures=tuple(failures), repairs=repairs, reports=found)
 
 
 def _reports(folder: Path) -> Iterator[PlatformReport]:
@@ -86,6 +97,11 @@ def _reports(folder: Path) -> Iterator[PlatformReport]:
         yield from_json(file.read_text(encoding="utf-8"))
 
 
-def _write(folder: Path, platform: str, attempt: int, failures: Sequence[str]) -> None:
-    content = {"platform": platform, "attempt": attempt, "failures": list(failures)}
+def _write(folder: Path, platform: str, attempt: int, failures: Sequence[str], repairs: Sequence[Repair] = ()) -> None:
+    content = {
+        "platform": platform,
+        "attempt": attempt,
+        "failures": list(failures),
+        "repairs": [dataclasses.asdict(each) for each in repairs],
+    }
     (folder / NAME).write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")

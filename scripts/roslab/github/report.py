@@ -24,11 +24,13 @@ def collect(folder: Folder, reports: Path, event: Event) -> Report:
     except ConfigurationError:  # an earlier step has reported it
         jobs = ()
     failures = tuple(dict.fromkeys(line for job in (*jobs, *own) for line in job.failures))
+    repairs = tuple(dict.fromkeys(repair for job in (*jobs, *own) for repair in job.repairs))
     platforms = platforms_of(kept.reports(jobs), run.plan)
     if not published and not failures and (run.push or not platforms):
         failures = ("the run stopped early: the failed step's log says why",)
     return Report(
         plan=run.plan,
+        repairs=repairs,
         image=run.image,
         published=bool(published),
         reason=run.reason,

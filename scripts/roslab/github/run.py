@@ -42,6 +42,8 @@ class Run:
     """Folder of the checkout that is built, ``""`` for all of it."""
     revision: str = ""
     """Commit of the checkout that was planned for."""
+    config: str = ""
+    """The roslab.yaml that was read, relative to the built folder, ``""`` if there is none."""
     variant: str = ""
     """Text that distinguishes calls for one image: two workflows may build it for two distributions."""
 

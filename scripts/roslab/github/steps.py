@@ -72,6 +72,7 @@ def plan(environment: Environment) -> None:
         path=asked.path,
         rebuilt=rebuilt,
         revision=revision,
+        config=planned.config.file or "",
         variant=asked.variant,
     )
     for warning in planned.plan.warnings:
@@ -188,18 +189,6 @@ def dockerfile(environment: Environment) -> None:
     }
     folder.write("build.json", json.dumps({**build, "started": time.time()}))
     workflow.outputs(build, environment)
-
-
-def explain(environment: Environment) -> None:
-    """Read the log of the build that has just failed and raise a ``BuildError`` that explains it."""
-    run = Folder.of(environment).run
-    log = builder.failed_log()
-    if refused := access.refusal(log):
-        access.require(refused, image=run.image, event=event.read(environment))
-    known = (
-        engine.why(log) if log else (Problem(message="the build failed", hint="the log of the step above says why"),)
-    )
-    raise BuildError(*known)
 
 
 def summary(environment: Environment) -> None:

@@ -58,6 +58,19 @@ class PlatformReport:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class Repair:
+    """Lines that repair a failed build."""
+
+    file: str
+    """Path of the file that they belong to, relative to the checkout."""
+    text: str
+    diff: bool = False
+    """They are a unified diff."""
+    new: bool = False
+    """The file does not exist yet."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Report:
     """The report of a whole run."""
 
@@ -76,6 +89,7 @@ class Report:
     """Command that checks the image's signature, in groups of words; empty if it is not signed."""
     unsigned: str = ""
     """Why a published image is not signed."""
+    repairs: tuple[Repair, ...] = ()
     notes: tuple[str, ...] = ()
     """Further notes in Markdown, for example on the cache or whether the package is public."""
     badge: str = ""

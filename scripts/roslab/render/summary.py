@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from roslab.decide.decision import Reason
 from roslab.plan.plan import Plan
 from roslab.render.markdown import block, code, folded, prose, table, text
-from roslab.render.outcome import PlatformReport, ProofReport, Report
+from roslab.render.outcome import PlatformReport, ProofReport, Repair, Report
 from roslab.render.sizes import chart, human
 
 MAX_ROWS = 60
@@ -29,6 +29,7 @@ def summary(report: Report) -> str:
     """
     parts = [
         _headline(report),
+        *(pasted(repair) for repair in report.repairs),
         _platforms(report),
         _failed_proofs(report),
         _screens(report),
@@ -60,6 +61,12 @@ def _signature(report: Report) -> str:
     if report.verify:
         return f"\nIt is signed: this tells that a workflow of the repository made it.\n\n{_lines(report.verify)}"
     return f"\nIt is not signed: {prose(report.unsigned)}.\n" if report.unsigned else ""
+
+
+def pasted(repair: Repair) -> str:
+    """Return the lines of a repair as Markdown, with the file that they belong to."""
+    what = "This diff repairs" if repair.diff else "Lines for the new file" if repair.new else "Lines to add to"
+    return f"{what} {code(repair.file)}:\n\n{block(repair.text, 'diff' if repair.diff else 'yaml')}"
 
 
 def _tag(report: Report) -> str:

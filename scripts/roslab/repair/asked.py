@@ -22,6 +22,8 @@ _KINDS = (
 )
 """For each name that a failure captures, the kinds of dependencies that it may be, and what it is called."""
 _FRAME = re.compile(r'File "(?P<file>[^"\n]{1,300})", line (?P<line>\d{1,6})')
+_CMAKE = re.compile(r"(?m)(?:CMake Error at |^ {1,4})(?P<file>[\w./+-]{1,300}):(?P<line>\d{1,6}) \(")
+"""The place of an error, or a line of the calls that led to it."""
 _AT = re.compile(r"(?P<file>[\w./+-]{1,300}\.\w{1,8}):(?P<line>\d{1,6})\b")
 
 
@@ -94,9 +96,9 @@ def _named_by_plan(given: Given, value: str) -> Place | None:
 def in_log(found: Explanation, given: Given) -> Place | None:
     """Return the last place of the repository that the failed lines name; paths in the image are longer than here."""
     names: Mapping[str, str] = dict(found.names)
-    near = found.log[-6000:] if _FRAME.search(found.log[-6000:]) and "Traceback" in found.log else ""
-    for text in (found.error, near):
-        places = [*_FRAME.finditer(text), *_AT.finditer(text)] if text else []
+    end = found.log[-6000:]
+    said = [*_FRAME.finditer(found.error), *_AT.finditer(found.error)]
+    for places in (said, [*_CMAKE.finditer(end)], [*_FRAME.finditer(end)] if "Traceback" in end else []):
         for match in reversed(places):
             if file := _here(match["file"], given.files):
                 return Place(file=file, line=int(match["line"]))

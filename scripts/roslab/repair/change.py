@@ -50,7 +50,8 @@ class Change:
     @property
     def entry(self) -> Entry:
         """The change as it is written; a line of its own says who asked."""
-        note = f"in place of {self.instead}" if self.instead else f"for {self.asked}"
+        why = f"for {self.asked}" if self.certain else f"likely, for {self.asked}"
+        note = f"in place of {self.instead}" if self.instead else why
         return Entry(key=self.key, value=self.value, instead=self.instead, note=note)
 
     def __str__(self) -> str:

@@ -40,12 +40,17 @@ def edits(answer: Answer, text: str) -> tuple[Edit, ...]:
 
 def diff(file: str, text: str, changes: tuple[Edit, ...]) -> str:
     """Return the edits of a Dockerfile as a unified diff that ``patch -p1`` and ``git apply`` take."""
-    old = text.splitlines(keepends=True)
-    new = list(old)
-    for change in reversed(changes):
-        new[change.line - 1 : change.end] = [f"{line}\n" for line in change.new]
+    old, new = text.splitlines(keepends=True), edited(text, changes).splitlines(keepends=True)
     lines = difflib.unified_diff(old, new, f"a/{file}", f"b/{file}")
     return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
+
+
+def edited(text: str, changes: tuple[Edit, ...]) -> str:
+    """Return the text of a Dockerfile with its edits."""
+    lines = text.splitlines(keepends=True)
+    for change in reversed(changes):
+        lines[change.line - 1 : change.end] = [f"{line}\n" for line in change.new]
+    return "".join(lines)
 
 
 def _failed(found: Explanation, text: str) -> Instruction | None:

@@ -93,7 +93,10 @@ def standard(found: Explanation, _: Given) -> Worked:
 
 def key(found: Explanation, given: Given) -> Worked:
     """Skip the rosdep key whose package apt does not have."""
-    packages = dict(found.names).get("package", "").replace(",", " ").split()
+    names = dict(found.names)
+    packages = (names.get("package") or names.get("name", "")).replace(",", " ").split()
+    if "rosdep" not in found.step:
+        return Worked(why=found.fix)
     keys = [
         known
         for known in given.plan.rosdep_keys

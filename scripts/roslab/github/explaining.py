@@ -1,0 +1,115 @@
+"""The step that explains a failed build: annotations on the lines that asked, lines to paste, a suggestion."""
+
+from __future__ import annotations
+
+import dataclasses
+import io
+import posixpath
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from roslab.config import Config, locate
+from roslab.config import read as read_configuration
+from roslab.config.addition import added
+from roslab.errors import BuildError, ConfigurationError, Problem, RoslabError
+from roslab.evidence.gather import gather
+from roslab.explain import words
+from roslab.explain.answer import Answer
+from roslab.explain.answer import explain as explained
+from roslab.github import access, builder, checkout, event, kept, suggestion, workflow
+from roslab.github.run import Folder, Run
+from roslab.render.outcome import Repair as Lines
+from roslab.repair import dockerfile
+from roslab.repair import words as repair_words
+from roslab.repair.change import Given, Repair
+from roslab.repair.hunk import Hunk, hunk
+from roslab.repair.repair import repair
+from roslab.repository.checkout import Repository
+from roslab.values.origin import Place
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Mending:
+    """What a failed run hands to its author."""
+
+    problems: tuple[Problem, ...]
+    repairs: tuple[Lines, ...] = ()
+    """The lines to paste, or the diff of the author's own Dockerfile."""
+    hunk: Hunk | None = None
+    """The lines to replace, if they are next to each other."""
+
+
+def explain(environment: Mapping[str, str]) -> None:
+    """Read the log of the build that has just failed and raise a ``BuildError`` that explains it."""
+    folder = Folder.of(environment)
+    run = folder.run
+    log = builder.failed_log()
+    what = event.read(environment)
+    if refused := access.refusal(log):
+        access.require(refused, image=run.image, event=what)
+    if not log:
+        raise BuildError(Problem(message="the build failed", hint="the log of the step above says why"))
+    root = checkout.part(Path(environment.get("GITHUB_WORKSPACE") or ".").resolve(), run.path)
+    mending = mend(explained(io.BytesIO(log.encode("utf-8", errors="replace"))), run, root)
+    if mending.repairs:
+        kept.mend(folder.artifact, mending.repairs)
+        suggestion.suggest(what, mending.problems, mending.repairs, mending.hunk, environment)
+    raise BuildError(*mending.problems)
+
+
+def mend(answer: Answer, run: Run, root: Path) -> Mending:
+    """Return what an explained log says about the checkout it was built from."""
+    try:
+        repository = Repository.open(root)
+        text = locate.text(repository, run.config) if run.config else None
+        config = read_configuration(text, file=run.config) if text is not None else Config()
+        files = frozenset(file.path for file in repository.files)
+        given = Given(plan=run.plan, evidence=gather(repository), config=config, files=files)
+        found = repair(answer, given)
+        problems = tuple(_problems(answer, found, run))
+        if run.plan.author_dockerfile:
+            return _own(answer, problems, repository, run)
+        return _configuration(found, problems, text, run)
+    except RoslabError as error:  # the checkout changed, or its roslab.yaml was read under other inputs
+        workflow.say(f"no lines for roslab.yaml: {error}")
+        return Mending(problems=words.problems(answer) or (Problem(message="the build failed"),))
+
+
+def _problems(answer: Answer, found: Repair, run: Run) -> Iterator[Problem]:
+    """Yield a problem for each failed step, at the line of the checkout that asked for what it lacks."""
+    known = words.problems(answer, lines=False)
+    for explanation, problem, place in zip(answer.explanations, known, found.places, strict=True):
+        changes = [str(change) for change in found.changes if change.failure == explanation.id]
+        lines = f" In roslab.yaml: `{'; '.join(changes)}`." if changes and not run.plan.author_dockerfile else ""
+        origin = Place(file=posixpath.join(run.path, place.file), line=place.line) if place else None
+        yield dataclasses.replace(problem, hint=f"{problem.hint}{lines}", origin=origin)
+    if not known:
+        yield Problem(message="the build failed", hint="the log of the step above says why")
+
+
+def _own(answer: Answer, problems: tuple[Problem, ...], repository: Repository, run: Run) -> Mending:
+    """Return the diff of the author's own Dockerfile."""
+    author = run.plan.author_dockerfile
+    file = author.dockerfile if author else ""
+    text = repository.read(file)
+    edits = dockerfile.edits(answer, text)
+    if not edits:
+        return Mending(problems=problems)
+    path = posixpath.join(run.path, file)
+    shown = Lines(file=path, text=dockerfile.diff(path, text, edits), diff=True)
+    return Mending(problems=problems, repairs=(shown,), hunk=hunk(path, text, dockerfile.edited(text, edits)))
+
+
+def _configuration(found: Repair, problems: tuple[Problem, ...], text: str | None, run: Run) -> Mending:
+    """Return the lines for roslab.yaml, those that are only likely as well: nothing is written here."""
+    if not found.changes:
+        return Mending(problems=problems)
+    path = posixpath.join(run.path, run.config or locate.NAMES[0])
+    lines = repair_words.lines(found.changes, begin=text is None)
+    shown = (Lines(file=path, text=lines, new=text is None),)
+    try:
+        change = hunk(path, text or "", added(text, found.certain.entries, file=path))
+    except ConfigurationError:  # an old format, or a layout that is edited by hand
+        change = None
+    return Mending(problems=problems, repairs=shown, hunk=change)

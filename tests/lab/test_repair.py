@@ -1,0 +1,301 @@
+"""``roslab build --repair``: repositories that lack one thing each build with exactly the lines that were missing."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from subprocess import CompletedProcess
+from typing import Any
+
+import pytest
+
+from . import doors
+from .act import run_workflow
+from .laboratory import Laboratory
+
+RECIPE = Path(__file__).with_name("repair")
+SCRIPTS = Path(__file__).resolve().parent.parent.parent / "scripts"
+BASES = {
+    "repro-lab/repair:native": "ros:noetic-ros-base",
+    "repro-lab/repair:python": "python:3.11",
+    "repro-lab/ros:jazzy": "ros:jazzy-ros-base",
+}
+NATIVE = "format: 3\nkind: cpp\nbase:\n  image: repro-lab/repair:native\n"
+PYTHON = "format: 3\nkind: python\nbase:\n  image: repro-lab/repair:python\n"
+ROS = "format: 3\nbase:\n  ros: jazzy\n  image: repro-lab/ros:jazzy\n"
+CMAKE = "cmake_minimum_required(VERSION 3.5)\nproject(robot CXX)\n"
+MAIN = "int main() { return 0; }\n"
+PACKAGE = """\
+<package format="2"><name>robot</name><version>1.0.0</version><description>d</description>
+<maintainer email="a@example.org">a</maintainer><license>MIT</license><buildtool_depend>ament_cmake</buildtool_depend>{}
+<export><build_type>ament_cmake</build_type></export></package>
+"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Broken:
+    """A repository that lacks something that nothing in it declares in a way that can be read."""
+
+    config: str
+    files: Mapping[str, str]
+    lines: str = ""
+    """What ``--write`` adds to its roslab.yaml, or for a change inside it the whole file."""
+    rounds: int = 1
+    why: str = ""
+    """For one that cannot be mended, the reason."""
+    proof: bool = False
+
+    @property
+    def written(self) -> str:
+        """The repaired roslab.yaml."""
+        return self.lines if self.lines.startswith("format: ") else self.config + self.lines
+
+
+# A name that a macro or a variable holds is not found by reading: only the build tells that it is needed
+INCLUDES = "#define LIBRARY <glog/logging.h>\n#include LIBRARY\n"
+EXECUTABLE = f"{CMAKE}add_executable(robot main.cpp)\n"
+FINDS = "file(STRINGS needs.txt library)\nfind_package(${library} REQUIRED)\n"
+NEEDS = {"needs.txt": "Eigen3\n", "links.txt": "modbus\n"}
+LINKS = "file(STRINGS links.txt library)\ntarget_link_libraries(robot ${library})\n"
+CALLS = "set(program bc)\nadd_custom_target(table ALL COMMAND ${program} ${CMAKE_SOURCE_DIR}/needs.txt)\n"
+GLOG = "  - libgoogle-glog-dev  # for the header glog/logging.h (main.cpp:1)\n"
+MENDED = {
+    "header": Broken(
+        config=NATIVE, files={"CMakeLists.txt": EXECUTABLE, "main.cpp": INCLUDES + MAIN}, lines=f"apt:\n{GLOG}"
+    ),
+    "cmake-package": Broken(
+        config=NATIVE,
+        files={"CMakeLists.txt": CMAKE + FINDS, **NEEDS},
+        lines="apt:\n  - libeigen3-dev  # for the package Eigen3 (CMakeLists.txt:4)\n",
+    ),
+    "library": Broken(
+        config=NATIVE,
+        files={"CMakeLists.txt": EXECUTABLE + LINKS, "main.cpp": MAIN, **NEEDS},
+        lines="apt:\n  - libmodbus-dev  # for the library modbus\n",
+    ),
+    "program": Broken(
+        config=NATIVE, files={"CMakeLists.txt": CMAKE + CALLS, **NEEDS}, lines="apt:\n  - bc  # for the program bc\n"
+    ),
+    "standard": Broken(
+        config=NATIVE,
+        files={
+            "CMakeLists.txt": EXECUTABLE,
+            "main.cpp": f"#if __cplusplus < 202002L\n#error C++20 or newer is needed here\n#endif\n{MAIN}",
+        },
+        lines='cmake_options: "-DCMAKE_CXX_STANDARD=20"  # for cxx standard (main.cpp:2)\n',
+    ),
+    "renamed": Broken(
+        config=f"{NATIVE}apt: [libeigen2-dev]\n",
+        files={"CMakeLists.txt": EXECUTABLE, "main.cpp": MAIN},
+        lines=f"{NATIVE}apt: [libeigen3-dev]\n",
+    ),
+    "version-gone": Broken(
+        config=f"{NATIVE}apt:\n  - bc=1.06-1  # for the tables\n",
+        files={"CMakeLists.txt": EXECUTABLE, "main.cpp": MAIN},
+        lines=f"{NATIVE}apt:\n  - bc  # for the tables\n",
+    ),
+    "three-things": Broken(
+        config=f"{NATIVE}apt:\n  - bc\n",
+        files={
+            "CMakeLists.txt": CMAKE + FINDS + "add_executable(robot main.cpp)\n" + LINKS,
+            "main.cpp": INCLUDES + MAIN,
+            **NEEDS,
+        },
+        lines="  - libeigen3-dev  # for the package Eigen3 (CMakeLists.txt:4)\n"
+        f"{GLOG}  - libmodbus-dev  # for the library modbus\n",
+        rounds=3,
+    ),
+    "submodule": Broken(
+        config=NATIVE,
+        files={"CMakeLists.txt": f"{CMAKE}add_subdirectory(third_party/maths)\n"},
+        lines="submodules: required  # for submodules not fetched (CMakeLists.txt:3)\n",
+    ),
+    "rosdep-key": Broken(
+        config=ROS,
+        files={
+            "package.xml": PACKAGE.format("\n<depend>bison</depend>"),
+            "CMakeLists.txt": f"{CMAKE}find_package(ament_cmake REQUIRED)\nament_package()\n",
+        },
+        lines="skip_keys:\n  - bison  # for the package bison (package.xml:3)\n",
+    ),
+    "ros-package": Broken(
+        config=ROS,
+        files={
+            "package.xml": PACKAGE.format(""),
+            "CMakeLists.txt": f"{CMAKE}find_package(ament_cmake REQUIRED)\n{FINDS}ament_package()\n",
+            "needs.txt": "angles\n",
+        },
+        lines="apt:\n  - ros-jazzy-angles  # for the package angles (CMakeLists.txt:5)\n",
+    ),
+    "python-module": Broken(
+        config=f"{PYTHON}test: python3 main.py\n",
+        files={"main.py": 'import importlib\n\nimportlib.import_module("ya" + "ml")\n'},
+        lines="pip:\n  - PyYAML  # for the module yaml (main.py:3)\n",
+        proof=True,
+    ),
+    "shared-library": Broken(
+        config=f"{PYTHON}test: python3 main.py\n",
+        files={"main.py": 'import ctypes\n\nctypes.CDLL("libusb-" + "1.0.so.0")\n'},
+        lines="apt:\n  - libusb-1.0-0  # for the library libusb-1.0.so.0 (main.py:3)\n",
+        proof=True,
+    ),
+    "numpy-too-new": Broken(
+        config=f"{PYTHON}test: python3 main.py\n",
+        files={"requirements.txt": "numpy\n", "main.py": 'import numpy\n\nkind = getattr(numpy, "float")\n'},
+        lines='pip:\n  - "numpy<1.24"  # for numpy without float (main.py:3)\n',
+        proof=True,
+    ),
+    "python-version": Broken(
+        config="format: 3\nkind: python\n",
+        files={
+            "setup.py": 'from setuptools import setup\n\nsetup(name="robot", python_requires="<3." + str(10))\n',
+            "robot.py": "print(1)\n",
+        },
+        lines='base:\n  python: "3.8"  # for the package robot\n',
+    ),
+}
+LEFT = {
+    "a mistake in the code": Broken(
+        config=NATIVE,
+        files={"CMakeLists.txt": EXECUTABLE, "main.cpp": "int main() { return 1 +; }\n"},
+        why="not repaired: no known cause",
+    ),
+    "a header of no known package": Broken(
+        config=NATIVE,
+        files={"CMakeLists.txt": EXECUTABLE, "main.cpp": f"#include <no_such/thing.hpp>\n{MAIN}"},
+        why="not repaired: ",
+    ),
+    "what was added does not help": Broken(
+        config=NATIVE,
+        files={"CMakeLists.txt": EXECUTABLE, "main.cpp": f"#define E <Eigen/Core>\n#include E\n{MAIN}"},
+        rounds=1,
+        why="the same cause is back",
+    ),
+    "a package that nobody has": Broken(
+        config=f"{PYTHON}pip: [no-such-package-of-anybody-at-all]\n",
+        files={"main.py": "print(1)\n"},
+        why="not repaired: ",
+    ),
+    "a Dockerfile of the author's": Broken(
+        config="format: 3\ndockerfile: Dockerfile\n",
+        files={
+            "Dockerfile": "FROM repro-lab/repair:native\nCOPY . /src\nRUN g++ /src/main.cpp\n",
+            "main.cpp": INCLUDES + MAIN,
+        },
+        why="+RUN apt-get update && apt-get install -y --no-install-recommends libgoogle-glog-dev\n RUN g++ /src/",
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def bases(lab: Laboratory) -> Iterator[None]:
+    """Make the bases with the small packages."""
+    for name, base in BASES.items():
+        command = ["docker", "build", "--quiet", "--tag", name, "--build-arg", f"BASE={base}", str(RECIPE)]
+        subprocess.run(command, env=dict(lab.environment), check=True, capture_output=True)
+    yield
+    subprocess.run(["docker", "image", "rm", *BASES], env=dict(lab.environment), check=False, capture_output=True)
+
+
+def git(folder: Path, *arguments: str) -> str:
+    command = ["git", "-C", str(folder), "-c", "user.name=a", "-c", "user.email=a@example.org", *arguments]
+    environment = {"PATH": os.environ["PATH"], "HOME": "/nonexistent"}
+    return subprocess.run(command, env=environment, check=True, capture_output=True, text=True).stdout
+
+
+@pytest.fixture
+def submodule(tmp_path: Path) -> Iterator[str]:
+    """Serve a library as a git repository; return its address."""
+
+    class Quiet(SimpleHTTPRequestHandler):
+        def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - its name in the base class
+            """Say nothing."""
+
+    folder = tmp_path / "served" / "maths"
+    folder.mkdir(parents=True)
+    git(folder, "init", "--quiet", "--initial-branch=main")
+    (folder / "CMakeLists.txt").write_text("message(STATUS here)\n")
+    git(folder, "add", "--all")
+    git(folder, "commit", "--quiet", "--message", "x")
+    git(folder, "update-server-info")
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder.parent))) as running:
+        threading.Thread(target=running.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{running.server_port}/maths/.git"
+        running.shutdown()
+
+
+def repository(folder: Path, broken: Broken) -> Path:
+    folder.mkdir()
+    for name, text in {**broken.files, "roslab.yaml": broken.config}.items():
+        (folder / name).write_text(text)
+    return folder
+
+
+def build(lab: Laboratory, folder: Path, *options: str) -> CompletedProcess[str]:
+    """Run ``roslab build --repair``; a proof's own traceback is no error of its."""
+    command = [sys.executable, "-I", str(SCRIPTS), "build", str(folder), "--tag", "repro-lab", "--repair", "--write"]
+    names = {name: value for name, value in lab.environment.items() if not name.startswith(("GITHUB_", "ROSLAB_"))}
+    return subprocess.run([*command, *options], env=names, capture_output=True, text=True, timeout=1800, check=False)
+
+
+@pytest.mark.usefixtures("bases")
+@pytest.mark.parametrize("name", list(MENDED))
+def test_it_builds_with_what_was_missing(lab: Laboratory, tmp_path: Path, submodule: str, name: str) -> None:
+    broken = MENDED[name]
+    folder = repository(tmp_path / f"repair-{name}", broken)
+    if name == "submodule":
+        git(folder, "init", "--quiet", "--initial-branch=main")
+        git(folder, "config", "--file", ".gitmodules", "submodule.maths.path", "third_party/maths")
+        git(folder, "config", "--file", ".gitmodules", "submodule.maths.url", submodule)
+        commit = git(tmp_path / "served" / "maths", "rev-parse", "HEAD").strip()
+        git(folder, "update-index", "--add", "--cacheinfo", f"160000,{commit},third_party/maths")
+        git(folder, "add", ".gitmodules")
+        git(folder, "commit", "--quiet", "--message", "x")
+    words = [] if broken.proof else ["--no-proof"]
+    answer = build(lab, folder, *words)
+    assert answer.returncode == 0, answer.stderr[-8000:]
+    assert (folder / "roslab.yaml").read_text() == broken.written
+    assert "roslab: these lines are written to roslab.yaml:\n--- a/roslab.yaml\n" in answer.stderr
+    assert (folder / "roslab.yaml.old").read_text() == broken.config
+    assert f"roslab: repair {broken.rounds} adds" in answer.stderr
+    assert f"roslab: repair {broken.rounds + 1} adds" not in answer.stderr
+    subprocess.run(["docker", "image", "rm", answer.stdout.strip()], env=dict(lab.environment), check=False)
+
+
+@pytest.mark.usefixtures("bases")
+@pytest.mark.parametrize("name", list(LEFT))
+def test_what_cannot_be_mended_stops_with_the_reason(lab: Laboratory, tmp_path: Path, name: str) -> None:
+    broken = LEFT[name]
+    folder = repository(tmp_path / "repair-left", broken)
+    answer = build(lab, folder, "--no-proof")
+    assert answer.returncode == 5, answer.stderr[-4000:]
+    assert broken.why in answer.stderr
+    assert (folder / "roslab.yaml").read_text() == broken.config
+    assert sorted(path.name for path in folder.iterdir()) == sorted([*broken.files, "roslab.yaml"])
+
+
+def test_a_failed_run_hands_over_the_lines(lab: Laboratory, tmp_path: Path) -> None:
+    """Annotation, summary, and in a pull request of the repository's own a suggestion on a line of its diff."""
+    config = "format: 3\nkind: cpp\nbase:\n  image: ros:noetic-ros-base\n"
+    files = {"roslab.yaml": config, "CMakeLists.txt": EXECUTABLE, "main.cpp": INCLUDES + MAIN}
+    inputs = {"registry": lab.registry, "platforms": "linux/amd64"}
+    caller = doors.through_action(tmp_path, inputs, files, base={})
+    posted: list[tuple[str, dict[str, Any]]] = []
+    patch = "@@ -0,0 +1,4 @@\n" + "".join(f"+{line}\n" for line in config.splitlines())
+    github = {"posted": posted, "files": [{"filename": "roslab.yaml", "patch": patch}]}
+    event = doors.payload("robot", head=f"{doors.OWNER}/robot")
+    ran = run_workflow(lab, caller, "pull_request", event, env=doors.builder(lab), github=github)
+    assert ran.exit_code != 0
+    assert "::error file=main.cpp,line=1::The header glog/logging.h is missing" in ran.log
+    assert f"Lines to add to `roslab.yaml`:\n\n```yaml\napt:\n{GLOG}```" in ran.summary
+    ((path, body),) = posted
+    assert path == f"/repos/{doors.OWNER}/robot/pulls/7/comments"
+    assert (body["path"], body["line"]) == ("roslab.yaml", 4)
+    assert f"```suggestion\n  image: ros:noetic-ros-base\napt:\n{GLOG}```" in body["body"]
