@@ -309,10 +309,10 @@ def test_no_starter_asks_for_more_than_it_needs() -> None:
         found = load(path)
         assert found["permissions"] == {}
         publishes = path.name not in ("pull-request.yml", "watch.yml")
-        cleans = path.name == "clean.yml"
+        cleans = path.name in ("clean.yml", "pull-request-closed.yml")
         expected = {"contents": "read", "packages": "write"} if publishes else {"contents": "read"}
         expected |= {"id-token": "write", "attestations": "write"} if publishes and not cleans else {}
-        expected |= {"pull-requests": "read"} if cleans else {}
+        expected |= {"pull-requests": "read"} if path.name == "clean.yml" else {}
         *others, last = (job["permissions"] for job in found["jobs"].values())
         assert last == expected, path.name
         assert [each for each in others if each != {"contents": "read"}] == [], path.name

@@ -16,6 +16,7 @@ Kind = Literal["ros1", "ros2", "cuda", "python", "cpp"]
 BuildTool = Literal["catkin_make", "catkin_tools", "colcon", "cmake", "pip", "conda", "none"]
 Generation = Literal["paper", "later", "interim", "today"]
 Compatible = Literal["paper", "later"]
+PullImage = Literal["image", "archive", "none"]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -171,6 +172,9 @@ class Config:
     """Stage of the author's own Dockerfile."""
     submodules: Literal["optional", "required"] | None = None
     tags: TagParts = field(default_factory=TagParts)
+    pr: PullImage | None = None
+    """What a pull request leaves to try: an image under its own tag, an archive among the run's artifacts, or nothing.
+    It is no input, because it holds for every workflow that builds the repository."""
     proof: ProofLimits = field(default_factory=ProofLimits)
     gui: bool | None = None
     gpu: bool | None = None

@@ -8,7 +8,7 @@ from roslab.config import base as bases
 from roslab.config import generation as generations
 from roslab.config import packages, running, vocabulary
 from roslab.config.document import Document, parse
-from roslab.config.model import Base, BuildTool, Compatible, Config, Generation, Kind
+from roslab.config.model import Base, BuildTool, Compatible, Config, Generation, Kind, PullImage
 from roslab.config.node import Mapping, Scalar, Sequence, in_file
 from roslab.config.reading import Reading
 from roslab.config.shape import Shape
@@ -120,6 +120,7 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
         target=reading.value(root, "target", "target"),
         submodules=cast(Literal["optional", "required"] | None, reading.value(root, "submodules", "submodules")),
         tags=running.tag_parts(reading, root),
+        pr=cast(PullImage | None, reading.value(root, "pr", "pr")),
         proof=running.proof(reading, root),
         gui=shared if gui is None else gui,
         gpu=shared if gpu is None else gpu,

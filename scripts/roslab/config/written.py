@@ -44,6 +44,7 @@ def written(config: Config) -> str:
         "target": config.target,
         "submodules": config.submodules,
         "tags": _said(config.tags, ("prefix", "suffix")),
+        "pr": config.pr,
         "proof": _proof(config.proof),
         "gui": config.gui,
         "gpu": config.gpu,

@@ -55,10 +55,14 @@ def asker(environment: Mapping[str, str], *, method: str = "GET", pause: Callabl
 
 
 def branch_head(event: Event, ask: Ask) -> str | None:
-    """Return the commit that the event's branch points to, ``None`` if the branch does not exist (any more)."""
-    if not event.branch:
+    """Return the commit that the event's branch points to, ``None`` if the branch does not exist (any more).
+
+    The branch of a pull request, which must be the repository's own, is the one that it comes from.
+    """
+    branch = event.head_branch if event.proposed else event.branch
+    if not branch:
         return None
-    answer = ask(f"/repos/{event.repository}/git/ref/heads/{quote(event.branch)}")
+    answer = ask(f"/repos/{event.repository}/git/ref/heads/{quote(branch)}")
     return str(answer["object"]["sha"]) if answer else None
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
+from roslab.config.model import PullImage
 from roslab.errors import ConfigurationError, Problem, RefusedError
 
 Push = Literal["auto", "true", "false"]
@@ -44,6 +45,10 @@ class Event:
     """Repository that the code of a pull request comes from, ``None`` if it was deleted or there is none."""
     pull: int | None = None
     """Number of the pull request, ``None`` if the event names none."""
+    head_branch: str = ""
+    """Branch that a pull request comes from."""
+    head_sha: str = ""
+    """Newest commit of that branch when the run began; ``sha`` is its merge into the base branch."""
     closed: bool = False
     """The pull request was just closed, merged or not."""
     head_commit: str = ""
@@ -59,6 +64,8 @@ class Event:
     signing: bool = False
     """The caller granted ``id-token: write``."""
     act: bool = False
+    run: str = ""
+    """Number of the run, by which its artifacts are found."""
 
     @property
     def owner(self) -> str:
@@ -131,6 +138,8 @@ def read(environment: Mapping[str, str]) -> Event:
         proposed=pull_request,
         head=head,
         pull=_number(payload),
+        head_branch=_text(payload, "pull_request", "head", "ref"),
+        head_sha=_text(payload, "pull_request", "head", "sha"),
         closed=name == "pull_request" and _text(payload, "action") == "closed",
         head_commit=_text(payload, "pull_request", "head", "sha"),
         public=_get(payload, "repository", "private") is False,
@@ -139,6 +148,7 @@ def read(environment: Mapping[str, str]) -> Event:
         licence=_text(payload, "repository", "license", "spdx_id").removesuffix("NOASSERTION"),
         signing=bool(environment.get("ACTIONS_ID_TOKEN_REQUEST_URL")),
         act=environment.get("ACT") == "true",
+        run=environment.get("GITHUB_RUN_ID", ""),
     )
     if name in PRIVILEGED and event.foreign:
         raise RefusedError(
@@ -201,22 +211,37 @@ def _text(payload: Mapping[str, Any], *keys: str) -> str:
     return value if isinstance(value, str) else ""
 
 
-def publication(event: Event, wish: Push) -> Publication:
-    """Decide whether the run publishes; a pull request never publishes, whatever the caller wishes."""
+def _may_try(event: Event) -> bool:
+    """Return whether the event is a pull request of the repository's own, started with its rights to publish."""
+    own = event.name == "pull_request" and event.pull is not None and not event.foreign
+    return own and not event.closed and not event.dependabot
+
+
+def _refusal(event: Event) -> str:
+    """Return why an event publishes nothing whatever the caller wishes, ``""`` if it may."""
     if event.proposed or event.queued:
         what = "a pull request from a fork" if event.foreign and event.head else "a pull request"
         what = "a merge queue" if event.queued else what
-        reason = f"{what} builds and proves the image and publishes nothing"
-        return Publication(
-            push=False, reason=reason, warning=f"`push: true` is ignored: {reason}" if wish == "true" else None
-        )
+        return f"{what} builds and proves the image and publishes nothing"
+    if event.name == "push" and event.dependabot:
+        return "Dependabot's own pushes hold a token that may only read"
+    return ""
+
+
+def publication(event: Event, wish: Push, pr: PullImage | None = None) -> Publication:
+    """Decide whether the run publishes.
+
+    A pull request publishes only as ``pr-NUMBER``, only if ``pr`` of roslab.yaml is ``image`` and its code is the
+    repository's own; a stranger's never does, whatever the caller wishes.
+    """
+    if pr == "image" and wish != "false" and _may_try(event):
+        return Publication(push=True, reason="`pr: image` in roslab.yaml, and the pull request is the repository's own")
+    if refused := _refusal(event):
+        hint = "; `pr: image` in roslab.yaml publishes a pull request's image to be tried" if _may_try(event) else ""
+        warning = f"`push: true` is ignored: {refused}{hint}" if wish == "true" else None
+        return Publication(push=False, reason=refused, warning=warning)
     if wish == "false":
         return Publication(push=False, reason="`push: false` was asked for")
-    if event.name == "push" and event.dependabot:
-        reason = "Dependabot's own pushes hold a token that may only read"
-        return Publication(
-            push=False, reason=reason, warning=f"`push: true` is ignored: {reason}" if wish == "true" else None
-        )
     if wish == "true":
         return Publication(push=True, reason="`push: true` was asked for")
     if event.name in PUBLISHING:

@@ -28,7 +28,7 @@ def labels(plan: Plan, event: Event, *, revision: str, seconds: int | None) -> t
         "url": f"{event.server}/{event.repository}",
         "source": f"{event.server}/{event.repository}",
         "revision": revision or event.sha,
-        "version": event.tag or event.branch or "",
+        "version": event.tag or event.branch or (f"pr-{event.pull}" if event.pull else ""),
         "base.name": plan.base_image,
         "created": timestamp(seconds) if seconds is not None else "",
     }

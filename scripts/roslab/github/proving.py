@@ -10,7 +10,7 @@ from pathlib import Path
 from roslab.engine import docker as engine
 from roslab.engine import gpu, registry
 from roslab.errors import BuildError, Problem
-from roslab.github import disk, screen, workflow
+from roslab.github import disk, screen, trial, workflow
 from roslab.github import run as runs
 from roslab.github.run import Folder, Run
 from roslab.plan.proof import describe
@@ -43,7 +43,10 @@ def prove(environment: Mapping[str, str]) -> None:
                 disk.before_pull(image, environment)
                 failed.append(_prove_pushed(folder, run, image, digest, seconds))
         else:
-            failed = [_prove_loaded(folder, run, platform, build, seconds, digest) for platform in platforms]
+            failed = [
+                _prove_loaded(folder, run, platform, build, seconds, digest, environment) for platform in platforms
+            ]
+            trial.tell(folder, run, platforms, environment)
     if problems := [problem for problem in failed if problem]:
         raise BuildError(*problems)
 
@@ -80,9 +83,18 @@ def _prove_pushed(
 
 
 def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
-    folder: Folder, run: Run, platform: str, build: Mapping[str, str], seconds: float, digest: str
+    folder: Folder,
+    run: Run,
+    platform: str,
+    build: Mapping[str, str],
+    seconds: float,
+    digest: str,
+    environment: Mapping[str, str],
 ) -> Problem | None:
-    """Run one platform's image; if it is not loaded yet, load it from the builder, which still has all its layers."""
+    """Run one platform's image; if it is not loaded yet, load it from the builder, which still has all its layers.
+
+    An image that people may try is kept as an archive once its proofs held.
+    """
     candidate = runs.candidate(folder, run, platform)
     pairs = tuple((line.partition("=")[0], line.partition("=")[2]) for line in build["labels"].splitlines())
     authored = run.plan.author_dockerfile
@@ -109,12 +121,23 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
             screenshots=folder.artifact,
             gpus=bool(given),
         )
+        failure = _failure(outcomes)
+        platforms = build["platforms"].split(",")
+        archive, remark = trial.keep(folder, run, platform, platforms, environment) if failure is None else (None, "")
         engine.remove_image(candidate)
-    proofs = _proofs(outcomes, given)
     folder.write_report(
-        PlatformReport(platform=platform, digest=digest, source="", layers=(), proofs=proofs, build_seconds=seconds)
+        PlatformReport(
+            platform=platform,
+            digest=digest,
+            source="",
+            layers=(),
+            proofs=_proofs(outcomes, given),
+            build_seconds=seconds,
+            archive=archive,
+            archive_remark=remark,
+        )
     )
-    return _failure(outcomes)
+    return failure
 
 
 def _gpus(run: Run) -> tuple[str, ...]:

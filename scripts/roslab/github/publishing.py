@@ -31,6 +31,11 @@ def index(environment: Mapping[str, str]) -> None:
         reason = f"no passed proof for {', '.join(missing)}" if missing else run.reason
         raise BuildError(Problem(message=f"nothing gets a tag: {reason}"))
     verify(run, proved)
+    if what.proposed and api.branch_head(what, api.asker(environment)) != what.head_sha:
+        reason = f"the pull request {what.pull} has another commit now, or is gone: its tag stays where it is"
+        folder.write("unpublished", reason)
+        workflow.warn(Problem(message=reason))
+        return
     own = tags.dressed(tags.own(said, run.image, what), run.plan.tags)
     said_of_it = registry.annotations_of(run.image, proved[0].digest)
     annotated = {name: value for name, value in said_of_it.items() if name.startswith(PREFIX)}
@@ -84,6 +89,8 @@ def tag(environment: Mapping[str, str]) -> None:
     """
     folder = Folder.of(environment)
     run, what, said = _asked(folder, environment)
+    if folder.read("unpublished"):
+        return
     made = json.loads(folder.read("index.json"))
     digest = str(made["digest"])
     signed = environment.get("ROSLAB_SIGNATURE") == "success"

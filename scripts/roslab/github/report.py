@@ -26,21 +26,23 @@ def collect(folder: Folder, reports: Path, event: Event) -> Report:
     failures = tuple(dict.fromkeys(line for job in (*jobs, *own) for line in job.failures))
     repairs = tuple(dict.fromkeys(repair for job in (*jobs, *own) for repair in job.repairs))
     platforms = platforms_of(kept.reports(jobs), run.plan)
-    if not published and not failures and (run.push or not platforms):
+    unpublished = folder.read("unpublished")
+    if not published and not unpublished and not failures and (run.push or not platforms):
         failures = ("the run stopped early: the failed step's log says why",)
     return Report(
         plan=run.plan,
         repairs=repairs,
         image=run.image,
         published=bool(published),
-        reason=run.reason,
+        reason=unpublished or run.reason,
         digest=published.get("digest", ""),
         tags=tuple(published.get("tags", ())),
         platforms=platforms,
         failures=failures,
+        artifacts=(f"gh run download {event.run}", f"--repo {event.repository}"),
         verify=tuple(published.get("verify", ())),
         unsigned=published.get("unsigned", ""),
-        notes=_visibility(run, event, public=published.get("public")) if published else (),
+        notes=_visibility(run, event, public=published.get("public")) if published else _origin(event),
         badge=_badge(run, event),
     )
 
@@ -58,6 +60,13 @@ def _visibility(run: Run, event: Event, *, public: bool | None) -> tuple[str, ..
     return (f"{private} Open [its page]({page}), Package settings, Danger Zone, Change visibility, Public.",)
 
 
+def _origin(event: Event) -> tuple[str, ...]:
+    """Return a note on the code of an image that is offered to be tried."""
+    if not event.foreign:
+        return ()
+    return ("It holds code from outside this repository: read the changes before you run it.",)
+
+
 def _package(run: Run, event: Event) -> str:
     """Return the package's page: https://docs.github.com/en/packages/learn-github-packages/viewing-packages."""
     name = quote(run.image.split("/", 2)[2], safe="")
@@ -66,7 +75,7 @@ def _package(run: Run, event: Event) -> str:
 
 def _badge(run: Run, event: Event) -> str:
     """Return the badge of the workflow, which shows whether the last image was proved."""
-    if run.registry != "ghcr.io" or not event.workflow_file:
+    if run.registry != "ghcr.io" or not event.workflow_file or event.proposed:
         return ""
     page = f"{event.server}/{event.repository}/actions/workflows/{quote(event.workflow_file)}"
     branch = quote(event.default_branch, safe="")

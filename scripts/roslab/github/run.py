@@ -38,6 +38,8 @@ class Run:
     cache: Cache
     rebuilt: str | None = None
     """Full name of an old commit's git tag, ``""`` if it has none; ``None`` if the event's own commit is built."""
+    archive: bool = False
+    """Whether the image is kept as an archive among the run's artifacts."""
     path: str = ""
     """Folder of the checkout that is built, ``""`` for all of it."""
     revision: str = ""
@@ -127,6 +129,11 @@ class Folder:
         """Folder of what the job keeps for later jobs and for people: reports, screenshots."""
         return self.path / "artifact"
 
+    @property
+    def archives(self) -> Path:
+        """Folder of images that people may try, an artifact of its own."""
+        return self.path / "archives"
+
     def write(self, name: str, text: str) -> None:
         """Keep a text."""
         (self.path / name).write_text(text, encoding="utf-8")
@@ -161,6 +168,11 @@ def slug(platform: str) -> str:
 def short(*values: str) -> str:
     """Return eight characters that stand for these values in a name that cannot contain the values themselves."""
     return hashlib.sha256("\0".join(values).encode()).hexdigest()[:8]
+
+
+def artifact_name(what: str, run: Run) -> str:
+    """Return the beginning of the name of an artifact of this call, which no other call of the workflow has."""
+    return f"{what}-{run.image.partition('/')[2].replace('/', '-')}-{short(run.image, run.variant)}"
 
 
 def reports_folder(folder: Folder, environment: Mapping[str, str]) -> Path:

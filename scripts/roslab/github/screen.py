@@ -9,7 +9,7 @@ from contextlib import contextmanager
 
 from roslab.engine import docker as engine
 from roslab.github import workflow
-from roslab.github.run import Folder, Run, short, slug
+from roslab.github.run import Folder, Run, artifact_name, slug
 
 INSTALL_SECONDS = 300.0
 
@@ -29,9 +29,8 @@ def screenshots(folder: Folder, run: Run, platforms: Sequence[str], environment:
     finally:
         found = any(folder.artifact.glob("screenshot-*.png"))
         part = slug(platforms[0]) if len(platforms) == 1 else "all"
-        owned = f"{run.image.partition('/')[2].replace('/', '-')}-{short(run.image, run.variant)}"
         # An artifact belongs to an attempt: a second attempt cannot replace the first one's
-        name = f"screenshots-{owned}-{part}-{environment.get('GITHUB_RUN_ATTEMPT') or 1}"
+        name = f"{artifact_name('screenshots', run)}-{part}-{environment.get('GITHUB_RUN_ATTEMPT') or 1}"
         pattern = str(folder.artifact / "screenshot-*.png") if found else ""
         workflow.outputs({"screenshots": pattern, "screenshots-artifact": name}, environment)
 

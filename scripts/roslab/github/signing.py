@@ -19,6 +19,8 @@ def unsigned(event: Event) -> str:
 
     For a private repository that is no enterprise's GitHub keeps no signature: trying would be an error at every push.
     """
+    if event.proposed:
+        return "a pull request's image is there to be tried, and its next commit replaces it"
     if not event.signing:
         return f"grant the calling job {RIGHTS}"
     if not event.public and not event.enterprise:

@@ -13,7 +13,7 @@ from roslab.engine import credentials
 from roslab.engine import docker as engine
 from roslab.engine.client import private_client
 from roslab.errors import BuildError, ConfigurationError, Problem, RoslabError
-from roslab.github import access, builder, cache, checkout, disk, event, inputs, kept, rebuild, report, workflow
+from roslab.github import access, builder, cache, checkout, disk, event, inputs, kept, rebuild, report, trial, workflow
 from roslab.github import run as runs
 from roslab.github import source as completion
 from roslab.github.labels import labels
@@ -57,7 +57,8 @@ def plan(environment: Environment) -> None:
             folder_name=runs.image_folder_name(what.repository, asked.path),
             top=workspace,
         )
-    publication = event.publication(what, asked.push)
+    pr = "none" if asked.ref else planned.config.pr  # another commit is no pull request's
+    publication = event.publication(what, asked.push, pr)
     image = inputs.image(asked, owner=what.owner, name=planned.plan.name)
     if publication.push:
         given = environment.get("ROSLAB_SECRET_GIVEN") == "true"
@@ -69,6 +70,7 @@ def plan(environment: Environment) -> None:
         push=publication.push,
         reason=publication.reason,
         cache=asked.cache,
+        archive=trial.wanted(what, publication, pr),
         path=asked.path,
         rebuilt=rebuilt,
         revision=revision,
@@ -85,7 +87,6 @@ def plan(environment: Environment) -> None:
     line = runs.to_line(run)
     folder.write("run", line)
     folder.write("plan.json", to_json(run.plan))
-    owned = f"{image.partition('/')[2].replace('/', '-')}-{runs.short(image, asked.variant)}"
     matrix = [
         {"platform": platform, "slug": slug(platform), "runner": inputs.runner(platform, asked.runners)}
         for platform in run.plan.platforms
@@ -94,7 +95,7 @@ def plan(environment: Environment) -> None:
         {
             "plan": json.dumps(answers(run.plan), separators=(",", ":")),
             "plan-file": str(folder.path / "plan.json"),
-            "plan-artifact": f"plan-{owned}",
+            "plan-artifact": runs.artifact_name("plan", run),
             "run": line,
             "folder": str(folder.path),
             "ref": revision if rebuilt is not None else "",
@@ -105,7 +106,7 @@ def plan(environment: Environment) -> None:
             "latest": _flag(what.branch is not None and what.branch == what.default_branch),
             "platforms": ",".join(run.plan.platforms),
             "matrix": json.dumps({"include": matrix}),
-            "artifact": f"image-{owned}",
+            "artifact": runs.artifact_name("image", run),
         },
         environment,
     )

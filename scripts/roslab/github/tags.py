@@ -33,9 +33,11 @@ class Chosen:
 def own(said: str, image: str, event: Event) -> str:
     """Return the commit's tag from those that docker/metadata-action named, one complete reference per line.
 
-    This tag is made first, so that it exists when it is signed; no other commit has it. Raises ``ConfigurationError``
-    if there is none.
+    This tag is made first, so that it exists when it is signed; no other commit has it. A pull request has one tag
+    instead, which moves with it: its merge commits are in no history. Raises ``ConfigurationError`` if there is none.
     """
+    if event.proposed:
+        return f"{image}:pr-{event.pull}"
     names = _names(said, image)
     found = [name for name in names if _is_own(name, event)]
     if not found:
@@ -49,8 +51,11 @@ def chosen(said: str, image: str, event: Event, *, head: str | None, releases: I
     """Choose which of the other tags move.
 
     ``head`` is the commit that the branch points to on GitHub now, ``None`` if it does not exist; ``releases`` are the
-    names of the repository's git tags. Raises ``ConfigurationError`` for a tag of another image.
+    names of the repository's git tags; a pull request has no other tags. Raises ``ConfigurationError`` for a tag of
+    another image.
     """
+    if event.proposed:
+        return Chosen(moving=())
     moving = [name for name in _names(said, image) if not _is_own(name, event)]
     warnings: list[str] = []
     reference = event.branch or event.tag or ""

@@ -31,6 +31,24 @@ class ProofReport:
     """A note that nothing was drawn, or why there is no screenshot."""
 
 
+ARCHIVE = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.:-]{0,500}")
+"""A name of an archive, which the summary shows in a command."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ArchiveReport:
+    """An image that was not published and can be tried."""
+
+    artifact: str
+    """Name of the run's artifact."""
+    file: str
+    """Name of the file in it."""
+    name: str
+    """``NAME:TAG``, what the image is called once it is loaded."""
+    size: int
+    """Bytes of the file."""
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class PlatformReport:
     """What was built and proved for one platform."""
@@ -45,6 +63,9 @@ class PlatformReport:
     proofs: tuple[ProofReport, ...]
     build_seconds: float | None
     """``None`` if it was not measured; if one build made several platforms, each has the time of the whole build."""
+    archive: ArchiveReport | None = None
+    archive_remark: str = ""
+    """Why there is no archive although one was wanted."""
 
     @property
     def size(self) -> int:
@@ -85,6 +106,8 @@ class Report:
     tags: tuple[str, ...] = ()
     platforms: tuple[PlatformReport, ...] = ()
     failures: tuple[str, ...] = ()
+    artifacts: tuple[str, ...] = ()
+    """Command that fetches an artifact of the run, without the artifact's name, in groups of words."""
     verify: tuple[str, ...] = ()
     """Command that checks the image's signature, in groups of words; empty if it is not signed."""
     unsigned: str = ""
@@ -118,4 +141,7 @@ def from_json(text: str) -> PlatformReport:
         raise ValueError(type(error).__name__) from None
     if strange := [digest for digest in (report.digest, report.source) if digest and not DIGEST.fullmatch(digest)]:
         raise ValueError(f"{strange[0]!r} is no digest")
+    kept = report.archive
+    if kept and not all(ARCHIVE.fullmatch(name) for name in (kept.artifact, kept.file, kept.name)):
+        raise ValueError("the archive has a name that no archive gets")
     return report

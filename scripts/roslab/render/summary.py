@@ -53,7 +53,26 @@ def _headline(report: Report) -> str:
         notes = "".join(f"\n{note}\n" for note in report.notes)
         return f"### ✅ Published as {code(reference)}\n\n{_run(report.plan, reference)}{notes}{_signature(report)}"
     why = prose(report.reason[:1].upper() + report.reason[1:])
-    return f"### ✅ Built and proved, not published: {code(report.plan.name)}\n\n{why}.\n"
+    return f"### ✅ Built and proved, not published: {code(report.plan.name)}\n\n{why}.\n{_archives(report)}"
+
+
+def _archives(report: Report) -> str:
+    """Return how to try an image that was not published, and why a platform's is not there."""
+    parts = []
+    for entry in report.platforms:
+        if kept := entry.archive:
+            commands = (
+                _broken((*report.artifacts, shlex.join(["--name", kept.artifact]))),
+                _broken(("docker load", shlex.join(["--input", kept.file]))),
+                _broken(_running(report.plan, kept.name)),
+            )
+            parts.append(f"To try it on {code(entry.platform)} ({human(kept.size)}, kept for two weeks):\n")
+            parts.append(block("\n".join(commands), "bash"))
+        elif entry.archive_remark:
+            parts.append(f"There is nothing to try on {code(entry.platform)}: {prose(entry.archive_remark)}.\n")
+    if any(entry.archive for entry in report.platforms):
+        parts += [f"{note}\n" for note in report.notes]
+    return "".join(f"\n{part}" for part in parts)
 
 
 def _signature(report: Report) -> str:
@@ -76,19 +95,29 @@ def _tag(report: Report) -> str:
 
 
 def _run(plan: Plan, reference: str) -> str:
-    """Return the command, with line breaks so that it fits on a phone."""
+    """Return the command that runs an image."""
+    return _lines(_running(plan, reference))
+
+
+def _running(plan: Plan, reference: str) -> list[str]:
+    """Return that command in groups of words that belong together."""
     run = plan.run
     groups = [["docker", "run", "--rm", "-it", *(["--gpus", "all"] if run.gpu else [])]]
     groups += [["-p", port] for port in run.ports]
     if run.gui:
         groups += [["-e", "DISPLAY"], ["-v", "/tmp/.X11-unix:/tmp/.X11-unix"]]  # noqa: S108 - where X keeps its sockets
-    return _lines([shlex.join(group) for group in (*groups, [reference])])
+    return [shlex.join(group) for group in (*groups, [reference])]
 
 
 def _lines(words: Sequence[str]) -> str:
-    """Return a command, broken between these parts if it does not fit on a phone."""
+    """Return a command as a block of code."""
+    return block(_broken(words), "bash")
+
+
+def _broken(words: Sequence[str]) -> str:
+    """Return a command, broken between these groups of words if it does not fit on a phone."""
     line = " ".join(words)
-    return block(line if len(line) <= PHONE else " \\\n  ".join(words), "bash")
+    return line if len(line) <= PHONE else " \\\n  ".join(words)
 
 
 def _platforms(report: Report) -> str:

@@ -6,6 +6,7 @@ import json
 import threading
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
@@ -63,7 +64,9 @@ def test_where_a_branch_stands() -> None:
         assert api.branch_head(event("refs/heads/fix/it"), asker(environment)) == COMMIT
         assert api.branch_head(event("refs/heads/gone"), asker(environment)) is None
         assert api.branch_head(event("refs/tags/v1.2.3"), asker(environment)) is None
-    assert shown == ["Bearer t", "Bearer t"]
+        pull = replace(event("refs/pull/7/merge"), proposed=True, head_branch="fix/it")
+        assert api.branch_head(pull, asker(environment)) == COMMIT
+    assert shown == ["Bearer t", "Bearer t", "Bearer t"]
 
 
 def test_which_releases_there_are() -> None:

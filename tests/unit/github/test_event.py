@@ -52,6 +52,39 @@ def test_a_pull_request_is_never_published(tmp_path: Path, head: str | None, wis
 
 
 @pytest.mark.parametrize(
+    ("name", "head", "wish", "actor", "push"),
+    [
+        ("pull_request", "lab/robot", "auto", "lab", True),
+        ("pull_request", "Lab/Robot", "true", "lab", True),
+        ("pull_request", "lab/robot", "false", "lab", False),
+        ("pull_request", "lab/robot", "true", "dependabot[bot]", False),
+        ("pull_request", "stranger/robot", "true", "lab", False),
+        ("pull_request", None, "true", "lab", False),
+        ("pull_request_target", "lab/robot", "true", "lab", False),
+        ("issue_comment", "lab/robot", "true", "lab", False),
+    ],
+)
+def test_an_image_to_be_tried_is_published_for_our_own_pull_requests_alone(
+    tmp_path: Path, name: str, head: str | None, wish: event.Push, actor: str, *, push: bool
+) -> None:
+    payload = pull_request(head)
+    payload["pull_request"]["number"] = 7
+    found = read(tmp_path, name, payload, GITHUB_ACTOR=actor)
+    assert event.publication(found, wish, "image").push == push
+    assert not event.publication(found, wish, "archive").push
+    closed = read(tmp_path, name, {**payload, "action": "closed"}, GITHUB_ACTOR=actor)
+    assert name != "pull_request" or not event.publication(closed, wish, "image").push
+
+
+def test_who_wants_to_publish_a_pull_request_learns_how(tmp_path: Path) -> None:
+    payload = pull_request("lab/robot")
+    payload["pull_request"]["number"] = 7
+    warning = event.publication(read(tmp_path, "pull_request", payload), "true").warning
+    assert warning
+    assert "`pr: image` in roslab.yaml" in warning
+
+
+@pytest.mark.parametrize(
     "payload",
     [pull_request("stranger/robot"), pull_request(None), {"pull_request": {}}, {}],
     ids=["fork", "deleted fork", "no head", "nothing"],

@@ -52,6 +52,20 @@ def test_a_branch_with_a_name_of_its_own(branch: str) -> None:
     assert names(chosen(f"refs/heads/{branch}", name)) == [name]
 
 
+def test_a_pull_request_has_one_tag() -> None:
+    """Its commits' tags would stay for ever: they are merges that no branch ever has."""
+    what = Event(
+        name="pull_request", repository="lab/robot", ref="refs/pull/7/merge", sha=COMMIT, default_branch="main",
+        proposed=True, head="lab/robot", pull=7,
+    )  # fmt: skip
+    said = f"{IMAGE}:pr-7\n{IMAGE}:sha-aaaaaaa"
+    assert tags.own(said, IMAGE, what) == f"{IMAGE}:pr-7"
+    assert (
+        tags.dressed(tags.own(said, IMAGE, what), TagParts(prefix="a-", suffix="-humble")) == f"{IMAGE}:a-pr-7-humble"
+    )
+    assert tags.chosen(said, IMAGE, what, head=COMMIT).moving == ()
+
+
 def test_the_default_branch_may_be_called_latest() -> None:
     said = f"{IMAGE}:latest\n{IMAGE}:sha-aaaaaaa"
     what = Event(name="push", repository="lab/robot", ref="refs/heads/latest", sha=COMMIT, default_branch="latest")
