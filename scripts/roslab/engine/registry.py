@@ -210,6 +210,12 @@ def annotations_of(image: str, digest: str) -> dict[str, str]:
     return {str(name): str(value) for name, value in found.items()} if isinstance(found, dict) else {}
 
 
+def held(image: str, digest: str) -> frozenset[str]:
+    """Return a digest with those that its index names. Raises ``BuildError`` if the registry does not return it."""
+    entries = _inspect(f"{image}@{digest}").get("manifests") or ()
+    return frozenset({digest, *(str(entry["digest"]) for entry in entries)})
+
+
 def create_index(image: str, sources: Sequence[str], tag: str, annotated: Mapping[str, str]) -> str:
     """Create an index of the given images under a tag and return its digest.
 

@@ -64,6 +64,7 @@ def verify(run: Run, reports: tuple[PlatformReport, ...]) -> None:
     configurations = {
         source: registry.configurations(run.image, source) for source in dict.fromkeys(r.source for r in reports)
     }
+    held = {source: registry.held(run.image, source) for source in configurations}
     for report in reports:
         found = configurations[report.source].get(report.platform)
         made_from = ((found or {}).get("config", {}).get("Labels") or {}).get(REVISION, "")
@@ -72,7 +73,7 @@ def verify(run: Run, reports: tuple[PlatformReport, ...]) -> None:
             problems.append(f"a report is for {report.platform}, which was not planned")
         elif proofs != [proof.name for proof in run.plan.proofs]:
             problems.append(f"the report for {report.platform} has not the proofs that were planned")
-        elif found is None:
+        elif found is None or report.digest not in held[report.source]:
             problems.append(f"the report for {report.platform} names {report.source}, which holds no such image")
         elif made_from != run.revision:
             of = made_from or "no commit"
