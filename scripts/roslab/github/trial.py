@@ -6,7 +6,7 @@ import shutil
 from collections.abc import Mapping, Sequence
 
 from roslab.config.model import PullImage
-from roslab.engine import archive
+from roslab.engine import archive, disk
 from roslab.engine import docker as engine
 from roslab.errors import BuildError
 from roslab.github import event, tags, workflow
@@ -47,10 +47,12 @@ def keep(
     name = tags.dressed(f"{run.plan.name}:pr-{event.read(environment).pull}", run.plan.tags)
     candidate = candidate_name(folder, run, platform)
     held = archive.size(candidate)
-    room = shutil.disk_usage(folder.path).free - MARGIN
+    free = shutil.disk_usage(folder.path).free
+    # The engine may write the whole image to its own disk before it gives the first byte
+    room = min(free, available if (available := disk.free()) is not None else free) - MARGIN
     if held > SMALLEST * MOST:
         return None, f"{human(held)} are too many for an archive, which may have {human(MOST)}"
-    if room < min(held, MOST):
+    if room < held + min(held, MOST):
         return None, f"the runner's disk has no room for an archive of {human(held)}"
     folder.archives.mkdir(exist_ok=True)
     file = folder.archives / f"{name.replace(':', '-')}-{slug(platform)}.tar.gz"

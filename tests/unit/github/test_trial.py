@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import gzip
+import json
 import os
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -75,6 +77,37 @@ def folder(tmp_path: Path, examples: Path) -> Folder:
     found.path.mkdir()
     found.write("run", to_line(run))
     return found
+
+
+@pytest.mark.parametrize(
+    ("size", "file", "remark"),
+    [
+        ("3000000", "robot-pr-7-linux-arm64.tar.gz", ""),
+        ("9000000000", "", "9.00 GB are too many for an archive, which may have 1.00 GB"),
+    ],
+)
+def test_a_proved_image_is_kept_under_the_name_that_people_use(  # noqa: PLR0917 - fixtures
+    engine: Path, folder: Folder, tmp_path: Path, size: str, file: str, remark: str
+) -> None:
+    engine.write_bytes(b"an image")
+    tool = tmp_path / "bin/docker"
+    asked = f'#!/bin/sh\necho "$*" >>{tmp_path}/asked\ncase "$*" in "image inspect"*) echo {size}; exit ;; esac\n'
+    tool.write_text(tool.read_text().replace("#!/bin/sh\n", asked))
+    (tmp_path / "event.json").write_text(json.dumps({"pull_request": {"number": 7}}))
+    environment = {
+        "GITHUB_EVENT_NAME": "pull_request", "GITHUB_REPOSITORY": "lab/robot", "GITHUB_RUN_ATTEMPT": "2",
+        "GITHUB_EVENT_PATH": str(tmp_path / "event.json"),
+    }  # fmt: skip
+    found, said = trial.keep(folder, folder.run, "linux/arm64", ("linux/arm64",), environment)
+    assert said == remark
+    assert (found.file if found else "") == file
+    commands = (tmp_path / "asked").read_text().splitlines()
+    assert ("save robot:pr-7" in commands) == bool(file)
+    if found:
+        assert found.name == "robot:pr-7"
+        assert re.fullmatch(r"try-lab-robot-[0-9a-f]{8}-linux-arm64-2", found.artifact)
+        assert gzip.decompress((folder.archives / file).read_bytes()) == b"an image"
+        assert commands[-1] == "image rm robot:pr-7"
 
 
 def kept(folder: Folder, archive: ArchiveReport | None, remark: str = "") -> PlatformReport:
