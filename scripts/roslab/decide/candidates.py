@@ -18,6 +18,8 @@ _PLACEHOLDER = re.compile(
     re.IGNORECASE,
 )
 """Also ``yyy-yy``: a repeated letter stands for a value that the reader fills in."""
+_NUMBERS = re.compile(r"\[[.,\s-]*\d[\d.,\s-]*\]")
+"""A list of numbers: ``--hid [32,32]``."""
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
 """Fewest words of a command that starts something."""
 _LAUNCH = re.compile(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
@@ -77,7 +79,7 @@ def _written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
     for mention in said:
         argv = _runnable(mention, tree, ros=ros, compiled=compiled)
         if argv is not None:
-            strong = ros or not any(places.example(part) for part in argv[:2])
+            strong = not compiled or not any(places.example(part) for part in argv[:2])
             strong = strong and not (compiled and argv[0].startswith("python"))
             strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)
             yield Candidate(
@@ -136,18 +138,26 @@ def _launch_files(evidence: Evidence) -> dict[str, frozenset[str]]:
 def _runnable(mention: Mention, tree: _Tree, *, ros: bool, compiled: bool) -> tuple[str, ...] | None:
     """Return the argv of a command as it can be run from the root; ``None`` if it starts nothing from the tree."""
     argv = tuple(mention.value.split())
-    if _PLACEHOLDER.search(mention.value) or any(part.rpartition("/")[2] in TOOLS for part in argv):
+    if _PLACEHOLDER.search(_NUMBERS.sub("", mention.value)) or any(part.rpartition("/")[2] in TOOLS for part in argv):
         return None
     if len(argv) < _WORDS.get(argv[0], 1) or argv[-1].endswith(":="):
         return None  # a sentence about the command, or a placeholder for the reader to fill in
     if argv[0] in _WORDS:
         return _of_ros(argv, tree) if ros else None
     if not argv[0].startswith("python"):
-        return _built(argv, tree)
-    here = _here(argv, tree.programs)
+        return _shell(argv, mention) if not ros and not compiled else _built(argv, tree)
+    named = (file for file in mention.files if file.endswith(".py"))  # a script needs no guard to be run
+    here = _here(argv, tuple(dict.fromkeys((*tree.programs, *named))))
     if here is None or (compiled and _tests(here)):
         return None
     return ("python3" if ros else argv[0], *here)
+
+
+def _shell(argv: tuple[str, ...], mention: Mention) -> tuple[str, ...] | None:
+    """Return the call of a shell script of the tree: ``sh run.sh``, ``./run.sh``."""
+    script = argv[1:] if argv[0] in {"bash", "sh"} else argv
+    known = bool(script) and script[0] in mention.files and script[0].endswith(".sh")
+    return ("bash", *script) if known else None
 
 
 def _of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from roslab.config.model import Config, Kind
 from roslab.decide.candidates import TOOLS, Candidate, candidates_of
 from roslab.decide.decision import Choice, Reason
-from roslab.decide.first_command import first_of, named_like_it, program_of
+from roslab.decide.first_command import first_of, named_like_it, program_of, serves
 from roslab.decide.reasons import because, configured
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
@@ -18,7 +18,6 @@ from roslab.knowledge.windows import opens
 from roslab.values.origin import Place
 
 MAX_CANDIDATES = 30
-_COMPILED: frozenset[Kind] = frozenset({"ros1", "ros2", "cpp"})
 _ARGUMENT = re.compile(r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|--help\b|(?:^|\s)-h\b|--show-args\b|\s(?:-s|--ros-args)$")
 """An argument that names a file or asks for help: such a command is no default."""
 
@@ -80,13 +79,14 @@ def _obvious(
 ) -> tuple[tuple[str, ...], Reason]:
     """Return the program that the README runs first, or the one obvious program, else a shell."""
     ours = [c for c in found if _own(c.argv, evidence)]
-    if kind in _COMPILED and not dockerfile and (first := first_of(ours)):
+    if not dockerfile and (first := first_of(ours)):
         others = len({program_of(c.argv) for c in ours if c.strong}) - 1
         why = f"{first.why}, before {others} other{'s' * (others > 1)}" if others else f"the only one: {first.why}"
         return first.argv, because("command", shlex.join(first.argv), why, first, weight=Weight.FIRST)
-    if kind in _COMPILED and not dockerfile and (named := named_like_it(ours)):
+    if kind in {"ros1", "ros2", "cpp"} and not dockerfile and (named := named_like_it(ours)):
         why = f"{named.why}, named like its package or like a demonstration"
         return named.argv, because("command", shlex.join(named.argv), why, named, weight=Weight.ONLY_ONE)
+    ours = [c for c in ours if not (c.strong and serves(c))]
     obvious = [c for c in ours if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
     obvious = _barest(obvious if dockerfile or any(c.strong for c in ours) else ours)
     if len(obvious) == 1 and not (obvious[0].strong and _others(evidence, obvious[0])):

@@ -8,23 +8,31 @@ from collections.abc import Iterable
 from roslab.decide.candidates import Candidate
 
 _USAGE = re.compile(
-    r"\b(?:run(?:ning)?|usage|use|using|launch(?:ing)?|start(?:ing|ed)?|demos?|examples?|quick|play|simulat\w*|execut\w*|"
+    r"\b(?:run(?:ning)?|usage|use|using|launch(?:ing)?|start(?:ing|ed)?|demos?|examples?|quick\w*|play|simulat\w*|execut\w*|"
     r"try|tutorials?|how to|hello)\b",
     re.IGNORECASE,
 )
 """A section that says how to start it."""
 _ASIDE = re.compile(
     r"\b(?:real|hardware|calibrat\w*|evaluat\w*|trouble\w*|faq|debug\w*|develop\w*|contribut\w*|convert\w*|conversion|"
-    r"record\w*|tests?|testing|docker|format\w*|annotat\w*|benchmark\w*|advanced|optional|tools?|visuali[sz]\w*)\b",
+    r"record\w*|tests?|testing|docker|format\w*|annotat\w*|benchmark\w*|advanced|optional|tools?|"
+    r"how to (?:install|build)|visuali[sz]\w*)\b",
     re.IGNORECASE,
 )
 """A section about something else than starting it."""
 _SERVES = re.compile(
     r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre-?proc\w*|prepare\w*|extract\w*|install\w*|set-?up|format|"
-    r"record\w*|generate\w*|gen|export\w*|annotate\w*|calibrat\w*|evaluat\w*|eval|plot\w*|tests?|bench\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
+    r"record\w*|collect\w*|datasets?|data|tokenize\w*|generate\w*|gen|export\w*|annotate\w*)(?:[_.-]|$)",
     re.IGNORECASE,
 )
 """The name of a program that serves the one that is meant."""
+_AFTER = re.compile(
+    r"(?:^|[_.-])(?:calibrat\w*|evaluat\w*|eval|plot\w*|tests?|bench\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
+    re.IGNORECASE,
+)
+"""The name of a program that looks at what another one did; a README of Python may name its examples so."""
+_CLOUD = re.compile(r"\b(?:azure|aws|gcp|cloud|clusters?|slurm|kubernetes|singularity|docker|colab)\b", re.IGNORECASE)
+"""Sections about somebody else's machines."""
 _DATA = re.compile(
     r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya?ml|png|mp4|avi|pcd|ply|obj|csv|json)$"
 )
@@ -40,6 +48,8 @@ _SUFFIX = re.compile(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?
 def program_of(argv: tuple[str, ...]) -> tuple[str, ...]:
     """Return the words of a command that name the program, without its arguments; any Python counts as ``python3``."""
     words = {"ros2": 4, "roslaunch": 3, "rosrun": 3}.get(argv[0], 1)
+    if argv[0] in {"bash", "sh"}:
+        return argv[:2]
     if argv[0].startswith("python"):
         return ("python3", *argv[1 : 3 if argv[1:2] == ("-m",) else 2])
     return argv[:words]
@@ -49,16 +59,19 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     """Return the command that a page of the author runs first, ``None`` if no page runs any.
 
     Pages nearer to the root come first, then sections about running it, then the order of the page. What needs a file
-    that the tree lacks comes after what needs none; programs that only serve others are never returned.
+    that the tree lacks comes after what needs none, except for Python, whose READMEs usually name data; programs that
+    only serve others are never returned.
     """
-    written = [c for c in candidates if c.strong and not _serves(c) and not any(_HELP.match(word) for word in c.argv)]
-    return min(written, key=_order, default=None)
+    written = [c for c in candidates if c.strong and not _named(c, _SERVES) and not any(map(_HELP.match, c.argv))]
+    rest = [c for c in written if not _named(c, _AFTER)] or [c for c in written if c.argv[0].startswith("python")]
+    return min(rest, key=_order, default=None)
 
 
-def _order(candidate: Candidate) -> tuple[bool, int, int, str, int]:
+def _order(candidate: Candidate) -> tuple[bool, bool, int, int, str, int]:
     """Return the place of a command in the order; equal ones keep theirs."""
     return (
-        _lacks(candidate),
+        bool(_CLOUD.search(candidate.heading)),
+        _lacks(candidate) and not candidate.argv[0].startswith("python"),
         candidate.file.count("/"),
         -_section(candidate.heading),
         candidate.file,
@@ -76,10 +89,16 @@ def _section(heading: str) -> int:
     return 0
 
 
-def _serves(candidate: Candidate) -> bool:
+def serves(candidate: Candidate) -> bool:
+    """Tell whether a program only serves the one that is meant: it converts, downloads, records, plots."""
+    return _named(candidate, _SERVES) or _named(candidate, _AFTER)
+
+
+def _named(candidate: Candidate, names: re.Pattern[str]) -> bool:
     words = program_of(candidate.argv)
-    name = re.sub(r"\.\w+$", "", words[-1].rpartition("/")[2])
-    return bool(_SERVES.search(re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name)))
+    name = words[-1].rpartition("/")[2]
+    name = name.rpartition(".")[2] if words[1:2] == ("-m",) else re.sub(r"\.\w+$", "", name)
+    return bool(names.search(re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name)))
 
 
 def _lacks(candidate: Candidate) -> bool:

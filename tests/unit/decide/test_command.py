@@ -114,10 +114,10 @@ def readme(value: str, line: int) -> Mention:
     return Mention(topic="command", value=value, source="readme", file="README.md", line=line, text=value)
 
 
-def test_variants_of_one_call_leave_no_doubt_about_the_program() -> None:
+def test_the_first_call_of_a_program_counts() -> None:
     mentions = (readme("python3 train.py --epochs 3", 5), readme("python3 train.py", 9))
     choice = decide_command(Evidence(programs=(MAIN,), mentions=mentions), Config(), "python", None)
-    assert choice.answer.command == ("python3", "train.py")
+    assert choice.answer.command == ("python3", "train.py", "--epochs", "3")
 
 
 def test_the_only_program_that_cmake_compiles() -> None:

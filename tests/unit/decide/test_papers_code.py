@@ -102,12 +102,32 @@ def test_a_python_that_the_pinned_opencv_has_a_wheel_for(tmp_path: Path) -> None
         ("python demo.py --images=<path to images>\n", ("bash",)),
         ("python demo.py --run yyy-yy\n", ("bash",)),
         ("python demo.py\n", ("python", "demo.py")),
-        ("python demo.py\npython plot.py\n", ("bash",)),  # plot.py is no less a program for having no guard
+        ("python demo.py\npython plot.py\n", ("python", "demo.py")),
+        ("python script.py\npython demo.py\n", ("python", "script.py")),  # no less a program for having no guard
+        ("python download.py\npython tools/make_dataset.py\npython demo.py\n", ("python", "demo.py")),
+        ("python -m tools.kitti_dataset create\n", ("bash",)),
+        ("python demo.py --hid [32,32]\n", ("python", "demo.py", "--hid", "[32,32]")),
+        ("CUDA_VISIBLE_DEVICES=0 python demo.py\n", ("python", "demo.py")),
+        ("poetry run python demo.py\n", ("python", "demo.py")),
+        ("uv run --extra viz demo.py --fast\n", ("python", "demo.py", "--fast")),
+        ("mpirun -np 4 python demo.py\n", ("python", "demo.py")),
+        ("torchrun --nproc_per_node=2 demo.py\n", ("python", "demo.py")),
+        ("bash run.sh\n", ("bash", "run.sh")),
+        ("./run.sh --all\npython demo.py\n", ("bash", "run.sh", "--all")),
+        ("sh get.sh\n", ("bash",)),
+        ("./demo.py -v\n", ("python", "demo.py", "-v")),
+        ("python demo.py [...]\n", ("bash",)),
         ("python tests/a_test.py\n", ("bash",)),
     ],
 )
 def test_what_the_readme_runs(tmp_path: Path, readme: str, command: tuple[str, ...]) -> None:
     files = {"demo.py": MAIN, "eval.py": MAIN, "tests/a_test.py": MAIN, "plot.py": "import numpy\n"}
+    files |= {
+        "script.py": "import numpy\n",
+        "run.sh": "",
+        "tools/make_dataset.py": MAIN,
+        "tools/kitti_dataset.py": MAIN,
+    }
     files["requirements.txt"] = "torch\n"
     assert decided(tmp_path, {**files, "README.md": f"```\n{readme}```\n"}).command == command
 
@@ -115,7 +135,9 @@ def test_what_the_readme_runs(tmp_path: Path, readme: str, command: tuple[str, .
 def test_a_page_deep_in_the_tree_does_not_say_what_the_whole_runs(tmp_path: Path) -> None:
     files = {"demo.py": MAIN, "data/convert.py": MAIN, "requirements.txt": "torch\n"}
     files["README.md"] = "```\npython demo.py --data my/data\n```\n"
-    assert decided(tmp_path, {**files, "data/README.md": "```\npython data/convert.py\n```\n"}).command == ("bash",)
+    assert decided(tmp_path, {**files, "data/README.md": "```\npython data/convert.py\n```\n"}).command == (
+        "python", "demo.py", "--data", "my/data",
+    )  # fmt: skip
 
 
 def test_a_compiled_project_is_not_its_helper_script(tmp_path: Path) -> None:
@@ -237,3 +259,30 @@ def test_one_build_of_a_package_for_the_cuda_of_the_image(tmp_path: Path) -> Non
     files["docker/Dockerfile"] = authored.format("10.2-devel-ubuntu18.04", "102")
     files["docker/cu116.Dockerfile"] = authored.format("11.6.2-devel-ubuntu20.04", "116")
     assert lines(decided(tmp_path, files).python.pip_guessed) == ("spconv-cu116",)
+
+
+def test_what_a_sentence_runs(tmp_path: Path) -> None:
+    files = {"train.py": MAIN, "test.py": MAIN, "requirements.txt": "torch\n"}
+    files["README.md"] = "## Usage\n- To train a new network : run `train.py`\n- To test it : run `test.py`\n"
+    assert decided(tmp_path, files).command == ("python", "train.py")
+
+
+def test_an_example_that_the_readme_runs_is_a_program(tmp_path: Path) -> None:
+    files = {"examples/pid.py": MAIN, "examples/learn.py": MAIN, "requirements.txt": "numpy\n"}
+    files["README.md"] = "## Use\n```sh\ncd examples/\npython3 pid.py # position\npython3 learn.py\n```\n"
+    assert decided(tmp_path, files).command == ("python3", "examples/pid.py")
+
+
+def test_a_section_about_somebody_elses_machines_comes_last(tmp_path: Path) -> None:
+    files = {"cloud/launch.py": MAIN, "scripts/plan.py": MAIN, "requirements.txt": "torch\n"}
+    files["README.md"] = (
+        "## Running on Azure\n### Launching\n`python cloud/launch.py`\n"
+        "## Planning\n```\npython scripts/plan.py --logs a/b\n```\n"
+    )
+    assert decided(tmp_path, files).command == ("python", "scripts/plan.py", "--logs", "a/b")
+
+
+def test_examples_may_be_called_tests(tmp_path: Path) -> None:
+    files = {"examples/test_robot.py": MAIN, "requirements.txt": "numpy\n"}
+    files["README.md"] = "## Tutorial\n[robot](examples/test_robot.py) - ```$ python -m examples.test_robot```\n"
+    assert decided(tmp_path, files).command == ("python", "-m", "examples.test_robot")

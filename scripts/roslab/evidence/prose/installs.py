@@ -17,6 +17,7 @@ MentionSource = Literal["dockerfile", "ci", "readme", "script"]
 TRIGGER = re.compile(
     r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|"
     r"\s+build|\s+init)|"
+    r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s|\btorchrun\s|\b(?:ba)?sh\s+\S+\.sh\b|"
     r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b|/archive/|(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"
 )
 """A line without any of these words is skipped."""
@@ -33,6 +34,17 @@ _ARCHIVE = re.compile(
 )
 _BUILT = re.compile(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
 """The path of a compiled program."""
+_STARTS = re.compile(
+    rf"(?:{_BUILT.pattern.removesuffix('$')}(?=\s|$))|(?:ba)?sh \S+\.sh$|\.{{0,2}}/?[\w./-]+\.sh(?:\s|$)"
+)
+"""A compiled program or a shell script, by its path."""
+_RUNNERS = frozenset({"uv", "poetry", "pipenv", "pdm", "pixi", "rye", "hatch"})
+"""Managers of environments: the image is the environment."""
+_WRAPPERS = frozenset({"xvfb-run", "mpirun", "mpiexec", "torchrun", "nohup", "time"})
+_RUNNER_VALUED = frozenset(
+    {"-n", "-np", "-c", "-s", "-e", "-p", "--with", "--extra", "--group", "--environment", "--python", "--package"}
+)
+"""Options whose next word is their value."""
 _BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_make", "colcon": "colcon"}
 
 
@@ -72,6 +84,9 @@ class Collector:
 
     def command(self, command: Command) -> None:
         """Read one simple command."""
+        if (run := _started(command)) is not command:
+            self.command(run)
+            return
         words = command.words
         program = words[0].rpartition("/")[2]
         if program == "uv" and words[1:2] == ("pip",):
@@ -263,12 +278,29 @@ class Collector:
                 )
             elif words[1].endswith(".py") or words[1] == "-m":
                 self._run(command)
-        elif self.source == "readme" and _BUILT.match(words[0]):
+        elif self.source == "readme" and _STARTS.match(" ".join(words[:2])):
             self._run(command)
 
     def _run(self, command: Command) -> None:
         if not any(UNKNOWN in word or "<" in word for word in command.words):
             self._mention("command", " ".join(command.words), command)
+
+
+def _started(command: Command) -> Command:
+    """Return what ``uv run``, ``mpirun`` or ``xvfb-run`` starts, as Python starts it; other commands as they are."""
+    words, lines = command.words, command.lines
+    if words[0].startswith("./") and words[0].endswith(".py"):
+        return Command(("python", words[0].removeprefix("./"), *words[1:]), (lines[0], *lines))
+    program = words[0].rpartition("/")[2]
+    start = 2 if program in _RUNNERS and words[1:2] == ("run",) else 1 if program in _WRAPPERS else 0
+    while 0 < start < len(words) and words[start].startswith("-"):
+        start += 2 if words[start] in _RUNNER_VALUED else 1
+    if not 0 < start < len(words):
+        return command
+    rest = words[start:]
+    if rest[0].endswith(".py"):
+        return Command(("python", *rest), (lines[start], *lines[start:]))
+    return Command(rest, lines[start:]) if _PYTHON.match(rest[0]) else command
 
 
 def merge(parts: Iterable[Prose]) -> Prose:

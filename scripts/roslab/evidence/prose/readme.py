@@ -34,13 +34,19 @@ _FENCE = re.compile(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
 _START = re.compile(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
-    r"rosrun|catkin|catkin_make|colcon|cmake|uv|mkdir|cd)\s.*|catkin_make|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
+    r"rosrun|catkin|catkin_make|colcon|cmake|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|(?:ba)?sh|mkdir|cd)\s.*|catkin_make|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
 )
 _NAMED = re.compile(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
 """A sentence that runs a program by its name."""
 MAX_LINKS = 100
 _LINK = re.compile(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?!\.?[\w/-])")
 """A page of a repository itself, not of a file in it."""
+_NAMED_PYTHON = re.compile(
+    r"\b(?:run|runn?ing|start|launch|execute|use)\b(?:\s+(?:the|a|script|file|program|our)){0,3}\s+"
+    r"`([\w./-]+\.py(?: [^`\n]{0,200})?)`",
+    re.IGNORECASE,
+)
+"""A sentence that runs a file of Python."""
 _SPAN = re.compile(r"(`+)(.+?)\1")
 _HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*$")
 _ELSEWHERE = re.compile(
@@ -70,14 +76,16 @@ def _rooted(prose: Prose, repository: Repository) -> Prose:
 
 
 def _with_files(mention: Mention, repository: Repository) -> Mention:
-    first, *words = mention.value.split()
+    words = mention.value.split()
     found: list[str] = []
     for index, word in enumerate(words):
+        if index == 0 and not word.endswith(".sh"):
+            continue
         path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", word)) if "/" in word or "." in word else ""
         if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):
             words[index] = path
             found.append(path)
-    return replace(mention, value=" ".join((first, *words)), files=tuple(found)) if found else mention
+    return replace(mention, value=" ".join(words), files=tuple(found)) if found else mention
 
 
 def _pages(repository: Repository) -> list[File]:
@@ -99,7 +107,7 @@ def _read(text: str, file: File) -> Prose:
     collector = Collector(file.path, "readme")
     if "~~" in text and "~~~" not in text:
         text = _STRUCK.sub(lambda match: "\n" * match[0].count("\n"), text)
-    if TRIGGER.search(text) or _NAMED.search(text):
+    if TRIGGER.search(text) or _NAMED.search(text) or _NAMED_PYTHON.search(text):
         for line, code, heading in _code(text):
             collector.heading = heading
             collector.text(code, line)
@@ -142,7 +150,7 @@ def _code(text: str) -> Iterator[tuple[int, str, str]]:
                 titles = {level: title for level, title in titles.items() if level < heading[0]} | {
                     heading[0]: heading[1]
                 }
-        if elsewhere or len(line) > MAX_LINE or not (TRIGGER.search(line) or (not fenced and _NAMED.search(line))):
+        if elsewhere or len(line) > MAX_LINE or not _tells(line, fenced=fenced):
             continue
         first = index
         while line.rstrip().endswith("\\") and index < len(lines) and len(line) < 4 * MAX_LINE:
@@ -150,6 +158,11 @@ def _code(text: str) -> Iterator[tuple[int, str, str]]:
             index += 1
         for shell in _shell(line, fenced=fenced):
             yield first, shell, " / ".join(titles.values())
+
+
+def _tells(line: str, *, fenced: bool) -> bool:
+    """Tell whether a line may hold a command."""
+    return bool(TRIGGER.search(line) or (not fenced and (_NAMED.search(line) or _NAMED_PYTHON.search(line))))
 
 
 def _heading(line: str, below: str) -> tuple[int, str] | None:
@@ -182,3 +195,4 @@ def _shell(line: str, *, fenced: bool) -> Iterator[str]:
     else:
         yield from (span[2] for span in _SPAN.finditer(line) if TRIGGER.search(span[2]) and " " in span[2])
         yield from (f"./{named[1]}" for named in _NAMED.finditer(line))
+        yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
