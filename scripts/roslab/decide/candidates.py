@@ -72,6 +72,7 @@ def _written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
         compiled=_in_packages(evidence) if ros else dict.fromkeys((p.name for p in programs_of(evidence)), ""),
         launched=_launch_files(evidence),
         packages=packages_of(evidence).names,
+        tasks={name: command for environment in evidence.conda for name, command, _ in environment.tasks},
     )
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
     said = [m for m in said if not places.vendored(m.file)]
@@ -104,6 +105,8 @@ class _Tree:
     launched: Mapping[str, frozenset[str]]
     """The launch files of each package, by their names."""
     packages: frozenset[str]
+    tasks: Mapping[str, str]
+    """pixi's, by their names."""
 
 
 def _in_packages(evidence: Evidence) -> dict[str, str]:
@@ -137,7 +140,7 @@ def _launch_files(evidence: Evidence) -> dict[str, frozenset[str]]:
 
 def _runnable(mention: Mention, tree: _Tree, *, ros: bool, compiled: bool) -> tuple[str, ...] | None:
     """Return the argv of a command as it can be run from the root; ``None`` if it starts nothing from the tree."""
-    argv = tuple(mention.value.split())
+    argv = _task(tuple(mention.value.split()), tree)
     if _PLACEHOLDER.search(_NUMBERS.sub("", mention.value)) or any(part.rpartition("/")[2] in TOOLS for part in argv):
         return None
     if len(argv) < _WORDS.get(argv[0], 1) or argv[-1].endswith(":="):
@@ -151,6 +154,17 @@ def _runnable(mention: Mention, tree: _Tree, *, ros: bool, compiled: bool) -> tu
     if here is None or (compiled and _tests(here)):
         return None
     return ("python3" if ros else argv[0], *here)
+
+
+def _task(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...]:
+    """Return what ``pixi run TASK`` starts; other commands as they are."""
+    if argv[:2] != ("pixi", "run") or len(argv) < 3:
+        return argv
+    command = tree.tasks.get(argv[2], "")
+    words = command.split() if not re.search(r"[&|;$]", command) else []
+    while words and re.fullmatch(r"\w+=\S*", words[0]):
+        words = words[1:]
+    return (*words, *argv[3:]) if words else argv
 
 
 def _shell(argv: tuple[str, ...], mention: Mention) -> tuple[str, ...] | None:

@@ -145,6 +145,10 @@ class CondaEnvironment:
     requirements: tuple[Requirement, ...]
     """The ``pip:`` part."""
     channels: tuple[str, ...] = ()
+    specs: tuple[str, ...] = ()
+    """Of a manifest of pixi's, which no other manager reads: conda's packages in conda's notation."""
+    tasks: tuple[tuple[str, str, int], ...] = ()
+    """Of pixi: name, command, line."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -9,6 +9,7 @@ from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.table import rows
 
 INSTALLERS = ("pip", "setuptools", "wheel")
+PIXI = "pixi.toml"
 JUPYTER = ("jupyterlab", "notebook", "bash_kernel")
 
 

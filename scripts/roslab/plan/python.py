@@ -30,6 +30,8 @@ class PythonPlan:
     pip_options: tuple[str, ...]
     python2: tuple[str, ...]
     python2_options: tuple[str, ...]
+    conda_specs: tuple[str, ...] = ()
+    conda_channels: tuple[str, ...] = ()
     conda_defaults: bool = False
     git_hosts: tuple[str, ...] = ()
     """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
@@ -54,6 +56,8 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         pip_options=python.pip_options,
         python2=_lines(python.python2),
         python2_options=python.python2_options,
+        conda_specs=python.conda_specs,
+        conda_channels=python.conda_channels,
         conda_defaults=python.conda_defaults,
         git_hosts=compiling.hosts,
         cuda_architectures=compiling.architectures,

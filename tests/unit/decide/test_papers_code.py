@@ -286,3 +286,48 @@ def test_examples_may_be_called_tests(tmp_path: Path) -> None:
     files = {"examples/test_robot.py": MAIN, "requirements.txt": "numpy\n"}
     files["README.md"] = "## Tutorial\n[robot](examples/test_robot.py) - ```$ python -m examples.test_robot```\n"
     assert decided(tmp_path, files).command == ("python", "-m", "examples.test_robot")
+
+
+PIXI = """\
+[workspace]
+channels = ["conda-forge"]
+platforms = ["linux-64"]
+[tasks]
+app = "FAST=1 python tools/app.py"
+lint = { cmd = "ruff check", depends-on = ["app"] }
+[dependencies]
+python = "3.11.*"
+numpy = "<2"
+open3d = { version = ">=0.19, <0.20", channel = "conda-forge" }
+[target.osx-arm64.dependencies]
+clang = "*"
+[pypi-dependencies]
+rerun-sdk = ">=0.22"
+torch = { version = "==2.4.1", index = "https://download.pytorch.org/whl/cu124" }
+helper = { path = ".", editable = true }
+"""
+
+
+def test_a_manifest_of_pixi_is_an_environment(tmp_path: Path) -> None:
+    found = decided(
+        tmp_path, {"pixi.toml": PIXI, "tools/app.py": MAIN, "README.md": "## Demo\n```\npixi run app\n```\n"}
+    )
+    python = found.python
+    assert (python.version, python.manager, python.conda_channels) == ("3.11", "conda", ("conda-forge",))
+    assert python.conda_specs == ("python=3.11.*", "numpy<2", "open3d>=0.19,<0.20")
+    assert [each.text for each in python.pip] == ["rerun-sdk>=0.22", "torch==2.4.1"]
+    assert "--extra-index-url https://download.pytorch.org/whl/cu124" in python.options
+    assert found.command == ("python", "tools/app.py")
+
+
+def test_pixi_beside_a_project_counts_where_the_readme_uses_it(tmp_path: Path) -> None:
+    text = "[project]\nname = 'a'\ndependencies = ['numpy']\n[build-system]\nrequires = ['setuptools']\n"
+    text += (
+        PIXI.replace("[workspace]", "[tool.pixi.workspace]")
+        .replace("\n[", "\n[tool.pixi.")
+        .replace("tool.pixi.tool.", "tool.")
+    )
+    files = {"pyproject.toml": text, "tools/app.py": MAIN}
+    assert not decided(tmp_path / "a", {**files, "README.md": "`pip install a`\n"}).python.conda_file
+    found = decided(tmp_path / "b", {**files, "README.md": "```\npixi run app\n```\n"}).python
+    assert (found.conda_file, found.projects) == ("pyproject.toml", (".",))

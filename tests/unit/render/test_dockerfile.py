@@ -355,3 +355,17 @@ def test_pip_compiles_with_what_the_base_lacks() -> None:
     assert "python3-dev" not in apt(manager="conda")
     assert "python3-dev" not in apt(base_image="python:3.7-slim-bookworm", ubuntu=None)
     assert "build-essential" not in apt(kind="cuda", base_image="nvidia/cuda:11.8.0-devel-ubuntu22.04")
+
+
+def test_conda_installs_what_a_manifest_of_pixi_names(plan: Callable[..., Plan]) -> None:
+    made = plan(
+        manager="conda",
+        conda_file="pixi.toml",
+        conda_specs=("python=3.11.*", "numpy<2"),
+        conda_channels=("conda-forge",),
+    )
+    text = dockerfile(made)
+    assert "--prefix /opt/conda --channel conda-forge" in text
+    assert "'numpy<2'" in text
+    assert "COPY pixi.toml" not in text
+    assert "--file" not in text

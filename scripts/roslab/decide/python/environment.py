@@ -61,7 +61,8 @@ def decide_python(
     repaired = _repaired(evidence, chosen)
     manifests = _of_manifests(evidence, chosen)
     declared = [*lists.requirements, *repaired.requirements]
-    if chosen.conda and manager != "conda":
+    pixi = next((each for each in evidence.conda if each.file == chosen.conda and each.specs), None)
+    if chosen.conda and (manager != "conda" or pixi):
         declared += [asked for asked in _of_environment(evidence, chosen) if not asked.role]
     kept = dict(_kept(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
@@ -71,7 +72,8 @@ def decide_python(
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
     compiled = kind == "cuda" and manager != "system" and not exact.answer and extends_torch(evidence, chosen)
     build = torch_build(everything if compiled else (), cuda, number)
-    indexes = _indexes([*declared, *chosen.guessed, *exact.answer])
+    indexes = [*_indexes([*declared, *chosen.guessed, *exact.answer])]
+    indexes = [*indexes, *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option")]
     whole = [file for file in chosen.files if file.file not in repaired.files]
     conda = chosen.conda if manager == "conda" else None
     answer = Python(
@@ -85,7 +87,9 @@ def decide_python(
         projects=tuple(project.folder or "." for project in chosen.projects),
         alone=repaired.alone,
         conda_file=conda,
-        conda_defaults=_default_channels(evidence, conda),
+        conda_specs=pixi.specs if pixi else (),
+        conda_channels=pixi.channels if pixi else (),
+        conda_defaults=not pixi and _default_channels(evidence, conda),
         first=first(everything, chosen.projects),
         bounds=(*bounds.answer, *exact.answer, *build.answer[0]),
         options=tuple(

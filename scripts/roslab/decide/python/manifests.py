@@ -12,6 +12,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence, PythonProject, RequirementFile
+from roslab.knowledge.tools import PIXI
 from roslab.values.requirement import Requirement
 
 _VARIANT = re.compile(
@@ -43,9 +44,16 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
     if not own:
         return None
     best = min(
-        own, key=lambda e: (e.file.count("/"), bool(_VARIANT.search(e.file.rpartition(".")[0])), len(e.file), e.file)
+        own,
+        key=lambda e: (
+            bool(e.specs),
+            e.file.count("/"),
+            bool(_VARIANT.search(e.file.rpartition(".")[0])),
+            len(e.file),
+            e.file,
+        ),
     )
-    if said := _environment_of_readme(evidence, [each.file for each in own]):
+    if said := _environment_of_readme(evidence, own):
         return said
     folder = best.file.rpartition("/")[0]
     beside = any(
@@ -60,7 +68,7 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
     return None if beside or declared else best.file
 
 
-def _environment_of_readme(evidence: Evidence, known: Sequence[str]) -> str | None:
+def _environment_of_readme(evidence: Evidence, known: Sequence[CondaEnvironment]) -> str | None:
     """Return the environment that the README creates, unless the same page first installs in another way."""
     first: dict[str, Requirement] = {}
     for asked in evidence.prose_pip:
@@ -70,7 +78,11 @@ def _environment_of_readme(evidence: Evidence, known: Sequence[str]) -> str | No
                 first[asked.file] = asked
     chosen = (first[page] for page in sorted(first, key=lambda page: (page.count("/"), page)))
     said = next(chosen, None)
-    return _resolve(said, known) if said and said.role == "environment" else None
+    if said is None or said.role != "environment":
+        return None
+    if said.written == PIXI:  # or pyproject.toml
+        return next((each.file for each in known if each.specs), None)
+    return _resolve(said, [each.file for each in known])
 
 
 def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str | None) -> tuple[RequirementFile, ...]:

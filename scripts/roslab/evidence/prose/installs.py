@@ -11,13 +11,14 @@ from typing import Literal
 from roslab.evidence.facts import Dependency, GitSource, Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks
+from roslab.knowledge.tools import PIXI
 from roslab.values.requirement import Requirement
 
 MentionSource = Literal["dockerfile", "ci", "readme", "script"]
 TRIGGER = re.compile(
     r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|"
     r"\s+build|\s+init)|"
-    r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s|\btorchrun\s|\b(?:ba)?sh\s+\S+\.sh\b|"
+    r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s|\bpixi\s+(?:install|shell)\b|\btorchrun\s|\b(?:ba)?sh\s+\S+\.sh\b|"
     r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b|/archive/|(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"
 )
 """A line without any of these words is skipped."""
@@ -35,7 +36,7 @@ _ARCHIVE = re.compile(
 _BUILT = re.compile(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
 """The path of a compiled program."""
 _STARTS = re.compile(
-    rf"(?:{_BUILT.pattern.removesuffix('$')}(?=\s|$))|(?:ba)?sh \S+\.sh$|\.{{0,2}}/?[\w./-]+\.sh(?:\s|$)"
+    rf"(?:{_BUILT.pattern.removesuffix('$')}(?=\s|$))|(?:ba)?sh \S+\.sh$|pixi run$|\.{{0,2}}/?[\w./-]+\.sh(?:\s|$)"
 )
 """A compiled program or a shell script, by its path."""
 _RUNNERS = frozenset({"uv", "poetry", "pipenv", "pdm", "pixi", "rye", "hatch"})
@@ -84,6 +85,11 @@ class Collector:
 
     def command(self, command: Command) -> None:
         """Read one simple command."""
+        if command.words[0] == "pixi" and command.words[1:2] in {("run",), ("install",), ("shell",)}:
+            asked = Requirement(
+                name="", written=PIXI, origin="prose", role="environment", file=self.file, line=command.line
+            )
+            self.requirements.append(asked)
         if (run := _started(command)) is not command:
             self.command(run)
             return

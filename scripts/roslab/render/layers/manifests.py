@@ -26,7 +26,11 @@ def of_pip(plan: Plan) -> tuple[str, ...]:
 
 def of_conda(plan: Plan) -> tuple[str, ...]:
     """Return the conda environment's file, and the requirement files that its pip part may include."""
-    return tuple(sorted({plan.python.conda_file, *of_pip(plan)})) if plan.python.conda_file else ()
+    return (
+        tuple(sorted({plan.python.conda_file, *of_pip(plan)}))
+        if plan.python.conda_file and not plan.python.conda_specs
+        else ()
+    )
 
 
 def stage(plan: Plan) -> str:

@@ -105,11 +105,14 @@ def _tools(plan: Plan) -> tuple[str, ...]:
 def _conda(plan: Plan) -> str:
     python = plan.python
     copy, source = "", f"--channel conda-forge {quote.shell(f'python={python.version}')} pip"
-    if python.conda_file:
+    if python.conda_specs:
+        channels = "".join(f" --channel {quote.shell(channel)}" for channel in python.conda_channels)
+        source = f"{channels.lstrip()}{shell.words((*python.conda_specs, 'pip'))}"
+    elif python.conda_file:
         copy = manifests.copy(plan, manifests.of_conda(plan))
         source = f"--file {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}"
-    channels = "CONDA_CHANNELS=defaults " if python.conda_defaults else ""
-    create = f"{channels}micromamba create --yes --quiet --prefix /opt/conda {source}"
+    more = "CONDA_CHANNELS=defaults " if python.conda_defaults else ""
+    create = f"{more}micromamba create --yes --quiet --prefix /opt/conda {source}"
     return (
         "# A conda environment: the author's own, or for a Python that the base does not have\n"
         f"COPY --from={tool_image('micromamba')} /bin/micromamba /usr/local/bin/micromamba\n{copy}"
