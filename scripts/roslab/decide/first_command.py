@@ -27,10 +27,12 @@ _SERVES = re.compile(
 )
 """The name of a program that serves the one that is meant."""
 _AFTER = re.compile(
-    r"(?:^|[_.-])(?:calibrat\w*|evaluat\w*|eval|plot\w*|tests?|bench\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
+    r"(?:^|[_.-])(?:calibrat\w*|evaluat\w*|eval|plot\w*|bench\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
     re.IGNORECASE,
 )
 """The name of a program that looks at what another one did; a README of Python may name its examples so."""
+_TEST = re.compile(r"(?:^|[_.-])tests?(?:[_.-]|$)", re.IGNORECASE)
+"""The name of a test; a README of Python calls prediction so, and its tests are in folders of their own."""
 _CLOUD = re.compile(r"\b(?:azure|aws|gcp|cloud|clusters?|slurm|kubernetes|singularity|docker|colab)\b", re.IGNORECASE)
 """Sections about somebody else's machines."""
 _DATA = re.compile(
@@ -63,7 +65,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     only serve others are never returned.
     """
     written = [c for c in candidates if c.strong and not _named(c, _SERVES) and not any(map(_HELP.match, c.argv))]
-    rest = [c for c in written if not _named(c, _AFTER)] or [c for c in written if c.argv[0].startswith("python")]
+    rest = [c for c in written if not _after(c)] or [c for c in written if c.argv[0].startswith("python")]
     return min(rest, key=_order, default=None)
 
 
@@ -91,7 +93,12 @@ def _section(heading: str) -> int:
 
 def serves(candidate: Candidate) -> bool:
     """Tell whether a program only serves the one that is meant: it converts, downloads, records, plots."""
-    return _named(candidate, _SERVES) or _named(candidate, _AFTER)
+    return _named(candidate, _SERVES) or _after(candidate)
+
+
+def _after(candidate: Candidate) -> bool:
+    python = candidate.argv[0].startswith("python")
+    return _named(candidate, _AFTER) or (not python and _named(candidate, _TEST))
 
 
 def _named(candidate: Candidate, names: re.Pattern[str]) -> bool:

@@ -115,6 +115,7 @@ def test_a_python_that_the_pinned_opencv_has_a_wheel_for(tmp_path: Path) -> None
         ("bash run.sh\n", ("bash", "run.sh")),
         ("./run.sh --all\npython demo.py\n", ("bash", "run.sh", "--all")),
         ("sh get.sh\n", ("bash",)),
+        ("python test_simple.py --image a.jpg\npython demo.py\n", ("python", "test_simple.py", "--image", "a.jpg")),
         ("./demo.py -v\n", ("python", "demo.py", "-v")),
         ("python demo.py [...]\n", ("bash",)),
         ("python tests/a_test.py\n", ("bash",)),
@@ -125,6 +126,7 @@ def test_what_the_readme_runs(tmp_path: Path, readme: str, command: tuple[str, .
     files |= {
         "script.py": "import numpy\n",
         "run.sh": "",
+        "test_simple.py": MAIN,
         "tools/make_dataset.py": MAIN,
         "tools/kitti_dataset.py": MAIN,
     }

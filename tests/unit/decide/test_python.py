@@ -345,3 +345,23 @@ def test_conda_adds_its_default_channels(tmp_path: Path) -> None:
 def test_a_backend_that_brings_what_it_compiles_with_is_isolated(tmp_path: Path) -> None:
     text = "[build-system]\nrequires = ['scikit-build-core', 'pybind11']\nbuild-backend = 'scikit_build_core.build'\n"
     assert decide(tmp_path, {"pyproject.toml": text + "[project]\nname = 'a'\ndependencies = ['numpy']\n"}).first == ()
+
+
+def test_an_environment_of_another_system_is_not_taken(tmp_path: Path) -> None:
+    text = "dependencies: [python=3.8, numpy]\n"
+    files = {f"environment/{name}-env.yml": text for name in ("mac", "linux-gpu")}
+    assert decide(tmp_path, files).conda_file == "environment/linux-gpu-env.yml"
+
+
+@pytest.mark.parametrize(
+    ("lines", "bounds"),
+    [
+        ("torch==1.11.0\nnumpy\n", ("numpy<2",)),
+        ("torch==2.4.0\nnumpy\n", ()),
+        ("torch==1.11.0\nnumpy<1.25\n", ()),
+        ("tensorflow==2.10.0\nscipy\n", ("numpy<2",)),
+        ("torch\nnumpy\n", ()),
+    ],
+)
+def test_a_framework_older_than_numpy_2_keeps_it_out(tmp_path: Path, lines: str, bounds: tuple[str, ...]) -> None:
+    assert decide(tmp_path, {"requirements.txt": lines}).bounds == bounds

@@ -20,7 +20,7 @@ from roslab.decide.python.pins import Pin
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, repair, right
-from roslab.decide.python.torch_build import ONE_PAGE_BEFORE, torch_build
+from roslab.decide.python.torch_build import ONE_PAGE_BEFORE, numpy_of, torch_build
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import packages_of, ros_versions, types
@@ -72,6 +72,9 @@ def decide_python(
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
     compiled = kind == "cuda" and manager != "system" and not exact.answer and extends_torch(evidence, chosen)
     build = torch_build(everything if compiled else (), cuda, number)
+    numpy = numpy_of(everything if manager != "system" else ())
+    if any(bound.key == "numpy" for bound in bounds.answer):
+        numpy = Choice(answer=())
     indexes = [*_indexes([*declared, *chosen.guessed, *exact.answer])]
     indexes = [*indexes, *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option")]
     whole = [file for file in chosen.files if file.file not in repaired.files]
@@ -91,7 +94,7 @@ def decide_python(
         conda_channels=pixi.channels if pixi else (),
         conda_defaults=not pixi and _default_channels(evidence, conda),
         first=first(everything, chosen.projects),
-        bounds=(*bounds.answer, *exact.answer, *build.answer[0]),
+        bounds=(*bounds.answer, *exact.answer, *build.answer[0], *numpy.answer),
         options=tuple(
             dict.fromkeys((*indexes, *build.answer[1], *_file_options(evidence, chosen, repaired), *chosen.options))
         ),
@@ -101,7 +104,15 @@ def decide_python(
     )
     return Choice(
         answer=answer,
-        reasons=(*own.reasons, *_reasons(chosen), *kept.values(), *bounds.reasons, *exact.reasons, *build.reasons),
+        reasons=(
+            *own.reasons,
+            *_reasons(chosen),
+            *kept.values(),
+            *bounds.reasons,
+            *exact.reasons,
+            *build.reasons,
+            *numpy.reasons,
+        ),
         warnings=(*outvoted(own, ubuntu, ros_distro), *repaired.warnings, *lists.warnings),
     )
 

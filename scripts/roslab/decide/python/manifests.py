@@ -24,6 +24,8 @@ _VARIANT = re.compile(
 )
 _PAGE = re.compile(r"^(?:docs?/|\.github/)?(?:readme|install(?:ation)?)\b[^/]*$", re.IGNORECASE)
 """The pages whose lines tell how the project is installed."""
+_ELSEWHERE = re.compile(r"(?:^|[-_./])(?:mac|macos|osx|darwin|windows|win(?:32|64)?|m1|arm)(?:[-_.]|$)", re.IGNORECASE)
+"""An environment of another system."""
 MAX_PROJECTS = 6
 
 
@@ -47,6 +49,7 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
         own,
         key=lambda e: (
             bool(e.specs),
+            bool(_ELSEWHERE.search(e.file)),
             e.file.count("/"),
             bool(_VARIANT.search(e.file.rpartition(".")[0])),
             len(e.file),

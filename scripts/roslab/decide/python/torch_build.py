@@ -16,6 +16,8 @@ ONE_PAGE_BEFORE = Version("1.11")
 """Before this release torch's wheels for a CUDA were listed on a page, not in an index of their own.
 
 https://pytorch.org/get-started/previous-versions/, read 2026-08-22."""
+_WITH_NUMPY_2 = {"torch": "2.3", "tensorflow": "2.16", "tensorflow-gpu": "2.16", "jaxlib": "0.4.26"}
+"""The first release of each whose wheels take NumPy 2."""
 Build = tuple[tuple[Requirement, ...], tuple[str, ...]]
 """Constraints, and pip's options."""
 
@@ -40,6 +42,25 @@ def torch_build(asked: Iterable[Requirement], cuda: str | None, python: str | No
         return Choice(answer=((), options))
     limit = stated(f"torch=={row.first}.*")
     return Choice(answer=((limit,), options), reasons=(_why(limit, cuda, torch),))
+
+
+def numpy_of(asked: Iterable[Requirement]) -> Choice[tuple[Requirement, ...]]:
+    """Return a limit for NumPy beside a framework that was compiled before NumPy 2 existed.
+
+    https://github.com/numpy/numpy/issues/24300 and https://github.com/pytorch/pytorch/issues/107302, read 2026-11-21.
+    """
+    names = {each.key: each for each in asked}
+    numpy = names.get("numpy")
+    for name, first in _WITH_NUMPY_2.items():
+        pinned = names.get(name)
+        release = Version(pinned.release) if pinned and pinned.release else None
+        if pinned and release and release < Version(first) and not (numpy and numpy.limited):
+            limit = stated("numpy<2")
+            why = f"{name} {release} was compiled before NumPy 2"
+            place = pinned if pinned.file else None
+            reason = because("dependencies", limit.written, why, place, weight=Weight.BOUND)
+            return Choice(answer=(limit,), reasons=(reason,))
+    return Choice(answer=())
 
 
 def _option(row: Framework, cuda: str) -> str:
