@@ -10,6 +10,7 @@ from typing import Literal
 
 from roslab.evidence.facts import Dependency, GitSource, Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
+from roslab.evidence.prose.runners import started
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks
 from roslab.knowledge.tools import PIXI
 from roslab.values.requirement import Requirement
@@ -39,13 +40,6 @@ _STARTS = re.compile(
     rf"(?:{_BUILT.pattern.removesuffix('$')}(?=\s|$))|(?:ba)?sh \S+\.sh$|pixi run$|\.{{0,2}}/?[\w./-]+\.sh(?:\s|$)"
 )
 """A compiled program or a shell script, by its path."""
-_RUNNERS = frozenset({"uv", "poetry", "pipenv", "pdm", "pixi", "rye", "hatch"})
-"""Managers of environments: the image is the environment."""
-_WRAPPERS = frozenset({"xvfb-run", "mpirun", "mpiexec", "torchrun", "nohup", "time"})
-_RUNNER_VALUED = frozenset(
-    {"-n", "-np", "-c", "-s", "-e", "-p", "--with", "--extra", "--group", "--environment", "--python", "--package"}
-)
-"""Options whose next word is their value."""
 _BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_make", "colcon": "colcon"}
 
 
@@ -90,7 +84,7 @@ class Collector:
                 name="", written=PIXI, origin="prose", role="environment", file=self.file, line=command.line
             )
             self.requirements.append(asked)
-        if (run := _started(command)) is not command:
+        if (run := started(command)) is not command:
             self.command(run)
             return
         words = command.words
@@ -290,23 +284,6 @@ class Collector:
     def _run(self, command: Command) -> None:
         if not any(UNKNOWN in word or "<" in word for word in command.words):
             self._mention("command", " ".join(command.words), command)
-
-
-def _started(command: Command) -> Command:
-    """Return what ``uv run``, ``mpirun`` or ``xvfb-run`` starts, as Python starts it; other commands as they are."""
-    words, lines = command.words, command.lines
-    if words[0].startswith("./") and words[0].endswith(".py"):
-        return Command(("python", words[0].removeprefix("./"), *words[1:]), (lines[0], *lines))
-    program = words[0].rpartition("/")[2]
-    start = 2 if program in _RUNNERS and words[1:2] == ("run",) else 1 if program in _WRAPPERS else 0
-    while 0 < start < len(words) and words[start].startswith("-"):
-        start += 2 if words[start] in _RUNNER_VALUED else 1
-    if not 0 < start < len(words):
-        return command
-    rest = words[start:]
-    if rest[0].endswith(".py"):
-        return Command(("python", *rest), (lines[start], *lines[start:]))
-    return Command(rest, lines[start:]) if _PYTHON.match(rest[0]) else command
 
 
 def merge(parts: Iterable[Prose]) -> Prose:

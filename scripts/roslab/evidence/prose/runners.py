@@ -1,0 +1,33 @@
+"""Programs that only start another: managers of environments, MPI, a display without a screen."""
+
+from __future__ import annotations
+
+import re
+
+from roslab.evidence.lex.shell import Command
+
+_PYTHON = re.compile(r"^i?python\d?(?:\.\d+)?$")
+_RUNNERS = frozenset({"uv", "poetry", "pipenv", "pdm", "pixi", "rye", "hatch"})
+"""Managers of environments: the image is the environment."""
+_WRAPPERS = frozenset({"xvfb-run", "mpirun", "mpiexec", "torchrun", "nohup", "time"})
+_RUNNER_VALUED = frozenset(
+    {"-n", "-np", "-c", "-s", "-e", "-p", "--with", "--extra", "--group", "--environment", "--python", "--package"}
+)
+"""Options whose next word is their value."""
+
+
+def started(command: Command) -> Command:
+    """Return what ``uv run``, ``mpirun`` or ``xvfb-run`` starts, as Python starts it; other commands as they are."""
+    words, lines = command.words, command.lines
+    if words[0].startswith("./") and words[0].endswith(".py"):
+        return Command(("python", words[0].removeprefix("./"), *words[1:]), (lines[0], *lines))
+    program = words[0].rpartition("/")[2]
+    start = 2 if program in _RUNNERS and words[1:2] == ("run",) else 1 if program in _WRAPPERS else 0
+    while 0 < start < len(words) and words[start].startswith("-"):
+        start += 2 if words[start] in _RUNNER_VALUED else 1
+    if not 0 < start < len(words):
+        return command
+    rest = words[start:]
+    if rest[0].endswith(".py"):
+        return Command(("python", *rest), (lines[start], *lines[start:]))
+    return Command(rest, lines[start:]) if _PYTHON.match(rest[0]) else command
