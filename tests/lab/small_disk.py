@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import os
+import secrets
 import shutil
 import subprocess
 import tempfile
@@ -16,9 +17,6 @@ from pathlib import Path
 from . import buildkit, engine, facts
 from .command import LabError, run
 from .laboratory import Laboratory
-
-BRIDGE = "lab-small-disk"
-"""Name of the second engine's bridge: at most 15 characters."""
 
 
 @contextmanager
@@ -47,12 +45,14 @@ def small_disk(lab: Laboratory, megabytes: int) -> Iterator[Laboratory]:
 def _engine(store: Path, place: Path) -> Iterator[str]:
     """Run one more engine on a bridge of its own, and yield its address.
 
-    Without a bridge it would take the other engine's away: ``bridge: none`` removes docker0.
+    Without a bridge it would take the other engine's away: ``bridge: none`` removes docker0. Its name and its addresses
+    are nobody else's: another run may be at work, or one that was killed may have left its own.
     """
     place.mkdir()
-    run(["ip", "link", "add", "name", BRIDGE, "type", "bridge"])
-    run(["ip", "address", "add", "172.31.250.1/24", "dev", BRIDGE])
-    run(["ip", "link", "set", BRIDGE, "up"])
+    bridge = f"lab-{secrets.token_hex(4)}"  # at most 15 characters
+    run(["ip", "link", "add", "name", bridge, "type", "bridge"])
+    run(["ip", "address", "add", f"172.31.{secrets.randbelow(256)}.1/24", "dev", bridge])
+    run(["ip", "link", "set", bridge, "up"])
     host = f"unix://{place}/docker.sock"
     settings = {
         "data-root": str(store),
@@ -61,7 +61,7 @@ def _engine(store: Path, place: Path) -> Iterator[str]:
         "hosts": [host],
         "features": {"containerd-snapshotter": True},
         "registry-mirrors": [f"http://127.0.0.1:{facts.number('registry', 'mirror_port')}"],
-        "bridge": BRIDGE,
+        "bridge": bridge,
         "iptables": False,
         "ip6tables": False,
     }
@@ -84,4 +84,4 @@ def _engine(store: Path, place: Path) -> Iterator[str]:
         process.terminate()
         process.wait(60)
         engine.unmount_below(place)
-        subprocess.run(["ip", "link", "delete", BRIDGE], check=False, capture_output=True)
+        subprocess.run(["ip", "link", "delete", bridge], check=False, capture_output=True)

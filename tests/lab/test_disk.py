@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
 
-from lab import doors, facts
+from lab import doors, facts, network
 from lab.act import Result, run_workflow
 from lab.laboratory import Laboratory
 from lab.small_disk import small_disk
@@ -60,6 +61,8 @@ def test_a_base_that_cannot_fit_is_told_before_the_build(lab: Laboratory, tmp_pa
 @pytest.mark.parametrize("builder", ["the engine's own", "another"])
 def test_a_pull_requests_image_is_exported_once(lab: Laboratory, tmp_path: Path, builder: str) -> None:
     """Where nothing names another, the engine's own BuildKit builds it, and the engine has it without a copy."""
+    if builder == "the engine's own" and os.environ.get("REPRO_LAB_ACTIONS") and not network.real_registry():
+        pytest.skip("the real setup-buildx-action fetches the pinned buildx from GitHub, which is out of reach")
     repository = lab.fresh_repository(f"{doors.OWNER}/robot").partition("/")[2]
     files = {"Dockerfile": "FROM ubuntu:24.04\nRUN uname -m >/machine\n"}
     caller = doors.through_action(tmp_path, {"registry": lab.registry, "platforms": "linux/amd64"}, files)
