@@ -26,6 +26,8 @@ class Limit:
     at_least: str | None
     below: str | None
     what: str
+    hints: tuple[str, ...]
+    """Of a name: what stands in every text that holds it, which is looked for first."""
 
 
 @cache
@@ -39,6 +41,7 @@ def limits() -> tuple[Limit, ...]:
             at_least=row["at_least"] or None,
             below=row["below"] or None,
             what=row["what"],
+            hints=tuple(row["hints"].split()),
         )
         for row in rows("code_limits")
     )

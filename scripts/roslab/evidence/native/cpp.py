@@ -30,11 +30,14 @@ def read(repository: Repository, signs: Signs | None = None) -> tuple[Dependency
     found: dict[str, Dependency] = {}
     for file in _sources(repository):
         text = repository.read_bytes(file, limit=MAX_READ).decode("utf-8", errors="replace")
-        if signs and not file.name.endswith((".cu", ".cuh")):  # compiled where there is CUDA only
-            signs.source(file.path, text)
+        shown = signs if not file.name.endswith((".cu", ".cuh")) else None  # compiled where there is CUDA only
+        if shown:
+            shown.source(file.path, text)
         position, line = 0, 1
         for match in _INCLUDE.finditer(text):
             name = match[1]
+            if shown:
+                shown.header(name, file.path, text, match.start(1))
             key = name if "/" not in name else "/".join(name.split("/")[:2])
             if key in found or _standard(name) or _local(repository, name):
                 continue
