@@ -214,7 +214,7 @@ def test_every_step_that_speaks_with_docker_has_the_private_folder(path: Path) -
     for steps in jobs:
         speaking = [step for step in steps if DOCKER.search(str(step.get("uses")) + str(step.get("run")))]
         assert [step["name"] for step in speaking if step.get("env", {}).get("DOCKER_CONFIG") != expected] == []
-        assert not speaking or steps[-1]["name"] == "Forget the password"
+        assert not speaking or steps[-1]["name"] == "Forget the passwords"
         assert not speaking or steps[-1]["if"].startswith("always()")
 
 

@@ -5,7 +5,29 @@ from __future__ import annotations
 import stat
 from pathlib import Path
 
-from roslab.engine.client import private_client
+import pytest
+
+from roslab.engine.client import login, private_client
+from roslab.errors import BuildError
+
+DOCKER = """#!/bin/sh
+# A stand-in for docker's client: it records what it was given, and refuses one password
+cat > "$DOCKER_CONFIG/given"
+echo "$*" > "$DOCKER_CONFIG/words"
+if grep -q wrong "$DOCKER_CONFIG/given"; then echo "Error: unauthorized: incorrect username or password" >&2; exit 1; fi
+"""
+
+
+def test_a_login_goes_through_standard_input(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "docker").write_text(DOCKER)
+    (tmp_path / "docker").chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    login(tmp_path, "docker.io", "robot", "hidden")
+    assert (tmp_path / "given").read_text() == "hidden"
+    assert (tmp_path / "words").read_text().split() == ["login", "docker.io", "--username", "robot", "--password-stdin"]
+    with pytest.raises(BuildError, match=r"docker.io refuses the login for base images: .*incorrect username") as told:
+        login(tmp_path, "docker.io", "robot", "wrong")
+    assert "wrong" not in str(told.value)
 
 
 def test_a_login_of_before_goes_on_and_the_builder_in_use_does_not(tmp_path: Path) -> None:

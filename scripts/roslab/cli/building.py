@@ -11,6 +11,7 @@ from pathlib import Path
 from roslab.cli.planning import planned_of, warnings_of
 from roslab.cli.repairing import Repairing
 from roslab.engine import docker as engine
+from roslab.engine.secrets import of_environment
 from roslab.errors import ConfigurationError, Problem
 from roslab.pipeline import Planned, write_dockerfile
 from roslab.values.origin import Option
@@ -55,6 +56,7 @@ def _once(
 
     Raises ``FailedBuild`` if the build or a proof fails.
     """
+    secrets = of_environment(planned.plan.secrets, os.environ)
     screenshots = _screenshots(options, planned)
     platforms = planned.plan.platforms if options.platforms else (engine.native_platform(),)
     authored = planned.plan.author_dockerfile
@@ -74,6 +76,7 @@ def _once(
                     labels=engine.commit_labels(planned.repository.root),
                     arguments=(*(authored.args if authored else ()), *arguments),
                     target=authored.target if authored else None,
+                    secrets=secrets,
                     extra=("--no-cache",) if options.no_cache and not again else (),
                 )
                 engine.build(job)

@@ -38,7 +38,9 @@ def _git_url(text: str) -> str | None:
             f"write `repo: {shown(url, 200)}.git` and `ref: {shown(ref)}`{where}"
         )
     if re.match(r"\s*(?:git@|ssh://)", text):
-        return "it needs a private key, which a build does not have: write the https URL"
+        return (
+            "no address of ssh that git takes: write `git@HOST:OWNER/NAME.git` and `secrets: [ssh]`, or the https URL"
+        )
     if re.search(r"//[^/\s]*@", text):
         return "take the user and password out: everyone can read roslab.yaml"
     if re.search(r"(?:^|\s)-", text):

@@ -170,6 +170,8 @@ class Config:
     """Build arguments of the author's own Dockerfile."""
     target: str | None = None
     """Stage of the author's own Dockerfile."""
+    secrets: tuple[str, ...] = ()
+    """Names of what single steps of the build may read; ``values.secret`` says what the known ones are for."""
     submodules: Literal["optional", "required"] | None = None
     tags: TagParts = field(default_factory=TagParts)
     pr: PullImage | None = None

@@ -118,6 +118,7 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
         context=reading.value(root, "context", "context"),
         args=running.environment(reading, root, "args"),
         target=reading.value(root, "target", "target"),
+        secrets=running.secrets(reading, root),
         submodules=cast(Literal["optional", "required"] | None, reading.value(root, "submodules", "submodules")),
         tags=running.tag_parts(reading, root),
         pr=cast(PullImage | None, reading.value(root, "pr", "pr")),

@@ -1,4 +1,4 @@
-"""Custom commands, volumes, MATLAB, environment and command: what runs in the image, and with which settings."""
+"""Custom commands, volumes, MATLAB, environment, secrets and command: what runs in the image, with which settings."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Literal, cast
 from roslab.config.model import Custom, Generation, Matlab, ProofLimits, TagParts, Volume
 from roslab.config.node import Mapping, Node, Scalar, Sequence
 from roslab.config.reading import Reading
+from roslab.values.secret import variable
 
 _FOLDERS = {"source": "source", "home": "home", "/": "root"}
 
@@ -85,6 +86,17 @@ def environment(reading: Reading, root: Mapping, key: str = "env") -> tuple[tupl
     for name, _ in mapping.pairs:
         reading.note(f"{key}.{name.text}", name)
     return tuple((name.text, value.text) for name, value in mapping.pairs if isinstance(value, Scalar))
+
+
+def secrets(reading: Reading, root: Mapping) -> tuple[str, ...]:
+    """Read ``secrets``; two that would have one variable of the environment are an error."""
+    found: dict[str, str] = {}
+    for index, text in enumerate(reading.texts(root, "secrets", "secrets") or ()):
+        reading.note(f"secrets.{index}", text.node)
+        if (other := found.setdefault(variable(text.value), text.value)) != text.value:
+            message = f"secrets: {other} and {text.value} have the same variable, {variable(text.value)}"
+            reading.complain(message, "rename one of them", text.node)
+    return tuple(found.values())
 
 
 def tag_parts(reading: Reading, root: Mapping) -> TagParts:

@@ -6,16 +6,20 @@ import re
 from typing import Literal, cast
 
 from roslab.config import packages
+from roslab.config.document import shown
 from roslab.config.model import Source
-from roslab.config.node import Mapping, Sequence
+from roslab.config.node import Mapping, Scalar, Sequence
 from roslab.config.reading import Reading, Text
 from roslab.values.origin import Place
+from roslab.values.secret import SSH
 
 Build = Literal["cmake", "catkin_make", "catkin_tools", "colcon", "pip", "none"]
 OLD_TOOLS = {"catkin_build": "catkin_tools"}
 """Names of build tools in the old formats."""
 _FLAG = re.compile(r"(?:^|\s)(?:-b|--branch)[ =]+(\S+)|(?:^|\s)--(?:single-branch|depth[ =]\d+)")
 _SSH = re.compile(r"(?:ssh://)?git@([^/:]+)[/:](.+)")
+_PUBLIC = ("github.com", "gitlab.com", "bitbucket.org")
+"""Hosts whose public repositories have the same path by https."""
 
 
 def sources(reading: Reading, root: Mapping, key: str) -> tuple[Source, ...]:
@@ -23,9 +27,10 @@ def sources(reading: Reading, root: Mapping, key: str) -> tuple[Source, ...]:
     node = root.get(key)
     reading.note("source", root.key(key))
     found: dict[str, Source] = {}
+    by_ssh = _names_ssh(root)
     for item in node.items if isinstance(node, Sequence) else ():
         if isinstance(item, Mapping):
-            source = _source(reading, item, f"source.{len(found)}")
+            source = _source(reading, item, f"source.{len(found)}", by_ssh=by_ssh)
             if source is None:
                 continue
             if source.name in found:
@@ -36,14 +41,21 @@ def sources(reading: Reading, root: Mapping, key: str) -> tuple[Source, ...]:
     return tuple(found.values())
 
 
-def _source(reading: Reading, item: Mapping, path: str) -> Source | None:
+def _names_ssh(root: Mapping) -> bool:
+    """Return whether ``secrets`` names the key for ssh."""
+    node = root.get("secrets")
+    items = node.items if isinstance(node, Sequence) else (node,)
+    return any(isinstance(item, Scalar) and item.text.strip() == SSH for item in items)
+
+
+def _source(reading: Reading, item: Mapping, path: str, *, by_ssh: bool) -> Source | None:
     name = reading.value(item, "name", f"{path}.name")
     repo = reading.text(item, "repo", f"{path}.repo")
     archive = reading.text(item, "zip", f"{path}.zip")
     if name is None or (repo is None and archive is None):
         return None  # its problems were reported
     reading.note(path, item)
-    url, branch = clone(reading, repo) if repo else (None, None)
+    url, branch = clone(reading, repo, by_ssh=by_ssh) if repo else (None, None)
     ref = reading.value(item, "ref", f"{path}.ref") or reading.value(item, "checkout", f"{path}.ref")
     if ref and branch and ref != branch and repo:
         reading.warn(f"`{branch}` is asked for in `repo` too: `{ref}` is what is built", repo.node)
@@ -66,8 +78,8 @@ def _source(reading: Reading, item: Mapping, path: str) -> Source | None:
     )
 
 
-def clone(reading: Reading, repo: Text) -> tuple[str, str | None]:
-    """Return the URL and the branch from the arguments of ``git clone``."""
+def clone(reading: Reading, repo: Text, *, by_ssh: bool = False) -> tuple[str, str | None]:
+    """Return the URL and the branch from the arguments of ``git clone``; ``by_ssh``: the build has a key for ssh."""
     branch: str | None = None
     for match in _FLAG.finditer(repo.value):
         branch = match[1] or branch
@@ -77,7 +89,13 @@ def clone(reading: Reading, repo: Text) -> tuple[str, str | None]:
     if url.startswith("git://"):
         url = "https://" + url.removeprefix("git://")
         reading.warn(f"git:// is unsafe and mostly switched off: read as {url}", repo.node)
-    elif private := _SSH.fullmatch(url):
+    elif by_ssh and _SSH.fullmatch(url):
+        pass  # as it is
+    elif (private := _SSH.fullmatch(url)) and private[1] not in _PUBLIC:
+        message = f'source: "{shown(url)}" is no git URL that can be cloned'
+        hint = "it needs a private key, which a build does not have: write the https URL, or `secrets: [ssh]`"
+        reading.complain(message, hint, repo.node)
+    elif private:
         url = f"https://{private[1]}/{private[2]}"
         reading.warn(f"a build has no private key: read as {url}", repo.node)
     elif url.startswith("http://"):

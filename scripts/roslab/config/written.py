@@ -42,6 +42,7 @@ def written(config: Config) -> str:
         "context": config.context,
         "args": dict(config.args),
         "target": config.target,
+        "secrets": list(config.secrets),
         "submodules": config.submodules,
         "tags": _said(config.tags, ("prefix", "suffix")),
         "pr": config.pr,

@@ -66,7 +66,7 @@ def decide_dockerfile(
     reasons: list[Reason] = []
     believed: list[AuthorDockerfile] = []
     for authored in evidence.dockerfiles:
-        against = doubt(authored, kind, ros_distro) or _chained(authored, evidence)
+        against = doubt(authored, kind, ros_distro) or _secret(authored, config) or _chained(authored, evidence)
         if against is None:
             believed.append(authored)
         else:
@@ -119,6 +119,14 @@ def _tables_doubt(authored: AuthorDockerfile) -> str | None:
     if release is None or release.rosdistro_tag is None or authored.updates_rosdep is None:
         return None
     return f"its `rosdep update` (line {authored.updates_rosdep}) skips {release.name}, which has ended"
+
+
+def _secret(authored: AuthorDockerfile, config: Config) -> str | None:
+    """Return a doubt if a step mounts a secret that the build does not get."""
+    for name, line in authored.secrets:
+        if name not in config.secrets:
+            return f"line {line} mounts the secret {name}, which roslab.yaml does not name under `secrets`"
+    return None
 
 
 def _chained(authored: AuthorDockerfile, evidence: Evidence) -> str | None:

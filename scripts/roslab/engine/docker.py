@@ -15,6 +15,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from roslab.engine.secrets import Secret
 from roslab.errors import BuildError, Problem
 from roslab.explain import words
 from roslab.explain.answer import explain
@@ -54,6 +55,7 @@ class Build:
     """Stage to build; ``None`` for the last one."""
     output: str = ""
     """Value of ``--output``; ``""`` loads the image into the engine."""
+    secrets: tuple[Secret, ...] = ()
     extra: tuple[str, ...] = ()
 
 
@@ -110,6 +112,7 @@ def build(job: Build, *, environment: Mapping[str, str] | None = None) -> tuple[
             for name, value in pairs:
                 command += [flag, f"{name}={value}"]
         command += ["--target", job.target] if job.target else []
+        command += [word for secret in job.secrets for word in secret.words()]
         command += ["--output", job.output] if job.output else ["--load"]
         command += [*job.extra, str(job.context)]
         log = _stream(command, environment)

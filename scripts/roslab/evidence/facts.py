@@ -52,6 +52,8 @@ class GitSource:
     options: str = ""
     absent: bool = False
     """A submodule that is not checked out; its ``ref`` is the commit that the repository records, if git tells it."""
+    by_ssh: str = ""
+    """The address of ssh that stands there, for a build that has a key; ``url`` is the same by https."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -175,6 +177,8 @@ class AuthorDockerfile:
     """The line of ``command``."""
     updates_rosdep: int | None = None
     """The line of a ``rosdep update`` that skips distributions that have ended."""
+    secrets: tuple[tuple[str, int], ...] = ()
+    """The secrets that its steps mount, ``ssh`` for the agent, each with its line."""
     clones_itself: bool = False
     """It clones this repository instead of building the checkout."""
 

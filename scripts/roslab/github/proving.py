@@ -10,7 +10,7 @@ from pathlib import Path
 from roslab.engine import docker as engine
 from roslab.engine import gpu, registry
 from roslab.errors import BuildError, Problem
-from roslab.github import disk, screen, trial, workflow
+from roslab.github import disk, screen, secrets, trial, workflow
 from roslab.github import run as runs
 from roslab.github.run import Folder, Run
 from roslab.plan.proof import describe
@@ -106,6 +106,7 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
         labels=pairs,
         arguments=authored.args if authored else (),
         target=authored.target if authored else None,
+        secrets=secrets.held(folder, run, environment),
         extra=("--provenance=false",),
     )
     with workflow.group(f"Load and prove {platform}"):

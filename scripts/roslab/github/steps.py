@@ -13,7 +13,21 @@ from roslab.engine import credentials
 from roslab.engine import docker as engine
 from roslab.engine.client import private_client
 from roslab.errors import BuildError, ConfigurationError, Problem, RoslabError
-from roslab.github import access, builder, cache, checkout, disk, event, inputs, kept, rebuild, report, trial, workflow
+from roslab.github import (
+    access,
+    builder,
+    cache,
+    checkout,
+    disk,
+    event,
+    inputs,
+    kept,
+    rebuild,
+    report,
+    secrets,
+    trial,
+    workflow,
+)
 from roslab.github import run as runs
 from roslab.github import source as completion
 from roslab.github.labels import labels
@@ -135,12 +149,15 @@ def ready(environment: Environment) -> None:
     lacking = builder.emulated(platforms)
     direct = not run.push and len(platforms) == 1 and not lacking
     home = folder.path / "home"
+    client = private_client(home, environment)
+    if "ROSLAB_SECRETS" in environment:  # a job that builds
+        secrets.prepare(folder, run, event.read(environment), environment, client)
     workflow.outputs(
         {
             **builder.settings(environment, direct=direct),
             "emulate": ",".join(lacking),
             "home": str(home),
-            "docker-config": str(private_client(home, environment)),
+            "docker-config": str(client),
         },
         environment,
     )
@@ -188,6 +205,7 @@ def dockerfile(environment: Environment) -> None:
         "provenance": ("mode=max" if what.public else "mode=min,inline-only=true") if run.push else "false",
         "sbom": builder.scanner(environment, wanted=run.push and what.public, act=what.act),
     }
+    build |= secrets.outputs(secrets.held(folder, run, environment))
     folder.write("build.json", json.dumps({**build, "started": time.time()}))
     workflow.outputs(build, environment)
 

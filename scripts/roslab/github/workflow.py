@@ -63,6 +63,11 @@ def warn(problem: Problem) -> None:
     _print(annotation("warning", problem))
 
 
+def mask(word: str) -> None:
+    """Have the runner hide a word in everything that the job prints from now on."""
+    _print(command("add-mask", word))
+
+
 def notice(text: str) -> None:
     """Show a line on the run's page."""
     _print(command("notice", text))

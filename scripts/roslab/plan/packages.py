@@ -9,6 +9,7 @@ from roslab.config.model import Config, Source
 from roslab.decide.decision import Decision
 from roslab.knowledge.distros import distro
 from roslab.knowledge.on_request import packages
+from roslab.values.secret import SSH
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -44,6 +45,8 @@ def _needs(decision: Decision, config: Config) -> list[str]:
     compiled = decision.build_tool == "cmake" and decision.kind not in ("ros1", "ros2")  # a ROS base has a compiler
     if compiled:
         needs += ["build-essential", "cmake"]
+    if SSH in config.secrets:
+        needs.append("openssh-client")
     if any(source.zip for source in decision.source) or config.base.cmake_update or config.base.icub:
         needs += ["build-essential", "ca-certificates", "curl", "unzip"]
     return needs + _python_needs(decision, notebook=bool(config.notebook), compatible=bool(config.compatible))

@@ -117,6 +117,8 @@ class Plan:
     platforms: tuple[str, ...]
     platforms_refused: tuple[tuple[str, str], ...]
     tags: TagParts
+    secrets: tuple[str, ...]
+    """Names of what single steps of the build read and no layer keeps; the values are never part of a plan."""
     ignore: tuple[str, ...]
     """Lines of the author's .dockerignore, which are kept."""
     warnings: tuple[Warning_, ...]
@@ -213,6 +215,7 @@ def make_plan(
         platforms=decision.platforms,
         platforms_refused=decision.platforms_refused,
         tags=config.tags,
+        secrets=config.secrets,
         ignore=ignore,
         warnings=decision.warnings,
         reasons=decision.reasons,

@@ -29,6 +29,7 @@ def build_script(plan: Plan, *, context: str) -> str:
             "context": f"{context}/{authored.context}" if authored else context,
             "oldest_docker": "0" if authored else OLDEST_DOCKER,
             "options": _options(authored) if authored else (),
+            "secrets": [(name,) for name in plan.secrets],
         },
     )
 

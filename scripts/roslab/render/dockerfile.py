@@ -10,6 +10,7 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import base, final, manifests, python, scripts, system, workspace
 from roslab.render.output import Beside
+from roslab.values.secret import SSH
 
 Block = Callable[[Plan], str]
 
@@ -110,7 +111,14 @@ def dockerfile(plan: Plan) -> str:
         stages = [f"{start}\n{base_stage}\n\n{image}"]
     stages = [_without_repetition(stage) for stage in stages]
     carried = scripts.stage("\n".join(stages))
-    return HEADER + "\n" + "\n\n\n".join((carried, *stages)) + "\n"
+    return _header(plan) + "\n" + "\n\n\n".join((carried, *stages)) + "\n"
+
+
+def _header(plan: Plan) -> str:
+    if not plan.secrets:
+        return HEADER
+    words = " ".join("--ssh default" if name == SSH else f"--secret id={name},src=FILE" for name in plan.secrets)
+    return f"{HEADER}# Single steps read secrets, which docker_build.sh hands over: docker build {words}\n"
 
 
 def _join(blocks: tuple[Block, ...], plan: Plan) -> str:

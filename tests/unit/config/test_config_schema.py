@@ -25,6 +25,8 @@ ONLY_THE_READER = {
     "has no `container_path`": "the same",
     "has no packages for Ubuntu": "a table of ROS and Ubuntu releases would have to be unfolded into branches",
     "stands here a second time": "a duplicate key is gone once a file is data",
+    "it needs a private key": "an address of ssh is right where `secrets` names a key",
+    "have the same variable": "JSON Schema cannot compare two names but for the letters' case",
     "is not allowed": "a control character is no YAML",
 }
 """Words of the reader's message: why the schema cannot say the same."""

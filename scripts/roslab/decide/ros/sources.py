@@ -19,6 +19,7 @@ from roslab.knowledge.distros import distros
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.knowledge.ros_sources import RosSource, ros_sources
 from roslab.values.origin import Place
+from roslab.values.secret import SSH
 
 _EXTRA = re.compile(
     r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
@@ -68,7 +69,7 @@ def decide_sources(
 ) -> Choice[Sources]:
     """Return the sources; ``needed``: names that a manifest or CMake asks for, ``own``: the repository's packages."""
     date = None if config.compatible else dated(evidence)
-    chosen = _Chosen(build_tool=build_tool, before=date.value if date else "")
+    chosen = _Chosen(build_tool=build_tool, by_ssh=SSH in config.secrets, before=date.value if date else "")
     chosen.configure(config)
     chosen.submodules(evidence, config)
     if kind not in {"ros1", "ros2"}:
@@ -93,6 +94,8 @@ class _Chosen:
     """The sources chosen so far."""
 
     build_tool: BuildTool
+    by_ssh: bool
+    """The build has a key: addresses of ssh stay as they are."""
     before: str = ""
     """The date of the repository's last commit: what it clones without a ref is taken as it was then."""
     sources: dict[str, Source] = field(default_factory=dict)
@@ -113,7 +116,7 @@ class _Chosen:
             return False
         self.sources[name] = Source(
             name=name,
-            repo=https(git.url),
+            repo=git.by_ssh if self.by_ssh and git.by_ssh else https(git.url),
             ref=fixed(git.ref),
             build=_IN_WORKSPACE.get(self.build_tool, "none"),
             before="" if fixed(git.ref) else self.before,

@@ -41,9 +41,10 @@ _CI = re.compile(
 )
 _DOCS = re.compile(r"sphinx|mkdocs|doxygen|jekyll|readthedocs|(?:^|[/._-])docs?(?:[/._-]|$)", re.IGNORECASE)
 _PRIVATE = re.compile(
-    r"--mount=type=(?:ssh|secret)|id_rsa|GITHUB_TOKEN|ACCESS_TOKEN|OAUTH|:\$\{?\w*(?:TOKEN|PASSWORD)\w*\}?@",
+    r"id_rsa|GITHUB_TOKEN|ACCESS_TOKEN|OAUTH|:\$\{?\w*(?:TOKEN|PASSWORD)\w*\}?@",
     re.IGNORECASE,
 )
+_MOUNT = re.compile(r"--mount=(\S*\btype=(?:ssh|secret)\b\S*)")
 _REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
 
 
@@ -98,6 +99,7 @@ class _Reading:
     problem: str | None = None
     """Why it does not parse."""
     updates_rosdep: int | None = None
+    secrets: list[tuple[str, int]] = field(default_factory=list)
     needs: str | None = None
     """What it needs that a build cannot give it."""
 
@@ -116,7 +118,9 @@ class _Reading:
             _collect(self.collector, instruction)
             if _UPDATE.search(body):
                 self.updates_rosdep = self.updates_rosdep or line
-            if _PRIVATE.search(body):
+            mounts = _MOUNT.findall(body)
+            self.secrets += [(_secret(mount), line) for mount in mounts]
+            if not mounts and _PRIVATE.search(body):
                 self.needs = self.needs or f"line {line} needs a private key or token"
         elif name in {"COPY", "ADD"}:
             self.copied += [(source, line) for source in sources(body)]
@@ -164,6 +168,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         purpose=_purpose(file.path, reading.base or "", problem),
         problem=problem or reading.needs or missing,
         context=context,
+        secrets=tuple(sorted(dict(reversed(reading.secrets)).items(), key=lambda found: found[1])),
         clones_itself=itself,
         updates_rosdep=reading.updates_rosdep,
     )
@@ -175,6 +180,18 @@ def _collect(collector: Collector, instruction: Instruction) -> None:
         collector.text(text, instruction.line)
     else:
         collector.logical(text, instruction.line)
+
+
+def _secret(mount: str) -> str:
+    """Return the name of the secret that a mount asks for, by BuildKit's own rules for what is left out.
+
+    https://docs.docker.com/reference/dockerfile/#run---mounttypesecret
+    """
+    said = dict(part.partition("=")[::2] for part in mount.split(","))
+    if said.get("type") == "ssh":
+        return "ssh"
+    target = said.get("target") or said.get("dst") or said.get("destination") or ""
+    return said.get("id") or said.get("source") or said.get("src") or target.rpartition("/")[2]
 
 
 def _itself(repository: Repository, clone: GitSource) -> bool:

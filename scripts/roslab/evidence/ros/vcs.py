@@ -117,6 +117,7 @@ def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
             file=file.path,
             line=_line(text, url),
             kind="vcs",
+            by_ssh=url.strip() if _SSH.match(url.strip()) and not url.strip().startswith("http") else "",
         )
 
 

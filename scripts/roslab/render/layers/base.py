@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import shell
+from roslab.render.layers import secrets, shell
 
 START = f"""\
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
@@ -39,7 +39,8 @@ def package_sources(plan: Plan) -> str:
         options += "" if ros.in_base else " --add"
         before = shell.copy_key(ros.key)
     options += " --ended" if found.ended else ""
-    called = shell.call("renew-package-sources", options, comment=WHY[found.ended], before=before)
+    given = secrets.for_apt(plan)
+    called = shell.call("renew-package-sources", options, comment=WHY[found.ended], before=before, secrets=given)
     return called if ros is None or ros.in_base else f"ENV ROS_DISTRO={quote.docker(ros.distro)}\n{called}"
 
 
@@ -47,4 +48,6 @@ def repositories(plan: Plan) -> str:
     """Add the extra apt sources that roslab.yaml names; one that does not answer any more is named and left out."""
     if not plan.repositories:
         return ""
-    return shell.call("add-package-sources", shell.words(plan.repositories), comment="Package sources of roslab.yaml")
+    names = shell.words(plan.repositories)
+    comment = "Package sources of roslab.yaml"
+    return shell.call("add-package-sources", names, comment=comment, secrets=secrets.for_apt(plan))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import shell
+from roslab.render.layers import secrets, shell
 from roslab.render.layers.workspace import HOME, own_home, setups, source_folder
 
 ENTRY_POINT = "roslab-entrypoint"
@@ -17,11 +17,13 @@ def custom(plan: Plan) -> str:
         return ""
     workdir = {"root": "/", "home": HOME, "source": source_folder(plan)}[plan.custom.workdir]
     user = "root" if plan.custom.as_root else "${NB_USER}"
+    # Its HOME is the user's, also as root
+    given = secrets.everything(plan, home="user", user="root" if plan.custom.as_root else "user")
     if plan.custom.chained:
         # One shell for all, so that `cd` and variables carry over
-        runs = [shell.run(*plan.custom.commands)]
+        runs = [shell.run(*plan.custom.commands, secrets=given)]
     else:
-        runs = [f"RUN {command}" for command in plan.custom.commands]
+        runs = [shell.run(command, secrets=given) for command in plan.custom.commands]
     set_home = "ENV HOME=/home/${NB_USER}\n" if plan.custom.as_root else ""
     lines = [f"# Commands of roslab.yaml\n{set_home}USER {user}", f"WORKDIR {quote.docker_path(workdir)}", *runs]
     if plan.custom.as_root:

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from roslab.knowledge.tools import python2_installers, tool_image
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import manifests, shell
+from roslab.render.layers import manifests, secrets, shell
+from roslab.values.secret import SSH
 
 GET_PIP = "https://bootstrap.pypa.io/pip/2.7/get-pip.py"
 
@@ -24,10 +25,12 @@ def building(plan: Plan) -> str:
         lines.append("# No GPU is seen while an image is built: extensions are compiled for all of these")
         lines.append(f"ENV FORCE_CUDA=1 \\\n    TORCH_CUDA_ARCH_LIST={quote.docker(python.cuda_architectures)}")
     if python.git_hosts:
+        # A build with a key uses the addresses of ssh as they are
+        closed = [("git://", "/")] + ([] if SSH in plan.secrets else [("ssh://git@", "/"), ("git@", ":")])
         commands = [
             f"git config --system --add url.https://{host}/.insteadOf {quote.shell(written + host + end)}"
             for host in python.git_hosts
-            for written, end in (("git://", "/"), ("ssh://git@", "/"), ("git@", ":"))
+            for written, end in closed
         ]
         lines.append(shell.run(*commands, comment="Public repositories that are named by git:// or ssh://"))
     return "\n".join(lines)
@@ -117,7 +120,7 @@ def _conda(plan: Plan) -> str:
         "# A conda environment: the author's own, or for a Python that the base does not have\n"
         f"COPY --from={tool_image('micromamba')} /bin/micromamba /usr/local/bin/micromamba\n{copy}"
         "ENV MAMBA_ROOT_PREFIX=/opt/mamba \\\n    CONDA_PREFIX=/opt/conda \\\n    PATH=/opt/conda/bin:${PATH}\n"
-        + shell.run(create, "micromamba clean --all --yes --quiet")
+        + shell.run(create, "micromamba clean --all --yes --quiet", secrets=secrets.for_pip(plan))
     )
 
 
@@ -130,11 +133,12 @@ def packages(plan: Plan) -> str:
     if python.pip:
         commands.append(f"{pip}{_options(python.pip_options)}{shell.words(_arguments(python.pip))}")
     if commands:
-        blocks.append(shell.run(*commands, comment="Python packages that are declared"))
+        blocks.append(shell.run(*commands, comment="Python packages that are declared", secrets=secrets.for_pip(plan)))
     if python.requirements:
         files = "".join(f" --requirement {quote.shell(f'{manifests.FOLDER}/{name}')}" for name in python.requirements)
         copy = manifests.copy(plan, manifests.of_pip(plan))
-        blocks.append(f"# Requirement files\n{copy}{shell.run(f'{pip}{files}')}")
+        run = shell.run(f"{pip}{files}", secrets=secrets.for_pip(plan))
+        blocks.append(f"# Requirement files\n{copy}{run}")
     if python.python2:
         options = _options(python.python2_options)
         blocks.append(
@@ -144,6 +148,7 @@ def packages(plan: Plan) -> str:
                 "ln --symbolic --force pip2 /usr/local/bin/pip",
                 f"python2 -m pip install --no-cache-dir{options}{shell.words(_arguments(python.python2))}",
                 comment="Packages of Python 2",
+                secrets=secrets.for_pip(plan),
             )
         )
     return "\n\n".join(blocks)
@@ -157,6 +162,7 @@ def guessed_packages(plan: Plan) -> str:
         "install-optional-pip",
         f" {interpreter(plan)}{_options(plan.python.options)} --{shell.words(plan.python.pip_guessed)}",
         comment="Imported but declared nowhere: none of them stops the build",
+        secrets=secrets.for_pip(plan),
     )
 
 
@@ -197,7 +203,7 @@ def projects(plan: Plan) -> str:
     alone = [folder for folder in folders if folder in plan.python.alone]
     commands = [f"{pip}{_editable(whole)}"] if whole else []
     commands += [f"{pip} --no-deps{_editable(alone)}"] if alone else []
-    run = shell.run(*commands)
+    run = shell.run(*commands, secrets=secrets.for_pip(plan))
     return f"# The repository's own Python packages, editable\nUSER root\n{run}"
 
 

@@ -5,25 +5,27 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from roslab.render import quote
+from roslab.render.layers.secrets import NONE, Secrets
 
 JOBS = '"$(compile-jobs)"'
 """As many compilers as there are cores, but 2 GB of memory for each: a template-heavy file needs that much."""
 SET_JOBS = f"jobs={JOBS}"
 
 
-def run(*commands: str, comment: str = "") -> str:
-    """Return one RUN in which each command must succeed before the next."""
-    body = " \\\n && ".join(commands)
+def run(*commands: str, comment: str = "", secrets: Secrets = NONE) -> str:
+    """Return one RUN in which each command must succeed before the next, with the secrets that it may read."""
+    body = "".join(f"{mount} \\\n    " for mount in secrets.mounts)
+    body += " \\\n && ".join((*secrets.commands, *commands))
     script = copy_script("compile-jobs") if any(JOBS in command for command in commands) else ""
     return f"{comment_lines(comment)}{script}RUN {body}"
 
 
-def call(script: str, arguments: str = "", *, comment: str, before: str = "") -> str:
+def call(script: str, arguments: str = "", *, comment: str, before: str = "", secrets: Secrets = NONE) -> str:
     """Return a RUN of a script that the Dockerfile carries.
 
     ``arguments`` are quoted, each after a space; ``before`` are instructions that it needs, each with its line's end.
     """
-    return f"{comment_lines(comment)}{copy_script(script)}{before}RUN {script}{arguments}"
+    return f"{comment_lines(comment)}{copy_script(script)}{before}{run(f'{script}{arguments}', secrets=secrets)}"
 
 
 def copy_script(name: str) -> str:
@@ -48,12 +50,13 @@ def words(items: Iterable[str], *, indent: int = 6) -> str:
     return "".join(between + word for word in quoted)
 
 
-def apt_install(packages: Sequence[str]) -> str:
+def apt_install(packages: Sequence[str], secrets: Secrets = NONE) -> str:
     """Return a RUN that installs packages and leaves no package lists behind."""
     return run(
         "apt-get update",
         f"apt-get install --yes --no-install-recommends{words(packages)}",
         "rm -rf /var/lib/apt/lists/*",
+        secrets=secrets,
     )
 
 

@@ -7,7 +7,8 @@ import shlex
 from roslab.config.model import Source
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import shell
+from roslab.render.layers import secrets, shell
+from roslab.values.secret import NETRC, SSH
 
 SOURCES = "/tmp/sources"  # noqa: S108 - a folder of the image while it is built
 CMAKE_URL = "https://cmake.org/files"
@@ -16,28 +17,31 @@ CMAKE_URL = "https://cmake.org/files"
 
 def first_packages(plan: Plan) -> str:
     """Install what was in every image of the old generators, and ROS."""
-    return f"# What every old image had\n{shell.apt_install(plan.apt_first)}" if plan.apt_first else ""
+    if not plan.apt_first:
+        return ""
+    return f"# What every old image had\n{shell.apt_install(plan.apt_first, secrets.for_apt(plan))}"
 
 
 def packages(plan: Plan) -> str:
     """Install what is declared; a name that apt does not know stops the build."""
-    return f"# System packages\n{shell.apt_install(plan.apt)}" if plan.apt else ""
+    return f"# System packages\n{shell.apt_install(plan.apt, secrets.for_apt(plan))}" if plan.apt else ""
 
 
 def tools(plan: Plan) -> str:
     """Install the tools of the workspace, and the pip of Python 2 that old images had."""
-    return _where_known(plan.apt_tools, "Tools, where this base's apt knows them")
+    return _where_known(plan, plan.apt_tools, "Tools, where this base's apt knows them")
 
 
 def guessed_packages(plan: Plan) -> str:
     """Install what was only read in code or prose, where the base's apt knows it; name what it does not."""
-    return _where_known(plan.apt_guessed, "Read in code or prose, declared nowhere: none of them stops the build")
+    comment = "Read in code or prose, declared nowhere: none of them stops the build"
+    return _where_known(plan, plan.apt_guessed, comment)
 
 
-def _where_known(packages: tuple[str, ...], comment: str) -> str:
+def _where_known(plan: Plan, packages: tuple[str, ...], comment: str) -> str:
     if not packages:
         return ""
-    return shell.call("install-optional-apt", shell.words(packages), comment=comment)
+    return shell.call("install-optional-apt", shell.words(packages), comment=comment, secrets=secrets.for_apt(plan))
 
 
 def icub(plan: Plan) -> str:
@@ -48,7 +52,7 @@ def icub(plan: Plan) -> str:
     if not plan.icub or not plan.ubuntu:
         return ""
     comment = "The iCub's packages, where they are still served"
-    return shell.call("install-icub", f" {quote.shell(plan.ubuntu)}", comment=comment)
+    return shell.call("install-icub", f" {quote.shell(plan.ubuntu)}", comment=comment, secrets=secrets.for_apt(plan))
 
 
 def newer_cmake(plan: Plan) -> str:
@@ -77,16 +81,18 @@ def library_stages(plan: Plan) -> str:
     stages: list[str] = []
     for index, library in enumerate(plan.libraries):
         lines = [f"FROM base AS {stage_name(index, library)}"]
-        depends = ("build-essential", "ca-certificates", "cmake", "git", *library.depends)
-        lines.append(shell.apt_install(tuple(dict.fromkeys(depends))))
+        ssh = ("openssh-client",) if SSH in plan.secrets else ()
+        depends = ("build-essential", "ca-certificates", "cmake", "git", *ssh, *library.depends)
+        lines.append(shell.apt_install(tuple(dict.fromkeys(depends)), secrets.for_apt(plan)))
         lines += [
             f"COPY --from={stage_name(i, earlier)} /installed/ /" for i, earlier in enumerate(plan.libraries[:index])
         ]
         lines.append(
             shell.run(
-                *_fetch(library),
+                *_fetch(plan, library),
                 *_compile(library, "export DESTDIR=/installed"),
                 "mkdir --parents /installed",
+                secrets=_secrets(plan, library),
             )
         )
         stages.append("\n".join(lines))
@@ -105,7 +111,7 @@ def libraries(plan: Plan) -> str:
 
 def libraries_in_place(plan: Plan) -> str:
     """Build the libraries in the image itself, as the old formats did."""
-    return "\n\n".join(_in_place(library) for library in plan.libraries)
+    return "\n\n".join(_in_place(plan, library) for library in plan.libraries)
 
 
 def stage_name(index: int, library: Source) -> str:
@@ -114,12 +120,18 @@ def stage_name(index: int, library: Source) -> str:
     return f"library-{index + 1}-{slug}" if slug else f"library-{index + 1}"
 
 
-def _in_place(library: Source) -> str:
+def _in_place(plan: Plan, library: Source) -> str:
     keep = [f"cp --recursive {_folder(library)} /home/${{NB_USER}}/"] if library.keep_source else []
-    depends = f"{shell.apt_install(library.depends)}\n" if library.depends else ""
+    depends = f"{shell.apt_install(library.depends, secrets.for_apt(plan))}\n" if library.depends else ""
     comment = f"{library.name}, from its source"
     return depends + shell.run(
-        *_fetch(library), *_compile(library), "ldconfig", *keep, f"rm -rf {_folder(library)}", comment=comment
+        *_fetch(plan, library),
+        *_compile(library),
+        "ldconfig",
+        *keep,
+        f"rm -rf {_folder(library)}",
+        comment=comment,
+        secrets=_secrets(plan, library),
     )
 
 
@@ -127,18 +139,23 @@ def _folder(library: Source) -> str:
     return quote.shell(f"{SOURCES}/{library.name}")
 
 
-def _fetch(library: Source) -> list[str]:
-    return [f"mkdir --parents {SOURCES}", *fetch(library, _folder(library))]
+def _secrets(plan: Plan, library: Source) -> secrets.Secrets:
+    return secrets.for_pip(plan) if library.build == "pip" else secrets.for_git(plan)
 
 
-def fetch(source: Source, folder: str) -> list[str]:
+def _fetch(plan: Plan, library: Source) -> list[str]:
+    return [f"mkdir --parents {SOURCES}", *fetch(plan, library, _folder(library))]
+
+
+def fetch(plan: Plan, source: Source, folder: str) -> list[str]:
     """Return the commands that bring a source into an already quoted folder, whose parent is there."""
     if not source.zip:
         return clone(source, folder)
+    curl = f"curl {'--netrc ' if NETRC in plan.secrets else ''}--fail --silent --show-error --location"
     # The archive's own top folder is not always named as its file: strip it, whatever it is called
     return [
         "mkdir --parents /tmp/archive",
-        f"curl --fail --silent --show-error --location --output /tmp/archive.zip {quote.shell(source.zip)}",
+        f"{curl} --output /tmp/archive.zip {quote.shell(source.zip)}",
         "unzip -q /tmp/archive.zip -d /tmp/archive",
         f"mv /tmp/archive/* {folder}",
         "rm -rf /tmp/archive /tmp/archive.zip",

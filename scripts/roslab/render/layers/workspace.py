@@ -8,7 +8,7 @@ from roslab.config.model import Source
 from roslab.plan.plan import Plan
 from roslab.plan.workspace import WORKSPACE, RosBuild
 from roslab.render import quote
-from roslab.render.layers import manifests, shell
+from roslab.render.layers import manifests, secrets, shell
 from roslab.render.layers.system import fetch
 
 HOME = f"/home/{quote.USER}"
@@ -25,10 +25,9 @@ def sister_sources(plan: Plan) -> str:
     sources = plan.workspace.sources
     if not sources:
         return ""
-    blocks = (
-        [shell.apt_install(depends)] if (depends := tuple(dict.fromkeys(d for s in sources for d in s.depends))) else []
-    )
-    runs = [shell.run(*_fetched(s)) for s in sources]
+    depends = tuple(dict.fromkeys(d for s in sources for d in s.depends))
+    blocks = [shell.apt_install(depends, secrets.for_apt(plan))] if depends else []
+    runs = [shell.run(*_fetched(plan, s), secrets=secrets.for_git(plan, "user")) for s in sources]
     head = "# Sister packages, from their source"
     return "\n".join([head, *blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
 
@@ -44,15 +43,16 @@ def submodules(plan: Plan) -> str:
     for source in plan.workspace.submodules:
         folder = quote.shell_with_user(f"{source_folder(plan)}/{source.name}")
         left_out = quote.shell(f"roslab: left out: the submodule {source.name} cannot be cloned")
-        cloned = " \\\n   && ".join(fetch(source, folder))
-        runs.append(shell.run(f"mkdir --parents {folder}", f"{{ {cloned}; }} \\\n || echo {left_out}"))
+        cloned = " \\\n   && ".join(fetch(plan, source, folder))
+        commands = (f"mkdir --parents {folder}", f"{{ {cloned}; }} \\\n || echo {left_out}")
+        runs.append(shell.run(*commands, secrets=secrets.for_git(plan, "user")))
     head = "# Submodules that are not checked out, at the commits that the repository records"
     return "\n".join([head, "USER ${NB_USER}", *runs, "USER root"])
 
 
-def _fetched(source: Source) -> list[str]:
+def _fetched(plan: Plan, source: Source) -> list[str]:
     folder = quote.shell_with_user(f"{WS}/src/{source.name}")
-    return fetch(source, folder) + ([f"(cd {folder} && {source.prepare})"] if source.prepare else [])
+    return fetch(plan, source, folder) + ([f"(cd {folder} && {source.prepare})"] if source.prepare else [])
 
 
 def rosdep(plan: Plan) -> str:
@@ -71,6 +71,7 @@ def rosdep(plan: Plan) -> str:
         + "".join(f" {folder}" for folder in folders),
         comment="What the package.xml files name; keys that rosdep does not know stop nothing and are told",
         before=manifests.copy(plan, files),
+        secrets=secrets.for_both(plan),
     )
 
 

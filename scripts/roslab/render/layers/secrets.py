@@ -1,0 +1,75 @@
+"""Secrets that single steps see: mounted for the one RUN, and in no layer; a step without its secret stops.
+
+What a mount does: https://docs.docker.com/reference/dockerfile/#run---mounttypesecret
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal
+
+from roslab.plan.plan import Plan
+from roslab.render import quote
+from roslab.values.secret import APT_AUTH, NETRC, PIP_INDEX, SSH
+
+User = Literal["root", "user"]
+"""Whose home folder and whose rights the step has."""
+HOMES: dict[str, str] = {"root": "/root", "user": f"/home/{quote.USER}"}
+APT_FILE = "/etc/apt/auth.conf.d/roslab.conf"
+FOLDER = "/run/secrets"
+"""Where BuildKit mounts a secret if nothing else is said."""
+GIT_SSH = "ssh -o BatchMode=yes -o StrictHostKeyChecking=accept-new -o UserKnownHostsFile=/dev/null"
+"""An image that is built knows no host yet: the key that a host shows is believed, as by a fresh checkout."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Secrets:
+    """What one step mounts, and the commands that tell its programs where to look."""
+
+    mounts: tuple[str, ...] = ()
+    commands: tuple[str, ...] = ()
+
+
+NONE = Secrets()
+
+
+def for_pip(plan: Plan, user: User = "root") -> Secrets:
+    """Return what pip needs: the private index, and logins for packages from git."""
+    return _of(plan, (PIP_INDEX, NETRC, SSH), user)
+
+
+def for_git(plan: Plan, user: User = "root") -> Secrets:
+    """Return what a clone or a download needs."""
+    return _of(plan, (NETRC, SSH), user)
+
+
+def for_apt(plan: Plan) -> Secrets:
+    """Return what apt needs for a package source with a password."""
+    return _of(plan, (APT_AUTH,), "root")
+
+
+def for_both(plan: Plan) -> Secrets:
+    """Return what rosdep needs, which calls apt and pip."""
+    return _of(plan, (APT_AUTH, PIP_INDEX, NETRC, SSH), "root")
+
+
+def everything(plan: Plan, *, home: User, user: User) -> Secrets:
+    """Return all of them, for the author's own commands; those without a meaning of their own are files."""
+    return _of(plan, plan.secrets, user, home=home)
+
+
+def _of(plan: Plan, wanted: Iterable[str], user: User, *, home: User | None = None) -> Secrets:
+    names = [name for name in wanted if name in plan.secrets]
+    readable = ",mode=0444" if user == "user" else ""
+    mounts, commands = [], []
+    for name in names:
+        if name == SSH:
+            mounts.append("--mount=type=ssh,required=true" + (",mode=0666" if readable else ""))
+            commands.append(f"export GIT_SSH_COMMAND={quote.shell(GIT_SSH)}")
+            continue
+        target = {NETRC: f",target={HOMES[home or user]}/.netrc", APT_AUTH: f",target={APT_FILE}"}.get(name, "")
+        mounts.append(f"--mount=type=secret,id={name},required=true{target}{readable}")
+        if name == PIP_INDEX:
+            commands += [f'PIP_EXTRA_INDEX_URL="$(cat {FOLDER}/{name})"', "export PIP_EXTRA_INDEX_URL"]
+    return Secrets(mounts=tuple(mounts), commands=tuple(commands))
