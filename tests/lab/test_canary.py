@@ -9,7 +9,7 @@ import subprocess
 import tarfile
 import zipfile
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import quote
@@ -19,7 +19,9 @@ import pytest
 from lab import canary, doors, leavings, registry
 from lab.act import Result, run_workflow
 from lab.canary import Place
+from lab.faulty_registry import Faults, faulty_registry
 from lab.laboratory import Laboratory
+from lab.private_server import PACKAGE, private_server
 
 USER = "canary"
 NAMES = ("GITHUB_TOKEN", "TOKEN", "GIT_AUTH_TOKEN", "REGISTRY_PASSWORD", "DEPLOY_KEY", "RUNNER_KEY")
@@ -135,14 +137,22 @@ jobs:
     return doors.write(folder, {**doors.FILES, **files, ".github/workflows/caller.yml": workflow})
 
 
-def plant(lab: Laboratory, caller: Path, place: Path, repository: str, canaries: Mapping[str, str]) -> Planted:
-    """Push with the planted values and gather everything that is left."""
+def plant(
+    lab: Laboratory,
+    caller: Path,
+    place: Path,
+    repository: str,
+    canaries: Mapping[str, str],
+    *,
+    secrets: Mapping[str, str] | None = None,
+) -> Planted:
+    """Push with the planted values and gather everything that is left; ``secrets`` are more that hold a value."""
     names = ("GITHUB_TOKEN", "REGISTRY_PASSWORD", "DEPLOY_KEY")
     environment = {**doors.builder(lab), "ROSLAB_SBOM": SCANNER, "RUNNER_KEY": canaries["RUNNER_KEY"]}
     with registry.account(USER, canaries["REGISTRY_PASSWORD"]):
         ran = run_workflow(
             lab, caller, "push", doors.payload(repository.partition("/")[2]), env=environment,
-            secrets={name: canaries[name] for name in names}, place=place, unmasked=True,
+            secrets={**{name: canaries[name] for name in names}, **(secrets or {})}, place=place, unmasked=True,
         )  # fmt: skip
         assert ran.exit_code == 0, ran.log
         image = f"{lab.registry}/{repository}:main"
@@ -180,6 +190,71 @@ def test_no_token_is_left_anywhere(
     assert left.findings() == []
     if door is through_action:
         assert "left a token in .git" in left.ran.log
+
+
+PRIVATE = """\
+format: 3
+kind: python
+base: {{image: "{base}/lab/python:3.12-slim"}}
+secrets: [pip_index, netrc, ssh, map_key]
+pip: [{package}, "sister @ git+{repository}@v1"]
+custom:
+  - echo {seen} | tee /seen
+  - test -s /run/secrets/map_key && test -s ~/.netrc && ssh-add -l
+  - python3 -c "import {package}, sister"
+test: cat /seen
+"""
+HANDED = """\
+pip_index=${{{{ secrets.PIP_INDEX }}}}
+netrc=${{{{ secrets.NETRC }}}}
+ssh=${{{{ secrets.SSH_KEY }}}}
+map_key=${{{{ secrets.MAP_KEY }}}}
+registry:{base}=reader:${{{{ secrets.BASE_PASSWORD }}}}
+"""
+
+
+@pytest.mark.parametrize("door", [through_action, doors.through_workflow], ids=["action", "image"])
+def test_no_secret_of_a_build_is_left_anywhere(
+    lab: Laboratory, tmp_path: Path, repository: str, canaries: dict[str, str], door: Callable[..., Path]
+) -> None:
+    """A generated Dockerfile with a secret of every kind, each of which a step used; a base image behind a login."""
+    subprocess.run(
+        ["docker", "buildx", "imagetools", "create", "--tag", f"{lab.registry}/lab/python:3.12-slim",
+         f"{lab.mirror}/library/python:3.12-slim"], env=dict(lab.environment), check=True, capture_output=True,
+    )  # fmt: skip
+    key = tmp_path / "key"
+    subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-C", "", "-f", str(key)], check=True)
+    canaries |= {name: canary.value() for name in ("SERVER_PASSWORD", "MAP_KEY", "BASE_PASSWORD")}
+    canaries["SSH_KEY"] = key.read_text().splitlines()[2]
+    seen = canary.value().replace("%", "")  # harmless, and new in each run
+    with (
+        private_server(tmp_path / "server", canaries["SERVER_PASSWORD"]) as server,
+        faulty_registry(lab.registry, Faults(matches=lambda *_: False, times=0)) as base,
+        registry.account("reader", canaries["BASE_PASSWORD"]),
+    ):
+        config = PRIVATE.format(base=base, package=PACKAGE, repository=server.repository, seen=seen)
+        given = {"registry": lab.registry, "username": USER, "cache": "registry", "platforms": "linux/amd64"}
+        handed = HANDED.format(base=base)
+        caller = door(
+            tmp_path / "caller",
+            {**given, **({"secrets": handed} if door is through_action else {})},
+            {"roslab.yaml": config, "main.py": "print('hello')\n", "Dockerfile": "# none\n"},
+        )
+        if door is not through_action:
+            file = caller / ".github/workflows/caller.yml"
+            line = f"    secrets:\n      build-secrets: {json.dumps(handed)}\n"
+            file.write_text(file.read_text().replace("    secrets:\n", line))
+        secrets = {
+            "PIP_INDEX": server.index,
+            "NETRC": server.netrc,
+            "SSH_KEY": key.read_text(),
+            "MAP_KEY": canaries["MAP_KEY"],
+            "BASE_PASSWORD": canaries["BASE_PASSWORD"],
+        }
+        left = plant(lab, caller, tmp_path / "run", repository, canaries, secrets=secrets)
+    shown = canary.find(left.places, {"SEEN": seen})
+    assert {kind for finding in shown for kind in kinds_of(finding.place)} >= BUILT
+    assert left.findings() == []
 
 
 def test_the_search_finds_what_an_author_leaks(
