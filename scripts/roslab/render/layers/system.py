@@ -87,12 +87,16 @@ def library_stages(plan: Plan) -> str:
         lines += [
             f"COPY --from={stage_name(i, earlier)} /installed/ /" for i, earlier in enumerate(plan.libraries[:index])
         ]
+        fetched, given = _fetch(plan, library), secrets.for_git(plan)
+        if given.mounts:  # what is compiled has no part in them
+            lines.append(shell.run(*fetched, secrets=given))
+            fetched = []
         lines.append(
             shell.run(
-                *_fetch(plan, library),
+                *fetched,
                 *_compile(library, "export DESTDIR=/installed"),
                 "mkdir --parents /installed",
-                secrets=_secrets(plan, library),
+                secrets=secrets.for_pip(plan) if library.build == "pip" else secrets.NONE,
             )
         )
         stages.append("\n".join(lines))
@@ -131,16 +135,12 @@ def _in_place(plan: Plan, library: Source) -> str:
         *keep,
         f"rm -rf {_folder(library)}",
         comment=comment,
-        secrets=_secrets(plan, library),
+        secrets=secrets.for_pip(plan) if library.build == "pip" else secrets.for_git(plan),
     )
 
 
 def _folder(library: Source) -> str:
     return quote.shell(f"{SOURCES}/{library.name}")
-
-
-def _secrets(plan: Plan, library: Source) -> secrets.Secrets:
-    return secrets.for_pip(plan) if library.build == "pip" else secrets.for_git(plan)
 
 
 def _fetch(plan: Plan, library: Source) -> list[str]:
