@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import secrets
 import subprocess
 import threading
 import zipfile
@@ -18,7 +19,6 @@ from urllib.parse import quote
 USER = "robot"
 PACKAGE = "roslab_private_probe"
 """Of the index: a module that prints where it is from."""
-METADATA = f"Metadata-Version: 2.1\nName: {PACKAGE}\nVersion: 1.0\n"
 WHEEL = "Wheel-Version: 1.0\nGenerator: lab\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
 SISTER = {
     "CMakeLists.txt": "cmake_minimum_required(VERSION 3.10)\nproject(sister NONE)\n"
@@ -39,6 +39,8 @@ class Server:
 
     address: str
     password: str
+    version: str
+    """Of the package: a new one in each run, as a secret is no part of what BuildKit's cache goes by."""
     refused: int = 0
     served: int = 0
 
@@ -46,6 +48,11 @@ class Server:
     def index(self) -> str:
         """URL of the index, with user and password."""
         return f"http://{USER}:{quote(self.password, safe='')}@{self.address}/simple"
+
+    @property
+    def package(self) -> str:
+        """The package of the index, as pip asks for it."""
+        return f"{PACKAGE}=={self.version}"
 
     @property
     def netrc(self) -> str:
@@ -62,10 +69,11 @@ class Server:
 @contextmanager
 def private_server(place: Path, password: str) -> Iterator[Server]:
     """Serve an index and a git repository, whose files lie below ``place``, to who knows the password."""
-    _index(place / "simple" / PACKAGE.replace("_", "-"))
+    version = f"1.{secrets.randbelow(10**9)}"
+    _index(place / "simple" / PACKAGE.replace("_", "-"), version)
     _repository(place)
     expected = "Basic " + b64encode(f"{USER}:{password}".encode()).decode()
-    server = Server(address="", password=password)
+    server = Server(address="", password=password, version=version)
 
     class Handler(SimpleHTTPRequestHandler):
         def __init__(self, *words: Any) -> None:
@@ -96,13 +104,14 @@ def private_server(place: Path, password: str) -> Iterator[Server]:
             thread.join()
 
 
-def _index(folder: Path) -> None:
+def _index(folder: Path, version: str) -> None:
     folder.mkdir(parents=True)
-    name = f"{PACKAGE}-1.0-py3-none-any.whl"
-    information = f"{PACKAGE}-1.0.dist-info"
+    name = f"{PACKAGE}-{version}-py3-none-any.whl"
+    information = f"{PACKAGE}-{version}.dist-info"
+    metadata = f"Metadata-Version: 2.1\nName: {PACKAGE}\nVersion: {version}\n"
     with zipfile.ZipFile(folder / name, "w") as wheel:
         wheel.writestr(f"{PACKAGE}.py", "print('from the private index')\n")
-        wheel.writestr(f"{information}/METADATA", METADATA)
+        wheel.writestr(f"{information}/METADATA", metadata)
         wheel.writestr(f"{information}/WHEEL", WHEEL)
         wheel.writestr(f"{information}/RECORD", "")
     (folder / "index.html").write_text(f'<!DOCTYPE html><html><body><a href="{name}">{name}</a></body></html>\n')

@@ -201,7 +201,7 @@ pip: [{package}, "sister @ git+{repository}@v1"]
 custom:
   - echo {seen} | tee /seen
   - test -s /run/secrets/map_key && test -s ~/.netrc && ssh-add -l
-  - python3 -c "import {package}, sister"
+  - python3 -c "import {module}, sister"
 test: cat /seen
 """
 HANDED = """\
@@ -232,7 +232,9 @@ def test_no_secret_of_a_build_is_left_anywhere(
         faulty_registry(lab.registry, Faults(matches=lambda *_: False, times=0)) as base,
         registry.account("reader", canaries["BASE_PASSWORD"]),
     ):
-        config = PRIVATE.format(base=base, package=PACKAGE, repository=server.repository, seen=seen)
+        config = PRIVATE.format(
+            base=base, package=server.package, module=PACKAGE, repository=server.repository, seen=seen
+        )
         given = {"registry": lab.registry, "username": USER, "cache": "registry", "platforms": "linux/amd64"}
         handed = HANDED.format(base=base)
         caller = door(
