@@ -39,6 +39,11 @@ VARIANTS = {
     },
     "notebook": PYTHON | {"roslab.yaml": "format: 3\nnotebook: true\nenv:\n  GREETING: it's $HOME\ngpu: true\n"},
     "custom": PYTHON | {"roslab.yaml": "format: 3\ncustom:\n  - echo one\n  - echo two\nrepo: [ppa:some/thing]\n"},
+    "secrets": PYTHON
+    | {
+        "roslab.yaml": "format: 3\nsecrets: [pip_index, netrc, ssh, apt_auth, map_key]\npip: [requests]\n"
+        "source: [{name: first, repo: 'git@example.org:lab/first.git', ref: v1}]\ncustom: [ls /run/secrets]\n"
+    },
     "old_python": PYTHON | {"roslab.yaml": 'format: 3\nbase:\n  python: "3.6"\n'},
     "conda": PYTHON | {"environment.yml": "name: part\nchannels: [conda-forge]\ndependencies: [python=3.9, numpy]\n"},
     "pyproject": PYTHON
