@@ -94,7 +94,7 @@ def secrets(reading: Reading, root: Mapping) -> tuple[str, ...]:
     for index, text in enumerate(reading.texts(root, "secrets", "secrets") or ()):
         reading.note(f"secrets.{index}", text.node)
         if (other := found.setdefault(variable(text.value), text.value)) != text.value:
-            message = f"secrets: {other} and {text.value} have the same variable, {variable(text.value)}"
+            message = f"secrets: two are named {variable(text.value)} in the environment, {other} and {text.value}"
             reading.complain(message, "rename one of them", text.node)
     return tuple(found.values())
 

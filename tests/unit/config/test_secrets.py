@@ -33,7 +33,7 @@ def test_a_value_or_a_path_is_no_name(name: str) -> None:
 
 
 def test_two_names_of_one_variable() -> None:
-    assert "secrets: map-key and MAP_KEY have the same variable, MAP_KEY" in refused(
+    assert "secrets: two are named MAP_KEY in the environment, map-key and MAP_KEY" in refused(
         "format: 3\nsecrets: [map-key, MAP_KEY]\n"
     )
 
