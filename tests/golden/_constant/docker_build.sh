@@ -17,7 +17,11 @@ Every argument is given to \`docker build\` as it is:
   --build-arg NB_UID=\$(id -u)  make you the owner of what the image writes to volumes
                                (images of roslab; the usual user number is 1000)
 
-Start the image with docker_run.sh.
+${secrets[0]+Secrets of roslab.yaml: ${secrets[*]}. netrc is ~/.netrc, or the file that NETRC
+names; ssh is your agent; of any other, such as pip_index, the variable PIP_INDEX holds
+the value, or PIP_INDEX_FILE names a file with it.
+
+}Start the image with docker_run.sh.
 TEXT
 }
 
@@ -47,5 +51,29 @@ elif [[ "${version}" =~ ^([0-9]+)\. ]] && ((BASH_REMATCH[1] < oldest_docker)); t
 elif ((oldest_docker > 0)) && ! docker buildx version >/dev/null 2>&1; then
   fail "docker lacks its builder" "install docker-buildx-plugin (from docker.com) or docker-buildx (Debian, Ubuntu)"
 fi
+
+# A secret is a file or a variable that docker reads: its value is no word of a command
+for name in ${secrets[@]+"${secrets[@]}"}; do
+  variable="$(tr '[:lower:]-' '[:upper:]_' <<<"${name}")"
+  file_variable="${variable}_FILE"
+  file="${!file_variable:-}"
+  case "${name}" in
+    ssh)
+      [[ -n "${SSH_AUTH_SOCK:-}" ]] ||
+        fail "the secret ssh is not there" "start an agent and add your key: eval \$(ssh-agent), then ssh-add"
+      options+=(--ssh default)
+      continue
+      ;;
+    netrc) file="${NETRC:-${HOME}/.netrc}" ;;
+    *)
+      if [[ -n "${!variable:-}" ]]; then
+        options+=(--secret "id=${name},env=${variable}")
+        continue
+      fi
+      ;;
+  esac
+  [[ -f "${file}" ]] || fail "the secret ${name} is not there" "see ${script} --help"
+  options+=(--secret "id=${name},\"src=${file}\"")
+done
 
 exec docker build --file "${folder}/${dockerfile}" --tag "${image}" ${options[@]+"${options[@]}"} "$@" "${folder}/${context}"

@@ -10,5 +10,7 @@ context=.
 # The first Docker that can read the Dockerfile; 0 for an author's own
 oldest_docker=23
 options=()
+# What the build may read and the image never holds
+secrets=()
 # ---- the same for every repository ----
 @@ _constant/docker_build.sh @@
