@@ -63,6 +63,7 @@ INCLUDES = "#define LIBRARY <glog/logging.h>\n#include LIBRARY\n"
 EXECUTABLE = f"{CMAKE}add_executable(robot main.cpp)\n"
 FINDS = "file(STRINGS needs.txt library)\nfind_package(${library} REQUIRED)\n"
 NEEDS = {"needs.txt": "Eigen3\n", "links.txt": "modbus\n"}
+PKG_CONFIG = "find_package(PkgConfig)\nfile(STRINGS m m)\npkg_check_modules(M REQUIRED ${m})\n"
 LINKS = "file(STRINGS links.txt library)\ntarget_link_libraries(robot ${library})\n"
 CALLS = "set(program bc)\nadd_custom_target(table ALL COMMAND ${program} ${CMAKE_SOURCE_DIR}/needs.txt)\n"
 GLOG = "  - libgoogle-glog-dev  # for the header glog/logging.h (main.cpp:1)\n"
@@ -74,6 +75,14 @@ MENDED = {
         config=NATIVE,
         files={"CMakeLists.txt": CMAKE + FINDS, **NEEDS},
         lines="apt:\n  - libeigen3-dev  # for the package Eigen3 (CMakeLists.txt:4)\n",
+    ),
+    "pkg-config": Broken(
+        config=NATIVE,
+        files={
+            "CMakeLists.txt": CMAKE + PKG_CONFIG,
+            "m": "jsoncpp\n",
+        },
+        lines="apt:\n  - libjsoncpp-dev  # for the module jsoncpp (CMakeLists.txt:5)\n",
     ),
     "library": Broken(
         config=NATIVE,

@@ -132,6 +132,7 @@ IGNORED = (
             None,
         ),
         (CPP, log("make", "a.hpp:2:2: error: #error C++20 or newer"), ["cmake_options: -DCMAKE_CXX_STANDARD=20"], None),
+        (CPP, log("make", "b.hpp:2:2: error: #error requires C++20"), ["cmake_options: -DCMAKE_CXX_STANDARD=20"], None),
     ],
 )  # fmt: skip
 def test_plan_and_log_give_the_value_and_who_asked(
