@@ -57,7 +57,7 @@ def run(
     return said if log else done.stdout
 
 
-def succeeds(argv: Sequence[str | Path], *, env: Mapping[str, str] | None = None, timeout: float = 30) -> bool:
+def succeeds(argv: Sequence[str | Path], *, env: Mapping[str, str] | None = None, timeout: float = 60) -> bool:
     """Tell whether a command ends with code 0 in time; an absent command does not."""
     try:
         run(argv, env=env, timeout=timeout)

@@ -33,7 +33,7 @@ def works(address: str) -> bool:
         return False  # a socket that is not there need not be asked, which takes the client a while
     env = {"DOCKER_HOST": address}
     try:
-        version = run(["docker", "info", "--format", "{{.ServerVersion}}"], env=env, timeout=15)
+        version = run(["docker", "info", "--format", "{{.ServerVersion}}"], env=env, timeout=60)
     except LabError:
         return False
     major = re.match(r"(\d+)\.", version.strip())
