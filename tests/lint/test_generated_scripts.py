@@ -40,7 +40,8 @@ def test_script(name: str, path: str, tool: Callable[[str], str]) -> None:
 @pytest.mark.parametrize("name", names())
 def test_files_inside_a_dockerfile(name: str, tool: Callable[[str], str]) -> None:
     for text in HEREDOC.findall(whole(name).get("Dockerfile", "")):
-        shellcheck(text, tool("shellcheck"))
+        if not text.startswith("-----BEGIN PGP PUBLIC KEY BLOCK-----\n"):
+            shellcheck(text, tool("shellcheck"))
 
 
 @pytest.mark.parametrize("file", sorted(CARRIED.glob("*.sh")), ids=lambda path: path.stem)
