@@ -310,7 +310,8 @@ def test_what_is_gone_is_mapped_with_a_reason(evidence: Evidence) -> None:
     assert plan.base_image.startswith("nvidia/cuda:11.")
     assert any("CUDA 8.0" in w.message and "deleted" in w.message for w in plan.warnings)
     text = files(plan)["Dockerfile"]
-    assert "snapshots.ros.org/kinetic/final/ubuntu xenial main" in text, "NVIDIA's image has no ROS"
+    wanted = "renew-package-sources --ros http://snapshots.ros.org/kinetic/final/ubuntu xenial ros-snapshots --add"
+    assert wanted in text, "NVIDIA's image has no ROS"
     assert 'PATH="${PATH}:/usr/local/MATLAB/R2017a/bin"' in text
     ppa = planned(OWN["paper"].replace("some/thing", "chronitis/jupyter"), evidence)
     assert any("ppa:chronitis/jupyter" in w.message for w in ppa.warnings)
