@@ -77,7 +77,7 @@ def test_docker_build_sh(roslab: Roslab, builder: dict[str, str], server: Server
     files = {
         "roslab.yaml": "format: 3\nkind: cpp\nname: lab-private-own\nsecrets: [map_key]\ndockerfile: Dockerfile\n",
         "Dockerfile": "FROM ubuntu:24.04\nRUN --mount=type=secret,id=map_key,required=true "
-        f"[ $(cat /run/secrets/map_key | wc -c) = {len(server.password)} ]\n",
+        f"[ $(cat /run/secrets/map_key | wc -c) = {len(server.password)} ] && echo {server.version}\n",
     }
     tree = doors.write(tmp_path / "tree", files)
     assert roslab("create", tree, env=builder).returncode == 0

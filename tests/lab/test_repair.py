@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
-import threading
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from subprocess import CompletedProcess
 from typing import Any
@@ -121,11 +117,6 @@ MENDED = {
         f"{GLOG}  - libmodbus-dev  # for the library modbus\n",
         rounds=3,
     ),
-    "submodule": Broken(
-        config=NATIVE,
-        files={"CMakeLists.txt": f"{CMAKE}add_subdirectory(third_party/maths)\n"},
-        lines="submodules: required  # for submodules not fetched (CMakeLists.txt:3)\n",
-    ),
     "rosdep-key": Broken(
         config=ROS,
         files={
@@ -213,33 +204,6 @@ def bases(lab: Laboratory) -> Iterator[None]:
     subprocess.run(["docker", "image", "rm", *BASES], env=dict(lab.environment), check=False, capture_output=True)
 
 
-def git(folder: Path, *arguments: str) -> str:
-    command = ["git", "-C", str(folder), "-c", "user.name=a", "-c", "user.email=a@example.org", *arguments]
-    environment = {"PATH": os.environ["PATH"], "HOME": "/nonexistent"}
-    return subprocess.run(command, env=environment, check=True, capture_output=True, text=True).stdout
-
-
-@pytest.fixture
-def submodule(tmp_path: Path) -> Iterator[str]:
-    """Serve a library as a git repository; return its address."""
-
-    class Quiet(SimpleHTTPRequestHandler):
-        def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - its name in the base class
-            """Say nothing."""
-
-    folder = tmp_path / "served" / "maths"
-    folder.mkdir(parents=True)
-    git(folder, "init", "--quiet", "--initial-branch=main")
-    (folder / "CMakeLists.txt").write_text("message(STATUS here)\n")
-    git(folder, "add", "--all")
-    git(folder, "commit", "--quiet", "--message", "x")
-    git(folder, "update-server-info")
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder.parent))) as running:
-        threading.Thread(target=running.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{running.server_port}/maths/.git"
-        running.shutdown()
-
-
 def repository(folder: Path, broken: Broken) -> Path:
     folder.mkdir()
     for name, text in {**broken.files, "roslab.yaml": broken.config}.items():
@@ -256,17 +220,9 @@ def build(lab: Laboratory, folder: Path, *options: str) -> CompletedProcess[str]
 
 @pytest.mark.usefixtures("bases")
 @pytest.mark.parametrize("name", list(MENDED))
-def test_it_builds_with_what_was_missing(lab: Laboratory, tmp_path: Path, submodule: str, name: str) -> None:
+def test_it_builds_with_what_was_missing(lab: Laboratory, tmp_path: Path, name: str) -> None:
     broken = MENDED[name]
     folder = repository(tmp_path / f"repair-{name}", broken)
-    if name == "submodule":
-        git(folder, "init", "--quiet", "--initial-branch=main")
-        git(folder, "config", "--file", ".gitmodules", "submodule.maths.path", "third_party/maths")
-        git(folder, "config", "--file", ".gitmodules", "submodule.maths.url", submodule)
-        commit = git(tmp_path / "served" / "maths", "rev-parse", "HEAD").strip()
-        git(folder, "update-index", "--add", "--cacheinfo", f"160000,{commit},third_party/maths")
-        git(folder, "add", ".gitmodules")
-        git(folder, "commit", "--quiet", "--message", "x")
     words = [] if broken.proof else ["--no-proof"]
     answer = build(lab, folder, *words)
     assert answer.returncode == 0, answer.stderr[-8000:]
