@@ -16,6 +16,8 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 KINDS = ("unit", "golden", "bad_input", "lab", "lint")
 """Folders of tests; each is a marker of the same name."""
+LONGEST = ("test_workflows.py", "test_canary.py", "test_action.py", "test_order.py", "test_trust.py", "test_hostile.py")
+"""Files of the lab that take more than ten minutes each, for whom others wait unless they begin first."""
 Roslab = Callable[..., "subprocess.CompletedProcess[str]"]
 
 
@@ -108,8 +110,18 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if kind := _kind(item.nodeid):
             item.add_marker(kind)
-    # What takes milliseconds first: a wrong word is told before the engine has warmed up
-    items.sort(key=lambda item: _kind(item.nodeid) == "lab")
+    items.sort(key=lambda item: _turn(item.nodeid))
+
+
+def _turn(nodeid: str) -> int:
+    """Return when a test has its turn: what takes milliseconds first, of the lab's files the longest first.
+
+    A wrong word is then told before the engine has warmed up, and no process is left alone with a long file at the end.
+    """
+    if _kind(nodeid) != "lab":
+        return 0
+    file = nodeid.partition("::")[0].rpartition("/")[2]
+    return 1 + (LONGEST.index(file) if file in LONGEST else len(LONGEST))
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
