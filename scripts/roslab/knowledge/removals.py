@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from functools import cache
 
 from roslab.knowledge.table import rows
-from roslab.values.requirement import Requirement, stated
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -15,7 +15,7 @@ from roslab.evidence.python import removed
 from roslab.knowledge.removals import removals
 from roslab.knowledge.table import rows
 from roslab.repository.checkout import Repository
-from roslab.values.requirement import stated
+from roslab.values.requirement_line import stated
 
 
 def bounds(tmp_path: Path, code: str) -> dict[str, int]:

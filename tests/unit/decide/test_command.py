@@ -19,7 +19,7 @@ from roslab.evidence.facts import (
     RequirementFile,
 )
 from roslab.values.conda import conda_package
-from roslab.values.requirement import stated
+from roslab.values.requirement_line import stated
 
 MAIN = Program(file="train.py", line=3, kind="main")
 LAUNCH = LaunchFile(file="launch/a.launch", line=1, package="me", ros=1, dependencies=(), gui=True)

@@ -18,7 +18,7 @@ from roslab.decide.python.torch_build import torch_build
 from roslab.evidence.facts import CondaEnvironment, Evidence, Mention, RequirementFile
 from roslab.knowledge.frameworks import cuda_images, nearest_cuda_image
 from roslab.values.conda import conda_package
-from roslab.values.requirement import stated
+from roslab.values.requirement_line import stated
 
 
 def asked(*lines: str) -> RequirementFile:

@@ -19,7 +19,7 @@ from roslab.plan.plan import Plan, from_json, image_name, make_plan, to_json
 from roslab.render import image_scripts
 from roslab.render.dockerfile import OLD_FORMATS, TODAY, dockerfile
 from roslab.render.layers import python
-from roslab.values.requirement import stated
+from roslab.values.requirement_line import stated
 
 
 def decision(**changes: Any) -> Decision:

@@ -14,7 +14,7 @@ from roslab.decide.decision import Decision, Python
 from roslab.plan.plan import Plan, make_plan
 from roslab.render.build_script import build_script
 from roslab.render.dockerfile import dockerfile
-from roslab.values.requirement import stated
+from roslab.values.requirement_line import stated
 
 ALL = ("pip_index", "netrc", "ssh", "apt_auth", "map_key")
 SISTER = Source(name="sister", repo="git@example.org:lab/sister.git", ref="v1", build="colcon")

@@ -6,7 +6,7 @@ import pytest
 
 from roslab.values.conda import conda_package
 from roslab.values.interpreter import Interpreter
-from roslab.values.requirement import requirement, stated
+from roslab.values.requirement_line import requirement, stated
 from roslab.values.specifier import admits, specifiers
 
 WHEEL = "https://e.org/whl/cu113/torch-1.10.0%2Bcu113-cp38-cp38-linux_x86_64.whl"

@@ -30,7 +30,8 @@ from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.frameworks import kept_for_build_types
 from roslab.values.interpreter import Interpreter
 from roslab.values.origin import Place
-from roslab.values.requirement import Requirement, stated
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
 from roslab.values.version import minor_of
 
 _WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from roslab.evidence.facts import PythonProject
 from roslab.knowledge.frameworks import build_needs, imports
-from roslab.values.requirement import Requirement, stated
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
 
 
 def first(asked: Sequence[Requirement], projects: Sequence[PythonProject]) -> tuple[Requirement, ...]:

@@ -14,7 +14,8 @@ from roslab.decide.python.pins import Pin
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.knowledge.frameworks import framework
-from roslab.values.requirement import Requirement, stated
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
 
 _BUILD = re.compile(r"(.+)-cu(\d{2,3})")
 _LEADING = {"torch": "torch", "tensorflow": "tensorflow", "jax": "jax"}

@@ -13,7 +13,8 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.guesses import same_module, tooling
-from roslab.values.requirement import Requirement, stated
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
 
 _FOR_DEVELOPERS = re.compile(
     r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|(?:bitbucket|azure)-pipelines\.|docs?\d?/)"

@@ -13,7 +13,8 @@ from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence
 from roslab.knowledge.frameworks import conda_names, imports
 from roslab.values.conda import CondaPackage
-from roslab.values.requirement import Requirement, stated
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
 
 MAX_FILES = 60
 """Most requirement files that are considered, those nearest to the root first."""

@@ -8,7 +8,8 @@ from roslab.config.model import Config
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.knowledge.on_request import packages
-from roslab.values.requirement import Requirement, stated
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

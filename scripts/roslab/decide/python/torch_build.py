@@ -10,7 +10,8 @@ from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.knowledge.frameworks import Framework, framework, newest_on_cuda
-from roslab.values.requirement import Requirement, stated
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
 
 ONE_PAGE_BEFORE = Version("1.11")
 """Before this release torch's wheels for a CUDA were listed on a page, not in an index of their own.

@@ -9,7 +9,8 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency, Evidence
 from roslab.knowledge.distros import cmake_of_ubuntu
-from roslab.values.requirement import Requirement, stated
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
 
 
 def needed_cmake(evidence: Evidence) -> Dependency | None:

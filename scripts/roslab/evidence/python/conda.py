@@ -8,7 +8,8 @@ from roslab.evidence.facts import CondaEnvironment
 from roslab.evidence.lex.yaml import load
 from roslab.repository.checkout import File, Repository
 from roslab.values.conda import conda_package
-from roslab.values.requirement import Requirement, requirement
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import requirement
 from roslab.values.version import minor_of
 
 _NAME = re.compile(

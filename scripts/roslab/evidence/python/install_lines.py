@@ -9,7 +9,8 @@ from typing import Literal, NamedTuple
 from roslab.evidence.lex.shell import UNKNOWN, Command
 from roslab.knowledge.frameworks import conda_names
 from roslab.values.conda import conda_package
-from roslab.values.requirement import Requirement, Role, requirement, stated
+from roslab.values.requirement import Requirement, Role
+from roslab.values.requirement_line import requirement, stated
 from roslab.values.version import minor_of
 
 STOP = frozenset(

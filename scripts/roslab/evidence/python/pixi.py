@@ -13,7 +13,8 @@ from roslab.evidence.facts import CondaEnvironment
 from roslab.evidence.python.poetry import lines as of_poetry
 from roslab.repository.checkout import File, Repository
 from roslab.values.conda import conda_package
-from roslab.values.requirement import Requirement, requirement
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import requirement
 from roslab.values.version import minor_of
 
 MAX_SIZE = 256 * 1024

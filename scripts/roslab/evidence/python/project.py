@@ -14,7 +14,8 @@ from packaging.utils import canonicalize_name
 from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import poetry, requirements, setup_py
 from roslab.repository.checkout import Repository
-from roslab.values.requirement import Requirement, Role, requirement
+from roslab.values.requirement import Requirement, Role
+from roslab.values.requirement_line import requirement
 
 MAX_SIZE = 256 * 1024
 _AMENT = re.compile(r"ament_index/resource_index|ament_python")

@@ -10,7 +10,8 @@ from typing import Literal
 from roslab.evidence import places
 from roslab.evidence.facts import RequirementFile
 from roslab.repository.checkout import Repository
-from roslab.values.requirement import Requirement, requirement
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import requirement
 
 MAX_LINES = 3_000
 """Most requirement lines read of one file; a longer one is data."""

@@ -1,0 +1,144 @@
+"""Reads one requirement line as people write it, by the standard first, then as a URL or a path, then after repairs."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from functools import cache, partial
+
+from packaging.markers import InvalidMarker, Marker
+from packaging.requirements import InvalidRequirement
+from packaging.requirements import Requirement as Parsed
+
+from roslab.values.requirement import FREE, Requirement, RequirementOrigin, Role
+from roslab.values.specifier import specifiers
+from roslab.values.wheel import wheel_of
+
+_EDITABLE = re.compile(r"^(?:-e|--editable)[ =]*(\S.*)$")
+_PER_LINE = re.compile(r"\s+--(?:hash|global-option|install-option|config-settings)[ =]\S+")
+_URL = re.compile(r"^(?:(?:git|hg|svn|bzr)\+\S+|https?://\S+|file:\S+|git://\S+|git@\S+)$")
+_PATH = re.compile(r"[\w./-]+(?:\[.*\])?")
+_NAME = re.compile(r"([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)\s*(\[[\w\s,.-]*\])?\s*(.*)")
+_VERSIONS = re.compile(r"\(?\s*(?:(?:===?|!=|~=|<=?|>=?)\s*[\w.*+!-]+\s*,?\s*)+\)?")
+_EXPORTED = re.compile(r"=([\w.+!-]+?)(?:=[^=\s]+)?")
+_EGG = re.compile(r"[#&]egg=([\w.-]+)")
+_LAST = re.compile(r"/([\w.-]+?)(?:\.git)?(?:@[^/]*)?(?:#.*)?$")
+_NOWHERE = partial(Requirement, origin="table")
+"""A requirement before its place and origin are known."""
+
+
+def requirement(
+    text: str,
+    origin: RequirementOrigin,
+    file: str = "",
+    line: int = 1,
+    *,
+    role: Role = "",
+    group: str = "",
+    repair: bool = True,
+) -> Requirement | None:
+    """Parse one requirement as people write it; ``None`` if it names nothing that can be installed.
+
+    What ``packaging`` cannot read is a bare URL, a path (role ``project``), or, with ``repair``, a spelling that pip
+    refuses and whose meaning is plain (role ``repaired``).
+    """
+    read = _read(text.strip())
+    if read is None or (read.role == "repaired" and not repair):
+        return None
+    role = read.role if read.role == "project" else role or read.role
+    return replace(read, origin=origin, role=role, group=group, file=file, line=line)
+
+
+def stated(
+    text: str, origin: RequirementOrigin = "table", file: str = "", line: int = 1, *, role: Role = ""
+) -> Requirement:
+    """Parse a line that is known to be a requirement; what only pip understands stays in ``written``."""
+    found = requirement(text, origin, file, line, role=role)
+    return found or Requirement(name="", written=text, origin=origin, role=role, file=file, line=line)
+
+
+@cache
+def _read(text: str) -> Requirement | None:
+    """Parse a line without its place: by the standard, else as a URL or a path, else after repairs."""
+    editable = _EDITABLE.match(text)
+    role: Role = "editable" if editable else ""
+    text = _PER_LINE.sub("", editable[1] if editable else text).strip()
+    if text[:1] in {'"', "'"} and text[-1:] == text[:1] and len(text) > 2:
+        text, role = text[1:-1].strip(), role or "repaired"
+    text = text.rstrip(",")
+    try:
+        parsed = None if role == "editable" and _PATH.fullmatch(text) else Parsed(text)
+    except InvalidRequirement:
+        parsed = None
+    if parsed is not None and not (parsed.url or "").startswith("file:"):
+        return _standard(parsed, text, role)
+    requirement, marker, spelled = _marked(text)
+    if _URL.match(requirement):
+        return _NOWHERE(name=_named(requirement), written=requirement, url=requirement, marker=marker, role=role)
+    if requirement.startswith((".", "/")) or (role == "editable" and _PATH.fullmatch(requirement)):
+        return _NOWHERE(name="", written=requirement, marker=marker, role="project")
+    found = _repaired(requirement)
+    if found is None:
+        return None
+    return replace(found, marker=marker, role=found.role or role or ("" if spelled else "repaired"))
+
+
+def _standard(parsed: Parsed, text: str, role: Role) -> Requirement:
+    """Return what ``packaging`` parsed, with the specifiers in the author's order."""
+    extras = tuple(sorted(parsed.extras))
+    if parsed.url:
+        listed = f"[{','.join(extras)}]" if extras else ""
+        written = f"{parsed.name}{listed} @ {parsed.url}"
+    else:
+        written = re.sub(r"[\s()]+", "", text.partition(";")[0])
+    return _NOWHERE(
+        name=parsed.name,
+        written=written,
+        specifier=parsed.specifier,
+        extras=extras,
+        url=parsed.url or "",
+        marker=parsed.marker,
+        role=role,
+    )
+
+
+def _marked(text: str) -> tuple[str, Marker | None, bool]:
+    """Split a line at its marker (a semicolon in a URL is no marker) and tell whether pip can read the marker."""
+    before = text.partition(" ;")[0].strip()
+    requirement, _, condition = text.partition(" ;" if _URL.match(before) else ";")
+    try:
+        return requirement.strip(), Marker(condition) if condition.strip() else None, True
+    except InvalidMarker:
+        return requirement.strip(), None, False
+
+
+def _repaired(text: str) -> Requirement | None:
+    """Return the meaning of a spelling that follows no standard."""
+    matched = _NAME.fullmatch(text)
+    if matched is None:
+        return None
+    name, listed, rest = matched[1], (matched[2] or "").replace(" ", ""), matched[3].strip()
+    extras = tuple(sorted(filter(None, listed.strip("[]").split(","))))
+    if not rest:  # its marker was what pip cannot read
+        return _NOWHERE(name=name, written=name + listed, extras=extras, role="repaired")
+    if rest.startswith("@"):  # pip freeze in conda: a path of the author's machine
+        return _NOWHERE(name=name, written=name + listed, extras=extras, role="repaired")
+    if _VERSIONS.fullmatch(rest):
+        allowed = specifiers(rest)
+        written = re.sub(r"[\s()]+", "", rest) if allowed is None else str(allowed)
+        role: Role = "repaired" if allowed else ""
+        return _NOWHERE(name=name, written=name + listed + written, specifier=allowed or FREE, extras=extras, role=role)
+    if exported := _EXPORTED.fullmatch(rest):  # conda list --export: name=version=build
+        pinned = specifiers(f"=={exported[1]}")
+        return _NOWHERE(name=name, written=f"{name}=={exported[1]}", specifier=pinned or FREE, role="repaired")
+    return None
+
+
+def _named(url: str) -> str:
+    """Return the package name in a bare URL: from its ``#egg=``, its wheel, or its last part."""
+    if egg := _EGG.search(url):
+        return egg[1]
+    if wheel := wheel_of(url):
+        return wheel.name
+    last = _LAST.search(url)
+    return last[1] if last else ""

@@ -1,0 +1,46 @@
+"""What a wheel's file name says: https://packaging.python.org/en/latest/specifications/binary-distribution-format/."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import NamedTuple
+from urllib.parse import unquote
+
+from packaging.tags import Tag
+from packaging.utils import InvalidWheelFilename, parse_wheel_filename
+from packaging.version import Version
+
+_CPYTHON = re.compile(r"cp(\d)(\d{1,2})")
+
+
+class Wheel(NamedTuple):
+    """The parts of a wheel's file name."""
+
+    name: str
+    version: Version
+    tags: frozenset[Tag]
+
+    @property
+    def python(self) -> str | None:
+        """The only CPython that it is built for: ``3.8`` of ``cp38``."""
+        found = {match[1] + "." + match[2] for tag in self.tags if (match := _CPYTHON.fullmatch(tag.interpreter))}
+        return min(found) if len(found) == 1 else None
+
+    @property
+    def amd64_only(self) -> bool:
+        """Whether it is built for Linux on amd64 alone."""
+        return all(tag.platform.startswith(("linux", "manylinux")) and "x86_64" in tag.platform for tag in self.tags)
+
+
+@cache
+def wheel_of(url: str) -> Wheel | None:
+    """Return the wheel that a URL names; ``None`` if its end is no wheel's file name."""
+    file = unquote(url.partition("#")[0].partition("?")[0].rpartition("/")[2])
+    if not file.endswith(".whl"):
+        return None
+    try:
+        name, version, _, tags = parse_wheel_filename(file)
+    except InvalidWheelFilename:
+        return None
+    return Wheel(name, version, tags)
