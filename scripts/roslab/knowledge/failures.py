@@ -28,16 +28,12 @@ A failure is one table ``[id]`` in a file ``failures_WORLD.toml``:
 from __future__ import annotations
 
 import re
-import sys
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
+from roslab.values import toml
 
 WORLDS = ("images", "apt", "system", "fetch", "ros", "python", "native", "languages", "own_words")
 """The files, in their order: of two failures of one rank that match on one line, the earlier one wins."""
@@ -87,5 +83,4 @@ def compiled(pattern: str) -> re.Pattern[str]:
 
 
 def _world(name: str) -> dict[str, Any]:
-    with Path(__file__).with_name(f"failures_{name}.toml").open("rb") as stream:
-        return tomllib.load(stream)
+    return toml.parsed(Path(__file__).with_name(f"failures_{name}.toml").read_text(encoding="utf-8"))

@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
+from roslab.values import toml
 
 
 @cache
 def _table() -> dict[str, Any]:
-    with Path(__file__).with_name("recipes.toml").open("rb") as stream:
-        return tomllib.load(stream)
+    return toml.parsed(Path(__file__).with_name("recipes.toml").read_text(encoding="utf-8"))
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -17,15 +17,11 @@ The packages that a failure's own ``lookup`` names need no table here.
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
+from roslab.values import toml
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -45,6 +41,5 @@ class Repair:
 @cache
 def repairs() -> dict[str, Repair]:
     """Return the repair of each failure that has one, by the failure's id."""
-    with Path(__file__).with_name("repairs.toml").open("rb") as stream:
-        found = tomllib.load(stream)
+    found = toml.parsed(Path(__file__).with_name("repairs.toml").read_text(encoding="utf-8"))
     return {name: Repair(**{**row, "dockerfile": tuple(row.get("dockerfile", ()))}) for name, row in found.items()}

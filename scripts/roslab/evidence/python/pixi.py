@@ -5,13 +5,13 @@ https://pixi.sh/latest/reference/pixi_manifest/, read 2026-11-21.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from typing import Any
 
 from roslab.evidence.facts import CondaEnvironment
 from roslab.evidence.python.poetry import lines as of_poetry
 from roslab.repository.checkout import File, Repository
+from roslab.values import toml
 from roslab.values.conda import conda_package
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import requirement
@@ -33,13 +33,9 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
     text = repository.read(file, limit=MAX_SIZE)
     if file.name != "pixi.toml" and "[tool.pixi" not in text:
         return None
-    if sys.version_info >= (3, 11):
-        import tomllib  # noqa: PLC0415 - most repositories never need it
-    else:
-        import tomli as tomllib  # noqa: PLC0415
     try:
-        data: dict[str, Any] = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError, ValueError):
+        data = toml.parsed(text)
+    except ValueError:
         return None
     data = data if file.name == "pixi.toml" else _table(_table(data, "tool"), "pixi")
     about = _table(data, "workspace") or _table(data, "project")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import configparser
 import re
-import sys
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import Any
@@ -14,6 +13,7 @@ from packaging.utils import canonicalize_name
 from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import poetry, requirements, setup_py
 from roslab.repository.checkout import Repository
+from roslab.values import toml
 from roslab.values.requirement import Requirement, Role
 from roslab.values.requirement_line import requirement
 
@@ -192,13 +192,9 @@ def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> Pyt
 
 
 def _pyproject(repository: Repository, path: str, folder: str, text: str) -> PythonProject | None:
-    if sys.version_info >= (3, 11):
-        import tomllib  # noqa: PLC0415 - most repositories never need it
-    else:
-        import tomli as tomllib  # noqa: PLC0415
     try:
-        data: dict[str, Any] = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError, ValueError):
+        data = toml.parsed(text)
+    except ValueError:
         return None
     line_of = _finder(text)
     project, of_poetry = _table(data, "project"), _table(data, "tool", "poetry")
