@@ -16,7 +16,6 @@ import subprocess
 import sys
 import threading
 import time
-import zipfile
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -28,6 +27,7 @@ from PIL import Image
 from lab import doors, packages
 from lab.act import Result, run_workflow
 from lab.home import CHECKOUT
+from lab.kept_artifacts import artifacts
 from lab.laboratory import Laboratory
 from roslab.prove import display
 
@@ -99,18 +99,6 @@ def disc(data: bytes) -> int:
 
 def whole_disc(data: bytes) -> bool:
     return abs(disc(data) - 3.1416 * 200**2) < 3000
-
-
-def artifacts(place: Path) -> dict[str, bytes]:
-    """Return the files of a run's artifacts, ARTIFACT/FILE, from the stand-in's folder and from act's own server."""
-    found = {}
-    for file in sorted((place / "artifacts").rglob("*")):
-        if file.is_file() and not file.name.startswith("."):  # the stand-in's own notes
-            found[str(file.relative_to(place / "artifacts"))] = file.read_bytes()
-    for archive in sorted((place / "act-artifacts").rglob("*.zip")):
-        with zipfile.ZipFile(archive) as opened:
-            found |= {f"{archive.stem}/{name}": opened.read(name) for name in opened.namelist()}
-    return found
 
 
 def named(kept: dict[str, bytes], *words: str) -> str:
