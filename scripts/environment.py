@@ -1,18 +1,21 @@
 """Make the program's private Python environment on a runner, from the hashed lock beside this file.
 
 Run as ``python3 -I environment.py``; prints nothing and sets the step's output ``python``. The runner's own packages,
-PYTHONPATH and the caller's repository are out of reach of what runs in it. A second use in one job finds it made.
+PYTHONPATH and the caller's repository are out of reach of what runs in it. It lies in the job's own RUNNER_TEMP, where
+a second use in that job finds it; the owner of a runner may name another folder, ROSLAB_PYTHON_CACHE, for all its jobs.
 It is read by the runner's Python, whatever its age: hence no syntax newer than 3.6.
 """
 
 # The same reason for what the linter would rather see:
-# ruff: noqa: PTH100, PTH110, PTH118, PTH120, PTH123, PTH207, UP031
+# ruff: noqa: PTH100, PTH103, PTH104, PTH112, PTH118, PTH119, PTH120, PTH123, PTH207, UP031
 
 import glob
 import hashlib
 import os
+import shutil
 import subprocess
 import sys
+import tempfile
 
 LOCK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "requirements.txt")
 DISTURBING = ("PIP_TARGET", "PIP_PREFIX", "PIP_USER", "PIP_REQUIRE_VIRTUALENV", "PYTHONPATH", "PYTHONHOME")
@@ -43,34 +46,54 @@ def main() -> int:
         )
     with open(LOCK, "rb") as stream:
         content = stream.read() + sys.version.encode()
-    folder = os.path.join(
-        os.environ.get("RUNNER_TEMP") or ".", "roslab-python-" + hashlib.sha256(content).hexdigest()[:12]
-    )
+    place = os.environ.get("ROSLAB_PYTHON_CACHE") or os.environ.get("RUNNER_TEMP") or "."
+    folder = os.path.join(os.path.abspath(place), "roslab-python-" + hashlib.sha256(content).hexdigest()[:12])
+    if not os.path.isdir(folder):
+        failed = make(folder)
+        if failed:
+            return fail("the private Python environment cannot be made: %s" % failed)
     python = os.path.join(folder, "bin", "python")
-    done = os.path.join(folder, "done")
-    if not os.path.exists(done):
-        environment = {name: value for name, value in os.environ.items() if name not in DISTURBING}
-        install = ["install", "--quiet", "--disable-pip-version-check", "--no-input", "--no-deps", "--require-hashes"]
-        install += ["--only-binary", ":all:", "--requirement", LOCK]
-        if lends_pip():
-            commands = (
-                [sys.executable, "-I", "-m", "venv", "--clear", "--without-pip", folder],
-                [sys.executable, "-I", "-m", "pip", "--python", python, *install],
-            )
-        else:
-            commands = (
-                [sys.executable, "-I", "-m", "venv", "--clear", folder],
-                [python, "-I", "-m", "pip", *install],
-            )
-        for command in commands:
-            # pip's own words go to the log; one clear line is the annotation
-            if subprocess.call(command, env=environment):
-                return fail("the private Python environment cannot be made: `%s` failed" % " ".join(command[1:5]))
-        with open(done, "w"):
-            pass
     with open(os.environ.get("GITHUB_OUTPUT") or os.devnull, "a", encoding="utf-8") as stream:
         stream.write("python=" + python + "\n")
     return 0
+
+
+def make(folder):  # type: (str) -> str
+    """Make the environment and return "", else what failed.
+
+    It gets its name when it is complete: a job that was ended leaves none that is half made, and of two that make it at
+    once the first one's stays.
+    """
+    try:
+        os.makedirs(os.path.dirname(folder), exist_ok=True)
+        made = tempfile.mkdtemp(prefix=os.path.basename(folder) + "-", dir=os.path.dirname(folder))
+    except OSError as error:
+        return str(error)
+    python = os.path.join(made, "bin", "python")
+    environment = {name: value for name, value in os.environ.items() if name not in DISTURBING}
+    install = ["install", "--quiet", "--disable-pip-version-check", "--no-input", "--no-deps", "--require-hashes"]
+    install += ["--only-binary", ":all:", "--requirement", LOCK]
+    if lends_pip():
+        commands = (
+            [sys.executable, "-I", "-m", "venv", "--clear", "--without-pip", made],
+            [sys.executable, "-I", "-m", "pip", "--python", python, *install],
+        )
+    else:
+        commands = (
+            [sys.executable, "-I", "-m", "venv", "--clear", made],
+            [python, "-I", "-m", "pip", *install],
+        )
+    try:
+        for command in commands:
+            # pip's own words go to the log; one clear line is the annotation
+            if subprocess.call(command, env=environment):
+                return "`%s` failed" % " ".join(command[1:5])
+        os.rename(made, folder)
+    except OSError as error:
+        return "" if os.path.isdir(folder) else str(error)
+    finally:
+        shutil.rmtree(made, ignore_errors=True)
+    return ""
 
 
 def newer_python() -> str:

@@ -175,6 +175,8 @@ def _environment(lab: Laboratory, place: Path) -> dict[str, str]:
         "PATH": path,
         "DOCKER_HOST": lab.docker_host,
         "PIP_CACHE_DIR": str(folder("pip-cache")),
+        # As the owner of a runner may have it: made once, not by every job of every test
+        "ROSLAB_PYTHON_CACHE": str(folder("runner")),
     }
 
 

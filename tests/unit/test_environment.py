@@ -13,6 +13,7 @@ import pytest
 
 SCRIPT = Path(__file__).resolve().parent.parent.parent / "scripts/environment.py"
 LOCK = SCRIPT.with_name("requirements.txt")
+ENVIRONMENT = "roslab-python-" + hashlib.sha256(LOCK.read_bytes() + sys.version.encode()).hexdigest()[:12]
 
 
 def old_python() -> str | None:
@@ -40,13 +41,14 @@ def old(tmp_path: Path) -> Path:
     return folder
 
 
-def run(path: list[Path], place: Path) -> subprocess.CompletedProcess[str]:
+def run(path: list[Path], place: Path, **more: str) -> subprocess.CompletedProcess[str]:
     environment = {
         "PATH": os.pathsep.join(map(str, path)),
         "RUNNER_TEMP": str(place),
         "GITHUB_OUTPUT": str(place / "output"),
         "RUNNER_TOOL_CACHE": str(place / "tools"),
         **{name: value for name, value in os.environ.items() if name.startswith(("PIP_", "SSL_", "REQUESTS_"))},
+        **more,
     }
     return subprocess.run(
         [path[0] / "python3", "-I", SCRIPT], env=environment, capture_output=True, text=True, check=False
@@ -59,10 +61,25 @@ def test_an_older_python_first_on_path_stops_nothing(tmp_path: Path, old: Path, 
     new.mkdir(parents=True)
     (new / "python3").symlink_to(sys.executable)
     path = [old] if where == "tool cache" else [old, new]
-    key = hashlib.sha256(LOCK.read_bytes() + sys.version.encode()).hexdigest()[:12]
-    made = tmp_path / f"roslab-python-{key}"  # as an earlier use in the same job left it: nothing is installed here
+    made = tmp_path / ENVIRONMENT  # as an earlier use in the same job left it: nothing is installed here
     made.mkdir()
-    (made / "done").touch()
     ran = run(path, tmp_path)
     assert ran.returncode == 0, ran.stdout + ran.stderr
     assert (tmp_path / "output").read_text() == f"python={made}/bin/python\n"
+
+
+def test_the_runners_owner_may_keep_it_for_all_jobs(tmp_path: Path) -> None:
+    kept = tmp_path / "kept"
+    (kept / ENVIRONMENT).mkdir(parents=True)
+    ran = run([Path(sys.executable).parent], tmp_path, ROSLAB_PYTHON_CACHE=str(kept))
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    assert (tmp_path / "output").read_text() == f"python={kept / ENVIRONMENT}/bin/python\n"
+
+
+def test_what_cannot_be_made_leaves_nothing_that_looks_made(tmp_path: Path) -> None:
+    place = tmp_path / "runner"
+    place.mkdir()
+    ran = run([Path(sys.executable).parent], place, PIP_NO_INDEX="1", PIP_NO_CACHE_DIR="1")
+    assert ran.returncode == 5
+    assert "::error::the private Python environment cannot be made: `" in ran.stdout
+    assert not list(place.iterdir())
