@@ -1,0 +1,108 @@
+"""The ways of building: what the Dockerfile says, what a build is given, and what is left for the next one."""
+
+from __future__ import annotations
+
+import secrets
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from contextlib import AbstractContextManager, ExitStack
+from pathlib import Path
+
+from benchmarks.rebuild.builds import Builder, FailedBuildError, Figures, Registry, builder, figures, registry
+from benchmarks.rebuild.repositories import Change
+
+SCRIPTS = Path(__file__).resolve().parent.parent.parent / "scripts"
+CASES = ("cold", "unchanged", "edit-cpp", "edit-launch", "add-apt", "add-package-xml", "edit-readme")
+WAYS = ("paper", "docker-ros", "ours", "ours-fresh-runner")
+IMAGE = "bench/image"
+Locked = Callable[[], AbstractContextManager[object]]
+
+# The order of the Dockerfiles in the article of 2024 (algorithms 1 and 5): the whole tree, then what it needs
+PAPER = """\
+FROM ros:noetic-ros-base
+RUN mkdir -p /catkin_ws/src
+COPY . /catkin_ws/src/
+RUN . /opt/ros/$ROS_DISTRO/setup.sh \\
+  && apt-get update \\
+  && DEBIAN_FRONTEND=noninteractive rosdep install -y --from-paths /catkin_ws/src --ignore-src{apt} \\
+  && rm -rf /var/lib/apt/lists/*
+RUN . /opt/ros/$ROS_DISTRO/setup.sh && cd /catkin_ws && catkin_make
+RUN sed --in-place --expression '$isource "/catkin_ws/devel/setup.bash"' /ros_entrypoint.sh
+CMD ["bash"]
+"""
+PAPER_APT = " \\\n  && DEBIAN_FRONTEND=noninteractive apt-get install -y {packages}"
+
+# docker-ros as its documentation describes it: a stage for what is needed, one for the build, each given a token that
+# is another at every run
+DOCKER_ROS = """\
+FROM ros:noetic-ros-base AS dependencies
+ARG TOKEN
+RUN apt-get update && apt-get install -y --no-install-recommends python3-pip && rm -rf /var/lib/apt/lists/*
+WORKDIR /docker-ros/ws
+COPY . src/target
+RUN . /opt/ros/$ROS_DISTRO/setup.sh \\
+  && rosdep install --simulate --from-paths src --ignore-src -y > /docker-ros/dependencies.txt \\
+  && apt-get update \\
+  && DEBIAN_FRONTEND=noninteractive rosdep install -y --from-paths src --ignore-src{apt} \\
+  && rm -rf /var/lib/apt/lists/*
+FROM dependencies AS build
+ARG TOKEN
+RUN . /opt/ros/$ROS_DISTRO/setup.sh && catkin_make -DCMAKE_BUILD_TYPE=Release
+CMD ["bash"]
+"""
+
+
+def measure(way: str, change: Change, place: Path, cases: tuple[str, ...], locked: Locked) -> dict[str, Figures]:
+    """Build a repository one way, cold and again after each change, in turn; the changes add up.
+
+    ``place`` is an empty folder, ``locked`` a lock that is held while something is built. Raises ``FailedBuildError``.
+    """
+    result: dict[str, Figures] = {}
+    fresh = way == "ours-fresh-runner"
+    with ExitStack() as stack:
+        pushed = stack.enter_context(registry())
+        runner = None if fresh else stack.enter_context(builder())
+        for case in cases:
+            change.make(case)
+            job = {"way": way, "dockerfile": _dockerfile(way, change, place), "context": change.root, "case": case}
+            with locked():
+                if runner:
+                    result[case] = _build(runner, pushed, **job)
+                else:
+                    with builder() as empty:
+                        result[case] = _build(empty, pushed, **job)
+            print(f"{change.of.name} {way} {case}: {result[case]}", file=sys.stderr, flush=True)
+    return result
+
+
+def _build(runner: Builder, pushed: Registry, *, way: str, dockerfile: Path, context: Path, case: str) -> Figures:
+    name = f"{pushed.address}/{IMAGE}:{case}"
+    words = ["--file", dockerfile, "--output", f"type=image,name={name},push=true"]
+    if way == "docker-ros":
+        words += ["--build-arg", f"TOKEN={secrets.token_hex(8)}"]
+    if way == "ours-fresh-runner":
+        cache = f"type=registry,ref={pushed.address}/{IMAGE}:buildcache"
+        words += ["--cache-from", cache, "--cache-to", f"{cache},mode=max,ignore-error=true"]
+    started = time.monotonic()
+    log = runner.build(words, context)
+    seconds = time.monotonic() - started
+    return figures(log, seconds, *pushed.received(f"{IMAGE}:{case}"))
+
+
+def _dockerfile(way: str, change: Change, place: Path) -> Path:
+    """Write the Dockerfile of a way as it is after the change, out of the repository."""
+    if way in ("paper", "docker-ros"):
+        text = {"paper": PAPER, "docker-ros": DOCKER_ROS}[way]
+        apt = PAPER_APT.format(packages=" ".join(change.apt)) if change.apt else ""
+        file = place / "Dockerfile"
+        file.write_text(text.replace("{apt}", apt))
+        # As in ours: the history is another at every commit
+        (place / "Dockerfile.dockerignore").write_text("**/.git\n")
+        return file
+    command = [sys.executable, "-I", str(SCRIPTS), "create", str(change.root), "--output", str(place), "--force"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise FailedBuildError(done.stderr)
+    return place / "Dockerfile"
