@@ -6,8 +6,9 @@ import secrets
 import subprocess
 import sys
 import time
-from collections.abc import Callable
-from contextlib import AbstractContextManager, ExitStack
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from dataclasses import dataclass
 from pathlib import Path
 
 from benchmarks.rebuild.builds import Builder, FailedBuildError, Figures, Registry, builder, figures, registry
@@ -17,7 +18,6 @@ SCRIPTS = Path(__file__).resolve().parent.parent.parent / "scripts"
 CASES = ("cold", "unchanged", "edit-cpp", "edit-launch", "add-apt", "add-package-xml", "edit-readme")
 WAYS = ("paper", "docker-ros", "ours", "ours-fresh-runner")
 IMAGE = "bench/image"
-Locked = Callable[[], AbstractContextManager[object]]
 
 # The order of the Dockerfiles in the article of 2024 (algorithms 1 and 5): the whole tree, then what it needs
 PAPER = """\
@@ -54,41 +54,52 @@ CMD ["bash"]
 """
 
 
-def measure(way: str, change: Change, place: Path, cases: tuple[str, ...], locked: Locked) -> dict[str, Figures]:
+@dataclass(frozen=True, kw_only=True)
+class Job:
+    """One build: a way, its Dockerfile, the repository as it is, and the case that it is measured for."""
+
+    way: str
+    dockerfile: Path
+    context: Path
+    case: str
+
+
+def measure(
+    way: str, change: Change, place: Path, cases: tuple[str, ...], begin: Callable[[], None]
+) -> Iterator[tuple[str, Figures]]:
     """Build a repository one way, cold and again after each change, in turn; the changes add up.
 
-    ``place`` is an empty folder, ``locked`` a lock that is held while something is built. Raises ``FailedBuildError``.
+    ``place`` is an empty folder, ``begin`` is called before each build. Raises ``FailedBuildError``.
     """
-    result: dict[str, Figures] = {}
-    fresh = way == "ours-fresh-runner"
     with ExitStack() as stack:
+        begin()
         pushed = stack.enter_context(registry())
-        runner = None if fresh else stack.enter_context(builder())
+        runner = None if way == "ours-fresh-runner" else stack.enter_context(builder())
         for case in cases:
             change.make(case)
-            job = {"way": way, "dockerfile": _dockerfile(way, change, place), "context": change.root, "case": case}
-            with locked():
-                if runner:
-                    result[case] = _build(runner, pushed, **job)
-                else:
-                    with builder() as empty:
-                        result[case] = _build(empty, pushed, **job)
-            print(f"{change.of.name} {way} {case}: {result[case]}", file=sys.stderr, flush=True)
-    return result
+            job = Job(way=way, dockerfile=_dockerfile(way, change, place), context=change.root, case=case)
+            begin()
+            if runner:
+                found = _build(runner, pushed, job)
+            else:
+                with builder() as empty:
+                    found = _build(empty, pushed, job)
+            print(f"{change.of.name} {way} {case}: {found}", file=sys.stderr, flush=True)
+            yield case, found
 
 
-def _build(runner: Builder, pushed: Registry, *, way: str, dockerfile: Path, context: Path, case: str) -> Figures:
-    name = f"{pushed.address}/{IMAGE}:{case}"
-    words = ["--file", dockerfile, "--output", f"type=image,name={name},push=true"]
-    if way == "docker-ros":
+def _build(runner: Builder, pushed: Registry, job: Job) -> Figures:
+    name = f"{pushed.address}/{IMAGE}:{job.case}"
+    words: list[str | Path] = ["--file", job.dockerfile, "--output", f"type=image,name={name},push=true"]
+    if job.way == "docker-ros":
         words += ["--build-arg", f"TOKEN={secrets.token_hex(8)}"]
-    if way == "ours-fresh-runner":
+    if job.way == "ours-fresh-runner":
         cache = f"type=registry,ref={pushed.address}/{IMAGE}:buildcache"
         words += ["--cache-from", cache, "--cache-to", f"{cache},mode=max,ignore-error=true"]
     started = time.monotonic()
-    log = runner.build(words, context)
+    log = runner.build(words, job.context)
     seconds = time.monotonic() - started
-    return figures(log, seconds, *pushed.received(f"{IMAGE}:{case}"))
+    return figures(log, seconds, *pushed.received(f"{IMAGE}:{job.case}"))
 
 
 def _dockerfile(way: str, change: Change, place: Path) -> Path:
