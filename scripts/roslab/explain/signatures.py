@@ -110,7 +110,7 @@ def _one(failure: Failure, case: _Case) -> tuple[int, Match] | None:
     if not matches or not _fits(failure, text, whole, case.raw):
         return None
     earlier = _before(failure, case) if failure.before else {}
-    if earlier is None:
+    if earlier is None or (failure.not_before and not _never_before(failure, case)):
         return None
     also = compiled(failure.also).search(whole) if failure.also else None
     for at, found in enumerate(matches):
@@ -199,6 +199,14 @@ def _before(failure: Failure, case: _Case) -> Names | None:
         if earlier.command.startswith("RUN") and (found := pattern.search(text)):
             return {**_groups([found]), "before_step": _shortened(earlier.command)}
     return None
+
+
+def _never_before(failure: Failure, case: _Case) -> bool:
+    """Return whether neither an earlier instruction nor this one matches; a log cut at its beginning tells nothing."""
+    earlier = [step.command for step in case.log.before(case.step)]
+    pattern = compiled(failure.not_before)
+    whole = any(command.startswith("FROM ") for command in earlier)
+    return whole and not any(pattern.search(command) for command in (case.step.command, *earlier))
 
 
 def _shortened(command: str) -> str:

@@ -244,3 +244,45 @@ E: Version '' for 'robot' was not found
 The command '/bin/sh -c echo $suite && apt-get install -y robot=$version' returned a non-zero code: 100
 """
     assert dict(said(log).explanations[0].names)["name"] == "version"
+
+
+def test_a_script_with_windows_line_endings_is_known_under_dash() -> None:
+    log = """#7 [3/4] RUN sh build.sh
+#7 0.3 build.sh: 2: \r: not found
+#7 0.4 build.sh: 9: cd: can't cd to /ws\r
+#7 ERROR: process "/bin/sh -c sh build.sh" did not complete successfully: exit code: 2
+"""
+    assert [one.id for one in said(log).explanations] == ["line-endings"]
+
+
+def test_an_error_at_the_end_of_a_check_of_configure_is_read() -> None:
+    log = """#7 [3/4] RUN ./configure
+#7 0.3 checking for the location of zlib... configure: error: zip support requires ZLIB. Use --with-zlib-dir=<DIR>
+#7 0.4 make: *** No rule to make target 'clean'.  Stop.
+#7 ERROR: process "/bin/sh -c ./configure" did not complete successfully: exit code: 1
+"""
+    assert [one.id for one in said(log).explanations] == ["php-extension-library"]
+
+
+def test_a_log_without_its_beginning_says_nothing_of_lists_that_were_never_fetched() -> None:
+    step = """#5 [2/3] RUN apt-get install -y libserial-dev
+#5 0.5 E: Unable to locate package libserial-dev
+#5 ERROR: process "/bin/sh -c apt-get install -y libserial-dev" did not complete successfully: exit code: 100
+"""
+    assert [one.id for one in said(step).explanations] == ["apt-unknown"]
+    whole = f"#4 [1/3] FROM docker.io/library/ubuntu:22.04\n#4 DONE 0.1s\n{step}"
+    assert [one.id for one in said(whole).explanations] == ["apt-lists-never-fetched"]
+    updated = whole.replace(
+        "#5 [2/3]", "#6 [2/3] RUN apt-get update && rm -rf /var/lib/apt/lists/*\n#6 DONE 1.0s\n#5 [2/3]"
+    )
+    assert [one.id for one in said(updated).explanations] == ["apt-lists-never-fetched"]
+
+
+def test_a_tree_of_packages_is_not_what_matters() -> None:
+    log = """#7 [3/4] RUN npm install
+#7 3.1 | +-- error@1.0.0
+#7 3.2 | | `-- fatal@2.0.0
+#7 4.0 the strange thing failed
+#7 ERROR: process "/bin/sh -c npm install" did not complete successfully: exit code: 1
+"""
+    assert said(log).explanations[0].error == "the strange thing failed"
