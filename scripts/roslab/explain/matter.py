@@ -24,9 +24,11 @@ _NEVER = re.compile(
     r"|npm (?:WARN|warn|notice|http|verb|info|sill|timing) |warning \S{1,200} > "
     r"|Get:\d|Ign:\d|Hit:\d|Setting up |Unpacking |Selecting previously|Preparing to unpack|\(Reading database"
     r"|Reading (?:package lists|state)|Building dependency tree|Processing triggers|update-alternatives: "
-    r"|checking (?![^\n]{0,300}configure: error: )|-- (?:Looking for|Performing Test|Check for|Checking|Detecting|Found |Installing: |Up-to-date: )"
+    r"|checking (?![^\n]{0,300}configure: error: )"
+    r"|-- (?:Looking for|Performing Test|Check for|Checking|Detecting|Found |Installing: |Up-to-date: )"
     r"|Removing intermediate container| ---> "
-    r"|Download(?:ing|ed)(?: from \S{1,40})?: https?://|Progress \(\d|go: (?:finding|downloading|extracting) \S{1,200} v"
+    r"|Download(?:ing|ed)(?: from \S{1,40})?: https?://|Progress \(\d"
+    r"|go: (?:finding|downloading|extracting) \S{1,200} v"
     r"|(?:[|│] {1,3}){0,30}(?:[+`]--|[├└]─)[-─┬ ]{0,3}[@\w])"  # a tree of packages
 )
 _PROBE = re.compile(r"_configtest|conftest\.|CMakeTmp|CMakeScratch|TryCompile-|cmTC_|CheckSymbolExists|check_c_source")
