@@ -12,7 +12,7 @@ from roslab.cli.planning import planned_of, warnings_of
 from roslab.cli.repairing import Repairing
 from roslab.engine import docker as engine
 from roslab.engine.secrets import of_environment
-from roslab.errors import ConfigurationError, Problem
+from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.pipeline import Planned, write_dockerfile
 from roslab.values.origin import Option
 
@@ -109,15 +109,28 @@ def _screenshots(options: argparse.Namespace, planned: Planned) -> Path:
 
 
 def _prove(planned: Planned, candidate: str, platform: str, name: str, screenshots: Path) -> None:
+    from roslab.plan.ladder import LOWER, below, lines  # noqa: PLC0415
     from roslab.prove import containers  # noqa: PLC0415
+    from roslab.prove.ladder import climb  # noqa: PLC0415
 
-    for outcome in containers.prove(
-        candidate, platform, planned.plan.proofs, limits=planned.plan.proof_limits, screenshots=screenshots
-    ):
+    plan = planned.plan
+    outcomes = containers.prove(
+        candidate,
+        platform,
+        plan.proofs,
+        limits=plan.proof_limits,
+        goals=plan.proof_goals,
+        screenshots=screenshots,
+    )
+    for outcome in outcomes:
         if not outcome.passed:
             message = f"{name} was not named: on {platform}, {outcome.proof.name}: {outcome.summary}"
             hint = "its output stands above; correct it, or name another `test` in roslab.yaml"
             raise engine.FailedBuild(Problem(message=message, hint=hint), log=outcome.output)
+    ladder = climb(plan.proofs, outcomes, plan.proof_goals)
+    engine.say("".join(f"[{platform}] {line}\n" for line in lines(ladder)).rstrip())
+    if short := below(ladder, plan.proof_goals.rung):
+        raise BuildError(Problem(message=f"{name} was not named: on {platform}, {short}", hint=LOWER))
 
 
 def _argument(text: str) -> tuple[str, str]:

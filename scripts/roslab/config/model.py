@@ -123,6 +123,20 @@ class ProofLimits:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class ProofGoals:
+    """How far a proof must get, and what helps it there."""
+
+    rung: int | None = None
+    """Below this rung of the ladder nothing is tagged; ``None``: only what is certain must hold."""
+    seconds: int | None = None
+    """Seconds that the default command is watched; ``None``: as few as show what there is to be seen."""
+    topics: tuple[str, ...] = ()
+    """Topics on which messages must come for rung 2, and for rung 4 where something is played."""
+    play: str | None = None
+    """A bag of the repository that is played to the default command, relative to where the command starts."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Config:
     """The content of roslab.yaml; a repository without the file has ``Config()``."""
 
@@ -178,6 +192,8 @@ class Config:
     """What a pull request leaves to try: an image under its own tag, an archive among the run's artifacts, or nothing.
     It is no input, because it holds for every workflow that builds the repository."""
     proof: ProofLimits = field(default_factory=ProofLimits)
+    goals: ProofGoals = field(default_factory=ProofGoals)
+    """The other half of the key ``proof``."""
     gui: bool | None = None
     gpu: bool | None = None
     volume: tuple[Volume, ...] = ()

@@ -123,6 +123,7 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
         tags=running.tag_parts(reading, root),
         pr=cast(PullImage | None, reading.value(root, "pr", "pr")),
         proof=running.proof(reading, root),
+        goals=running.goals(reading, root),
         gui=shared if gui is None else gui,
         gpu=shared if gpu is None else gpu,
         volume=running.volumes(reading, root),

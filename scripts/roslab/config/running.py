@@ -5,7 +5,7 @@ from __future__ import annotations
 import shlex
 from typing import Literal, cast
 
-from roslab.config.model import Custom, Generation, Matlab, ProofLimits, TagParts, Volume
+from roslab.config.model import Custom, Generation, Matlab, ProofGoals, ProofLimits, TagParts, Volume
 from roslab.config.node import Mapping, Node, Scalar, Sequence
 from roslab.config.reading import Reading
 from roslab.values.secret import variable
@@ -118,6 +118,18 @@ def proof(reading: Reading, root: Mapping) -> ProofLimits:
         memory=reading.value(mapping, "memory", "proof.memory"),
         pids=int(pids) if pids else usual.pids,
         new_privileges=reading.truth(mapping, "new_privileges", "proof.new_privileges") is True,
+    )
+
+
+def goals(reading: Reading, root: Mapping) -> ProofGoals:
+    """Read ``proof``: how far the proof must get."""
+    mapping = reading.mapping(root, "proof")
+    rung, seconds = (reading.value(mapping, key, f"proof.{key}") for key in ("rung", "seconds"))
+    return ProofGoals(
+        rung=int(rung) if rung else None,
+        seconds=int(seconds) if seconds else None,
+        topics=(reading.values(mapping, "topics", "proof.topics") or ()) if mapping else (),
+        play=reading.value(mapping, "play", "proof.play"),
     )
 
 

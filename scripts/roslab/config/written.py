@@ -7,7 +7,7 @@ from typing import Any
 
 import yaml
 
-from roslab.config.model import Base, Config, Custom, ProofLimits, Source
+from roslab.config.model import Base, Config, Custom, ProofGoals, ProofLimits, Source
 
 FOLDERS = {"source": "source", "home": "home", "root": "/"}
 """Today's words for the folders in which custom commands run."""
@@ -46,7 +46,7 @@ def written(config: Config) -> str:
         "submodules": config.submodules,
         "tags": _said(config.tags, ("prefix", "suffix")),
         "pr": config.pr,
-        "proof": _proof(config.proof),
+        "proof": {**_unusual(config.goals), **_unusual(config.proof)},
         "gui": config.gui,
         "gpu": config.gpu,
         "volume": [_said(v, ("host_path", "container_path", "options")) for v in config.volume],
@@ -89,10 +89,10 @@ def custom(custom: Custom) -> dict[str, Any]:
     }
 
 
-def _proof(limits: ProofLimits) -> dict[str, Any]:
-    """Return the limits that differ from the defaults."""
-    usual = asdict(ProofLimits())
-    return {name: value for name, value in asdict(limits).items() if value != usual[name]}
+def _unusual(settings: ProofLimits | ProofGoals) -> dict[str, Any]:
+    """Return the settings that differ from the defaults."""
+    usual = asdict(type(settings)())
+    return {name: value for name, value in asdict(settings).items() if value != usual[name]}
 
 
 def _pip(options: tuple[str, ...], lines: tuple[str, ...]) -> list[str]:

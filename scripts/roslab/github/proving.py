@@ -13,8 +13,10 @@ from roslab.errors import BuildError, Problem
 from roslab.github import disk, screen, secrets, trial, workflow
 from roslab.github import run as runs
 from roslab.github.run import Folder, Run
+from roslab.plan.ladder import LOWER, Ladder, below
 from roslab.plan.proof import describe
 from roslab.prove import containers
+from roslab.prove.ladder import climb
 from roslab.render.outcome import PlatformReport, ProofReport
 from roslab.render.sizes import LayerSize
 
@@ -64,10 +66,12 @@ def _prove_pushed(
             image.platform,
             run.plan.proofs,
             limits=run.plan.proof_limits,
+            goals=run.plan.proof_goals,
             screenshots=folder.artifact,
             gpus=bool(given),
         )
         engine.remove_image(reference)
+    ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals)
     layers = tuple(LayerSize(size=x.size, text=x.created_by, base=x.digest in base) for x in image.layers)
     folder.write_report(
         PlatformReport(
@@ -76,10 +80,11 @@ def _prove_pushed(
             source=source,
             layers=layers,
             proofs=_proofs(outcomes, given),
+            ladder=ladder,
             build_seconds=seconds,
         )
     )
-    return _failure(outcomes)
+    return _failure(outcomes, ladder, run)
 
 
 def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
@@ -119,10 +124,12 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
             platform,
             run.plan.proofs,
             limits=run.plan.proof_limits,
+            goals=run.plan.proof_goals,
             screenshots=folder.artifact,
             gpus=bool(given),
         )
-        failure = _failure(outcomes)
+        ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals)
+        failure = _failure(outcomes, ladder, run)
         platforms = build["platforms"].split(",")
         archive, remark = trial.keep(folder, run, platform, platforms, environment) if failure is None else (None, "")
         engine.remove_image(candidate)
@@ -133,6 +140,7 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
             source="",
             layers=(),
             proofs=_proofs(outcomes, given),
+            ladder=ladder,
             build_seconds=seconds,
             archive=archive,
             archive_remark=remark,
@@ -163,9 +171,13 @@ def _proofs(outcomes: Sequence[containers.Outcome], gpus: Sequence[str]) -> tupl
     )
 
 
-def _failure(outcomes: Sequence[containers.Outcome]) -> Problem | None:
+def _failure(outcomes: Sequence[containers.Outcome], ladder: Ladder, run: Run) -> Problem | None:
     failed = next((outcome for outcome in outcomes if not outcome.passed), None)
-    if failed is None:
-        return None
-    hint = "correct the code, or name another `test` in roslab.yaml"
-    return Problem(message=f"on {failed.platform}, {failed.proof.name}: {failed.summary}", hint=hint)
+    if failed:
+        hint = "correct the code, or name another `test` in roslab.yaml"
+        return Problem(message=f"on {failed.platform}, {failed.proof.name}: {failed.summary}", hint=hint)
+    if short := below(ladder, run.plan.proof_goals.rung):
+        return Problem(
+            message=f"on {outcomes[0].platform}, {short}",
+            hint=LOWER)
+    return None

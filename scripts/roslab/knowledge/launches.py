@@ -32,3 +32,8 @@ def _matches(text: str, event: str) -> Iterator[tuple[str, re.Match[str]]]:
     for row in rows("launches"):
         if row["event"] == event:
             yield from ((row["said"], match) for match in re.finditer(row["pattern"], text, flags=re.MULTILINE))
+
+
+def launches(command: str) -> bool:
+    """Tell whether a process with this command line is a launch."""
+    return any(re.search(row["pattern"], command) for row in rows("launches") if row["event"] == "launcher")

@@ -16,6 +16,7 @@ from roslab.config.model import (
     Generation,
     Kind,
     Matlab,
+    ProofGoals,
     ProofLimits,
     Source,
     TagParts,
@@ -114,6 +115,7 @@ class Plan:
     run: Run
     proofs: tuple[Proof, ...]
     proof_limits: ProofLimits
+    proof_goals: ProofGoals
     platforms: tuple[str, ...]
     platforms_refused: tuple[tuple[str, str], ...]
     tags: TagParts
@@ -212,6 +214,7 @@ def make_plan(
         run=run,
         proofs=proofs(decision),
         proof_limits=config.proof,
+        proof_goals=config.goals,
         platforms=decision.platforms,
         platforms_refused=decision.platforms_refused,
         tags=config.tags,

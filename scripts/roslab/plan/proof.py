@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Literal
 
 from packaging.version import Version
 
@@ -14,6 +15,8 @@ from roslab.plan.workspace import ROS_TOOLS
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 
+ProofRung = Literal[0, 1, 4]
+"""Rungs of the ladder with commands of their own; 2, 3 and 5 are seen while the default command runs."""
 LONGEST = 200
 """Most characters of a command that are shown."""
 IMPORT_SCRIPT = """\
@@ -62,38 +65,65 @@ class Proof:
     command: tuple[str, ...]
     """An argv, started through the image's entry point."""
     required: bool = True
-    """If it fails, the image gets no tag; a guessed command is only tried and reported."""
+    """If it fails, the image gets no tag; otherwise it is only tried and told."""
+    guessed: bool = False
+    """Nobody named the command, and it may be a wrong one."""
     may_run_on: bool = False
     """It may run without an end: still running after the proof's seconds counts as passed, like exit code 0."""
     display: bool = False
     """It opens windows: it runs with a virtual display, of which a picture is kept."""
+    rung: ProofRung | None = None
+    """The rung of the ladder that it belongs to; ``None``: an image without a program, of which a shell is started."""
+    graph: Literal["ros1", "ros2"] | None = None
+    """Whose nodes and topics are looked at while it runs."""
 
 
 def proofs(decision: Decision) -> tuple[Proof, ...]:
-    """Return the proofs of an image, in the order in which they are run."""
-    windows = decision.gui
-    if decision.test:
-        command = ("bash", "-c", decision.test) if isinstance(decision.test, str) else decision.test
-        return (Proof(name="the repository's test", command=command, display=windows),)
-    found = []
-    if decision.dockerfile is None:
-        found += _workspace_proofs(decision)
-        distributions = _declared_distributions(decision)
-        if distributions:
-            version = decision.python.version or python_of_ubuntu().get(decision.ubuntu or "")
-            found.append(_import_proof(version, distributions))
-        on_python2 = Interpreter(pythons=("2.7",), platforms=decision.platforms)
-        if beside := _names(decision.python.python2, on_python2):
-            command = ("python2", "-m", "pip", "show", *beside)
-            found.append(Proof(name="declared packages of Python 2 are installed", command=command))
+    """Return the proofs of an image, in the order in which they are run: that of the ladder.
+
+    The repository's own test decides alone: whoever writes one says what has to work. The rest is then only told.
+    """
+    installed, start = _installed(decision), _start(decision)
+    if not decision.test:
+        return (*installed, start)
+    command = ("bash", "-c", decision.test) if isinstance(decision.test, str) else decision.test
+    test = Proof(name="the repository's test", command=command, display=decision.gui, rung=4)
+    told = (replace(proof, required=False) for proof in (*installed, *([start] if start.rung else [])))
+    return (*told, test)
+
+
+def _installed(decision: Decision) -> list[Proof]:
+    if decision.dockerfile is not None:
+        return []
+    found = _workspace_proofs(decision)
+    distributions = _declared_distributions(decision)
+    if distributions:
+        version = decision.python.version or python_of_ubuntu().get(decision.ubuntu or "")
+        found.append(_import_proof(version, distributions))
+    on_python2 = Interpreter(pythons=("2.7",), platforms=decision.platforms)
+    if beside := _names(decision.python.python2, on_python2):
+        command = ("python2", "-m", "pip", "show", *beside)
+        found.append(Proof(name="declared packages of Python 2 are installed", command=command))
+    return [replace(proof, rung=0) for proof in found]
+
+
+def _start(decision: Decision) -> Proof:
     # The author's Dockerfile has a CMD of its own, which an empty command runs.
     start: tuple[str, ...] | str = () if decision.dockerfile else decision.command
     argv = ("bash", "-c", start) if isinstance(start, str) else start
     said = bool(decision.dockerfile or decision.command_named) or argv[:1] == ("bash",)
     name = "the default command starts"
-    windows = windows and argv != ("bash",)  # a shell without a terminal ends at once and draws nothing
-    found.append(Proof(name=name, command=argv, required=said, may_run_on=True, display=windows))
-    return tuple(found)
+    shell = argv == ("bash",)  # without a terminal it ends at once: no program of the repository has started
+    return Proof(
+        name=name,
+        command=argv,
+        required=said,
+        guessed=not said,
+        may_run_on=True,
+        display=decision.gui and not shell,
+        rung=None if shell else 1,
+        graph=None if shell or decision.kind not in ("ros1", "ros2") else decision.kind,
+    )
 
 
 def _workspace_proofs(decision: Decision) -> list[Proof]:

@@ -11,27 +11,21 @@ from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from roslab.config.model import ProofLimits
+from roslab.config.model import ProofGoals, ProofLimits
 from roslab.engine.docker import Say, machine_memory, output, say
 from roslab.errors import BuildError
 from roslab.knowledge.launches import dead_nodes
 from roslab.plan.proof import Proof, describe
 from roslab.prove.display import virtual_display
+from roslab.prove.graph import Graph
+from roslab.prove.probe import Probe
 from roslab.prove.screenshot import Camera, Screenshot, file_name
-from roslab.prove.verdict import End, verdict
+from roslab.prove.verdict import End, judge, verdict
+from roslab.prove.watch import Watch
+from roslab.prove.written import results
 
-PROOF_SECONDS = 10.0
-"""Seconds after which a program that keeps running counts as started."""
-PROOF_LIMIT = 1800.0
-"""Seconds that a test may take: emulated platforms are slow, but a hung test must not hold the job for hours."""
 START_LIMIT = 300.0
 """Seconds that a container may take to start; a large image is unpacked first."""
-DRAWING_SECONDS = 40.0
-"""Seconds after which a program with a display is no longer watched, if it has drawn nothing yet."""
-SETTLING_SECONDS = 3.0
-"""Fewest seconds from the first drawing to the picture that is kept."""
-LONGEST_PAUSE = 2.0
-"""Most seconds between two looks at a screen; fewer for a short program."""
 KEPT_OUTPUT = 64 * 1024
 """Bytes that are kept from the end of a proof's output."""
 READ_OUTPUT = 64 * 1024 * 1024
@@ -40,6 +34,20 @@ READ_OUTPUT = 64 * 1024 * 1024
 DOMAINS = range(1, 102)
 """Numbers of ROS 2 domains whose ports no system uses for anything else; 0 is everybody's.
 https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Domain-ID.html"""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Seen:
+    """What was seen of a container from outside while its command ran."""
+
+    code: int | None = 0
+    """Exit code, ``None`` if it was still running."""
+    graph: Graph | None = None
+    """Only for a proof of a ROS program."""
+    respawned: tuple[str, ...] = ()
+    restarted: tuple[str, ...] = ()
+    written: tuple[str, ...] = ()
+    """Figures and result files in the container that were not in the image."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -54,6 +62,11 @@ class Outcome:
     output: str
     screenshot: Screenshot | None = None
     """Only for a proof with a display."""
+    held: bool = True
+    """The command did what it should; a proof that is only told passes without it."""
+    drawn: bool = False
+    """More than one colour was on the screen."""
+    seen: Seen = Seen()
 
 
 def prove(
@@ -62,6 +75,7 @@ def prove(
     proofs: Sequence[Proof],
     *,
     limits: ProofLimits,
+    goals: ProofGoals,
     screenshots: Path,
     gpus: bool = False,
     tell: Say = say,
@@ -77,7 +91,7 @@ def prove(
     fences = options(limits)
     for proof in proofs:
         tell(f"[{platform}] {proof.name}: {describe(proof)}")
-        outcome = _prove_once(reference, platform, proof, [*fences, *given], screenshots)
+        outcome = _prove_once(reference, platform, proof, goals, [*fences, *given], screenshots)
         tell("".join(f"    {line}\n" for line in outcome.output.splitlines()[-40:]) + f"[{platform}] {outcome.summary}")
         if outcome.screenshot:
             tell(f"[{platform}] {outcome.screenshot}")
@@ -110,7 +124,9 @@ def _apart() -> tuple[str, ...]:
     return tuple(word for variable in variables for word in ("--env", variable))
 
 
-def _prove_once(reference: str, platform: str, proof: Proof, fences: Sequence[str], screenshots: Path) -> Outcome:
+def _prove_once(  # noqa: PLR0917 - what one proof is made of
+    reference: str, platform: str, proof: Proof, goals: ProofGoals, fences: Sequence[str], screenshots: Path
+) -> Outcome:
     with ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="roslab-")))
         camera, without = _camera(stack, folder) if proof.display else (None, "")
@@ -122,14 +138,14 @@ def _prove_once(reference: str, platform: str, proof: Proof, fences: Sequence[st
         words += ["--env", "PYTHONUNBUFFERED=1"] if proof.may_run_on else []
         start = time.monotonic()
         log = folder / "log"
-        code, watched = _run([*words, reference, *proof.command], log, proof, camera)
+        seen, watched = _run([*words, reference, *proof.command], log, proof, goals, camera)
         seconds = time.monotonic() - start
         with log.open("rb") as stream:
             dead = dead_nodes(_text(stream.read(READ_OUTPUT))) if proof.may_run_on else ()
             stream.seek(max(0, log.stat().st_size - KEPT_OUTPUT))
             kept = _text(stream.read())
         screenshot = camera.keep(picture) if camera else Screenshot(remark=without) if without else None
-    end = End(code=code, seconds=seconds if code is not None else watched, dead=dead)
+    end = End(code=seen.code, seconds=seconds if seen.code is not None else watched, dead=dead)
     passed, summary = verdict(proof, end, without=without)
     return Outcome(
         proof=proof,
@@ -139,6 +155,9 @@ def _prove_once(reference: str, platform: str, proof: Proof, fences: Sequence[st
         summary=summary,
         output=kept,
         screenshot=screenshot,
+        held=judge(proof, end)[0],
+        drawn=bool(camera and camera.drawn),
+        seen=seen,
     )
 
 
@@ -154,56 +173,61 @@ def _text(data: bytes) -> str:
     return data.decode("utf-8", errors="replace")
 
 
-def _run(arguments: Sequence[str], log: Path, proof: Proof, camera: Camera | None) -> tuple[int | None, float]:
-    """Run a container, its output to a file; return what ``_watch`` saw."""
+def _run(
+    arguments: Sequence[str], log: Path, proof: Proof, goals: ProofGoals, camera: Camera | None
+) -> tuple[Seen, float]:
+    """Run a container, its output to a file; return what was seen and the seconds that it was watched."""
     identity = log.with_name("container")
-    command = ["docker", "run", "--rm", "--init", "--cidfile", str(identity), *arguments]
+    command = ["docker", "run", "--init", "--cidfile", str(identity), *arguments]
     with (
         log.open("wb") as stream,
         subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=stream, stderr=subprocess.STDOUT) as process,
     ):
         try:
-            _wait_for_start(identity, process)
-            return _watch(process, proof, camera)
+            container = _wait_for_start(identity, process)
+            probe = _probe(proof, goals, identity) if container else None
+            watch = Watch(process=process, container=container, proof=proof, goals=goals, camera=camera, probe=probe)
+            code, seconds = watch.end()
+            written = results(container) if container and proof.may_run_on else ()
         finally:
-            if process.poll() is None:
-                _end(identity, process)
+            _end(identity, process)
+    if probe:
+        probe.end()
+    seen = Seen(
+        code=code,
+        graph=probe.seen() if probe else None,
+        respawned=watch.census.respawned,
+        restarted=watch.census.restarted,
+        written=written,
+    )
+    return seen, seconds
 
 
-def _watch(process: subprocess.Popen[bytes], proof: Proof, camera: Camera | None) -> tuple[int | None, float]:
-    """Wait for the end of a proof, or of its time, and look at its screen meanwhile.
+def _probe(proof: Proof, goals: ProofGoals, identity: Path) -> Probe | None:
+    if proof.graph is None:
+        return None
+    return Probe(ros=proof.graph, folder=identity.parent, identity=identity, play=goals.play or "")
 
-    Returns the exit code, ``None`` if the time ended first, and the seconds that it took.
+
+def _wait_for_start(identity: Path, process: subprocess.Popen[bytes]) -> str:
+    """Return the container's id as soon as it exists: unpacking a large image may take longer than a proof's seconds.
+
+    It is ``""`` if there will be none.
     """
-    start = time.monotonic()
-    limit = PROOF_SECONDS if proof.may_run_on else PROOF_LIMIT
-    latest = DRAWING_SECONDS if proof.may_run_on else PROOF_LIMIT
-    drawn: float | None = None
-    while True:
-        if camera:
-            camera.look()
-            if drawn is None and (camera.drawn or camera.blind):
-                drawn = time.monotonic() - start
-        elapsed = time.monotonic() - start
-        # An emulated program or a simulator may need longer for its first window, and a moment to fill it
-        end = limit if camera is None else latest if drawn is None else max(limit, drawn + SETTLING_SECONDS)
-        if elapsed >= end:
-            return None, elapsed
-        pause = end - elapsed if camera is None else min(end - elapsed, 0.25 + elapsed / 10, LONGEST_PAUSE)
-        with suppress(subprocess.TimeoutExpired):
-            return process.wait(pause), time.monotonic() - start
-
-
-def _wait_for_start(identity: Path, process: subprocess.Popen[bytes]) -> None:
-    """Wait until the container exists: unpacking a large image may take longer than a proof's seconds."""
     deadline = time.monotonic() + START_LIMIT
-    while not identity.exists() and process.poll() is None and time.monotonic() < deadline:
+    while process.poll() is None and time.monotonic() < deadline and not _container(identity):
         time.sleep(0.05)
+    return _container(identity)
+
+
+def _container(identity: Path) -> str:
+    return identity.read_text(encoding="utf-8").strip() if identity.exists() else ""
 
 
 def _end(identity: Path, process: subprocess.Popen[bytes]) -> None:
-    if identity.exists():
-        output(["docker", "rm", "--force", identity.read_text(encoding="utf-8").strip()])
+    """End and remove a container with what it wrote; it is no error if there is none."""
+    if container := _container(identity):
+        output(["docker", "rm", "--force", "--volumes", container])
     try:
         process.wait(30)
     except subprocess.TimeoutExpired:

@@ -27,16 +27,20 @@ def verdict(proof: Proof, end: End, *, without: str = "") -> tuple[bool, str]:
     A launch outlives its nodes: if one died, the default command does not work.
     ``without`` says why there was no display, which is reported if it may be why the proof failed.
     """
-    passed, summary = _judge(proof, end, end.dead)
+    passed, summary = judge(proof, end)
     if not passed and without:
         summary += f"; it had no display: {without}"
-    if not passed and not proof.required:
-        # Only guessed: a program that needs data or a robot is no reason to withhold a complete image
+    if passed or proof.required:
+        return passed, summary
+    if proof.guessed:
+        # A program that needs data or a robot is no reason to withhold a complete image
         return True, f"not proved: the guessed command {summary}; name the right one as `command` in roslab.yaml"
-    return passed, summary
+    return True, f"not proved: it {summary}"
 
 
-def _judge(proof: Proof, end: End, dead: tuple[str, ...]) -> tuple[bool, str]:
+def judge(proof: Proof, end: End) -> tuple[bool, str]:
+    """Return whether a proof's command did what it should, whether or not anything depends on it, and why."""
+    dead = end.dead
     nodes = ", ".join(dead[:MAX_NODES]) + (f" and {len(dead) - MAX_NODES} more" if len(dead) > MAX_NODES else "")
     if end.code is None and not proof.may_run_on:
         return False, f"failed: no end within {end.seconds:.0f} s"

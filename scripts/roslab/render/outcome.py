@@ -6,8 +6,9 @@ import dataclasses
 import json
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from roslab.plan.ladder import Ladder
 from roslab.plan.plan import Plan
 from roslab.render.sizes import LayerSize
 
@@ -66,6 +67,8 @@ class PlatformReport:
     archive: ArchiveReport | None = None
     archive_remark: str = ""
     """Why there is no archive although one was wanted."""
+    ladder: Ladder = field(default_factory=Ladder)
+    """How far the image got."""
 
     @property
     def size(self) -> int:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from roslab.decide.decision import Reason
 from roslab.plan.plan import Plan
+from roslab.render import climbed
 from roslab.render.markdown import block, code, folded, prose, table, text
 from roslab.render.outcome import PlatformReport, ProofReport, Repair, Report
 from roslab.render.sizes import chart, human
@@ -33,6 +34,7 @@ def summary(report: Report) -> str:
         _platforms(report),
         _failed_proofs(report),
         _screens(report),
+        climbed.sections(report.platforms),
         _doubts(report),
         _sizes(report),
         _passed_proofs(report),
@@ -126,6 +128,8 @@ def _platforms(report: Report) -> str:
         failed = next((proof for proof in entry.proofs if not proof.passed), None)
         proof = failed or (entry.proofs[-1] if entry.proofs else None)
         told = f"{_mark(proof)} {text(_short(proof))}" if proof else "none"
+        if reached := climbed.cell(entry.ladder):
+            told += f"; {reached}"
         size = human(entry.size) if entry.layers else "not pushed"
         build = duration(entry.build_seconds) if entry.build_seconds is not None else ""
         rows.append((code(entry.platform), told, size, build))

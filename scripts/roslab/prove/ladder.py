@@ -1,0 +1,149 @@
+"""From what the proofs of one platform showed to its ladder; nothing is said that was not seen."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from roslab.config.model import ProofGoals
+from roslab.plan.ladder import Ladder, Rung
+from roslab.plan.proof import Proof
+from roslab.prove.containers import Outcome
+from roslab.prove.graph import Graph
+
+MOST = 12
+"""Most topics, files or nodes that one line names."""
+
+
+def climb(proofs: Sequence[Proof], outcomes: Sequence[Outcome], goals: ProofGoals) -> Ladder:
+    """Return the ladder of an image whose ``proofs`` had these ``outcomes``, in the same order.
+
+    The outcomes may be fewer: after a failure nothing more is tried.
+    """
+    seen = {outcome.proof.name: outcome for outcome in outcomes}
+    start = next((proof for proof in proofs if proof.rung == 1), None)
+    outcome = seen.get(start.name) if start else None
+    rungs = (
+        _commands(0, [proof for proof in proofs if proof.rung == 0], seen),
+        _starts(start, outcome),
+        _talks(start, outcome, goals),
+        _shows(start, outcome),
+        _commands(4, [proof for proof in proofs if proof.rung == 4], seen),
+    )
+    return Ladder(rungs=tuple(rung for rung in rungs if rung))
+
+
+def _commands(number: int, proofs: Sequence[Proof], seen: dict[str, Outcome]) -> Rung | None:
+    """Return a rung that holds if all of its commands did what they should."""
+    if not proofs:
+        return None
+    facts = tuple(proof.name for proof in proofs if proof.name in seen and seen[proof.name].held)
+    short = next((proof for proof in proofs if proof.name not in facts), None)
+    if short is None:
+        return Rung(number=number, state="held", said="; ".join(facts), facts=facts)
+    if short.name not in seen:
+        return _untried(number)
+    why = f"{short.name}: {_plain(seen[short.name])}"
+    return Rung(number=number, state="missed", said=why, needed=f"that {short.name}", facts=facts)
+
+
+def _starts(start: Proof | None, outcome: Outcome | None) -> Rung | None:
+    if start is None:
+        return None
+    if outcome is None:
+        return _untried(1)
+    facts = ("the command runs on" if outcome.seen.code is None else "the command ends",)
+    also = "".join(f"; {each}" for each in outcome.seen.restarted[:MOST])
+    if outcome.held and not outcome.seen.respawned:
+        lived = (
+            f"still ran after {outcome.seconds:.0f} s" if outcome.seen.code is None
+            else f"ended with 0 after {outcome.seconds:.1f} s"
+        )  # fmt: skip
+        return Rung(number=1, state="held", said=f"the command {lived}{also}", facts=facts)
+    died = ", ".join(outcome.seen.respawned[:MOST])
+    why = f"{died}, because it had ended" if outcome.held else _plain(outcome) + (f"; {died}" if died else "")
+    needed = "nodes that live" if outcome.held else "a command that lives, or ends with 0, with all of its nodes"
+    return Rung(number=1, state="missed", said=why + also, needed=needed, facts=facts)
+
+
+def _talks(start: Proof | None, outcome: Outcome | None, goals: ProofGoals) -> Rung | None:
+    if start is None or start.graph is None:
+        return None
+    graph = outcome.seen.graph if outcome else None
+    if graph is None:
+        return _untried(2)
+    facts = (
+        *(f"node {name}" for name in graph.nodes),
+        *(f"topic {t.name} [{t.type}] {'talks' if t.messages else 'is silent'}" for t in graph.topics),
+        *(f"service {name}" for name in graph.services),
+    )
+    needed = _missing(graph, goals)
+    if not graph.nodes:
+        said = "no node was in the graph" + (f": {graph.problem}" if graph.problem else "")
+        blind = graph.problem.startswith("the image has no")
+        return Rung(number=2, state="unseen" if blind else "missed", said=said, needed=needed)
+    return Rung(number=2, state="missed" if needed else "held", said=_told(graph), needed=needed, facts=facts)
+
+
+def _missing(graph: Graph, goals: ProofGoals) -> str:
+    """Return what a graph lacks to be one that talks, ``""`` if it lacks nothing.
+
+    A node that only serves talks if it answers a question without effect and has a service of its own.
+    """
+    talking = {topic.name for topic in graph.topics if topic.messages}
+    if silent := [name for name in goals.topics if name not in talking]:
+        return f"a message on {', '.join(silent)}"
+    if talking or (graph.services and graph.answered and not graph.topics):
+        return ""
+    if graph.topics:
+        return "a message on one of its topics"
+    return "a node that publishes, or serves and answers"
+
+
+def _told(graph: Graph) -> str:
+    """Return what a graph showed, each topic with its type and its messages."""
+    topics = [f"{t.name} [{t.type}] {_count(t.messages, 'message')}" for t in graph.topics]
+    parts = [f"{_count(len(graph.nodes), 'node')} ({_listed(graph.nodes)})"]
+    parts.append(f"in {graph.seconds:.0f} s {_listed(topics)}" if topics else "no topic")
+    if graph.services:
+        parts.append(f"{_count(len(graph.services), 'service')} ({_listed(graph.services)})")
+    if graph.answered:
+        parts.append(f"{_listed(graph.answered)} answered")
+    return "; ".join(parts)
+
+
+def _shows(start: Proof | None, outcome: Outcome | None) -> Rung | None:
+    """Return the rung of a window with more than one colour, or of a file; without either it is left out."""
+    if start is None or not (start.display or (outcome and outcome.seen.written)):
+        return None
+    if outcome is None:
+        return _untried(3)
+    facts = tuple(f"file {path}" for path in outcome.seen.written)
+    said = [f"it wrote {_listed(outcome.seen.written)}"] if facts else []
+    if outcome.drawn:
+        said.insert(0, "a window showed more than one colour")
+        facts = ("window", *facts)
+    if facts:
+        return Rung(number=3, state="held", said="; ".join(said), facts=facts)
+    shot = outcome.screenshot
+    if shot is None or shot.file is None:
+        why = shot.remark if shot and shot.remark else "there was no display"
+        return Rung(number=3, state="unseen", said=why, needed="a display and a picture of it")
+    return Rung(number=3, state="missed", said="the screen had one colour", needed="a window that draws something")
+
+
+def _plain(outcome: Outcome) -> str:
+    """Return an outcome without the words that excuse one on which nothing depends."""
+    return outcome.summary.removeprefix("not proved: ").removeprefix("it ")
+
+
+def _untried(number: int) -> Rung:
+    return Rung(number=number, state="unseen", said="it was not tried: an earlier proof failed")
+
+
+def _listed(names: Sequence[str]) -> str:
+    more = len(names) - MOST
+    return ", ".join(names[:MOST]) + (f" and {more} more" if more > 0 else "")
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"

@@ -1,0 +1,88 @@
+"""The processes of a container, looked at from outside: which ended, and were started anew."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from dataclasses import dataclass, field
+
+from roslab.engine.docker import output
+from roslab.knowledge.launches import launches
+
+_NAME = re.compile(r"\b(?:__name|__node):=(\S+)")
+LONGEST = 80
+"""Most characters of a command that are told."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Process:
+    """One process."""
+
+    number: int
+    parent: int
+    command: str
+
+
+@dataclass(kw_only=True, slots=True)
+class Census:
+    """What was seen of a container's processes, at one look after another."""
+
+    _last: dict[int, Process] = field(default_factory=dict, init=False)
+    _launched: Counter[str] = field(default_factory=Counter, init=False)
+    _others: Counter[str] = field(default_factory=Counter, init=False)
+
+    def look(self, container: str) -> None:
+        """Look at a container's processes; it is no error if it has ended."""
+        answer = output(["docker", "top", container, "-eo", "pid,ppid,args"], timeout=20.0)
+        if answer.returncode == 0:
+            self.take(read(answer.stdout))
+
+    def take(self, now: dict[int, Process]) -> None:
+        """Compare the processes with those of the last look: the same command with another number was started anew."""
+        gone = Counter(_key(process) for number, process in self._last.items() if number not in now)
+        for number, process in now.items():
+            if number not in self._last and gone[_key(process)]:
+                gone[_key(process)] -= 1
+                parent = now.get(process.parent)
+                counted = self._launched if parent and launches(parent.command) else self._others
+                counted[_name(process.command)] += 1
+        self._last = now
+
+    @property
+    def respawned(self) -> tuple[str, ...]:
+        """What a launch started anew, because it had ended: ``/talker was started anew 3 times``."""
+        return _told(self._launched)
+
+    @property
+    def restarted(self) -> tuple[str, ...]:
+        """What others started anew, for example a loop of a shell; whether it had failed is not known."""
+        return _told(self._others)
+
+
+def read(text: str) -> dict[int, Process]:
+    """Read what ``docker top -eo pid,ppid,args`` prints; processes that do not belong to the container's are left out.
+
+    The container's first process and what an engine started beside it have a parent outside.
+    """
+    found = {}
+    for line in text.splitlines()[1:]:
+        words = line.split(None, 2)
+        if len(words) == 3 and words[0].isdigit() and words[1].isdigit():
+            process = Process(number=int(words[0]), parent=int(words[1]), command=words[2])
+            found[process.number] = process
+    return {number: process for number, process in found.items() if process.parent in found}
+
+
+def _key(process: Process) -> tuple[int, str]:
+    return process.parent, process.command
+
+
+def _name(command: str) -> str:
+    named = _NAME.search(command)
+    if named:
+        return named[1]
+    return command if len(command) <= LONGEST else command[: LONGEST - 1] + "…"
+
+
+def _told(counted: Counter[str]) -> tuple[str, ...]:
+    return tuple(f"{name} was started anew {times} time{'s' * (times > 1)}" for name, times in sorted(counted.items()))
