@@ -9,7 +9,7 @@ from roslab.plan.proof import Proof
 from roslab.prove.verdict import End, verdict
 
 START = Proof(name="the default command starts", command=("roslaunch", "robot", "a.launch"), may_run_on=True)
-GUESS = Proof(name=START.name, command=START.command, may_run_on=True, required=False)
+GUESS = Proof(name=START.name, command=START.command, may_run_on=True, required=False, guessed=True)
 TEST = Proof(name="the repository's test", command=("true",))
 DEAD = ("talker-2 died with exit code 1",)
 

@@ -16,10 +16,8 @@ import threading
 import time
 
 try:
-    from urllib.parse import urlparse
     from xmlrpc.client import ServerProxy
 except ImportError:  # Python 2
-    from urlparse import urlparse
     from xmlrpclib import ServerProxy
 
 NAME = "/roslab_proof"
@@ -110,21 +108,19 @@ class Topic(object):
 
 
 def answers(master, node):
-    """Tell whether a node answers its own service for the levels of its loggers, which has no effect."""
+    """Tell whether a node answers as it answers ``rosnode ping``.
+
+    No service is called: even that for the levels of loggers ends a node of roscpp whose log4cxx is newer than it.
+    """
     try:
-        address = urlparse(master.lookupService(NAME, node + "/get_loggers")[2])
-        header = [("callerid", NAME), ("service", node + "/get_loggers"), ("md5sum", "*")]
-        stream = connected(address.hostname, address.port, header)
-        stream.settimeout(LONGEST)
-        stream.sendall(struct.pack("<I", 0))
-        return received(stream, 1) == b"\x01"
+        return ServerProxy(master.lookupNode(NAME, node)[2]).getPid(NAME)[0] == 1
     except Exception:
         return False
 
 
 def look(master, topics, answered):
     """Return what the master says now, with the messages that came so far."""
-    _, _, state = master.getSystemState(NAME)[2]
+    state = master.getSystemState(NAME)[2]
     types = dict(master.getTopicTypes(NAME)[2])
     publishers, subscribers, services = (dict(part) for part in state)
     nodes = sorted({node for part in (publishers, subscribers, services) for names in part.values() for node in names})
@@ -134,7 +130,7 @@ def look(master, topics, answered):
             if node not in topic.listening:
                 topic.listen(node, master.lookupNode(NAME, node)[2])
     for node in nodes:
-        if node + "/get_loggers" in services and node not in answered and answers(master, node):
+        if node not in answered and answers(master, node):
             answered.add(node)
     return {
         "nodes": nodes,

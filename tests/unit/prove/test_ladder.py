@@ -1,0 +1,157 @@
+"""What is said of each rung, from what was seen; the cases are those that would deceive a careless look."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from roslab.config.model import ProofGoals
+from roslab.plan.ladder import Ladder, Rung, below, lines
+from roslab.plan.proof import Proof
+from roslab.prove.containers import Outcome, Seen
+from roslab.prove.graph import Graph, Topic
+from roslab.prove.ladder import climb
+from roslab.prove.screenshot import Screenshot
+
+FOUND = Proof(name="the workspace's packages are found", command=("true",), rung=0)
+START = Proof(name="the default command starts", command=("x",), may_run_on=True, rung=1, graph="ros1")
+PLAIN = replace(START, graph=None)
+WINDOW = replace(PLAIN, display=True)
+SHELL = replace(PLAIN, rung=None)
+TEST = Proof(name="the repository's test", command=("y",), rung=4)
+CHATTER = Topic(name="/chatter", type="std_msgs/String", messages=7)
+SILENT = replace(CHATTER, name="/scan", messages=0)
+TALK = Graph(nodes=("/talker",), answered=("/talker",), topics=(CHATTER,), seconds=9.6)
+NONE = ProofGoals()
+
+
+def outcome(proof: Proof, summary: str = "passed", *, held: bool = True, seen: Seen | None = None) -> Outcome:
+    return Outcome(
+        proof=proof,
+        platform="linux/amd64",
+        passed=True,
+        seconds=10.0,
+        summary=summary,
+        output="",
+        held=held,
+        seen=seen or Seen(code=None),
+    )
+
+
+def of(*outcomes: Outcome, goals: ProofGoals = NONE) -> Ladder:
+    return climb([each.proof for each in outcomes], outcomes, goals)
+
+
+def rung(ladder: Ladder, number: int) -> Rung:
+    return next(each for each in ladder.rungs if each.number == number)
+
+
+def graphed(graph: Graph, goals: ProofGoals = NONE) -> Rung:
+    return rung(of(outcome(START, seen=Seen(code=None, graph=graph)), goals=goals), 2)
+
+
+def test_all_that_a_talker_can_have() -> None:
+    ladder = of(outcome(FOUND), outcome(START, seen=Seen(code=0, graph=TALK)), outcome(TEST))
+    assert [(each.number, each.state) for each in ladder.rungs] == [(0, "held"), (1, "held"), (2, "held"), (4, "held")]
+    assert ladder.reached == 4
+    assert rung(ladder, 2).said == "1 node (/talker); in 10 s /chatter [std_msgs/String] 7 messages; /talker answered"
+    assert lines(ladder)[-1] == "reached: rung 4, agrees"
+
+
+def test_a_command_that_prints_success_and_sleeps() -> None:
+    plain = of(outcome(PLAIN))
+    assert [each.number for each in plain.rungs] == [1]
+    assert rung(plain, 1).said == "the command still ran after 10 s"
+    ros = of(outcome(START, seen=Seen(code=None, graph=Graph(problem="no ROS master answered", seconds=10))))
+    assert ros.reached == 1
+    assert rung(ros, 2).said == "no node was in the graph: no ROS master answered"
+    assert rung(ros, 2).state == "missed"
+
+
+def test_a_shell_is_no_program_of_the_repository() -> None:
+    assert of(outcome(SHELL)).rungs == ()
+    assert of(outcome(FOUND), outcome(SHELL), outcome(TEST)).reached == 4
+
+
+def test_a_node_that_dies_and_is_respawned() -> None:
+    seen = Seen(code=None, graph=TALK, respawned=("/talker was started anew 3 times",))
+    found = rung(of(outcome(START, seen=seen)), 1)
+    assert (found.state, found.said) == ("missed", "/talker was started anew 3 times, because it had ended")
+
+
+def test_what_a_loop_starts_anew_is_told_and_is_no_failure() -> None:
+    found = rung(of(outcome(PLAIN, seen=Seen(code=None, restarted=("python3 n.py was started anew 4 times",)))), 1)
+    assert found.state == "held"
+    assert found.said.endswith("; python3 n.py was started anew 4 times")
+
+
+def test_a_launch_with_a_dead_node_says_which() -> None:
+    summary = "not proved: it failed: b-3 died with exit code 1, though the launch itself still ran after 10.0 s"
+    found = rung(of(outcome(START, summary, held=False, seen=Seen(code=None, graph=TALK))), 1)
+    assert found.state == "missed"
+    assert found.said.startswith("failed: b-3 died with exit code 1, though")
+
+
+@pytest.mark.parametrize(
+    ("graph", "goals", "needed"),
+    [
+        (TALK, NONE, ""),
+        (replace(TALK, topics=(CHATTER, SILENT)), NONE, ""),
+        (replace(TALK, topics=(SILENT,)), NONE, "a message on one of its topics"),
+        (replace(TALK, topics=()), NONE, "a node that publishes, or serves and answers"),
+        (replace(TALK, topics=(), services=("/add",)), NONE, ""),
+        (
+            replace(TALK, topics=(), services=("/add",), answered=()),
+            NONE,
+            "a node that publishes, or serves and answers",
+        ),
+        (replace(TALK, topics=(SILENT,), services=("/add",)), NONE, "a message on one of its topics"),
+        (TALK, ProofGoals(topics=("/scan", "/chatter")), "a message on /scan"),
+        (Graph(), NONE, "a node that publishes, or serves and answers"),
+    ],
+)
+def test_what_a_graph_needs_to_talk(graph: Graph, goals: ProofGoals, needed: str) -> None:
+    found = graphed(graph, goals)
+    assert (found.state, found.needed) == ("missed" if needed else "held", needed)
+
+
+def test_a_silent_topic_is_told_with_its_nought() -> None:
+    assert "/scan [std_msgs/String] 0 messages" in graphed(replace(TALK, topics=(CHATTER, SILENT))).said
+
+
+def test_an_image_without_python_is_not_accused() -> None:
+    assert graphed(Graph(problem="the image has no Python to look at the graph with")).state == "unseen"
+
+
+@pytest.mark.parametrize(
+    ("drawn", "shot", "written", "state"),
+    [
+        (True, Screenshot(file=None), (), "held"),
+        (False, Screenshot(remark="Xvfb is not installed"), (), "unseen"),
+        (False, Screenshot(remark="Xvfb is not installed"), ("/w/map.png",), "held"),
+    ],
+)
+def test_what_shows(drawn: bool, shot: Screenshot, written: tuple[str, ...], state: str) -> None:
+    found = replace(outcome(WINDOW, seen=Seen(code=None, written=written)), drawn=drawn, screenshot=shot)
+    assert rung(of(found), 3).state == state
+
+
+def test_a_window_of_one_colour(tmp_path_factory: pytest.TempPathFactory) -> None:
+    shot = Screenshot(file=tmp_path_factory.mktemp("x") / "a.png", remark="nothing was drawn: it is wholly blank")
+    found = rung(of(replace(outcome(WINDOW), screenshot=shot)), 3)
+    assert (found.state, found.said) == ("missed", "the screen had one colour")
+
+
+def test_after_a_failure_the_rest_was_not_tried() -> None:
+    ladder = climb([FOUND, START, TEST], [outcome(FOUND, "failed with exit code 1", held=False)], NONE)
+    assert [each.state for each in ladder.rungs] == ["missed", "unseen", "unseen", "unseen"]
+    assert ladder.reached is None
+    assert str(ladder) == "no rung; rung 0, installs: that the workspace's packages are found"
+
+
+def test_what_is_asked_for() -> None:
+    ladder = of(outcome(FOUND), outcome(START, seen=Seen(code=None, graph=replace(TALK, topics=(SILENT,)))))
+    assert below(ladder, None) == below(ladder, 0) == below(ladder, 1) == ""
+    assert below(ladder, 2).endswith("and rung 2, talks, does not hold: a message on one of its topics")
+    assert "which this image cannot have" in below(of(outcome(PLAIN)), 3)
