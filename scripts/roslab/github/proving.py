@@ -177,7 +177,5 @@ def _failure(outcomes: Sequence[containers.Outcome], ladder: Ladder, run: Run) -
         hint = "correct the code, or name another `test` in roslab.yaml"
         return Problem(message=f"on {failed.platform}, {failed.proof.name}: {failed.summary}", hint=hint)
     if short := below(ladder, run.plan.proof_goals.rung):
-        return Problem(
-            message=f"on {outcomes[0].platform}, {short}",
-            hint=LOWER)
+        return Problem(message=f"on {outcomes[0].platform}, {short}", hint=LOWER)
     return None
