@@ -18,7 +18,7 @@ from roslab.evidence.ros import vcs
 from roslab.knowledge.distros import rosdistro_tag
 from roslab.plan.plan import Plan, make_plan
 from roslab.plan.version import SourceVersion, of_projects, source_version
-from roslab.render import FILES, OutputFile, render_all
+from roslab.render import FILES, OutputFile, bases, render_all
 from roslab.repository import git as commits
 from roslab.repository.checkout import Repository, printable
 from roslab.values.origin import Place
@@ -174,6 +174,21 @@ def write_dockerfile(planned: Planned, folder: Path) -> tuple[Path, Path]:
     The author's own Dockerfile is used where it stands.
     """
     return write_plan(planned.plan, planned.repository.root, folder)
+
+
+def bases_of(plan: Plan) -> tuple[tuple[str, str], ...]:
+    """Return ``(stage, name in FROM)`` of the images of the author's Dockerfile that its build replaces."""
+    found = plan.author_dockerfile.bases if plan.author_dockerfile else ()
+    return tuple((bases.stage_name(number), base.name) for number, base in enumerate(found, 1))
+
+
+def write_bases(plan: Plan, folder: Path) -> Path | None:
+    """Write the Dockerfile of these images to a folder and return it, ``None`` if there are none."""
+    if not bases_of(plan):
+        return None
+    file = folder / bases.FILE
+    file.write_text(bases.bases(plan.author_dockerfile.bases if plan.author_dockerfile else ()), encoding="utf-8")
+    return file
 
 
 def write_plan(plan: Plan, root: Path, folder: Path) -> tuple[Path, Path]:

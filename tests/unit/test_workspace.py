@@ -8,6 +8,8 @@ import pytest
 
 from roslab.config.model import Config, Custom, Source
 from roslab.decide.decision import Decision, Python
+from roslab.knowledge.distros import distro
+from roslab.plan.package_sources import sources_of
 from roslab.plan.plan import Plan, make_plan
 
 SISTER = Source(
@@ -103,7 +105,7 @@ def test_the_papers_home_folder_was_the_source_where_that_is_no_workspace() -> N
 @pytest.mark.parametrize(
     ("distro", "base", "ubuntu", "ros", "ended"),
     [
-        pytest.param("humble", "ros:humble-ros-base", "jammy", None, False, id="maintained"),
+        pytest.param("humble", "ros:humble-ros-base", "jammy", "kept", False, id="maintained"),
         pytest.param("humble", "osrf/ros:humble-desktop", "jammy", "replaced", False, id="not-built-again"),
         pytest.param("humble", "nvidia/cuda:12.1.0-devel-ubuntu22.04", "jammy", "added", True, id="cuda"),
         pytest.param("noetic", "ros:noetic-ros-base", "focal", "replaced", True, id="ended"),
@@ -112,15 +114,13 @@ def test_the_papers_home_folder_was_the_source_where_that_is_no_workspace() -> N
         pytest.param("iron", "ros:iron-ros-base", "jammy", "replaced", False, id="ended-on-a-maintained-ubuntu"),
     ],
 )
-def test_what_is_changed_in_a_bases_package_sources(
-    distro: str, base: str, ubuntu: str, ros: str | None, ended: bool
-) -> None:
+def test_what_is_changed_in_a_bases_package_sources(distro: str, base: str, ubuntu: str, ros: str, ended: bool) -> None:
     kind = "ros1" if distro == "noetic" else "ros2"
     found = plan(base_image=base, ros_distro=distro, ubuntu=ubuntu, kind=kind).package_sources
-    if ros is None:
-        assert found is None
-        return
     assert found
+    if ros == "kept":
+        assert (found.ros, found.ended) == (None, ended)
+        return
     assert found.ros
     assert (found.ros.in_base, found.ended) == (ros == "replaced", ended)
     assert (found.ros.distro, found.ros.ubuntu) == (distro, ubuntu)
@@ -133,7 +133,29 @@ def test_a_plain_program_on_an_ended_ubuntu_needs_no_ros() -> None:
     found = plan(base_image="ubuntu:16.04", ubuntu="xenial", **changes).package_sources
     assert found
     assert (found.ros, found.ended) == (None, True)
-    assert plan(base_image="ubuntu:24.04", ubuntu="noble", **changes).package_sources is None
+
+
+@pytest.mark.parametrize(
+    ("base", "ros", "day", "snapshot"),
+    [
+        ("ros:humble-ros-base", "humble", "2027-04-30", "http://snapshots.ros.org/humble/final/ubuntu"),
+        ("ros:kilted-ros-base", "kilted", "2026-11-30", "http://snapshots.ros.org/kilted/final/ubuntu"),
+        ("ros:rolling-ros-base", "rolling", "2031-04-30", None),
+        ("python:3.12-slim-bookworm", None, "2028-06-30", None),
+    ],
+)
+def test_a_maintained_base_knows_what_to_do_once_it_has_ended(
+    base: str, ros: str | None, day: str, snapshot: str | None
+) -> None:
+    found = sources_of(base, None, distro(ros))
+    assert found
+    assert found.end
+    assert found.end.day == day
+    assert (found.end.ros.url if found.end.ros else None) == snapshot
+
+
+def test_a_base_that_nothing_is_known_of_is_left_alone() -> None:
+    assert sources_of("registry.example.org/lab/base:1", None, None) is None
 
 
 def test_the_package_sources_of_an_authors_own_dockerfile_are_left_alone() -> None:

@@ -11,9 +11,10 @@ from pathlib import Path
 from roslab.cli.planning import planned_of, warnings_of
 from roslab.cli.repairing import Repairing
 from roslab.engine import docker as engine
+from roslab.engine.bases import Mended, mend
 from roslab.engine.secrets import of_environment
 from roslab.errors import BuildError, ConfigurationError, Problem
-from roslab.pipeline import Planned, write_dockerfile
+from roslab.pipeline import Planned, bases_of, write_bases, write_dockerfile
 from roslab.values.origin import Option
 
 
@@ -63,10 +64,13 @@ def _once(
     name = f"{planned.plan.name}:{options.tag}"
     engine.say(f"roslab: building {name} for {', '.join(platforms)}")
     candidates: list[str] = []
+    helpers: list[str] = []
     try:
         with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
             dockerfile, context = write_dockerfile(planned, Path(folder))
             for platform in platforms:
+                mended = _mended(planned, Path(folder), platform)
+                helpers += mended.images
                 candidates.append(f"{planned.plan.name}:roslab-candidate-{os.getpid()}-{platform.replace('/', '-')}")
                 job = engine.Build(
                     context=context,
@@ -74,6 +78,7 @@ def _once(
                     platforms=(platform,),
                     tags=(candidates[-1],),
                     labels=engine.commit_labels(planned.repository.root),
+                    contexts=mended.contexts,
                     arguments=(*(authored.args if authored else ()), *arguments),
                     target=authored.target if authored else None,
                     secrets=secrets,
@@ -88,8 +93,14 @@ def _once(
             engine.name_image(candidate, name + suffix)
             sys.stdout.write(f"{name}{suffix}\n")
     finally:
-        for candidate in candidates:
-            engine.remove_image(candidate)
+        for image in (*candidates, *helpers):
+            engine.remove_image(image)
+
+
+def _mended(planned: Planned, folder: Path, platform: str) -> Mended:
+    """Return what replaces the images of the author's Dockerfile that no longer answer."""
+    file = write_bases(planned.plan, folder)
+    return mend(bases_of(planned.plan), file, platforms=(platform,)) if file else Mended()
 
 
 def _screenshots(options: argparse.Namespace, planned: Planned) -> Path:

@@ -186,6 +186,8 @@ class Config:
     """Stage of the author's own Dockerfile."""
     secrets: tuple[str, ...] = ()
     """Names of what single steps of the build may read; ``values.secret`` says what the known ones are for."""
+    repair: bool | None = None
+    """``False``: the build starts the author's own Dockerfile from the very images that it names."""
     submodules: Literal["optional", "required"] | None = None
     tags: TagParts = field(default_factory=TagParts)
     pr: PullImage | None = None

@@ -43,6 +43,7 @@ def written(config: Config) -> str:
         "args": dict(config.args),
         "target": config.target,
         "secrets": list(config.secrets),
+        "repair": config.repair,
         "submodules": config.submodules,
         "tags": _said(config.tags, ("prefix", "suffix")),
         "pr": config.pr,

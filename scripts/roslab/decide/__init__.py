@@ -13,6 +13,7 @@ from roslab.decide.cuda.toolkit import decide_toolkit
 from roslab.decide.cuda.version import NO_CUDA, decide_cuda, of_image
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.kind import decide_kind
+from roslab.decide.mended_bases import decide_bases
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.proof import decide_test
@@ -74,8 +75,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     )
     everything = installed(evidence, python.answer)
     own = decide_dockerfile(evidence, config, kind.answer, distro)
+    mended = decide_bases(evidence, config, own.answer.file if own.answer else None)
     if own.answer:
-        base = of_dockerfile(base, evidence, config, own.answer.file)
+        base = of_dockerfile(base, evidence, config, own.answer.file, mended.answer)
         cuda = of_image(cuda, base.answer.image)
         # An author's Dockerfile brings a Python of its own
         python = replace(python, reasons=tuple(r for r in python.reasons if r.question != "python"))
@@ -136,7 +138,22 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     platforms = decide_platforms(
         evidence, config, kind.answer, base.answer.image, distro, cuda.answer.version, python.answer, everything
     )
-    choices = (kind, release, base, build_tool, layout, python, cuda, own, command, test, platforms, sources, system)
+    choices = (
+        kind,
+        release,
+        base,
+        build_tool,
+        layout,
+        python,
+        cuda,
+        own,
+        mended,
+        command,
+        test,
+        platforms,
+        sources,
+        system,
+    )
     return Decision(
         kind=kind.answer,
         ros_distro=distro,
@@ -160,6 +177,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         program_folders=layout.answer.program_folders,
         dockerfile=own.answer.file if own.answer else None,
         context=own.answer.context if own.answer else None,
+        bases=mended.answer,
         command=command.answer.command,
         command_named=config.command is not None,
         command_candidates=command.answer.candidates,

@@ -7,11 +7,13 @@ from dataclasses import dataclass
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Reason
+from roslab.decide.mended_bases import nearest
 from roslab.decide.reasons import because, configured
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.ended_bases import ended
 from roslab.knowledge.frameworks import cuda_image
+from roslab.knowledge.os_releases import has_ended, release_of
 from roslab.values.origin import Place
 
 MOST_REASONS = 20
@@ -66,7 +68,11 @@ def decide_dockerfile(
     reasons: list[Reason] = []
     believed: list[AuthorDockerfile] = []
     for authored in evidence.dockerfiles:
-        against = doubt(authored, kind, ros_distro) or _secret(authored, config) or _chained(authored, evidence)
+        against = (
+            doubt(authored, kind, ros_distro, mended=config.repair is not False)
+            or _secret(authored, config)
+            or _chained(authored, evidence)
+        )
         if against is None:
             believed.append(authored)
         else:
@@ -86,8 +92,10 @@ def _about(authored: AuthorDockerfile, why: str, weight: int) -> Reason:
     return because("dockerfile", authored.file, why, place, weight=weight)
 
 
-def doubt(authored: AuthorDockerfile, kind: Kind, ros_distro: str | None) -> str | None:  # noqa: PLR0911 - one doubt a line
-    """Return why a Dockerfile cannot be used, ``None`` if it can."""
+def doubt(  # noqa: PLR0911 - one doubt a line
+    authored: AuthorDockerfile, kind: Kind, ros_distro: str | None, *, mended: bool = True
+) -> str | None:
+    """Return why a Dockerfile cannot be used, ``None`` if it can; ``mended``: the build replaces bases that ended."""
     if authored.purpose != "project":
         return {
             "documentation": "it is for the documentation",
@@ -106,7 +114,8 @@ def doubt(authored: AuthorDockerfile, kind: Kind, ros_distro: str | None) -> str
         return f"it builds {authored.context}, not the whole repository"
     if authored.base is None or "$" in authored.base:
         return f"its base is not known: {authored.base or 'no FROM'}"
-    return _base_doubt(authored.base, kind, ros_distro) or _tables_doubt(authored)
+    against = _base_doubt(authored.base, kind, ros_distro, mended=mended)
+    return against or (None if mended else _tables_doubt(authored))
 
 
 def _tables_doubt(authored: AuthorDockerfile) -> str | None:
@@ -140,10 +149,10 @@ def _chained(authored: AuthorDockerfile, evidence: Evidence) -> str | None:
     return None
 
 
-def _base_doubt(base: str, kind: Kind, ros_distro: str | None) -> str | None:
+def _base_doubt(base: str, kind: Kind, ros_distro: str | None, *, mended: bool) -> str | None:
     """Return why an image is unsuitable as a base: it no longer exists, or it is for something else."""
     named = _ROS.search(base)
-    if gone := _gone(base):
+    if (gone := _gone(base)) and not (mended and (nearest(base) or has_ended(release_of(base)))):
         return gone
     if named and kind in {"python", "cpp"}:
         return f"it tests the code with ROS ({base}), which the repository does not need"

@@ -9,7 +9,7 @@ from typing import ClassVar
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.cuda.version import Cuda
-from roslab.decide.decision import Choice, Reason
+from roslab.decide.decision import Choice, MendedBase, Reason
 from roslab.decide.python.base import base_for
 from roslab.decide.reasons import because, configured, ranked, strongest
 from roslab.decide.ros.distro_dates import ADOPTED, dated
@@ -77,16 +77,23 @@ def decide_base(
 
 
 def of_dockerfile(
-    choice: Choice[BaseImage], evidence: Evidence, config: Config, dockerfile: str | None
+    choice: Choice[BaseImage],
+    evidence: Evidence,
+    config: Config,
+    dockerfile: str | None,
+    mended: tuple[MendedBase, ...],
 ) -> Choice[BaseImage]:
-    """Return the FROM of the author's own Dockerfile if that is built, with the reasons for other bases."""
+    """Return what the author's own Dockerfile starts from if that is built, with the reasons for other bases."""
     authored = next((r for r in evidence.dockerfiles if r.file == dockerfile and r.base and "$" not in r.base), None)
     if authored is None or authored.base is None or config.base.image:
         return choice
+    taken = next((base.image for base in mended if base.name == authored.base), authored.base)
     said = "the author's Dockerfile starts from it"
-    why = because("base_image", authored.base, said, authored, weight=Weight.BUILT)
+    if taken != authored.base:
+        said = f"in place of {authored.base}, from which the author's Dockerfile starts"
+    why = because("base_image", taken, said, authored, weight=Weight.BUILT)
     others = (replace(r, decisive=r.question != "base_image" and r.decisive) for r in choice.reasons)
-    answer = replace(choice.answer, image=authored.base, ubuntu=_codename(authored.base) or choice.answer.ubuntu)
+    answer = replace(choice.answer, image=taken, ubuntu=_codename(taken) or choice.answer.ubuntu)
     return replace(choice, answer=answer, reasons=(why, *others))
 
 

@@ -50,6 +50,17 @@ class Choice(Generic[Answer]):
     warnings: tuple[Warning_, ...] = ()
 
 
+@dataclass(frozen=True, kw_only=True, slots=True)
+class MendedBase:
+    """An image that a Dockerfile starts from, which the build replaces by one that answers."""
+
+    name: str
+    """As the Dockerfile names it."""
+    image: str
+    """What the replacement is made from: the same image, or the nearest one where it is gone."""
+    why: str
+
+
 Manager = Literal["system", "venv", "conda"]
 """``system``: the base's own interpreter (ROS); ``venv``: /opt/venv over it; ``conda``: by micromamba."""
 
@@ -130,6 +141,8 @@ class Decision:
     program_folders: tuple[str, ...] = ()
     """Folder of the top-level CMakeLists.txt of a plain CMake project, ``""`` for the root."""
     dockerfile: str | None = None
+    bases: tuple[MendedBase, ...] = ()
+    """Images that this Dockerfile starts from, and that its build replaces."""
     context: str | None = None
     """Build context of the author's Dockerfile, relative to the root."""
     command: tuple[str, ...] | str = ("bash",)

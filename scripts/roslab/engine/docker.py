@@ -51,6 +51,8 @@ class Build:
     tags: tuple[str, ...] = ()
     labels: tuple[tuple[str, str], ...] = ()
     arguments: tuple[tuple[str, str], ...] = ()
+    contexts: tuple[tuple[str, str], ...] = ()
+    """Named contexts: images that a FROM names, and what stands for each."""
     target: str | None = None
     """Stage to build; ``None`` for the last one."""
     output: str = ""
@@ -108,7 +110,8 @@ def build(job: Build, *, environment: Mapping[str, str] | None = None) -> tuple[
         command += ["--platform", ",".join(job.platforms)] if job.platforms else []
         for tag in job.tags:
             command += ["--tag", tag]
-        for flag, pairs in (("--label", job.labels), ("--build-arg", job.arguments)):
+        given = (("--label", job.labels), ("--build-arg", job.arguments), ("--build-context", job.contexts))
+        for flag, pairs in given:
             for name, value in pairs:
                 command += [flag, f"{name}={value}"]
         command += ["--target", job.target] if job.target else []

@@ -179,6 +179,8 @@ class AuthorDockerfile:
     """The line of a ``rosdep update`` that skips distributions that have ended."""
     secrets: tuple[tuple[str, int], ...] = ()
     """The secrets that its steps mount, ``ssh`` for the agent, each with its line."""
+    bases: tuple[tuple[str, int], ...] = ()
+    """The external images of all its stages, with the line of each FROM."""
     clones_itself: bool = False
     """It clones this repository instead of building the checkout."""
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from roslab.knowledge import libraries
 from roslab.knowledge.distros import distro, ubuntus
 from roslab.knowledge.failures import compiled
+from roslab.knowledge.os_releases import moved_to
 from roslab.knowledge.table import rows
 
 Names = dict[str, str]
@@ -47,10 +48,8 @@ def image(text: str, instruction: str) -> Image:
 
 
 def _release(names: Names, _: Image) -> Names:
-    for row in rows("ended"):
-        if row["codename"] == names.get("codename"):
-            return {"release": f"{row['system']} {row['version']} ({row['codename']})", "archive": row["archive"]}
-    return {}
+    found = moved_to(names.get("codename", ""))
+    return {"release": found[0], "archive": found[1]} if found else {}
 
 
 def _renamed(names: Names, _: Image) -> Names:

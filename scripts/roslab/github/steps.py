@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 import posixpath
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
 from roslab.engine import credentials
 from roslab.engine import docker as engine
+from roslab.engine.bases import Mended, mend
 from roslab.engine.client import private_client
 from roslab.errors import BuildError, ConfigurationError, Problem, RoslabError
 from roslab.github import (
@@ -32,7 +33,7 @@ from roslab.github import run as runs
 from roslab.github import source as completion
 from roslab.github.labels import labels
 from roslab.github.run import Folder, Run, slug
-from roslab.pipeline import plan_repository, write_plan
+from roslab.pipeline import bases_of, plan_repository, write_bases, write_plan
 from roslab.plan.answers import answers
 from roslab.plan.plan import to_json
 from roslab.render.markdown import prose
@@ -186,6 +187,15 @@ def dockerfile(environment: Environment) -> None:
     part = slug(platforms[0]) if len(platforms) == 1 else "all"
     layers = cache.layers(what, publication, run.cache, image=run.image, part=part, variant=run.variant)
     workflow.say(f"layer cache: {layers.reason}")
+    mended = _mended(
+        folder,
+        run,
+        platforms,
+        lambda stage: cache.layers(
+            what, publication, run.cache, image=run.image, part=f"{part}-{stage}", variant=run.variant
+        ),
+        seconds,
+    )
     by_digest = f"type=image,name={run.image},push=true,push-by-digest=true,name-canonical=true"
     loaded = f"type=docker,name={runs.candidate(folder, run, platforms[0])}" if len(platforms) == 1 else ""
     build = {
@@ -196,6 +206,7 @@ def dockerfile(environment: Environment) -> None:
         "annotations": "\n".join(f"manifest:{name}={value}" for name, value in named) if run.push else "",
         "platforms": ",".join(platforms),
         "build-args": "\n".join(f"{name}={value}" for name, value in authored.args) if authored else "",
+        "build-contexts": "\n".join(f"{name}={value}" for name, value in mended.contexts),
         "target": (authored.target or "") if authored else "",
         # A pull request's image goes straight to the engine; several platforms stay in the builder, to be loaded singly
         "exporter": by_digest if run.push else loaded or "type=cacheonly",
@@ -208,6 +219,26 @@ def dockerfile(environment: Environment) -> None:
     build |= secrets.outputs(secrets.held(folder, run, environment))
     folder.write("build.json", json.dumps({**build, "started": time.time()}))
     workflow.outputs(build, environment)
+
+
+def _mended(
+    folder: Folder, run: Run, platforms: tuple[str, ...], layers: Callable[[str], cache.Layers], seconds: int | None
+) -> Mended:
+    """Build what replaces the images of the author's Dockerfile that no longer answer, each with a cache of its own."""
+    file = write_bases(run.plan, folder.dockerfile)
+    if file is None:
+        return Mended()
+    stages = bases_of(run.plan)
+    options = {}
+    for stage, _ in stages:
+        cached = layers(stage)
+        options[stage] = (
+            *(f"--cache-from={entry}" for entry in cached.read),
+            *(f"--cache-to={entry}" for entry in cached.write),
+        )
+    # The same commit gives the same image, so that the layers above it are found in the cache
+    epoch = {} if seconds is None else {"SOURCE_DATE_EPOCH": str(seconds)}
+    return mend(stages, file, platforms=platforms, options=options, environment=epoch)
 
 
 def summary(environment: Environment) -> None:

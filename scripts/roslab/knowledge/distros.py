@@ -94,17 +94,6 @@ def ubuntus_with_python2() -> frozenset[str]:
 
 
 @cache
-def has_ended(codename: str | None) -> bool:
-    """Tell whether a release of Ubuntu was past its standard support when its table was read; the clock is not asked.
-
-    https://ubuntu.com/about/release-cycle
-    """
-    table = rows("ubuntu")
-    known = max(row["date"] for row in table)
-    return any(row["codename"] == codename and row["ended"] <= known for row in table)
-
-
-@cache
 def cmake_of_ubuntu() -> dict[str, str]:
     """Return ``{codename: version}`` of the CMake that each Ubuntu release has."""
     return {row["codename"]: row["cmake"] for row in rows("ubuntu")}

@@ -18,6 +18,14 @@ class PackageSource:
 
 def ros_packages(release: Distro) -> PackageSource:
     """Return the apt source; for an ended distribution, whose tables are pinned, the last snapshot."""
-    which = "ended" if release.rosdistro_tag else f"ros{release.ros}"
+    return last_snapshot(release) if release.rosdistro_tag else _source(release, f"ros{release.ros}")
+
+
+def last_snapshot(release: Distro) -> PackageSource:
+    """Return the snapshot of a distribution as it was, or will be, at its end."""
+    return _source(release, "ended")
+
+
+def _source(release: Distro, which: str) -> PackageSource:
     row = next(row for row in rows("ros_packages") if row["which"] == which)
     return PackageSource(url=row["url"].format(name=release.name), key=row["key"])

@@ -25,6 +25,7 @@ from roslab.config.model import (
 from roslab.decide.decision import Decision, Reason, Warning_
 from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.tools import PythonTools, python_tools
+from roslab.plan.author_bases import Base, author_bases
 from roslab.plan.package_sources import PackageSources, package_sources
 from roslab.plan.packages import image_packages
 from roslab.plan.proof import Proof, proofs
@@ -46,6 +47,8 @@ class AuthorDockerfile:
     """Build arguments."""
     target: str | None = None
     """The stage to build; ``None`` for the last one."""
+    bases: tuple[Base, ...] = ()
+    """Images that it starts from and that the build replaces, as named contexts."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -157,6 +160,7 @@ def make_plan(
             context=decision.context or ".",
             args=config.args,
             target=config.target,
+            bases=author_bases(decision),
         )
         if decision.dockerfile
         else None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from importlib import import_module
+from typing import Literal
 
 from roslab.plan.plan import Plan
 from roslab.render.output import MARKER, Beside, OutputFile
@@ -19,15 +20,17 @@ class File:
     module: str
     """Its ``text(plan, beside)`` returns the file; it is imported only for writing, as planning does not need it."""
     executable: bool = False
-    generated_only: bool = False
-    """The file goes with a generated Dockerfile and is not written if the author's own Dockerfile is built."""
+    goes_with: Literal["anything", "generated", "bases"] = "anything"
+    """``generated``: it is not written if the author's own Dockerfile is built; ``bases``: only if that starts from
+    images that are replaced."""
     read_in_image: bool = False
     """A program in the image opens it. Other files are hidden from the build: changing one must not repeat it."""
 
 
 FILES: tuple[File, ...] = (
-    File(path="Dockerfile", module="dockerfile", generated_only=True),
-    File(path="Dockerfile.dockerignore", module="ignore", generated_only=True),
+    File(path="Dockerfile", module="dockerfile", goes_with="generated"),
+    File(path="Dockerfile.dockerignore", module="ignore", goes_with="generated"),
+    File(path="Dockerfile.bases", module="bases", goes_with="bases"),
     File(path="docker_build.sh", module="build_script", executable=True),
     File(path="docker_run.sh", module="run_script", executable=True),
     File(path="README.ipynb", module="notebook", read_in_image=True),  # JupyterLab opens it
@@ -49,7 +52,11 @@ def render_all(
         readme_name=readme_name,
         unread=tuple(file.path for file in FILES if not file.read_in_image),
     )
-    written = (file for file in FILES if not (file.generated_only and plan.author_dockerfile))
+    authored = plan.author_dockerfile
+    left_out = "generated" if authored else "bases"
+    written = (file for file in FILES if file.goes_with != left_out)
+    if authored and not authored.bases:
+        written = (file for file in written if file.goes_with != "bases")
     return tuple(
         OutputFile(path=file.path, text=_text(file, plan, beside), executable=file.executable) for file in written
     )

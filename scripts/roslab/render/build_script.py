@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslab.plan.plan import AuthorDockerfile, Plan
+from roslab.render.bases import stage_name
 from roslab.render.output import Beside
 from roslab.render.script import script
 
@@ -27,11 +28,17 @@ def build_script(plan: Plan, *, context: str) -> str:
             "image": plan.name,
             "dockerfile": f"{context}/{authored.dockerfile}" if authored else "Dockerfile",
             "context": f"{context}/{authored.context}" if authored else context,
-            "oldest_docker": "0" if authored else OLDEST_DOCKER,
+            "oldest_docker": "0" if authored and not authored.bases else OLDEST_DOCKER,
+            "bases": _bases(authored),
             "options": _options(authored) if authored else (),
             "secrets": [(name,) for name in plan.secrets],
         },
     )
+
+
+def _bases(authored: AuthorDockerfile | None) -> list[tuple[str, str]]:
+    found = authored.bases if authored else ()
+    return [(stage_name(number), base.name) for number, base in enumerate(found, 1)]
 
 
 def _options(authored: AuthorDockerfile) -> list[tuple[str, str]]:

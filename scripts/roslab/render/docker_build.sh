@@ -10,6 +10,8 @@ context=.
 # The first Docker that can read the Dockerfile; 0 for an author's own
 oldest_docker=23
 options=() # of docker build
+# Stages of Dockerfile.bases, and the images of the Dockerfile that each replaces because they no longer answer
+bases=()
 # What the build may read and the image never holds
 secrets=()
 # ---- the same for every repository ----
@@ -89,6 +91,19 @@ for name in ${secrets[@]+"${secrets[@]}"}; do
   esac
   [[ -f "${file}" ]] || fail "the secret ${name} is not there" "see ${script} --help"
   options+=(--secret "id=${name},\"src=${file}\"")
+done
+
+given=() # what the images below the Dockerfile's own steps need too
+previous=''
+for word in "$@"; do
+  if [[ "${previous}" == --platform || "${word}" =~ ^--(platform(=.*)?|no-cache|pull)$ ]]; then given+=("${word}"); fi
+  previous="${word}"
+done
+for ((i = 0; i < ${#bases[@]}; i += 2)); do
+  echo "${script}: ${bases[i + 1]} is replaced by ${bases[i]} of Dockerfile.bases" >&2
+  docker build --file "${folder}/Dockerfile.bases" --target "${bases[i]}" --tag "${image}-${bases[i]}" \
+    ${given[@]+"${given[@]}"} "${folder}"
+  options+=(--build-context "${bases[i + 1]}=docker-image://${image}-${bases[i]}")
 done
 
 exec docker build --file "${folder}/${dockerfile}" --tag "${image}" ${options[@]+"${options[@]}"} "$@" "${folder}/${context}"

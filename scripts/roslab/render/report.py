@@ -72,6 +72,8 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
     width = max(len(value) for _, value, _ in shown if len(value) <= COLUMN)
     lines += [f"  {label:<11} {value:<{width}}  {because}".rstrip() for label, value, because in shown]
     lines += _packages(decision, plan)
+    replaced = (f"{base.name} by {base.image}: {base.why}" for base in decision.bases)
+    lines += _section("bases that the build of the Dockerfile replaces", replaced, rows=True)
     lines += _section(
         "from source",
         (f"{s.name} {s.repo or s.zip or ''} {s.ref or '(no fixed ref)'}".strip() for s in decision.source),

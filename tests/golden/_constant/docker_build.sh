@@ -76,4 +76,17 @@ for name in ${secrets[@]+"${secrets[@]}"}; do
   options+=(--secret "id=${name},\"src=${file}\"")
 done
 
+given=() # what the images below the Dockerfile's own steps need too
+previous=''
+for word in "$@"; do
+  if [[ "${previous}" == --platform || "${word}" =~ ^--(platform(=.*)?|no-cache|pull)$ ]]; then given+=("${word}"); fi
+  previous="${word}"
+done
+for ((i = 0; i < ${#bases[@]}; i += 2)); do
+  echo "${script}: ${bases[i + 1]} is replaced by ${bases[i]} of Dockerfile.bases" >&2
+  docker build --file "${folder}/Dockerfile.bases" --target "${bases[i]}" --tag "${image}-${bases[i]}" \
+    ${given[@]+"${given[@]}"} "${folder}"
+  options+=(--build-context "${bases[i + 1]}=docker-image://${image}-${bases[i]}")
+done
+
 exec docker build --file "${folder}/${dockerfile}" --tag "${image}" ${options[@]+"${options[@]}"} "$@" "${folder}/${context}"

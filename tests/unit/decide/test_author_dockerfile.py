@@ -40,8 +40,8 @@ def test_a_good_one_is_believed() -> None:
 )
 def test_doubts(change: dict[str, object], why: str) -> None:
     authored = replace(GOOD, **change)  # type: ignore[arg-type]
-    assert why in (doubt(authored, "ros1", "noetic") or "")
-    choice = decide_dockerfile(Evidence(dockerfiles=(authored,)), Config(), "ros1", "noetic")
+    assert why in (doubt(authored, "ros1", "noetic", mended=False) or "")
+    choice = decide_dockerfile(Evidence(dockerfiles=(authored,)), Config(repair=False), "ros1", "noetic")
     assert choice.answer is None
     assert why in choice.reasons[0].reason
 

@@ -119,7 +119,7 @@ def test_a_line_of_three_megabytes_is_read_in_time() -> None:
 @pytest.mark.parametrize(
     "table",
     [
-        "ended",
+        "os_releases",
         "programs",
         "apt_names",
         "shared_objects",

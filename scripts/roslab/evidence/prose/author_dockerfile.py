@@ -93,6 +93,7 @@ class _Reading:
     stages: dict[str, str] = field(default_factory=dict)
     base: str | None = None
     base_line: int = 1
+    bases: list[tuple[str, int]] = field(default_factory=list)
     copied: list[tuple[str, int]] = field(default_factory=list)
     command: tuple[str, ...] = ()
     command_line: int | None = None
@@ -129,6 +130,8 @@ class _Reading:
 
     def _from(self, body: str, line: int) -> None:
         if match := _FROM.match(expand(body.strip(), self.known)):
+            if match[1].lower() not in self.stages and match[1] != "scratch":
+                self.bases.append((match[1], line))
             self.base, self.base_line = self.stages.get(match[1].lower(), match[1]), line
             if match[2]:
                 self.stages[match[2].lower()] = self.base
@@ -159,6 +162,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         line=1,
         base=reading.base,
         base_line=reading.base_line,
+        bases=tuple(reading.bases),
         copies_repository=copies or itself,
         clones=clones,
         dependencies=tuple(dict.fromkeys(collector.dependencies)),

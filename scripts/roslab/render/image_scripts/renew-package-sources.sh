@@ -1,21 +1,27 @@
 #!/bin/bash
-# usage: renew-package-sources [--ros URL SUITE KEY] [--add] [--ended]
+# usage: renew-package-sources [--ros URL SUITE KEY] [--add] [--ended] [--after DAY OPTION...]
 # Makes the package sources of a base answer again, before anything is installed.
 #   --ros URL SUITE KEY  ROS's packages come from here, signed by the key of that name; replaces the base's own source
 #   --add                also where the base has no source of ROS
 #   --ended              try each source: a release of Ubuntu or Debian that was moved is taken from the archive; what
 #                        is not there, or is signed by a key that this base cannot know, is named and left out
+#   --after DAY OPTION.. what follows is done once that day (YYYY-MM-DD) is past: the base will have ended then
 set -euo pipefail
 
 here=/usr/local/share/roslab
 log=/tmp/apt-update
 shopt -s nullglob
-url='' suite='' key='' add='' ended=''
+url='' suite='' key='' add='' ended='' after=''
+mkdir --parents "${here}"
 while [ $# -gt 0 ]; do
   case "$1" in
     --ros) url="$2" suite="$3" key="$4" && shift 3 ;;
     --add) add=yes ;;
     --ended) ended=yes ;;
+    --after)
+      if [[ ! "$(date --utc +%F)" > "$2" ]]; then break; fi
+      after=yes && shift
+      ;;
   esac
   shift
 done
@@ -67,17 +73,23 @@ refused() {
     }' "${log}" | sort --unique
 }
 
-# Ubuntu and Debian move a release to their archive some time after its end
+# Ubuntu and Debian move a release to their archive some time after its end; archives.txt says which is whose
 use_archive() {
-  local file
+  local file pattern archive
   while read -r file; do
-    if grep --quiet --fixed-strings "$1" "${file}"; then
-      sed --in-place --regexp-extended \
-        --expression 's#https?://([a-z0-9-]+\.)*ubuntu\.com/(ubuntu-ports|ubuntu)#http://old-releases.ubuntu.com/ubuntu#' \
-        --expression 's#https?://security\.debian\.org(/debian-security)?#http://archive.debian.org/debian-security#' \
-        --expression 's#https?://([a-z0-9-]+\.)*debian\.org/debian#http://archive.debian.org/debian#' "${file}"
-    fi
+    if ! grep --quiet --fixed-strings "$1" "${file}"; then continue; fi
+    while read -r pattern archive; do
+      sed --in-place --regexp-extended "s#${pattern}#${archive}#" "${file}"
+    done <"${here}/archives.txt"
   done < <(sources)
+}
+
+# A distribution's last snapshot may come long after its end: its own source stays until then
+keep_ros() {
+  if ! refused | grep --quiet --fixed-strings "${url} "; then return; fi
+  echo "roslab: ${url} does not answer: ROS's own source stays"
+  rm /etc/apt/sources.list.d/roslab-ros.list
+  cp --recursive /tmp/own-sources/. /etc/apt/
 }
 
 leave_out() {
@@ -121,10 +133,16 @@ leave_out() {
   done < <(sources)
 }
 
-if [ -n "${url}" ]; then use_ros; fi
+if [ -n "${url}" ]; then
+  mkdir --parents /tmp/own-sources
+  cp --recursive /etc/apt/sources.list* /tmp/own-sources
+  use_ros
+  if [ -n "${after}" ] && [ -e /etc/apt/sources.list.d/roslab-ros.list ]; then keep_ros; fi
+  rm -rf /tmp/own-sources
+fi
 if [ -n "${ended}" ]; then
   refused >"${log}.refused"
-  if grep --quiet --extended-regexp '^https?://[a-z0-9.-]*(ubuntu\.com|debian\.org)/' "${log}.refused"; then
+  if cut --delimiter ' ' --fields 1 "${here}/archives.txt" | grep --quiet --extended-regexp --file - "${log}.refused"; then
     while read -r at _; do use_archive "${at}"; done <"${log}.refused"
     echo 'Acquire::Check-Valid-Until "false";' >/etc/apt/apt.conf.d/99roslab-archive # an archive is not signed anew
     echo "roslab: this release is taken from its archive"

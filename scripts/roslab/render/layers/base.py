@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from roslab.plan.package_sources import PackageSources, RosSource
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import secrets, shell
@@ -16,12 +17,6 @@ ARG NB_UID=1000
 ENV LANG=C.UTF-8 LC_ALL=C.UTF-8 NB_USER=${{NB_USER}} NB_UID=${{NB_UID}}
 {shell.copy_script("create-user")}RUN create-user"""
 
-WHY = {
-    False: "ROS's package source",
-    True: "Package sources that answer: this base's release has ended, or its keys may be old",
-}
-"""The comment above the step, by whether the base has ended."""
-
 
 def start(_: Plan) -> str:
     """Start with bash as the shell, no questions from apt, a UTF-8 locale and the image's user."""
@@ -33,15 +28,34 @@ def package_sources(plan: Plan) -> str:
     found = plan.package_sources
     if found is None:
         return ""
-    options, before, ros = "", "", found.ros
-    if ros:
-        options = f" --ros {quote.shell(ros.url)} {quote.shell(ros.ubuntu)} {quote.shell(ros.key)}"
-        options += "" if ros.in_base else " --add"
-        before = shell.copy_key(ros.key)
-    options += " --ended" if found.ended else ""
-    given = secrets.for_apt(plan)
-    called = shell.call("renew-package-sources", options, comment=WHY[found.ended], before=before, secrets=given)
+    called = renewal(found, secrets.for_apt(plan))
+    ros = found.ros
     return called if ros is None or ros.in_base else f"ENV ROS_DISTRO={quote.docker(ros.distro)}\n{called}"
+
+
+def renewal(found: PackageSources, given: secrets.Secrets = secrets.NONE) -> str:
+    """Return the step that makes the package sources of a base answer, today or once it has ended."""
+    why = "ROS's package source" if found.ros else "Package sources"
+    if found.ended:
+        why = "Package sources that answer: this base's release has ended, or its keys may be old"
+    elif found.end:
+        why += f"{', and' if found.ros else ':'} what to do once this base has ended, on {found.end.day}"
+    options = _options(found.ros, ended=found.ended)
+    data = [f"{found.ros.key}.asc"] if found.ros else []
+    if found.end:
+        options += f" --after {found.end.day}{_options(found.end.ros, ended=True)}"
+        data += [f"{found.end.ros.key}.asc"] if found.end.ros else []
+    data += ["archives.txt"] if found.ended or found.end else []
+    before = shell.copy_data(dict.fromkeys(data))
+    return shell.call("renew-package-sources", options, comment=why, before=before, secrets=given)
+
+
+def _options(ros: RosSource | None, *, ended: bool) -> str:
+    named = ""
+    if ros:
+        named = f" --ros {quote.shell(ros.url)} {quote.shell(ros.ubuntu)} {quote.shell(ros.key)}"
+        named += "" if ros.in_base else " --add"
+    return named + (" --ended" if ended else "")
 
 
 def repositories(plan: Plan) -> str:

@@ -11,18 +11,21 @@ from functools import cache
 from pathlib import Path
 
 from roslab.knowledge.keys import key
+from roslab.knowledge.os_releases import archives
 from roslab.render.layers import shell
 
 _FOLDER = Path(__file__).parent.parent / "image_scripts"
-_COPY = re.compile(r"^COPY --from=scripts /(\S+) /usr/local/(?:bin|share/roslab)/$", re.MULTILINE)
-"""What ``shell.copy_script`` and ``shell.copy_key`` write."""
+_COPY = re.compile(r"^COPY --from=scripts (/.+) /usr/local/(?:bin|share/roslab)/$", re.MULTILINE)
+"""What ``shell.copy_script`` and ``shell.copy_data`` write."""
+_TABLES = {"archives.txt": archives}
+"""Tables of the program's knowledge that scripts read."""
 _WHY = "# What is the same in every image, as small scripts; what belongs to this repository begins below them."
 
 
 def stage(image: str) -> str:
     """Return the stage that holds the scripts and keys that the other stages copy; ``""`` where they copy none."""
-    names = dict.fromkeys(_COPY.findall(image))
-    parts = (shell.heredoc(f"/{name}", _text(name), executable=not name.endswith(".asc")) for name in names)
+    names = dict.fromkeys(name.removeprefix("/") for files in _COPY.findall(image) for name in files.split())
+    parts = (shell.heredoc(f"/{name}", _text(name), executable="." not in name) for name in names)
     return "\n".join((_WHY, "FROM scratch AS scripts", *parts)).rstrip("\n") if names else ""
 
 
@@ -30,4 +33,6 @@ def stage(image: str) -> str:
 def _text(name: str) -> str:
     if name.endswith(".asc"):
         return key(name.removesuffix(".asc"))
+    if name in _TABLES:
+        return _TABLES[name]()
     return (_FOLDER / f"{name}.sh").read_text(encoding="utf-8")

@@ -33,9 +33,10 @@ def copy_script(name: str) -> str:
     return f"COPY --from=scripts /{name} /usr/local/bin/\n"
 
 
-def copy_key(name: str) -> str:
-    """Return the line that brings a key of ``keys.csv`` into a stage."""
-    return f"COPY --from=scripts /{name}.asc /usr/local/share/roslab/\n"
+def copy_data(names: Iterable[str]) -> str:
+    """Return the line that brings keys and tables that scripts read into a stage, ``""`` for none."""
+    files = " ".join(f"/{name}" for name in names)
+    return f"COPY --from=scripts {files} /usr/local/share/roslab/\n" if files else ""
 
 
 def comment_lines(text: str) -> str:

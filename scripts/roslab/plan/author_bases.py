@@ -1,0 +1,59 @@
+"""What the build of the author's own Dockerfile starts from in place of images that no longer answer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from roslab.decide.decision import Decision
+from roslab.decide.mended_bases import distro_of
+from roslab.knowledge.distros import python_of_ubuntu, ubuntus_with_python2
+from roslab.knowledge.os_releases import release_of
+from roslab.knowledge.tools import python2_installers, python_tools
+from roslab.plan.package_sources import PackageSources, sources_of
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Base:
+    """An image of the author's Dockerfile, and what replaces it."""
+
+    name: str
+    """As the Dockerfile names it: the name of the build context that replaces it."""
+    image: str
+    """What the replacement is made from."""
+    why: str
+    sources: PackageSources | None
+    rosdistro_tag: str | None
+    """Tag of ros/rosdistro with the tables that ``rosdep update`` takes there, which still know the distribution."""
+    installers: tuple[str, ...]
+    """pip constraints: the last installers that run on its Pythons, whatever the Dockerfile upgrades them to."""
+
+
+def author_bases(decision: Decision) -> tuple[Base, ...]:
+    """Return the replaced bases, in the order of the file."""
+    found = []
+    for base in decision.bases:
+        release = distro_of(base.image)
+        codename = release_of(base.image)
+        found.append(
+            Base(
+                name=base.name,
+                image=base.image,
+                why=base.why,
+                sources=sources_of(base.image, codename, release),
+                rosdistro_tag=release.rosdistro_tag if release else None,
+                installers=_installers(codename),
+            )
+        )
+    return tuple(found)
+
+
+def _installers(codename: str | None) -> tuple[str, ...]:
+    """Return the bounds of Python 2 where the release has it, and those of its old Python 3."""
+    python2 = python2_installers() if codename in ubuntus_with_python2() else ()
+    own = python_of_ubuntu().get(codename or "")
+    tools = python_tools(own, codename).installers if own else ()
+    bounded = [line for line in tools if "<" in line.partition(";")[0]]
+    return (
+        *(f'{pin}; python_version < "3"' for pin in python2),
+        *(f'{line} and python_version >= "3"' for line in bounded),
+    )
