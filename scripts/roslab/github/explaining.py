@@ -1,4 +1,4 @@
-"""The step that explains a failed build: annotations on the lines that asked, lines to paste, a suggestion."""
+"""Explains a failed build or proof: annotations on the lines that asked, lines to paste, a suggestion."""
 
 from __future__ import annotations
 
@@ -50,12 +50,39 @@ def explain(environment: Mapping[str, str]) -> None:
         access.require(refused, image=run.image, event=what)
     if not log:
         raise BuildError(Problem(message="the build failed", hint="the log of the step above says why"))
-    root = checkout.part(Path(environment.get("GITHUB_WORKSPACE") or ".").resolve(), run.path)
-    mending = mend(explained(io.BytesIO(log.encode("utf-8", errors="replace"))), run, root)
+    mending = mend(_answer(log), run, _root(run, environment))
+    _hand_over(folder, mending, environment)
+    raise BuildError(*mending.problems)
+
+
+def explain_proof(folder: Folder, failure: Problem, output: str, environment: Mapping[str, str]) -> Problem:
+    """Return a proof's failure with the cause that its output shows, and hand over the lines that repair it.
+
+    A failure whose cause is unknown comes back unchanged.
+    """
+    answer = _answer(output)
+    if not answer.explanations or answer.explanations[0].id is None:
+        return failure
+    run = folder.run
+    mending = mend(answer, run, _root(run, environment))
+    _hand_over(folder, mending, environment)
+    first = mending.problems[0]
+    return dataclasses.replace(first, message=f"{failure.message}: {first.message}")
+
+
+def _answer(log: str) -> Answer:
+    return explained(io.BytesIO(log.encode("utf-8", errors="replace")))
+
+
+def _root(run: Run, environment: Mapping[str, str]) -> Path:
+    return checkout.part(Path(environment.get("GITHUB_WORKSPACE") or ".").resolve(), run.path)
+
+
+def _hand_over(folder: Folder, mending: Mending, environment: Mapping[str, str]) -> None:
     if mending.repairs:
         kept.mend(folder.artifact, mending.repairs)
+        what = event.read(environment)
         suggestion.suggest(what, mending.problems, mending.repairs, mending.hunk, environment)
-    raise BuildError(*mending.problems)
 
 
 def mend(answer: Answer, run: Run, root: Path) -> Mending:

@@ -10,7 +10,7 @@ from pathlib import Path
 from roslab.engine import docker as engine
 from roslab.engine import gpu, registry
 from roslab.errors import BuildError, Problem
-from roslab.github import disk, screen, secrets, trial, workflow
+from roslab.github import disk, explaining, screen, secrets, trial, workflow
 from roslab.github import run as runs
 from roslab.github.run import Folder, Run
 from roslab.plan.ladder import LOWER, Ladder, below
@@ -43,7 +43,7 @@ def prove(environment: Mapping[str, str]) -> None:
             failed = []
             for image in images:
                 disk.before_pull(image, environment)
-                failed.append(_prove_pushed(folder, run, image, digest, seconds))
+                failed.append(_prove_pushed(folder, run, image, digest, seconds, environment))
         else:
             failed = [
                 _prove_loaded(folder, run, platform, build, seconds, digest, environment) for platform in platforms
@@ -53,8 +53,13 @@ def prove(environment: Mapping[str, str]) -> None:
         raise BuildError(*problems)
 
 
-def _prove_pushed(
-    folder: Folder, run: Run, image: registry.PlatformImage, source: str, seconds: float
+def _prove_pushed(  # noqa: PLR0917 - what one platform's image is proved with
+    folder: Folder,
+    run: Run,
+    image: registry.PlatformImage,
+    source: str,
+    seconds: float,
+    environment: Mapping[str, str],
 ) -> Problem | None:
     reference = f"{run.image}@{image.digest}"
     base = registry.base_layers(run.plan.base_image, image.platform)
@@ -84,7 +89,7 @@ def _prove_pushed(
             build_seconds=seconds,
         )
     )
-    return _failure(outcomes, ladder, run)
+    return _failure(folder, run, outcomes, ladder, environment)
 
 
 def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
@@ -129,7 +134,7 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
             gpus=bool(given),
         )
         ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals)
-        failure = _failure(outcomes, ladder, run)
+        failure = _failure(folder, run, outcomes, ladder, environment)
         platforms = build["platforms"].split(",")
         archive, remark = trial.keep(folder, run, platform, platforms, environment) if failure is None else (None, "")
         engine.remove_image(candidate)
@@ -171,11 +176,15 @@ def _proofs(outcomes: Sequence[containers.Outcome], gpus: Sequence[str]) -> tupl
     )
 
 
-def _failure(outcomes: Sequence[containers.Outcome], ladder: Ladder, run: Run) -> Problem | None:
+def _failure(
+    folder: Folder, run: Run, outcomes: Sequence[containers.Outcome], ladder: Ladder, environment: Mapping[str, str]
+) -> Problem | None:
+    """Return why the image is not given a tag: the proof that failed, or the rung that it did not reach."""
     failed = next((outcome for outcome in outcomes if not outcome.passed), None)
     if failed:
         hint = "correct the code, or name another `test` in roslab.yaml"
-        return Problem(message=f"on {failed.platform}, {failed.proof.name}: {failed.summary}", hint=hint)
+        failure = Problem(message=f"on {failed.platform}, {failed.proof.name}: {failed.summary}", hint=hint)
+        return explaining.explain_proof(folder, failure, failed.output, environment)
     if short := below(ladder, run.plan.proof_goals.rung):
         return Problem(message=f"on {outcomes[0].platform}, {short}", hint=LOWER)
     return None

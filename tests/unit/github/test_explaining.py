@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from roslab.errors import RoslabError
+from roslab.errors import Problem, RoslabError
 from roslab.explain.answer import explain
 from roslab.github import kept, workflow
-from roslab.github.explaining import mend
-from roslab.github.run import Run
+from roslab.github.explaining import explain_proof, mend
+from roslab.github.run import Folder, Run, to_line
 from roslab.pipeline import plan_repository
 from roslab.render.outcome import Report
 from roslab.render.summary import summary
@@ -101,3 +101,34 @@ def test_a_checkout_that_cannot_be_read_is_explained_by_its_log_alone(checkout: 
     mending = mend(explain(io.BytesIO(LOG)), run, tmp_path / "gone")
     assert "glog/logging.h" in str(mending.problems[0])
     assert mending.repairs == ()
+
+
+MODULE = """\
+Traceback (most recent call last):
+  File "run.py", line 1, in <module>
+    import yaml
+ModuleNotFoundError: No module named 'yaml'
+"""
+LIBRARY = "./viewer: error while loading shared libraries: libglfw.so.3: cannot open shared object file: No such file\n"
+PROOFS = [
+    (MODULE, "Python finds no module yaml", "pip:\n  - PyYAML"),
+    (LIBRARY, "The shared library libglfw.so.3 is missing", "apt:\n  - libglfw3"),
+    ("Unable to init server: Could not connect: refused\nViewer: cannot open display: \n", "no display", "gui: true"),
+    ("RuntimeError: No CUDA GPUs are available\n", "needs a device", ""),
+]
+
+
+@pytest.mark.parametrize(("output", "cause", "lines"), PROOFS, ids=["import", "library", "display", "device"])
+def test_a_failed_proof_says_why(checkout: Path, tmp_path: Path, output: str, cause: str, lines: str) -> None:
+    folder = Folder(path=tmp_path / "run-folder")
+    folder.path.mkdir()
+    folder.write("run", to_line(run_of(checkout)))
+    kept.begin(folder.artifact, platform="", attempt=1)
+    failure = Problem(message="on linux/amd64, test: failed with exit code 1", hint="correct the code")
+    names = {"GITHUB_WORKSPACE": str(checkout), "GITHUB_EVENT_NAME": "push", "GITHUB_REPOSITORY": "o/robot"}
+    told = explain_proof(folder, failure, output, names)
+    assert told.message.startswith("on linux/amd64, test: failed with exit code 1: ")
+    assert cause in told.message
+    (job,) = kept.gather(folder.artifact)
+    assert [lines in repair.text for repair in job.repairs] == ([True] if lines else [])
+    assert explain_proof(folder, failure, "the robot says no\n", names) is failure
