@@ -19,6 +19,7 @@ from roslab.decide.platforms import decide_platforms
 from roslab.decide.proof import decide_test
 from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
+from roslab.decide.python.fetched import with_fetched
 from roslab.decide.python.installed import installed
 from roslab.decide.python.own import decide_version
 from roslab.decide.python.pins import pins
@@ -48,7 +49,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     """
     _something(evidence, config)
     evidence, config = narrowed(evidence, config)
-    kind = decide_kind(evidence, config)
+    kind = decide_kind(evidence, config, folder_name)
+    evidence = with_fetched(evidence)
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
     mentioned = pins(evidence)

@@ -8,10 +8,12 @@ import shlex
 from dataclasses import dataclass
 
 from roslab.config.model import Config, Kind
-from roslab.decide.candidates import TOOLS, Candidate, candidates_of
+from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
-from roslab.decide.first_command import first_of, named_like_it, program_of, serves
+from roslab.decide.first_command import first_of, named_like_it, serves
 from roslab.decide.reasons import because, configured
+from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.windows import opens

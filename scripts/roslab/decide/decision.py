@@ -91,6 +91,10 @@ class Python:
     """conda's packages where ``conda_file`` is a manifest of pixi's, which micromamba does not read."""
     conda_channels: tuple[str, ...] = ()
     conda_defaults: bool = False
+    conda_local: tuple[str, ...] = ()
+    """Folders of the tree that the conda file installs, as it writes them; they are ``projects``."""
+    conda_pip: bool = True
+    """The conda file has pip install something else."""
     """The environment file counts on conda's default channels, which conda adds by itself and micromamba does not."""
     first: tuple[Requirement, ...] = ()
     """What must be installed before the others are built (numpy, torch, Cython)."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from roslab.decide.candidates import Candidate
+from roslab.decide.candidate import Candidate, program_of
 
 _USAGE = re.compile(
     r"\b(?:run(?:ning)?|usage|use|using|launch(?:ing)?|start(?:ing|ed)?|demos?|examples?|quick\w*|play|simulat\w*|execut\w*|"
@@ -22,10 +22,13 @@ _ASIDE = re.compile(
 """A section about something else than starting it."""
 _SERVES = re.compile(
     r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre-?proc\w*|prepare\w*|extract\w*|install\w*|set-?up|format|"
-    r"record\w*|collect\w*|datasets?|data|tokenize\w*|generate\w*|gen|export\w*|annotate\w*)(?:[_.-]|$)",
+    r"record\w*|collect\w*|tokenize\w*|generate\w*|gen|export\w*|annotate\w*|"
+    r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|env)(?:[_.-]|$)",
     re.IGNORECASE,
 )
 """The name of a program that serves the one that is meant."""
+_DATASET = re.compile(r"(?:^|[_.-])(?:datasets?|data)(?:[_.-]|$)", re.IGNORECASE)
+"""The name of a file of Python that makes data; a node or a compiled program of that name runs on data."""
 _AFTER = re.compile(
     r"(?:^|[_.-])(?:calibrat\w*|evaluat\w*|eval|plot\w*|bench\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
     re.IGNORECASE,
@@ -47,32 +50,23 @@ MANY = 8
 _SUFFIX = re.compile(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?$")
 
 
-def program_of(argv: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the words of a command that name the program, without its arguments; any Python counts as ``python3``."""
-    words = {"ros2": 4, "roslaunch": 3, "rosrun": 3}.get(argv[0], 1)
-    if argv[0] in {"bash", "sh"}:
-        return argv[:2]
-    if argv[0].startswith("python"):
-        return ("python3", *argv[1 : 3 if argv[1:2] == ("-m",) else 2])
-    return argv[:words]
-
-
 def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     """Return the command that a page of the author runs first, ``None`` if no page runs any.
 
     Pages nearer to the root come first, then sections about running it, then the order of the page. What needs a file
-    that the tree lacks comes after what needs none, except for Python, whose READMEs usually name data; programs that
-    only serve others are never returned.
+    that the tree lacks comes after what needs none, except for Python, whose READMEs usually name data; a call that is
+    given with blanks to fill in comes last; programs that only serve others are never returned.
     """
-    written = [c for c in candidates if c.strong and not _named(c, _SERVES) and not any(map(_HELP.match, c.argv))]
+    written = [c for c in candidates if c.strong and not _helps(c) and not any(map(_HELP.match, c.argv))]
     rest = [c for c in written if not _after(c)] or [c for c in written if c.argv[0].startswith("python")]
     return min(rest, key=_order, default=None)
 
 
-def _order(candidate: Candidate) -> tuple[bool, bool, int, int, str, int]:
+def _order(candidate: Candidate) -> tuple[bool, bool, bool, int, int, str, int]:
     """Return the place of a command in the order; equal ones keep theirs."""
     return (
         bool(_CLOUD.search(candidate.heading)),
+        candidate.cut,
         _lacks(candidate) and not candidate.argv[0].startswith("python"),
         candidate.file.count("/"),
         -_section(candidate.heading),
@@ -93,7 +87,11 @@ def _section(heading: str) -> int:
 
 def serves(candidate: Candidate) -> bool:
     """Tell whether a program only serves the one that is meant: it converts, downloads, records, plots."""
-    return _named(candidate, _SERVES) or _after(candidate)
+    return _helps(candidate) or _after(candidate)
+
+
+def _helps(candidate: Candidate) -> bool:
+    return _named(candidate, _SERVES) or (candidate.argv[0].startswith("python") and _named(candidate, _DATASET))
 
 
 def _after(candidate: Candidate) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import cast
 
 from roslab.config.model import Config, Kind
@@ -15,6 +16,10 @@ from roslab.knowledge.distros import distro, distros
 
 SMALL_WRAPPER = 3
 """A Python program with at most this many ROS packages below its root only has a ROS wrapper."""
+
+
+_ROS_NAME = re.compile(r"(?:^|[-_.])ros[12]?(?:[-_.]|$)")
+"""A repository of this name is for ROS, and its packages wrap nothing."""
 
 
 class Weight:
@@ -55,8 +60,8 @@ class Lean:
     NEWER = 2  # ROS 2, where nothing else tells
 
 
-def decide_kind(evidence: Evidence, config: Config) -> Choice[Kind]:
-    """Return what kind of repository it is."""
+def decide_kind(evidence: Evidence, config: Config, folder_name: str = "") -> Choice[Kind]:
+    """Return what kind of repository it is; ``folder_name`` is its name."""
     reasons: list[Reason] = []
     if config.kind:
         reasons.append(configured(config, "kind", config.kind, "kind"))
@@ -64,17 +69,17 @@ def decide_kind(evidence: Evidence, config: Config) -> Choice[Kind]:
         reasons.append(configured(config, "kind", f"ros{known.ros}", "base.ros"))
     elif config.base.cuda:
         reasons.append(configured(config, "kind", "cuda", "base.cuda"))
-    reasons += [*_ros(evidence), *_python(evidence), *_cpp(evidence)]
+    reasons += [*_ros(evidence, named=bool(_ROS_NAME.search(folder_name.lower()))), *_python(evidence), *_cpp(evidence)]
     if not reasons:
         reasons.append(because("kind", "python", "nothing shows what it is: the default", weight=Weight.DEFAULT))
     kind = cast("Kind", strongest(reasons).answer)
     return Choice(answer=kind, reasons=ranked(reasons, kind), warnings=_warnings(evidence, kind))
 
 
-def _ros(evidence: Evidence) -> list[Reason]:
-    """Return what speaks for ROS 1 and for ROS 2."""
+def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
+    """Return what speaks for ROS 1 and for ROS 2; ``named``: the repository is named after ROS."""
     packages = packages_of(evidence)
-    reasons = _packages(evidence, packages.built) if packages.built else _meta(evidence)
+    reasons = _packages(evidence, packages.built, named=named) if packages.built else _meta(evidence)
     rosbuild = [project for project in evidence.cmake if "rosbuild" in project.macros]
     if rosbuild:
         weight = Weight.ROSBUILD if _all_rosbuild(evidence) else Weight.ROSBUILD_PART
@@ -85,14 +90,14 @@ def _ros(evidence: Evidence) -> list[Reason]:
     return reasons
 
 
-def _packages(evidence: Evidence, built: tuple[PackageManifest, ...]) -> list[Reason]:
+def _packages(evidence: Evidence, built: tuple[PackageManifest, ...], *, named: bool) -> list[Reason]:
     """Return the reasons that packages give: the ROS that builds them, and for packages of both what favours one."""
     macros = {project.file.rpartition("/")[0]: project.macros for project in evidence.cmake}
     by_version: dict[int, list[PackageManifest]] = {1: [], 2: []}
     for manifest in built:
         for version in ros_versions(manifest, macros.get(manifest.file.rpartition("/")[0], ())):
             by_version[version].append(manifest)
-    wrapper = _wrapper(evidence, [m.file for m in (*by_version[1], *by_version[2])])
+    wrapper = not named and _wrapper(evidence, [m.file for m in (*by_version[1], *by_version[2])])
     reasons: list[Reason] = []
     for version, made in by_version.items():
         if not made:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import CMakeProject, Evidence
 
@@ -74,3 +75,25 @@ def _folder(project: CMakeProject, evidence: Evidence, top: CMakeProject) -> str
     if side == "build" and root:
         rest = posixpath.relpath(rest, root) if (rest + "/").startswith(f"{root}/") else rest
     return posixpath.normpath(f"{side}/{rest}")
+
+
+def in_packages(evidence: Evidence) -> dict[str, str]:
+    """Return the programs that the CMakeLists.txt of each package compiles; of a name that two packages have, none."""
+    folders = {manifest.file.rpartition("/")[0]: manifest.name for manifest in packages_of(evidence).built}
+    found: dict[str, str] = {}
+    twice: set[str] = set()
+    for project in evidence.cmake:
+        package = _owner(project.file, folders)
+        for name, _ in project.executables if package else ():
+            if found.setdefault(name, package or "") != package:
+                twice.add(name)
+    return {name: package for name, package in found.items() if name not in twice}
+
+
+def _owner(path: str, folders: Mapping[str, str | None]) -> str | None:
+    """Return the package that a file lies in, at any depth."""
+    while path:
+        path = path.rpartition("/")[0]
+        if path in folders:
+            return folders[path]
+    return None

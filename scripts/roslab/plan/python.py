@@ -33,6 +33,8 @@ class PythonPlan:
     conda_specs: tuple[str, ...] = ()
     conda_channels: tuple[str, ...] = ()
     conda_defaults: bool = False
+    conda_local: tuple[str, ...] = ()
+    conda_pip: bool = True
     git_hosts: tuple[str, ...] = ()
     """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
     cuda_architectures: str = ""
@@ -59,6 +61,8 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_specs=python.conda_specs,
         conda_channels=python.conda_channels,
         conda_defaults=python.conda_defaults,
+        conda_local=python.conda_local,
+        conda_pip=python.conda_pip,
         git_hosts=compiling.hosts,
         cuda_architectures=compiling.architectures,
     )

@@ -60,3 +60,15 @@ def test_a_date_speaks_only_where_nothing_else_does(tmp_path: Path) -> None:
     distro, reason = named()
     assert (distro, "2018-02-12" in reason) == ("kinetic", True)
     assert named(readme="Tested with ROS Melodic.\n")[0] == "melodic"
+
+
+@pytest.mark.parametrize(("date", "name"), [("2024-11-08", "kilted"), ("2140-01-01", "rolling")])
+def test_rolling_is_what_it_was_at_the_last_commit(tmp_path: Path, date: str, name: str) -> None:
+    (tmp_path / "package.xml").write_text(
+        "<package><name>a</name><buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend></package>"
+    )
+    (tmp_path / "CMakeLists.txt").write_text("project(a)\nfind_package(ament_cmake REQUIRED)\n")
+    evidence = gather(Repository.open(tmp_path, branch="rolling"))
+    mention = Mention(topic="date", value=date, source="commit", file=".git/HEAD", line=1, text="")
+    decided = decide(replace(evidence, mentions=(*evidence.mentions, mention)), Config(), folder_name="a")
+    assert decided.ros_distro == name

@@ -130,3 +130,46 @@ def test_a_program_has_the_name_of_its_file(tree: Tree) -> None:
 def test_libraries_that_open_windows(tree: Tree, cmake: str, code: str, gui: bool) -> None:
     files = {"CMakeLists.txt": f"project(x CXX)\n{cmake}add_executable(a a.cpp)\n", "a.cpp": f"{code}int main() {{}}\n"}
     assert tree(files).gui is gui
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("roslaunch demo map.launch map:=/path/to/your/map.pcd\n", "roslaunch demo map.launch"),
+        ("```\nrosrun demo demo_node path/to/config.yaml path/to/bag\n```\n", "rosrun demo demo_node"),
+        ("rosrun demo demo_node <config file> 3\n", "rosrun demo demo_node"),
+        ("rosrun demo demo_node <config file> 3\nrosrun demo demo_node 4\n", "rosrun demo demo_node 4"),
+        ("roslaunch PATH_TO_PACKAGE map.launch\n", "bash"),
+        ("```\n./start_all.sh\n```\n", "bash start_all.sh"),
+        ("```\n./config_gcc.sh\npython keyboard.py\n./start_all.sh\n```\n", "bash start_all.sh"),
+    ],
+)
+def test_what_the_reader_fills_in_is_left_out(tree: Tree, page: str, command: str) -> None:
+    files = dict.fromkeys(("start_all.sh", "config_gcc.sh", "keyboard.py"), "echo\n")
+    assert " ".join(tree({**ROS1, **files, "README.md": page}).command) == command
+
+
+def test_options_of_python_go_with_the_value_that_the_reader_fills_in(tree: Tree) -> None:
+    page = "# Train\n```\npython train.py --net small --data <Path To Dataset> --fast\n```\n"
+    assert tree({"train.py": "import numpy\n", "README.md": page}).command == (
+        "python", "train.py", "--net", "small", "--fast",
+    )  # fmt: skip
+
+
+def test_a_page_means_the_program_beside_it(tree: Tree) -> None:
+    files = dict.fromkeys(("tasks/a/train.py", "tasks/b/train.py"), "if __name__ == '__main__':\n    pass\n")
+    page = {"tasks/b/README.md": "```\n./train.py -d /path/to/data\n```\n"}
+    assert tree({**files, **page, "requirements.txt": "numpy\n"}).command == ("python", "tasks/b/train.py")
+
+
+def test_the_program_of_a_package_without_launch_files_is_run(tree: Tree) -> None:
+    files = {name: text for name, text in ROS2.items() if not name.startswith("launch")}
+    assert tree(files).command == ("ros2", "run", "demo", "talker")
+
+
+def test_a_compiled_program_may_be_named_after_its_data(tree: Tree) -> None:
+    cmake = (
+        "cmake_minimum_required(VERSION 3.5)\nproject(a)\nadd_executable(a_dataset a.cpp)\nadd_executable(b b.cpp)\n"
+    )
+    page = "Run it:\n\n    bin/a_dataset files=XXX/cam0\n"
+    assert tree({"CMakeLists.txt": cmake, "README.md": page}).command == ("a_dataset",)

@@ -99,8 +99,8 @@ def test_a_python_that_the_pinned_opencv_has_a_wheel_for(tmp_path: Path) -> None
 @pytest.mark.parametrize(
     ("readme", "command"),
     [
-        ("python demo.py --images=<path to images>\n", ("bash",)),
-        ("python demo.py --run yyy-yy\n", ("bash",)),
+        ("python demo.py --images=<path to images>\n", ("python", "demo.py")),
+        ("python demo.py --run yyy-yy\n", ("python", "demo.py")),
         ("python demo.py\n", ("python", "demo.py")),
         ("python demo.py\npython plot.py\n", ("python", "demo.py")),
         ("python script.py\npython demo.py\n", ("python", "script.py")),  # no less a program for having no guard
@@ -117,7 +117,7 @@ def test_a_python_that_the_pinned_opencv_has_a_wheel_for(tmp_path: Path) -> None
         ("sh get.sh\n", ("bash",)),
         ("python test_simple.py --image a.jpg\npython demo.py\n", ("python", "test_simple.py", "--image", "a.jpg")),
         ("./demo.py -v\n", ("python", "demo.py", "-v")),
-        ("python demo.py [...]\n", ("bash",)),
+        ("python demo.py [...]\n", ("python", "demo.py")),
         ("python tests/a_test.py\n", ("bash",)),
     ],
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -182,3 +183,20 @@ def test_submodules_that_are_not_checked_out_are_said_to_be_missing(tmp_path: Pa
     assert (warning.file, warning.line) == (".gitmodules", 3)
     here = decided(tmp_path, {"planner/src/a.cpp": "int a;\n"})
     assert not any("not checked out" in w.message for w in here.warnings)
+
+
+def test_a_sentence_about_an_error_names_no_distribution(tree: Callable[[dict[str, str]], Decision]) -> None:
+    page = 'If using ROS melodic, you may get "error: expected constructor".\n\nWe develop in ROS kinetic.\n'
+    files = {"package.xml": "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>"}
+    cmake = "project(a)\nfind_package(catkin REQUIRED)\n"
+    assert tree({**files, "CMakeLists.txt": cmake, "README.md": page}).ros_distro == "kinetic"
+
+
+def test_a_cloned_repository_holds_packages_that_begin_with_its_name(
+    tree: Callable[[dict[str, str]], Decision],
+) -> None:
+    package = "<package><name>a</name><buildtool_depend>ament_cmake</buildtool_depend>"
+    package += "<depend>moveit_task_constructor_core</depend></package>"
+    page = "Tested on ROS 2 Humble.\n\n    git clone https://github.com/moveit/moveit_task_constructor.git\n"
+    files = {"package.xml": package, "CMakeLists.txt": "project(a)\nfind_package(ament_cmake REQUIRED)\n"}
+    assert tree({**files, "README.md": page}).ros_distro == "humble"

@@ -54,7 +54,7 @@ def decide_python(
     ``ubuntu`` is the base's, ``None`` on Debian; ``cuda`` is the version that the frameworks need.
     """
     chosen, number = own.answer.chosen, own.answer.version
-    if newer := from_pip(evidence, kind, ubuntu):
+    if (newer := from_pip(evidence, kind, ubuntu)) and not (kind == "cuda" and chosen.projects):
         chosen = with_guess(chosen, newer)
     manager = manager_of(config, kind, own.answer, ubuntu)
     interpreter = _interpreter(number or python_of_ubuntu().get(ubuntu or ""))
@@ -80,6 +80,7 @@ def decide_python(
     indexes = [*indexes, *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option")]
     whole = [file for file in chosen.files if file.file not in repaired.files]
     conda = chosen.conda if manager == "conda" else None
+    listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
     answer = Python(
         version=number,
         manager=manager,
@@ -93,6 +94,8 @@ def decide_python(
         conda_file=conda,
         conda_specs=pixi.specs if pixi else (),
         conda_channels=pixi.channels if pixi else (),
+        conda_local=tuple(each.written for each in listed if each.role == "project"),
+        conda_pip=any(each.role != "project" for each in listed),
         conda_defaults=not pixi and _default_channels(evidence, conda),
         first=first(everything, chosen.projects),
         bounds=(*bounds.answer, *exact.answer, *build.answer[0], *numpy.answer),

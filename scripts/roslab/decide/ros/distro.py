@@ -9,6 +9,7 @@ from roslab.decide.decision import Choice, Reason
 from roslab.decide.reasons import because, configured, ranked, warn
 from roslab.decide.ros.distro_dates import dated, of_its_time
 from roslab.decide.ros.distro_evidence import Weight, reasons_for
+from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.code_fits import misfits
 from roslab.evidence.facts import Evidence
@@ -40,7 +41,23 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     if not reasons:
         return _default(evidence, kind, unknown)
     best = max(reasons, key=_order)
+    if (became := _became(evidence, best)) is not None:
+        reasons = [*reasons, became]
+        best = became
     return Choice(answer=distros()[best.answer], reasons=ranked(reasons, best.answer))
+
+
+def _became(evidence: Evidence, best: Reason) -> Reason | None:
+    """Return what rolling became after the last commit: code of a year ago is for what rolling was then."""
+    date = dated(evidence)
+    if date is None or not distros()[best.answer].never_ends:
+        return None
+    later = [found for found in distros().values() if found.ros == 2 and found.eol and found.released > date.value]
+    if not later:
+        return None
+    became = min(later, key=lambda found: found.released).name
+    why = f"{best.reason}; the rolling of the last commit, of {date.value}, became {became}"
+    return because("ros_distro", became, why, date, weight=best.weight + 1)
 
 
 def _order(reason: Reason) -> tuple[int, int]:
@@ -56,13 +73,14 @@ def _unknown_keys(evidence: Evidence, ros: int) -> dict[str, frozenset[str]]:
 
     A package needs what its authors' distribution has, so such keys rule out older ones. A key that an older one had
     and this one lacks tells nothing: its package may now be built from source. Rolling's list has gaps, so it rules out
-    nothing.
+    nothing; nor does a key that begins with the name of a repository that is cloned.
     """
     packages = packages_of(evidence)
     variables = {"ROS_VERSION": str(ros)}
     declared = (d for m in packages.built for d in m.dependencies if d.role != "doc" and holds(d.condition, variables))
     keys = {d.name for d in declared} - packages.names - {source.name for source in evidence.sources} - rosdep_keys()
-    keys = {key for key in keys if library("cmake", key, None) is None}
+    cloned = tuple(f"{plain(each.name)}_" for each in evidence.sources if each.kind != "link")
+    keys = {key for key in keys if library("cmake", key, None) is None and not plain(key).startswith(cloned)}
     line = [name for name, found in distros().items() if found.ros == ros and not found.never_ends]
     later: set[str] = set()
     unknown = {name: frozenset[str]() for name, found in distros().items() if found.ros == ros and found.never_ends}

@@ -21,7 +21,8 @@ _AGAINST = re.compile(
     r"not (?:been )?(?:tested|supported|work)|n't work|unsupported|no longer|deprecated|end[- ]of[- ]life|\beol\b|"
     r"coming soon|todo|"
     r"(?:see|use|switch to|check ?out|available (?:in|on|at)|go to)\s+(?:the\s+)?[\w\"'`/-]*\s*(?:branch|tag)|"
-    r"\bbranch\b.*\bfor\b|for .*\bbranch\b|\bport(?:ed)?\b|previous(?:ly)?|legacy|\bold(?:er)?\b|archive",
+    r"\bbranch\b.*\bfor\b|for .*\bbranch\b|\bport(?:ed)?\b|previous(?:ly)?|legacy|\bold(?:er)?\b|archive|"
+    r"\b(?:get|got|see|have|meet|encounter)\w*\b[^.]{0,30}\b(?:errors?|problems?|issues?)\b",
     re.IGNORECASE,
 )
 """The sentence speaks of another time or another branch."""

@@ -36,7 +36,7 @@ def from_pip(evidence: Evidence, kind: Kind, ubuntu: str | None) -> Requirement 
 
     CMake 4 refuses projects that ask for a version before 3.5, and a dependency of the repository may be one of them.
     """
-    demand = needed_cmake(evidence) if kind in {"ros1", "ros2", "cpp"} else None
+    demand = needed_cmake(evidence) if kind != "python" else None
     if demand is None or ubuntu is None or has_it(ubuntu, demand):
         return None
     bound = f",<{Version(demand.version or '0').major + 1}"

@@ -72,7 +72,7 @@ class Collector:
     def logical(self, text: str, line: int) -> None:
         """Read one logical line."""
         if TRIGGER.search(text):
-            if "<" in text and _RUN.search(text):
+            if "<" in text and (self.source == "readme" or _RUN.search(text)):
                 text = _BLANK.sub("$UNKNOWN", text)  # otherwise `<sensor name>` would be read as a redirection
             for command in commands(text, line, self.variables):
                 self.command(command)
@@ -282,8 +282,9 @@ class Collector:
             self._run(command)
 
     def _run(self, command: Command) -> None:
-        if not any(UNKNOWN in word or "<" in word for word in command.words):
-            self._mention("command", " ".join(command.words), command)
+        words = [word for word in command.words if "<" in word or UNKNOWN in word]
+        if not words or (self.source == "readme" and command.words[0] not in words):
+            self._mention("command", " ".join(command.words).replace(UNKNOWN, "…"), command)
 
 
 def merge(parts: Iterable[Prose]) -> Prose:

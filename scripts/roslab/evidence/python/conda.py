@@ -17,6 +17,8 @@ _NAME = re.compile(
 )
 _SHAPE = re.compile(r"^dependencies:", re.MULTILINE)
 _OPTIONS = ("-f ", "-i ", "--extra-index-url", "--find-links", "--index-url")
+_FOLDER = re.compile(r"(?:(?:-e|--editable)\s+)?((?:\.{1,2}|[\w.-]+/)(?:[\w.-]+/?)*|\./?[\w./-]*)(?:\[[\w,-]+\])?")
+"""A folder of the tree: ``-e .``, ``submodules/simple-knn``."""
 MAX_SIZE = 256 * 1024
 
 
@@ -63,6 +65,9 @@ def _item(item: str, path: str, line: int) -> Requirement | None:
     if item.startswith(("-r ", "--requirement ")):
         written = item.rsplit(maxsplit=1)[-1]
         return Requirement(name="", written=written, origin="conda", role="file", file=path, line=line)
+    if folder := _FOLDER.fullmatch(item):
+        written = folder[1].removeprefix("./").rstrip("/") or "."
+        return Requirement(name="", written=written, origin="conda", role="project", file=path, line=line)
     if item.startswith(_OPTIONS):
         return Requirement(name="", written=item, origin="conda", role="option", file=path, line=line)
     return requirement(item.split(" #", maxsplit=1)[0].strip(), "conda", path, line)

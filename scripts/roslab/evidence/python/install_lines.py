@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Callable, Iterator
 from typing import Literal, NamedTuple
@@ -37,6 +38,8 @@ CONDA = frozenset({"conda", "mamba", "micromamba"})
 _CONDA_VALUED = frozenset({"-n", "-c", "--name", "--channel", "-p", "--prefix", "-f", "--file"})
 _CUDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit"})
 _PATH = re.compile(r"^[./~]|^(?!.*://).*(?:\.whl|\.tar\.gz|/)$")
+_FOLDER = re.compile(r"[\w.-]+(?:/[\w.-]+)+(?:\[[\w,-]+\])?")
+"""A path in the tree; no name of a package has a slash."""
 _EXACT = re.compile(r"\d+(?:\.\d+)*")
 _NAME = re.compile(r"[a-z][a-z0-9._-]*")
 
@@ -55,6 +58,7 @@ def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterato
         return
     role: Role = "python2" if words[0].rpartition("/")[2].startswith("pip2") else ""
     index = words.index("install") + 1
+    editable = {word for flag, word in itertools.pairwise(words) if flag in {"-e", "--editable"}}
     while index < len(words):
         word, line = words[index].strip(), command.lines[index]
         following = words[index + 1] if index + 1 < len(words) else ""
@@ -70,7 +74,7 @@ def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterato
             index += target == following
             yield _argument(here(target), "file", file, line)
         elif not word.startswith("-") and UNKNOWN not in word:  # the path after `-e` is handled like other words
-            if _PATH.search(word):
+            if _PATH.search(word) or _FOLDER.fullmatch(word) or (word in editable and _NAME.fullmatch(word)):
                 yield _argument(here(word), "project", file, line)
             elif (name := _bare(word)).lower() in STOP:
                 break  # the rest is a sentence, not a command

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from roslab.knowledge.tools import python2_installers, tool_image
@@ -114,14 +115,29 @@ def _conda(plan: Plan) -> str:
     elif python.conda_file:
         copy = manifests.copy(plan, manifests.of_conda(plan))
         source = f"--file {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}"
+    without = _without(python.conda_local, f"{manifests.FOLDER}/{python.conda_file}", others=python.conda_pip)
     more = "CONDA_CHANNELS=defaults " if python.conda_defaults else ""
     create = f"{more}micromamba create --yes --quiet --prefix /opt/conda {source}"
     return (
         "# A conda environment: the author's own, or for a Python that the base does not have\n"
         f"COPY --from={tool_image('micromamba')} /bin/micromamba /usr/local/bin/micromamba\n{copy}"
         "ENV MAMBA_ROOT_PREFIX=/opt/mamba \\\n    CONDA_PREFIX=/opt/conda \\\n    PATH=/opt/conda/bin:${PATH}\n"
-        + shell.run(create, "micromamba clean --all --yes --quiet", secrets=secrets.for_pip(plan))
+        + shell.run(*without, create, "micromamba clean --all --yes --quiet", secrets=secrets.for_pip(plan))
     )
+
+
+def _without(folders: Sequence[str], file: str, *, others: bool) -> tuple[str, ...]:
+    """Return the command that takes folders of the tree out of a conda file: pip installs them once they are there.
+
+    ``others``: pip installs more than them.
+    """
+    if not folders:
+        return ()
+    lines = "|".join(re.escape(folder) for folder in folders)
+    entry = f"^ *- *[\"']?(-e +|--editable +)?([.]/)?({lines})/?(\\[[^]]*\\])?[\"']? *$"
+    entry += "" if others else "|^ *- *pip: *$"
+    script = f"\\%{entry}%d"
+    return (f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}",)
 
 
 def packages(plan: Plan) -> str:

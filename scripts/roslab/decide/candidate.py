@@ -1,0 +1,33 @@
+"""A command that could be the default, and the words of it that name its program."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Candidate:
+    """A command that starts something, and where it was found."""
+
+    argv: tuple[str, ...]
+    why: str
+    file: str
+    line: int
+    strong: bool
+    """The author's text says to run it."""
+    heading: str = ""
+    """The titles of the sections of the page that run it."""
+    files: tuple[str, ...] = ()
+    """Arguments that the tree has."""
+    cut: bool = False
+    """Arguments that the reader fills in were left out, and they have no default."""
+
+
+def program_of(argv: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the words of a command that name the program, without its arguments; any Python counts as ``python3``."""
+    words = {"ros2": 4, "roslaunch": 3, "rosrun": 3}.get(argv[0], 1)
+    if argv[0] in {"bash", "sh"}:
+        return argv[:2]
+    if argv[0].startswith("python"):
+        return ("python3", *argv[1 : 3 if argv[1:2] == ("-m",) else 2])
+    return argv[:words]

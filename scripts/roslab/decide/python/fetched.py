@@ -1,0 +1,52 @@
+"""Python projects in submodules that are not checked out: the image clones them, and pip installs them from there."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from dataclasses import replace
+
+from roslab.decide.cuda.signs import sign_of_cuda
+from roslab.evidence.facts import Evidence, PythonProject
+from roslab.values.requirement import Requirement
+
+
+def with_fetched(evidence: Evidence) -> Evidence:
+    """Return the evidence with a project for each folder of a missing submodule that a page or a conda file installs.
+
+    What such a folder holds is unknown: it may compile, beside a framework also for the GPU.
+    """
+    absent = tuple(git.name for git in evidence.sources if git.kind == "submodule" and git.absent)
+    known = {project.folder for project in evidence.python}
+    extensions = ("c", "cuda") if sign_of_cuda(evidence) else ("c",)
+    added: dict[str, PythonProject] = {}
+    for asked, folder in _folders(evidence) if absent else ():
+        place = next((name for name in absent if f"/{folder}/".find(f"/{name}/") >= 0), None)
+        path = folder[folder.index(place) :] if place else ""
+        if path and path not in known:
+            added.setdefault(
+                path,
+                PythonProject(
+                    file=asked.file,
+                    line=asked.line,
+                    folder=path,
+                    name=None,
+                    installable=True,
+                    requires_python=None,
+                    build_requires=(),
+                    requirements=(),
+                    extensions=extensions,
+                ),
+            )
+    return replace(evidence, python=(*evidence.python, *added.values())) if added else evidence
+
+
+def _folders(evidence: Evidence) -> Iterator[tuple[Requirement, str]]:
+    """Yield every line that installs a folder, with its path."""
+    for asked in evidence.prose_pip:
+        if asked.role == "project":
+            yield asked, posixpath.normpath(asked.written.partition("[")[0])
+    for environment in evidence.conda:
+        for asked in environment.requirements:
+            if asked.role == "project":
+                yield asked, posixpath.normpath(posixpath.join(environment.file.rpartition("/")[0], asked.written))

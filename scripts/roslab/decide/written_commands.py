@@ -1,0 +1,217 @@
+"""The commands that the pages of a repository run, as they can be run from its root."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from roslab.config.model import Kind
+from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.programs import compiled as programs_of
+from roslab.decide.programs import in_packages
+from roslab.decide.ros.workspace import packages_of
+from roslab.evidence import places
+from roslab.evidence.facts import Evidence, Mention
+
+_PLACEHOLDER = re.compile(
+    r"YOUR|your[_-]|path[/_-]to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
+    r"(?-i:/[A-Z_]{5,}(?:\.\w+)?$)",
+    re.IGNORECASE,
+)
+"""Also ``yyy-yy``: a repeated letter stands for a value that the reader fills in."""
+_BRACKETS = re.compile(r"<[^<>]{1,80}>|\[[^\[\]]{1,80}\]")
+"""A blank of several words: ``<path to the data>``, ``[--option VALUE]``."""
+_NUMBERS = re.compile(r"\[[.,\s-]*\d[\d.,\s-]*\]")
+"""A list of numbers: ``--hid [32,32]``."""
+_WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
+"""Fewest words of a command that starts something."""
+_LAUNCH = re.compile(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
+TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
+"""Files that serve a project without being its purpose."""
+
+
+def written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> tuple[Candidate, ...]:
+    """Return what READMEs run; a subfolder's page, examples and helper scripts of compiled code are weaker.
+
+    So is a file of Python that no package has, beside nodes.
+    """
+    found = tuple(_said(evidence, kind, ros=ros, compiled=compiled))
+    nodes = ros and any(each.strong and not each.argv[0].startswith("python") for each in found)
+    folders = tuple(f"{m.file.rpartition('/')[0]}/" for m in packages_of(evidence).built if "/" in m.file)
+    weak = [nodes and c.argv[0].startswith("python") and not c.argv[1].startswith(folders) for c in found]
+    return tuple(replace(c, strong=False) if outside else c for c, outside in zip(found, weak, strict=True))
+
+
+def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Iterator[Candidate]:
+    tree = _Tree(
+        kind=kind,
+        programs=tuple(script.file for script in evidence.programs),
+        compiled=in_packages(evidence) if ros else dict.fromkeys((p.name for p in programs_of(evidence)), ""),
+        launched=_launch_files(evidence),
+        packages=packages_of(evidence).names,
+        tasks={name: command for environment in evidence.conda for name, command, _ in environment.tasks},
+    )
+    said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
+    said = [m for m in said if not places.vendored(m.file)]
+    nearest = min((mention.file.count("/") for mention in said), default=0)
+    for mention in said:
+        whole, cut = _filled(mention.value)
+        argv = _runnable(whole, mention, tree, ros=ros, compiled=compiled)
+        if argv is not None:
+            strong = not compiled or not any(places.example(part) for part in argv[:2])
+            strong = strong and not (compiled and argv[0].startswith("python"))
+            strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)
+            yield Candidate(
+                argv=argv,
+                why="the README runs it",
+                file=mention.file,
+                line=mention.line,
+                strong=strong,
+                heading=mention.heading,
+                files=mention.files,
+                cut=cut,
+            )
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Tree:
+    """What the tree has to start."""
+
+    kind: Kind
+    programs: tuple[str, ...]
+    compiled: Mapping[str, str]
+    """Compiled programs, each with its package, ``""`` where there is none."""
+    launched: Mapping[str, frozenset[str]]
+    """The launch files of each package, by their names."""
+    packages: frozenset[str]
+    tasks: Mapping[str, str]
+    """pixi's, by their names."""
+
+
+def _launch_files(evidence: Evidence) -> dict[str, frozenset[str]]:
+    found: dict[str, set[str]] = {}
+    for launch in evidence.launch:
+        found.setdefault(launch.package or "", set()).add(launch.file.rpartition("/")[2])
+    return {package: frozenset(names) for package, names in found.items()}
+
+
+def _filled(command: str) -> tuple[tuple[str, ...], bool]:
+    """Return the words of a command without the values that the reader fills in, and whether that leaves a gap.
+
+    ``map:=PATH`` is left out whole, as the launch file may have a default; an option goes with its value, and what
+    follows an argument that is left out, with it. Words that name the program stay.
+    """
+    kept: list[str] = []
+    gap = positional = False
+    for word in _BRACKETS.sub(lambda blank: blank[0] if _NUMBERS.fullmatch(blank[0]) else "<>", command).split():
+        blank = bool(_PLACEHOLDER.search(_NUMBERS.sub("", word))) or word.endswith(":=")
+        value = bool(kept) and kept[-1].startswith("-") and not word.startswith("-")
+        if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
+            kept.append(word)
+        elif ":=" not in word:
+            gap = True
+            if value:
+                kept.pop()
+            positional = positional or not (value or word.startswith("-"))
+    return tuple(kept), gap
+
+
+def _named(words: list[str]) -> bool:
+    """Tell whether the first words of a command name its program."""
+    if words and words[0].startswith("python"):
+        return any(word.endswith(".py") for word in words) or "-m" in words[:-1]
+    return len(words) >= {"roslaunch": 3, "rosrun": 3, "ros2": 4, "bash": 2, "sh": 2}.get((words or [""])[0], 1)
+
+
+def _runnable(
+    words: tuple[str, ...], mention: Mention, tree: _Tree, *, ros: bool, compiled: bool
+) -> tuple[str, ...] | None:
+    """Return the argv of a command as it can be run from the root; ``None`` if it starts nothing from the tree."""
+    argv = _task(words, tree)
+    if not argv or any(map(_PLACEHOLDER.search, program_of(argv))) or any(p.rpartition("/")[2] in TOOLS for p in argv):
+        return None
+    if len(argv) < _WORDS.get(argv[0], 1):
+        return None  # a sentence about the command
+    if argv[0] in _WORDS:
+        return _of_ros(argv, tree) if ros else None
+    if not argv[0].startswith("python"):
+        return (_built(argv, tree) if ros or compiled else None) or (None if compiled else _shell(argv, mention))
+    named = (file for file in mention.files if file.endswith(".py"))  # a script needs no guard to be run
+    here = _here(argv, tuple(dict.fromkeys((*tree.programs, *named))), mention.file.rpartition("/")[0])
+    if here is None or (compiled and _tests(here)):
+        return None
+    return ("python3" if ros else argv[0], *here)
+
+
+def _task(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...]:
+    """Return what ``pixi run TASK`` starts; other commands as they are."""
+    if argv[:2] != ("pixi", "run") or len(argv) < 3:
+        return argv
+    command = tree.tasks.get(argv[2], "")
+    words = command.split() if not re.search(r"[&|;$]", command) else []
+    while words and re.fullmatch(r"\w+=\S*", words[0]):
+        words = words[1:]
+    return (*words, *argv[3:]) if words else argv
+
+
+def _shell(argv: tuple[str, ...], mention: Mention) -> tuple[str, ...] | None:
+    """Return the call of a shell script of the tree: ``sh run.sh``, ``./run.sh``."""
+    script = argv[1:] if argv[0] in {"bash", "sh"} else argv
+    known = bool(script) and script[0] in mention.files and script[0].endswith(".sh")
+    return ("bash", *script) if known else None
+
+
+def _of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
+    """Return a command of the repository's ROS version; ``None`` if its launch file is not in the tree.
+
+    ``roslaunch path/to/a.launch`` becomes ``roslaunch PACKAGE a.launch``.
+    """
+    if (argv[0] == "ros2") != (tree.kind == "ros2"):
+        return None
+    start = argv[:1] if argv[0] == "roslaunch" else argv[:2] if argv[1:2] == ("launch",) else ()
+    if not start:
+        return argv
+    package, *rest = argv[len(start) :]
+    if _LAUNCH.search(package):
+        name = package.rpartition("/")[2]
+        owners = [owner for owner, names in tree.launched.items() if owner and name in names]
+        return (*start, owners[0], name, *rest) if len(owners) == 1 else None
+    if package not in tree.packages:
+        return argv
+    file = next((word.rpartition("/")[2] for word in rest if not word.startswith("-")), "")
+    return argv if file in tree.launched.get(package, ()) else None
+
+
+def _built(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
+    """Return the call of a compiled program by its name: ``./build/align a`` becomes ``align a``."""
+    name = argv[0].rpartition("/")[2]
+    if name not in tree.compiled:
+        return None
+    if not (package := tree.compiled[name]):
+        return (name, *argv[1:])
+    return ("rosrun", package, name, *argv[1:]) if tree.kind == "ros1" else ("ros2", "run", package, name, *argv[1:])
+
+
+def _tests(argv: tuple[str, ...]) -> bool:
+    """Tell whether a command only runs tests or benchmarks."""
+    programs = [part for part in argv if part.endswith(".py")]
+    return any(part.endswith("_test.py") or places.test(part) for part in programs)
+
+
+def _here(argv: tuple[str, ...], programs: tuple[str, ...], folder: str) -> tuple[str, ...] | None:
+    """Return the arguments of a Python that runs a program of the tree, its path from the root; else ``None``.
+
+    ``folder``: that of the page, whose own program is meant where others have the same name.
+    """
+    if argv[1:2] == ("-m",):
+        module = argv[2].replace(".", "/") if len(argv) > 2 else ""
+        return argv[1:] if {f"{module}.py", f"{module}/__main__.py"} & set(programs) else None
+    for position, part in enumerate(argv[1:], 1):
+        if part.endswith(".py"):
+            path = posixpath.normpath(part)
+            beside = [near for near in (path, f"{folder}/{path}") if near in programs]
+            ends = beside[:1] or [program for program in programs if program.endswith("/" + path)]
+            return (*argv[1:position], ends[0], *argv[position + 1 :]) if len(ends) == 1 else None
+    return None

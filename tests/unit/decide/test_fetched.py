@@ -1,0 +1,75 @@
+"""Folders that a conda file or a page installs and that a submodule brings are installed once they are cloned."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+from roslab.repository.checkout import Repository
+
+Tree = Callable[[dict[str, str]], Decision]
+MODULES = '[submodule "sub/knn"]\n\tpath = sub/knn\n\turl = https://github.com/somebody/knn.git\n'
+CONDA = "name: a\ndependencies:\n  - python=3.8\n  - pytorch=1.12.1\n  - pip:\n    - sub/knn\n    - -e .\n    - munch\n"
+
+
+def test_folders_of_a_conda_file_are_installed_after_the_source(tree: Tree) -> None:
+    decision = tree(
+        {
+            ".gitmodules": MODULES,
+            "environment.yml": CONDA,
+            "run.py": "import torch\n",
+            "setup.py": "from setuptools import setup\nsetup(name='a')\n",
+        }
+    )
+    assert decision.python.conda_local == ("sub/knn", ".")
+    assert decision.python.conda_pip
+    assert set(decision.python.projects) == {".", "sub/knn"}
+    assert "-devel" in decision.base_image
+
+
+def test_a_page_installs_a_folder_of_a_submodule(tree: Tree) -> None:
+    page = "```\npip install torch\npip install sub/knn\n```\n"
+    decision = tree({".gitmodules": MODULES, "README.md": page, "run.py": "import torch\n"})
+    assert decision.python.projects == ("sub/knn",)
+
+
+def test_a_page_installs_a_folder_that_is_copied_from_elsewhere(tree: Tree) -> None:
+    setup = "from setuptools import setup\nsetup(name='b', packages=['b'])\n"
+    files = {"pyproject.toml": "[project]\nname='a'\nversion='1'\n", "thirdparty/b/setup.py": setup}
+    decision = tree({**files, "README.md": "```\npip install -e thirdparty/b\npip install -e .\n```\n"})
+    assert set(decision.python.projects) == {".", "thirdparty/b"}
+
+
+def test_the_folders_are_taken_out_of_the_file_before_conda_reads_it(tmp_path: Path) -> None:
+    (tmp_path / "environment.yml").write_text(CONDA.replace("    - munch\n", ""), encoding="utf-8")
+    (tmp_path / ".gitmodules").write_text(MODULES, encoding="utf-8")
+    (tmp_path / "run.py").write_text("import torch\n", encoding="utf-8")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    command = next(line for line in text.splitlines() if "sed --in-place --regexp-extended" in line and "pip:" in line)
+    command = command.removeprefix("RUN ").removesuffix(" \\").replace("/tmp/manifests", str(tmp_path))
+    subprocess.run(["bash", "-c", command], check=True)
+    left = (tmp_path / "environment.yml").read_text(encoding="utf-8")
+    assert left == "name: a\ndependencies:\n  - python=3.8\n  - pytorch=1.12.1\n"
+
+
+@pytest.mark.parametrize(("name", "kind"), [("detector", "cuda"), ("detector_ros", "ros2"), ("ROS2-detector", "ros2")])
+def test_what_is_named_after_ros_is_no_wrapper(tmp_path: Path, name: str, kind: str) -> None:
+    files = {
+        "x/a/package.xml": "<package><name>a</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+        "x/a/CMakeLists.txt": "project(a)\nfind_package(ament_cmake REQUIRED)\nadd_executable(a a.cpp)\n",
+        "requirements.txt": "torch\n",
+        "x/run.py": "import torch\n",
+    }
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    assert decide(gather(Repository.open(tmp_path)), Config(), folder_name=name).kind == kind
