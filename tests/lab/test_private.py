@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
 import re
+import signal
 import subprocess
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from subprocess import CompletedProcess
 
@@ -17,6 +20,7 @@ from lab.canary import value
 from lab.faulty_registry import Faults, faulty_registry
 from lab.laboratory import Laboratory
 from lab.private_server import PACKAGE, Server, private_server
+from lab.ssh_server import SshServer, ssh_server
 
 Roslab = Callable[..., CompletedProcess[str]]
 WORKSPACE = {
@@ -70,6 +74,69 @@ def test_a_workspace_on_a_laptop(roslab: Roslab, builder: dict[str, str], server
     assert built.returncode == 0, built.stderr[-8000:]
     assert server.password not in built.stderr + built.stdout
     subprocess.run(["docker", "image", "rm", "lab-private:lab"], env=builder, check=True, capture_output=True)
+
+
+@pytest.fixture
+def keyed(server: Server, tmp_path: Path) -> Iterator[SshServer]:
+    """Serve the private server's repository by ssh too, with a key of this test's own."""
+    with ssh_server(tmp_path / "server/git") as running:
+        yield running
+
+
+def keyed_source(keyed: SshServer, tmp_path: Path) -> str:
+    repository = tmp_path / "server/git/sister.git"
+    return f"source: [{{name: sister, repo: '{keyed.url(repository)}', ref: v1, build: cmake}}]\n"
+
+
+def test_a_repository_that_asks_for_a_key(
+    roslab: Roslab, builder: dict[str, str], keyed: SshServer, tmp_path: Path
+) -> None:
+    """By the agent of the one who builds; the image holds the clone, and nothing of the key."""
+    config = (
+        f"format: 3\nname: lab-keyed\nkind: cpp\nsecrets: [ssh]\n{keyed_source(keyed, tmp_path)}"
+        "test: cat /usr/local/share/told && ! ls -A ~/.ssh /root/.ssh /run/buildkit 2>/dev/null | grep .\n"
+    )
+    tree = doors.write(tmp_path / "tree", {"CMakeLists.txt": WORKSPACE["CMakeLists.txt"], "roslab.yaml": config})
+    without = roslab("build", tree, env={**builder, "SSH_AUTH_SOCK": None})
+    assert without.returncode == 2
+    assert "ssh-add" in without.stderr
+    assert keyed.served == 0
+
+    key = tmp_path / "key"
+    key.write_text(keyed.key)
+    key.chmod(0o600)
+    with agent(key) as socket:
+        built = roslab("build", tree, "--tag", "lab", env={**builder, "SSH_AUTH_SOCK": socket}, timeout=1800)
+    assert built.returncode == 0, built.stderr[-8000:]
+    assert keyed.served == 1
+    subprocess.run(["docker", "image", "rm", "lab-keyed:lab"], env=builder, check=True, capture_output=True)
+
+
+def test_a_key_through_the_action(lab: Laboratory, keyed: SshServer, tmp_path: Path) -> None:
+    config = f"format: 3\nkind: cpp\nsecrets: [ssh]\n{keyed_source(keyed, tmp_path)}test: cat /usr/local/share/told\n"
+    files = {"CMakeLists.txt": WORKSPACE["CMakeLists.txt"], "roslab.yaml": config}
+    caller = through("action", tmp_path / "caller", lab, files, "ssh=${{ secrets.SSH_KEY }}\n")
+    (caller / "Dockerfile").unlink()
+    ran = run_workflow(
+        lab, caller, "push", doors.payload(lab.fresh_repository("lab/keyed").rpartition("/")[2]),
+        env=doors.builder(lab), secrets={"SSH_KEY": keyed.key},
+    )  # fmt: skip
+    assert ran.exit_code == 0, ran.log
+    assert "the sister was cloned" in ran.log
+    assert keyed.served == 1
+    assert keyed.key.splitlines()[2] not in ran.log
+
+
+@contextmanager
+def agent(key: Path) -> Iterator[str]:
+    """Run an agent of this test's own that holds a key, and yield its socket."""
+    words = subprocess.run(["ssh-agent", "-s"], check=True, capture_output=True, text=True).stdout
+    found = dict(re.findall(r"(SSH_\w+)=([^;]+);", words))
+    try:
+        subprocess.run(["ssh-add", "-q", key], env={**os.environ, **found}, check=True, capture_output=True)
+        yield found["SSH_AUTH_SOCK"]
+    finally:
+        os.kill(int(found["SSH_AGENT_PID"]), signal.SIGTERM)
 
 
 def test_docker_build_sh(roslab: Roslab, builder: dict[str, str], server: Server, tmp_path: Path) -> None:
