@@ -16,6 +16,7 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
 from roslab.evidence.ros import vcs
 from roslab.knowledge.distros import rosdistro_tag
+from roslab.plan import lock as locks
 from roslab.plan.plan import Plan, make_plan
 from roslab.plan.version import SourceVersion, of_projects, source_version
 from roslab.render import FILES, OutputFile, bases, render_all
@@ -46,12 +47,14 @@ def plan_repository(
     folder_name: str | None = None,
     top: Path | None = None,
     config_text: str | None = None,
+    locked: bool = True,
 ) -> Planned:
     """Read a repository and plan its image; nothing in it is executed and no network is used.
 
     ``config_file`` is read in place of the roslab.yaml at the root; ``overrides`` win over what it says;
     ``folder_name`` names the image if nothing else does; ``top`` is the checkout that ``path`` is a folder of;
-    ``config_text`` is read in place of the text of roslab.yaml, which need not exist then.
+    ``config_text`` is read in place of the text of roslab.yaml, which need not exist then; ``locked`` plans with the
+    versions of the roslab.lock beside it, if there is one.
     Raises ``ConfigurationError``, ``NothingToBuildError`` or ``RefusedError``.
     """
     repository = _without_own_files(Repository.open(path, branch=branch, top=top))
@@ -74,7 +77,15 @@ def plan_repository(
         rosdistro_tag=rosdistro_tag(decision.ros_distro),
         source_version=version,
     )
+    file = lock_file(config)
+    if locked and repository.has(file):
+        plan = locks.use(plan, locks.from_text(repository.read(file), file=file), file=file)
     return Planned(repository=repository, config=config, evidence=evidence, decision=decision, plan=plan)
+
+
+def lock_file(config: Config) -> str:
+    """Return the path of roslab.lock, which lies beside roslab.yaml, relative to the repository."""
+    return posixpath.join(posixpath.dirname(config.file or ""), locks.NAME)
 
 
 def read_configuration(

@@ -98,6 +98,7 @@ def _building_commands(commands: Commands) -> None:
         help="folder for the screenshot of a program with windows (default: roslab/NAME in your cache folder)",
     )
     build.add_argument("--no-cache", action="store_true", help="build every layer anew")
+    build.add_argument("--no-lock", action="store_true", help="take today's versions, whatever roslab.lock says")
     build.add_argument(
         "--repair",
         metavar="N",
@@ -117,6 +118,17 @@ def _building_commands(commands: Commands) -> None:
         metavar="NAME=VALUE",
         help="pass a build argument; may be repeated",
     )
+    lock = _command(commands, "lock", "Prove the image that `roslab build` made, and write its versions.")
+    _repository(lock, *OVERRIDING)
+    _tag(lock)
+    lock.add_argument(
+        "--check", action="store_true", help="write nothing: say what of roslab.lock could no longer be had"
+    )
+    diff = _command(commands, "diff", "Say what moved from one image to another: packages, sources, base, variables.")
+    diff.add_argument("old", metavar="IMAGE", help="an image; one that the engine has not is pulled")
+    diff.add_argument("new", metavar="IMAGE", help="the other one")
+    diff.add_argument("--platform", metavar="PLATFORM", help="the platform to compare (default: the engine's own)")
+    _format(diff)
     run = _command(commands, "run", "Run the image that `roslab build` made, with its volumes, ports, display and GPU.")
     _repository(run, "--name")
     run.add_argument("--notebook", action="store_true", help="open JupyterLab instead of the default command")

@@ -12,7 +12,7 @@ from importlib import import_module
 from roslab.cli.arguments import completed, parser
 from roslab.errors import RoslabError
 
-MODULES = {"build": "building", "explain": "explaining"}
+MODULES = {"build": "building", "explain": "explaining", "lock": "locking", "diff": "locking"}
 """Modules of the commands that are not in ``commands``."""
 
 

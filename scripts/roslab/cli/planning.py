@@ -27,6 +27,7 @@ def planned_of(options: argparse.Namespace, *, config_text: str | None = None) -
         config_file=named(options),
         overrides=overrides,
         config_text=config_text,
+        locked=not getattr(options, "no_lock", False),
     )
 
 

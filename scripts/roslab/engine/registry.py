@@ -170,14 +170,24 @@ def _base(reference: str, platform: str) -> list[dict[str, Any]]:
         if "manifests" in found:
             name = reference.partition("@")[0]
             fitting = [e for e in found["manifests"] if platform_name(e.get("platform", {})) == platform]
-            found = _inspect(f"{_without_tag(name)}@{fitting[0]['digest']}", attempts=1) if fitting else {}
+            found = _inspect(f"{without_tag(name)}@{fitting[0]['digest']}", attempts=1) if fitting else {}
     except BuildError:
         return []
     layers: list[dict[str, Any]] = found.get("layers", [])
     return layers
 
 
-def _without_tag(name: str) -> str:
+def digest_of(reference: str, *, attempts: int = ATTEMPTS) -> str:
+    """Return the digest that a tag names. Raises ``BuildError`` if the registry does not say."""
+    command = ["docker", "buildx", "imagetools", "inspect", "--format", "{{.Manifest.Digest}}", reference]
+    answer = with_retries(lambda: output(command), attempts=attempts)
+    if answer.returncode:
+        raise BuildError(Problem(message=f"the registry does not give {reference}: {last_line(answer.stderr)}"))
+    return answer.stdout.strip()
+
+
+def without_tag(name: str) -> str:
+    """Return the name of an image without its tag."""
     path, colon, tag = name.rpartition(":")
     return path if colon and "/" not in tag else name
 

@@ -26,6 +26,7 @@ from roslab.decide.decision import Decision, Reason, Warning_
 from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.tools import PythonTools, python_tools
 from roslab.plan.author_bases import Base, author_bases
+from roslab.plan.locked import Lock
 from roslab.plan.package_sources import PackageSources, package_sources
 from roslab.plan.packages import image_packages
 from roslab.plan.proof import Proof, proofs
@@ -128,6 +129,8 @@ class Plan:
     """Lines of the author's .dockerignore, which are kept."""
     warnings: tuple[Warning_, ...]
     reasons: tuple[Reason, ...]
+    lock: Lock | None = None
+    """Versions that an earlier image was made of and this one is made of again."""
 
 
 def image_name(text: str) -> str:

@@ -50,6 +50,7 @@ TODAY = Order(
         workspace.submodules,
         workspace.rosdep,  # 4. what the manifests name
         python.constraints,
+        python.locked,
         python.packages,
         python.guessed_packages,
         workspace.copy_source,  # 5. everything below is repeated when a file changes
@@ -74,6 +75,7 @@ OLD_FORMATS = Order(  # the order of the old generators, in which later steps us
         system.packages,
         system.guessed_packages,
         python.constraints,
+        python.locked,
         python.packages,  # pip3 before pip
         python.guessed_packages,
         system.libraries_in_place,

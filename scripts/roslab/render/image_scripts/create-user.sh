@@ -11,3 +11,5 @@ elif [ "${present}" != "${NB_USER}" ]; then
   groupmod --new-name "${NB_USER}" "$(id --group --name "${NB_UID}")"
 fi
 mkdir --parents /usr/local/share/roslab
+# What the base brought: `roslab lock` tells it from what the steps below install
+dpkg-query --show >/usr/local/share/roslab/base-packages

@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslab.plan.package_sources import PackageSources, RosSource
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import secrets, shell
+from roslab.render.layers import locks, secrets, shell
 
 START = f"""\
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
@@ -64,4 +64,5 @@ def repositories(plan: Plan) -> str:
         return ""
     names = shell.words(plan.repositories)
     comment = "Package sources of roslab.yaml"
-    return shell.call("add-package-sources", names, comment=comment, secrets=secrets.for_apt(plan))
+    given, around = secrets.for_apt(plan), locks.apt(plan, "repositories")
+    return shell.call("add-package-sources", names, comment=comment, secrets=given, around=around)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import secrets, shell
+from roslab.render.layers import locks, secrets, shell
 from roslab.render.layers.workspace import HOME, own_home, setups, source_folder
 
 ENTRY_POINT = "roslab-entrypoint"
@@ -19,11 +19,13 @@ def custom(plan: Plan) -> str:
     user = "root" if plan.custom.as_root else "${NB_USER}"
     # Its HOME is the user's, also as root
     given = secrets.everything(plan, home="user", user="root" if plan.custom.as_root else "user")
+    # What only root may write a user cannot pin; its own commands may still call sudo
+    around = locks.apt(plan, "custom", "rosdep") if plan.custom.as_root else shell.NOTHING
     if plan.custom.chained:
         # One shell for all, so that `cd` and variables carry over
-        runs = [shell.run(*plan.custom.commands, secrets=given)]
+        runs = [shell.run(*plan.custom.commands, secrets=given, around=around)]
     else:
-        runs = [shell.run(command, secrets=given) for command in plan.custom.commands]
+        runs = [shell.run(command, secrets=given, around=around) for command in plan.custom.commands]
     set_home = "ENV HOME=/home/${NB_USER}\n" if plan.custom.as_root else ""
     lines = [f"# Commands of roslab.yaml\n{set_home}USER {user}", f"WORKDIR {quote.docker_path(workdir)}", *runs]
     if plan.custom.as_root:

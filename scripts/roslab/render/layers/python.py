@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from roslab.knowledge.tools import python2_installers, tool_image
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import manifests, secrets, shell
+from roslab.render.layers import locks, manifests, secrets, shell
 from roslab.values.secret import SSH
 
 GET_PIP = "https://bootstrap.pypa.io/pip/2.7/get-pip.py"
@@ -57,6 +57,7 @@ def environment(plan: Plan) -> str:
                 shell.run(
                     "python3 -m venv --system-site-packages /opt/venv",
                     f"python3 -m pip install --no-cache-dir --upgrade{shell.words(tools)}",
+                    around=locks.constraints(plan),
                 ),
             )
         )
@@ -70,7 +71,10 @@ def environment(plan: Plan) -> str:
     if installs and plan.python_tools.pinned:
         # An old distribution's pip knows no wheels of today, and today's pip does not run on its Python
         lines.append(
-            shell.run(f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}")
+            shell.run(
+                f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}",
+                around=locks.constraints(plan),
+            )
         )
     return "\n".join(lines)
 
@@ -117,6 +121,9 @@ def _conda(plan: Plan) -> str:
         source = f"--file {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}"
     without = _without(python.conda_local, f"{manifests.FOLDER}/{python.conda_file}", others=python.conda_pip)
     more = "CONDA_CHANNELS=defaults " if python.conda_defaults else ""
+    lists, file = locks.conda(plan)
+    if file:
+        copy, source, without = lists, f"--file {file}", ()
     create = f"{more}micromamba create --yes --quiet --prefix /opt/conda {source}"
     return (
         "# A conda environment: the author's own, or for a Python that the base does not have\n"
@@ -138,6 +145,16 @@ def _without(folders: Sequence[str], file: str, *, others: bool) -> tuple[str, .
     entry += "" if others else "|^ *- *pip: *$"
     script = f"\\%{entry}%d"
     return (f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}",)
+
+
+def locked(plan: Plan) -> str:
+    """Install exactly the files of roslab.lock; the steps below then find that everything is there."""
+    options = _options((*plan.python.options, *plan.python.pip_options))
+    before, commands = locks.pip(plan, interpreter(plan), options)
+    if not commands:
+        return ""
+    why = "# Python packages of roslab.lock: the steps below find them installed\n"
+    return f"{why}{before}{shell.run(*commands, secrets=secrets.for_pip(plan))}"
 
 
 def packages(plan: Plan) -> str:
@@ -235,13 +252,17 @@ def jupyter(plan: Plan) -> str:
         return ""
     pip = "/opt/jupyter/bin/python -m pip install --no-cache-dir"
     programs = shell.words(f"/opt/jupyter/bin/{name}" for name in ("jupyter", "jupyter-lab", "jupyter-notebook"))
+    before, files = locks.pip(plan, "/opt/jupyter/bin/python", "", "jupyter")
+    around = locks.constraints(plan, "jupyter")
     return shell.run(
         "python3 -m venv /opt/jupyter",
         f"{pip} --upgrade{shell.words(_tools(plan))}",
+        *files,
         f"{pip}{shell.words(plan.python_tools.jupyter)}",
         "/opt/jupyter/bin/python -m bash_kernel.install --sys-prefix",
         f"ln --symbolic --target-directory=/usr/local/bin{programs}",
         comment="JupyterLab with a bash kernel; docker_run.sh --notebook starts it",
+        around=shell.Around(before=before) + around,
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 from roslab.render import quote
 from roslab.render.layers.secrets import NONE, Secrets
@@ -12,20 +13,47 @@ JOBS = '"$(compile-jobs)"'
 SET_JOBS = f"jobs={JOBS}"
 
 
-def run(*commands: str, comment: str = "", secrets: Secrets = NONE) -> str:
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Around:
+    """What a RUN needs around its commands, such as pins that hold for this RUN alone."""
+
+    before: str = ""
+    """Instructions above it, each with its line's end."""
+    first: tuple[str, ...] = ()
+    last: tuple[str, ...] = ()
+
+    def __add__(self, other: Around) -> Around:
+        return Around(
+            before=self.before + other.before, first=(*self.first, *other.first), last=(*other.last, *self.last)
+        )
+
+
+NOTHING = Around()
+
+
+def run(*commands: str, comment: str = "", secrets: Secrets = NONE, around: Around = NOTHING) -> str:
     """Return one RUN in which each command must succeed before the next, with the secrets that it may read."""
     body = "".join(f"{mount} \\\n    " for mount in secrets.mounts)
-    body += " \\\n && ".join((*secrets.commands, *commands))
+    body += " \\\n && ".join((*secrets.commands, *around.first, *commands, *around.last))
     script = copy_script("compile-jobs") if any(JOBS in command for command in commands) else ""
-    return f"{comment_lines(comment)}{script}RUN {body}"
+    return f"{comment_lines(comment)}{script}{around.before}RUN {body}"
 
 
-def call(script: str, arguments: str = "", *, comment: str, before: str = "", secrets: Secrets = NONE) -> str:
+def call(
+    script: str,
+    arguments: str = "",
+    *,
+    comment: str,
+    before: str = "",
+    secrets: Secrets = NONE,
+    around: Around = NOTHING,
+) -> str:
     """Return a RUN of a script that the Dockerfile carries.
 
     ``arguments`` are quoted, each after a space; ``before`` are instructions that it needs, each with its line's end.
     """
-    return f"{comment_lines(comment)}{copy_script(script)}{before}{run(f'{script}{arguments}', secrets=secrets)}"
+    called = run(f"{script}{arguments}", secrets=secrets, around=around)
+    return f"{comment_lines(comment)}{copy_script(script)}{before}{called}"
 
 
 def copy_script(name: str) -> str:
@@ -51,13 +79,14 @@ def words(items: Iterable[str], *, indent: int = 6) -> str:
     return "".join(between + word for word in quoted)
 
 
-def apt_install(packages: Sequence[str], secrets: Secrets = NONE) -> str:
+def apt_install(packages: Sequence[str], secrets: Secrets = NONE, around: Around = NOTHING) -> str:
     """Return a RUN that installs packages and leaves no package lists behind."""
     return run(
         "apt-get update",
         f"apt-get install --yes --no-install-recommends{words(packages)}",
         "rm -rf /var/lib/apt/lists/*",
         secrets=secrets,
+        around=around,
     )
 
 

@@ -7,7 +7,7 @@ import shlex
 from roslab.config.model import Source
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import secrets, shell
+from roslab.render.layers import locks, secrets, shell
 from roslab.values.secret import NETRC, SSH
 
 SOURCES = "/tmp/sources"  # noqa: S108 - a folder of the image while it is built
@@ -19,29 +19,33 @@ def first_packages(plan: Plan) -> str:
     """Install what was in every image of the old generators, and ROS."""
     if not plan.apt_first:
         return ""
-    return f"# What every old image had\n{shell.apt_install(plan.apt_first, secrets.for_apt(plan))}"
+    installed = shell.apt_install(plan.apt_first, secrets.for_apt(plan), locks.apt(plan, "first"))
+    return f"# What every old image had\n{installed}"
 
 
 def packages(plan: Plan) -> str:
     """Install what is declared; a name that apt does not know stops the build."""
-    return f"# System packages\n{shell.apt_install(plan.apt, secrets.for_apt(plan))}" if plan.apt else ""
+    if not plan.apt:
+        return ""
+    return f"# System packages\n{shell.apt_install(plan.apt, secrets.for_apt(plan), locks.apt(plan, 'packages'))}"
 
 
 def tools(plan: Plan) -> str:
     """Install the tools of the workspace, and the pip of Python 2 that old images had."""
-    return _where_known(plan, plan.apt_tools, "Tools, where this base's apt knows them")
+    return _where_known(plan, plan.apt_tools, "Tools, where this base's apt knows them", "tools")
 
 
 def guessed_packages(plan: Plan) -> str:
     """Install what was only read in code or prose, where the base's apt knows it; name what it does not."""
     comment = "Read in code or prose, declared nowhere: none of them stops the build"
-    return _where_known(plan, plan.apt_guessed, comment)
+    return _where_known(plan, plan.apt_guessed, comment, "guessed")
 
 
-def _where_known(plan: Plan, packages: tuple[str, ...], comment: str) -> str:
+def _where_known(plan: Plan, packages: tuple[str, ...], comment: str, step: str) -> str:
     if not packages:
         return ""
-    return shell.call("install-optional-apt", shell.words(packages), comment=comment, secrets=secrets.for_apt(plan))
+    given, around = secrets.for_apt(plan), locks.apt(plan, step)
+    return shell.call("install-optional-apt", shell.words(packages), comment=comment, secrets=given, around=around)
 
 
 def icub(plan: Plan) -> str:
@@ -52,7 +56,8 @@ def icub(plan: Plan) -> str:
     if not plan.icub or not plan.ubuntu:
         return ""
     comment = "The iCub's packages, where they are still served"
-    return shell.call("install-icub", f" {quote.shell(plan.ubuntu)}", comment=comment, secrets=secrets.for_apt(plan))
+    given, around = secrets.for_apt(plan), locks.apt(plan, "icub")
+    return shell.call("install-icub", f" {quote.shell(plan.ubuntu)}", comment=comment, secrets=given, around=around)
 
 
 def newer_cmake(plan: Plan) -> str:
@@ -126,7 +131,8 @@ def stage_name(index: int, library: Source) -> str:
 
 def _in_place(plan: Plan, library: Source) -> str:
     keep = [f"cp --recursive {_folder(library)} /home/${{NB_USER}}/"] if library.keep_source else []
-    depends = f"{shell.apt_install(library.depends, secrets.for_apt(plan))}\n" if library.depends else ""
+    around = locks.apt(plan, "libraries")
+    depends = f"{shell.apt_install(library.depends, secrets.for_apt(plan), around)}\n" if library.depends else ""
     comment = f"{library.name}, from its source"
     return depends + shell.run(
         *_fetch(plan, library),

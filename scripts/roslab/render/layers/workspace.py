@@ -8,7 +8,7 @@ from roslab.config.model import Source
 from roslab.plan.plan import Plan
 from roslab.plan.workspace import WORKSPACE, RosBuild
 from roslab.render import quote
-from roslab.render.layers import manifests, secrets, shell
+from roslab.render.layers import locks, manifests, secrets, shell
 from roslab.render.layers.system import fetch
 
 HOME = f"/home/{quote.USER}"
@@ -26,7 +26,7 @@ def sister_sources(plan: Plan) -> str:
     if not sources:
         return ""
     depends = tuple(dict.fromkeys(d for s in sources for d in s.depends))
-    blocks = [shell.apt_install(depends, secrets.for_apt(plan))] if depends else []
+    blocks = [shell.apt_install(depends, secrets.for_apt(plan), locks.apt(plan, "sisters"))] if depends else []
     runs = [shell.run(*_fetched(plan, s), secrets=secrets.for_git(plan, "user")) for s in sources]
     head = "# Sister packages, from their source"
     return "\n".join([head, *blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
@@ -72,6 +72,7 @@ def rosdep(plan: Plan) -> str:
         comment="What the package.xml files name; keys that rosdep does not know stop nothing and are told",
         before=manifests.copy(plan, files),
         secrets=secrets.for_both(plan),
+        around=locks.apt(plan, "rosdep") + locks.constraints(plan),
     )
 
 

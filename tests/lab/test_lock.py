@@ -1,0 +1,99 @@
+"""A lock holds while the repositories move on, and what it holds no more is named before the build."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from subprocess import CompletedProcess
+
+import pytest
+
+from .doors import write
+from .laboratory import Laboratory
+from .moving import World, moving_world
+
+Roslab = Callable[..., CompletedProcess[str]]
+BASE = "repro-lab/moving:base"
+IMAGE = "lab-moving"
+REPOSITORY = {
+    "roslab.yaml": f"format: 3\nkind: python\nname: {IMAGE}\nbase: {{image: '{BASE}'}}\n"
+    "apt: [robot-tool]\npip: [robot-lib]\ntest: python3 -c 'import robot_lib, robot_core'\n",
+    "main.py": "print('hello')\n",
+}
+
+
+@pytest.fixture
+def world(lab: Laboratory, tmp_path: Path) -> Iterator[World]:
+    """Serve a world of the first day to the engine's containers, and a base that knows nothing else."""
+    command = ["docker", "network", "inspect", "bridge", "--format", "{{(index .IPAM.Config 0).Gateway}}"]
+    gateway = docker(lab, *command[1:]).strip()
+    (tmp_path / "world").mkdir()
+    with moving_world(gateway, tmp_path / "world") as running:
+        running.add_deb("robot-tool", "1.0", "robot-data")
+        running.add_deb("robot-data", "1.0")
+        running.add_wheel("robot-lib", "1.0", "robot-core")
+        running.add_wheel("robot-core", "1.0")
+        running.add_real("pip", "setuptools", "wheel")
+        host = gateway.partition(":")[0]
+        files = {"sources.list": running.sources}
+        files["Dockerfile"] = (
+            "FROM python:3.12\nRUN rm -rf /etc/apt/sources.list.d /var/lib/apt/lists/*\n"
+            f"COPY sources.list /etc/apt/\nENV PIP_INDEX_URL={running.index} PIP_TRUSTED_HOST={host}\n"
+        )
+        docker(lab, "build", "--tag", BASE, str(write(tmp_path / "base", files)))
+        yield running
+        docker(lab, "image", "rm", "--force", BASE)
+
+
+def docker(lab: Laboratory, *arguments: str) -> str:
+    answer = subprocess.run(
+        ["docker", *arguments], env=dict(lab.environment), capture_output=True, text=True, timeout=1800, check=False
+    )
+    assert answer.returncode == 0, answer.stderr[-6000:]
+    return answer.stdout
+
+
+def test_with_the_lock_nothing_moves(lab: Laboratory, roslab: Roslab, world: World, tmp_path: Path) -> None:
+    tree = write(tmp_path / "tree", REPOSITORY)
+
+    def run(*words: str, code: int = 0) -> CompletedProcess[str]:
+        answer = roslab(*words, env=lab.environment, timeout=1800)
+        assert answer.returncode == code, answer.stderr[-8000:]
+        return answer
+
+    def moved(old: str, new: str) -> dict[str, tuple[str | None, str | None]]:
+        found = json.loads(run("diff", old, new, "--format", "json").stdout)
+        packages = [c for c in found["changes"] if c["kind"] not in ("base", "env")]
+        assert found["moved"] == len(packages)
+        return {f"{c['kind']} {c['name']}": (c["old"], c["new"]) for c in packages}
+
+    run("build", str(tree), "--tag", "first")
+    run("lock", str(tree), "--tag", "first")
+    lock = json.loads((tree / "roslab.lock").read_text())
+    assert lock["base"]["digest"].startswith("sha256:")
+    (machine,) = lock["platforms"].values()
+    apt = {row["name"]: row for row in machine["apt"]}
+    assert apt["robot-data"] == {
+        "name": "robot-data", "version": "1.0", "architecture": "all", "source": "robot-data",
+        "origin": f"{world.address}/apt ./", "step": "packages",
+    }  # fmt: skip
+    assert apt["dpkg"]["step"] == "base"
+    pip = {row["name"]: row for row in machine["pip"]["image"]}
+    assert {"pip", "robot-core", "robot-lib"} <= set(pip)
+    assert all(row["hashes"] for row in pip.values()), pip
+
+    for name in ("robot-data", "robot-tool"):
+        world.add_deb(name, "2.0", "robot-data" if name == "robot-tool" else "")
+    world.add_wheel("robot-core", "2.0")
+    run("build", str(tree), "--tag", "locked", "--no-cache")
+    assert moved(f"{IMAGE}:first", f"{IMAGE}:locked") == {}
+
+    run("build", str(tree), "--tag", "today", "--no-cache", "--no-lock")
+    assert moved(f"{IMAGE}:first", f"{IMAGE}:today") == {
+        "apt robot-data": ("1.0", "2.0"),
+        "apt robot-tool": ("1.0", "2.0"),
+        "pip robot-core": ("1.0", "2.0"),
+    }
+    docker(lab, "image", "rm", "--force", *(f"{IMAGE}:{tag}" for tag in ("first", "locked", "today")))
