@@ -16,6 +16,9 @@ HEAD = re.compile(r"/repos/[^/]+/[^/]+/git/ref/heads/(.+)$")
 TAGS = re.compile(r"/repos/[^/]+/[^/]+/git/matching-refs/tags/(.*)$")
 LISTS = re.compile(r"/repos/([^/]+/[^/]+)/(branches|tags|pulls)$")
 OF_PULL = re.compile(r"/repos/[^/]+/[^/]+/(?:pulls|issues)/\d+/(files|comments)$")
+ISSUES = re.compile(r"/repos/[^/]+/[^/]+/issues$")
+ISSUE = re.compile(r"/repos/[^/]+/[^/]+/issues/(\d+)$")
+BOT = "github-actions[bot]"
 COMMIT = re.compile(r"/repos/([^/]+/[^/]+)/commits/([0-9a-f]{7,40})$")
 
 
@@ -53,6 +56,8 @@ def answer(path: str, repository: dict[str, Any]) -> Any:  # noqa: PLR0911 - a t
         ]
     if found := OF_PULL.match(path):
         return repository.get("files", []) if found[1] == "files" else []
+    if ISSUES.match(path):
+        return [issue for issue in repository.get("issues", ()) if issue["state"] == "open"]
     if found := COMMIT.match(path):
         return {"sha": found[2], "commit": {"committer": {"date": "2026-01-01T00:00:00Z"}}}
     return None
@@ -62,7 +67,8 @@ def answer(path: str, repository: dict[str, Any]) -> Any:  # noqa: PLR0911 - a t
 def api_stub(repository: dict[str, Any] | None = None) -> Iterator[str]:
     """Serve the stand-in on a free port of the loopback and yield its address; `repository` overrides what it says.
 
-    Its list ``posted`` gets the path and the body of each comment that is posted.
+    Its list ``posted`` gets the path and the body of each comment that is posted, ``issues`` holds the issues,
+    which the job's own token opens and changes.
     """
 
     class Handler(BaseHTTPRequestHandler):
@@ -77,11 +83,28 @@ def api_stub(repository: dict[str, Any] | None = None) -> Iterator[str]:
 
         def do_POST(self) -> None:
             body = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
-            (repository or {}).get("posted", []).append((self.path, body))
-            self.send_response(201)
-            self.send_header("Content-Length", "2")
+            known = repository or {}
+            if ISSUES.match(self.path):
+                body |= {"number": len(known["issues"]) + 1, "state": "open", "user": {"login": BOT}, "changes": 0}
+                known["issues"].append(body)
+            else:
+                known.get("posted", []).append((self.path, body))
+            self._say(201, body)
+
+        def do_PATCH(self) -> None:
+            body = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
+            found = ISSUE.match(self.path)
+            issue = (repository or {})["issues"][int(found[1]) - 1] if found else {}
+            issue |= {**body, "changes": issue.get("changes", 0) + 1}
+            self._say(200 if found else 404, issue)
+
+        def _say(self, status: int, body: Any) -> None:
+            data = json.dumps(body).encode()
+            self.send_response(status)
+            self.send_header("Content-Type", "application/json")
+            self.send_header("Content-Length", str(len(data)))
             self.end_headers()
-            self.wfile.write(b"{}")
+            self.wfile.write(data)
 
         def log_message(self, *args: object) -> None:
             """Say nothing: act's log is what a test reads."""

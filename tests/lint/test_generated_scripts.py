@@ -64,3 +64,8 @@ def test_what_verifies_an_example(name: str, tool: Callable[[str], str]) -> None
 
 def test_there_are_scripts_of_every_example() -> None:
     assert {name for name, _ in SCRIPTS} == {*names()}
+
+
+@pytest.mark.parametrize("name", ["inventory.sh", "online.sh"])
+def test_what_reads_an_image_is_clean(name: str, tool: Callable[[str], str]) -> None:
+    shellcheck((CARRIED.parents[1] / "lock" / name).read_text(), tool("shellcheck"))

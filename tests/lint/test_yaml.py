@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 WORKFLOWS = sorted((ROOT / ".github/workflows").glob("*.yml")) + sorted((ROOT / ".github/workflows").glob(".*.yml"))
 CALLABLE = [path for path in WORKFLOWS if not path.name.startswith(".")]
 STARTERS = sorted(path for path in (ROOT / "workflows").glob("*.yml") if path.name != "gitlab-ci.yml")
-THIN = [path for path in CALLABLE if path.name not in ("image.yml", "clean.yml")]
+THIN = [path for path in CALLABLE if path.name not in ("image.yml", "clean.yml", "drift.yml")]
 EVERYTHING = [ROOT / "action.yml", *WORKFLOWS, *STARTERS]
 USES = re.compile(r"^\s*(?:-\s+)?uses:\s*(?P<what>[^\s#]+)(?:\s*#\s*(?P<comment>.*))?$", re.MULTILINE)
 OURS = "org/repro-action"
@@ -91,7 +91,7 @@ ROOM, PROGRAM, READY, TREE = (
 
 
 def _jobs() -> dict[str, list[dict[str, Any]]]:
-    paths = [ROOT / ".github/workflows" / name for name in ("image.yml", "clean.yml")]
+    paths = [ROOT / ".github/workflows" / name for name in ("image.yml", "clean.yml", "drift.yml")]
     return {name: job["steps"] for path in paths for name, job in load(path)["jobs"].items()}
 
 
@@ -308,11 +308,12 @@ def test_no_starter_asks_for_more_than_it_needs() -> None:
     for path in STARTERS:
         found = load(path)
         assert found["permissions"] == {}
-        publishes = path.name not in ("pull-request.yml", "watch.yml")
+        publishes = path.name not in ("pull-request.yml", "watch.yml", "drift.yml")
         cleans = path.name in ("clean.yml", "pull-request-closed.yml")
         expected = {"contents": "read", "packages": "write"} if publishes else {"contents": "read"}
         expected |= {"id-token": "write", "attestations": "write"} if publishes and not cleans else {}
         expected |= {"pull-requests": "read"} if path.name == "clean.yml" else {}
+        expected |= {"packages": "read", "issues": "write"} if path.name == "drift.yml" else {}
         *others, last = (job["permissions"] for job in found["jobs"].values())
         assert last == expected, path.name
         assert [each for each in others if each != {"contents": "read"}] == [], path.name

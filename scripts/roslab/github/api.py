@@ -54,6 +54,31 @@ def asker(environment: Mapping[str, str], *, method: str = "GET", pause: Callabl
     return ask
 
 
+def send(method: str, path: str, body: Mapping[str, Any], environment: Mapping[str, str], *, right: str) -> Any:
+    """Send a body to the API, once: what was asked twice might be done twice; return the answer.
+
+    ``right`` is what the job's ``permissions`` need for it, named where it is refused. Raises ``BuildError``.
+    """
+    base = environment.get("GITHUB_API_URL") or "https://api.github.com"
+    headers = {
+        "Accept": "application/vnd.github+json",
+        "Authorization": f"Bearer {environment.get('ROSLAB_GITHUB_TOKEN', '')}",
+        "Content-Type": "application/json",
+        "User-Agent": "roslab",
+    }
+    data = json.dumps(body).encode()
+    request = urllib.request.Request(base + path, data=data, headers=headers, method=method)  # noqa: S310 - the runner's own address
+    try:
+        with urllib.request.urlopen(request, timeout=SECONDS) as reply:  # noqa: S310
+            return json.loads(reply.read() or b"{}")
+    except urllib.error.HTTPError as error:
+        hint = f"`{right}` below `permissions:` of the job lets it" if error.code in (401, 403, 404) else None
+        raise BuildError(Problem(message=f"GitHub refuses {method} {path}: HTTP {error.code}", hint=hint)) from None
+    except (OSError, ValueError) as error:
+        said = str(getattr(error, "reason", None) or error)
+        raise BuildError(Problem(message=f"GitHub does not answer {method} {path}: {said}")) from None
+
+
 def branch_head(event: Event, ask: Ask) -> str | None:
     """Return the commit that the event's branch points to, ``None`` if the branch does not exist (any more).
 

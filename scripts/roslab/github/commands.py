@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Mapping
 
 from roslab.errors import RoslabError
-from roslab.github import clean, explaining, kept, proving, publishing, steps, workflow
+from roslab.github import clean, drift, explaining, kept, proving, publishing, steps, workflow
 from roslab.github.run import Folder
 
 STEPS: Mapping[str, tuple[str, Callable[[Mapping[str, str]], None]]] = {
@@ -23,6 +23,7 @@ STEPS: Mapping[str, tuple[str, Callable[[Mapping[str, str]], None]]] = {
     "index": ("Put the proved images under their commit's tag.", publishing.index),
     "tag": ("Move the other tags to the proved images.", publishing.tag),
     "summary": ("Write the job's summary.", steps.summary),
+    "drift": ("Build from nothing, prove, and compare with the image that was archived.", drift.drift),
     "clean": ("Remove the versions of an image that nobody needs, or show which they are.", clean.clean),
 }
 

@@ -6,10 +6,7 @@ Nothing here fails the run. https://docs.github.com/en/rest/pulls/comments
 
 from __future__ import annotations
 
-import json
 import re
-import urllib.error
-import urllib.request
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -92,20 +89,4 @@ def _suggestion(hunk: Hunk) -> str:
 
 
 def _post(path: str, body: Mapping[str, Any], environment: Mapping[str, str]) -> None:
-    base = environment.get("GITHUB_API_URL") or "https://api.github.com"
-    headers = {
-        "Accept": "application/vnd.github+json",
-        "Authorization": f"Bearer {environment.get('ROSLAB_GITHUB_TOKEN', '')}",
-        "Content-Type": "application/json",
-        "User-Agent": "roslab",
-    }
-    data = json.dumps(body).encode()
-    request = urllib.request.Request(base + path, data=data, headers=headers, method="POST")  # noqa: S310 - the runner's own address
-    try:
-        with urllib.request.urlopen(request, timeout=api.SECONDS):  # noqa: S310
-            pass
-    except urllib.error.HTTPError as error:
-        if error.code in (401, 403, 404):
-            message = "the token may not comment: `pull-requests: write` below `permissions:` of the job lets it"
-            raise BuildError(message) from None
-        raise
+    api.send("POST", path, body, environment, right="pull-requests: write")

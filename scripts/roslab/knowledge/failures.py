@@ -21,6 +21,7 @@ A failure is one table ``[id]`` in a file ``failures_WORLD.toml``:
 ``certainty``  ``certain`` (default), or ``likely``: reported as such, and never applied without being asked
 ``rank``       1 to 9 (default 5): a lower one wins over a higher one, then the earlier line
 ``passing``    ``true``: builds often go on after it; it counts only if no other failure is known after its line
+``machine``    ``true``: the network's, a server's or the machine's fault; the same source may build an hour later
 ``source``     addresses where the fact stands, ``date`` when it was read
 ``sample``     a log of our own making that it explains, ``unlike`` one that looks alike and that it must not
 =============  =========================================================================================
@@ -63,6 +64,7 @@ class Failure:
     every: bool = False
     errors: bool = False
     passing: bool = False
+    machine: bool = False
     lookup: str = ""
     required: bool = False
     otherwise: str = ""
@@ -76,6 +78,12 @@ def failures() -> tuple[Failure, ...]:
     """Return every known failure, those of a lower rank first."""
     found = [Failure(id=name, **row) for world in WORLDS for name, row in _world(world).items()]
     return tuple(sorted(found, key=lambda failure: failure.rank))
+
+
+@cache
+def of_machine() -> frozenset[str]:
+    """Return the failures that say nothing of the source: the network, a server or the machine failed."""
+    return frozenset(failure.id for failure in failures() if failure.machine)
 
 
 @cache

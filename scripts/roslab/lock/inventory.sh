@@ -47,12 +47,10 @@ done
 if command -v python2 >/dev/null 2>&1; then packages python2 python2; fi
 if [ -x /opt/jupyter/bin/python ]; then packages jupyter /opt/jupyter/bin/python; fi
 
-for prefix in "${CONDA_PREFIX:-/opt/conda}"; do
-  for found in "${prefix}"/conda-meta/*.json; do
-    if [ ! -f "${found}" ]; then continue; fi
-    # The last of each name: the record's own, after those of its parts
-    awk -F'"' '/^ *"url": "/ { url = $4 } /^ *"md5": "/ { md5 = $4 } END { if (url) print "conda\t" url "#" md5 }' "${found}"
-  done
+for found in "${CONDA_PREFIX:-/opt/conda}"/conda-meta/*.json; do
+  if [ ! -f "${found}" ]; then continue; fi
+  # The last of each name: the record's own, after those of its parts
+  awk -F'"' '/^ *"url": "/ { url = $4 } /^ *"md5": "/ { md5 = $4 } END { if (url) print "conda\t" url "#" md5 }' "${found}"
 done
 
 if command -v git >/dev/null 2>&1; then
