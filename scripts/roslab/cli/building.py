@@ -86,7 +86,7 @@ def _once(
                 )
                 engine.build(job)
                 if not options.no_proof:
-                    _prove(planned, candidates[-1], platform, name, screenshots)
+                    prove(planned, candidates[-1], platform, f"{name} was not named", screenshots)
         for candidate, platform in zip(candidates, platforms, strict=True):
             # The engine's image store may hold only one platform per name, so each of several gets its own name
             suffix = f"-{platform.rpartition('/')[2]}" if len(platforms) > 1 else ""
@@ -119,7 +119,8 @@ def _screenshots(options: argparse.Namespace, planned: Planned) -> Path:
     return folder.absolute()
 
 
-def _prove(planned: Planned, candidate: str, platform: str, name: str, screenshots: Path) -> None:
+def prove(planned: Planned, candidate: str, platform: str, otherwise: str, screenshots: Path) -> None:
+    """Prove an image. Raises ``FailedBuild`` or ``BuildError``, whose message begins with ``otherwise``."""
     from roslab.plan.ladder import LOWER, below, lines  # noqa: PLC0415
     from roslab.prove import containers  # noqa: PLC0415
     from roslab.prove.ladder import climb  # noqa: PLC0415
@@ -135,13 +136,13 @@ def _prove(planned: Planned, candidate: str, platform: str, name: str, screensho
     )
     for outcome in outcomes:
         if not outcome.passed:
-            message = f"{name} was not named: on {platform}, {outcome.proof.name}: {outcome.summary}"
+            message = f"{otherwise}: on {platform}, {outcome.proof.name}: {outcome.summary}"
             hint = "its output stands above; correct it, or name another `test` in roslab.yaml"
             raise engine.FailedBuild(Problem(message=message, hint=hint), log=outcome.output)
     ladder = climb(plan.proofs, outcomes, plan.proof_goals)
     engine.say("".join(f"[{platform}] {line}\n" for line in lines(ladder)).rstrip())
     if short := below(ladder, plan.proof_goals.rung):
-        raise BuildError(Problem(message=f"{name} was not named: on {platform}, {short}", hint=LOWER))
+        raise BuildError(Problem(message=f"{otherwise}: on {platform}, {short}", hint=LOWER))
 
 
 def _argument(text: str) -> tuple[str, str]:

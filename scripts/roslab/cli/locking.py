@@ -7,10 +7,11 @@ import sys
 import tempfile
 from pathlib import Path
 
+from roslab.cli.building import prove
 from roslab.cli.planning import planned_of
 from roslab.engine import docker as engine
 from roslab.engine import registry
-from roslab.errors import BuildError, Problem
+from roslab.errors import BuildError
 from roslab.files import write_configuration
 from roslab.lock import inventory, making
 from roslab.pipeline import Planned, lock_file
@@ -25,7 +26,8 @@ def lock(options: argparse.Namespace) -> int:
     images = []
     for platform, name in _names(options, planned):
         inventory.inspect(name)
-        _prove(planned, name, platform)
+        with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
+            prove(planned, name, platform, "nothing is locked", Path(folder))
         engine.say(f"roslab: reading what {name} holds")
         images.append((platform, inventory.read(name, platform)))
     made = making.make(planned.plan, images)
@@ -43,19 +45,6 @@ def _names(options: argparse.Namespace, planned: Planned) -> list[tuple[str, str
     name = f"{planned.plan.name}:{options.tag}"
     several = len(platforms) > 1
     return [(each, f"{name}-{each.rpartition('/')[2]}" if several else name) for each in platforms]
-
-
-def _prove(planned: Planned, name: str, platform: str) -> None:
-    from roslab.prove import containers  # noqa: PLC0415
-
-    with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
-        outcomes = containers.prove(
-            name, platform, planned.plan.proofs, limits=planned.plan.proof_limits, screenshots=Path(folder)
-        )
-    failed = [outcome for outcome in outcomes if not outcome.passed]
-    if failed:
-        message = f"nothing is locked: on {platform}, {failed[0].proof.name}: {failed[0].summary}"
-        raise BuildError(Problem(message=message, hint="only what was proved is worth keeping"))
 
 
 def diff(options: argparse.Namespace) -> int:

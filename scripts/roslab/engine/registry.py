@@ -179,11 +179,14 @@ def _base(reference: str, platform: str) -> list[dict[str, Any]]:
 
 def digest_of(reference: str, *, attempts: int = ATTEMPTS) -> str:
     """Return the digest that a tag names. Raises ``BuildError`` if the registry does not say."""
-    command = ["docker", "buildx", "imagetools", "inspect", "--format", "{{.Manifest.Digest}}", reference]
+    command = ["docker", "buildx", "imagetools", "inspect", "--format", "{{json .Manifest}}", reference]
     answer = with_retries(lambda: output(command), attempts=attempts)
     if answer.returncode:
         raise BuildError(Problem(message=f"the registry does not give {reference}: {last_line(answer.stderr)}"))
-    return answer.stdout.strip()
+    try:
+        return str(json.loads(answer.stdout)["digest"])
+    except (ValueError, KeyError, TypeError):
+        raise BuildError(Problem(message=f"the registry does not say the digest of {reference}")) from None
 
 
 def without_tag(name: str) -> str:

@@ -16,6 +16,8 @@ from pathlib import Path
 
 from roslab.engine import docker as engine
 from roslab.engine import registry
+from roslab.engine.bases import Mended
+from roslab.engine.bases import mend as mend_bases
 from roslab.engine.client import login, private_client
 from roslab.errors import BuildError, Problem
 from roslab.explain.answer import Answer
@@ -29,8 +31,10 @@ from roslab.github.run import Folder, Run
 from roslab.knowledge.failures import of_machine
 from roslab.lock import comparison, inventory, rot
 from roslab.lock.rot import Finding, Side
-from roslab.pipeline import plan_repository, write_plan
+from roslab.pipeline import bases_of, plan_repository, write_bases, write_plan
+from roslab.plan.ladder import below
 from roslab.prove import containers
+from roslab.prove.ladder import climb
 from roslab.render import rot as pages
 from roslab.repository import git as commits
 
@@ -175,18 +179,23 @@ def _build(watch: Watch) -> None:
         if authored and (copy := checkout.shielded(dockerfile, context, Path(place))):
             dockerfile = copy
         with workflow.group(f"Build {run.plan.name} from nothing for {watch.platform}"):
+            file = write_bases(run.plan, Path(place))
+            mended = mend_bases(bases_of(run.plan), file, platforms=(watch.platform,)) if file else Mended()
             engine.build(
                 engine.Build(
                     context=context,
                     dockerfile=dockerfile,
                     platforms=(watch.platform,),
                     tags=(watch.candidate,),
+                    contexts=mended.contexts,
                     arguments=authored.args if authored else (),
                     target=authored.target if authored else None,
                     secrets=secrets.held(watch.folder, run, watch.environment),
                     extra=("--no-cache", "--pull") if _pulls(watch.environment) else ("--no-cache",),
                 )
             )
+            for image in mended.images:
+                engine.remove_image(image)
 
 
 def _pulls(environment: Environment) -> bool:
@@ -234,11 +243,18 @@ def _proved(watch: Watch, reference: str) -> Side:
     plan, pictures = watch.run.plan, watch.folder.path / "screenshots"
     with workflow.group(f"Prove {reference} on {watch.platform}"):
         outcomes = containers.prove(
-            reference, watch.platform, plan.proofs, limits=plan.proof_limits, screenshots=pictures
+            reference,
+            watch.platform,
+            plan.proofs,
+            limits=plan.proof_limits,
+            goals=plan.proof_goals,
+            screenshots=pictures,
         )
     failed = [outcome for outcome in outcomes if not outcome.passed]
     if not failed:
-        return Side(proved=True)
+        short = below(climb(plan.proofs, outcomes, plan.proof_goals), plan.proof_goals.rung)
+        output = "".join(outcome.output for outcome in outcomes) if short else ""
+        return Side(proved=not short, failure=short or "", output=output)
     return Side(proved=False, failure=f"{failed[0].proof.name}: {failed[0].summary}", output=failed[0].output)
 
 
