@@ -113,7 +113,7 @@ def _kept(step: Step) -> str:
 def _repair(found: signatures.Match) -> tuple[tuple[str, tuple[str, ...]], ...]:
     key, _, fixed = found.failure.repair.partition(":")
     if fixed:
-        return ((key, (fixed,)),)
+        return ((key, tuple(fixed.split())),)
     if key == "build_args":
         return ((key, ("-j1",)),)
     return ((key, tuple(found.names["package"].replace(",", " ").split())),) if key and found.known else ()

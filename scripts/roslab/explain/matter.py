@@ -20,7 +20,7 @@ _FOREIGN = re.compile(
 )
 _NEVER = re.compile(
     r"\s{0,8}(?:"
-    r"\+{1,3} "  # commands printed by `set -x`
+    r"\+{1,3} (?!(?:curl|wget|git) )"  # commands printed by `set -x`; an address in one may be what is wrong
     r"|npm (?:WARN|warn|notice|http|verb|info|sill|timing) |warning \S{1,200} > "
     r"|Get:\d|Ign:\d|Hit:\d|Setting up |Unpacking |Selecting previously|Preparing to unpack|\(Reading database"
     r"|Reading (?:package lists|state)|Building dependency tree|Processing triggers|update-alternatives: "

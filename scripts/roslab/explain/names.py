@@ -136,8 +136,12 @@ _SECRET = re.compile(r"(?i)key|token|licen[cs]e|secret|pass|user|auth|credential
 _VARIABLE = re.compile(r"\$\{?([A-Za-z_]\w{1,60})")
 
 
+_ADDRESS = re.compile(r"(?:https?|ftp)://[^\s'\"]{1,300}")
+
+
 def _argument(names: Names, where: Image) -> Names:
-    found = _VARIABLE.findall(where.instruction)
+    within = " ".join(_ADDRESS.findall(where.instruction)) if names.get("address") else ""
+    found = _VARIABLE.findall(within) or _VARIABLE.findall(where.instruction)
     if package := names.get("package"):
         beside = re.search(rf"{re.escape(package)}={{1,2}}['\"]?\$\{{?(\w{{1,60}})", where.instruction)
         found = [beside[1]] if beside else found

@@ -97,6 +97,8 @@ def match(log: Log, step: Step, image: Image) -> Match | None:
         if not best[1].failure.passing:
             return best[1]
         survived = best
+        if after := [entry for entry in found if entry[0] > best[0] and not entry[1].failure.passing]:
+            return min(after, key=lambda entry: entry[0])[1]
     return survived[1] if survived else None
 
 

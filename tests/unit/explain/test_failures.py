@@ -286,3 +286,40 @@ def test_a_tree_of_packages_is_not_what_matters() -> None:
 #7 ERROR: process "/bin/sh -c npm install" did not complete successfully: exit code: 1
 """
     assert said(log).explanations[0].error == "the strange thing failed"
+
+
+def test_what_builds_survive_gives_way_to_a_later_failure_of_its_own_rank() -> None:
+    log = """
+Step 4/6 : RUN yum install -y golang && curl -o /tmp/a.tar.gz http://files.example.org/a.tar.gz && tar xzf /tmp/a.tar.gz
+ ---> Running in 1a2b3c4d5e6f
+Failed to get D-Bus connection: Operation not permitted
+Complete!
+gzip: stdin: not in gzip format
+tar: Error is not recoverable: exiting now
+The command '/bin/sh -c yum install' returned a non-zero code: 2
+"""
+    assert [one.id for one in said(log).explanations] == ["download-no-archive"]
+
+
+def test_an_empty_version_in_an_address_is_no_download_that_is_gone() -> None:
+    log = """
+Step 4/6 : RUN set -ex; mkdir -p "${ROOT}"; curl --fail -o glpi.tgz -L "https://example.org/download/${VERSION}/glpi-${VERSION}.tgz"
+ ---> Running in 1a2b3c4d5e6f
++ mkdir -p /srv
++ curl --fail -o glpi.tgz -L https://example.org/download//glpi-.tgz
+  % Total    % Received % Xferd  Average Speed   Time    Time     Time  Current
+curl: (22) The requested URL returned error: 404 Not Found
+The command '/bin/sh -c curl' returned a non-zero code: 22
+"""
+    found = said(log).explanations
+    assert [one.id for one in found] == ["argument-empty-value"]
+    assert dict(found[0].names)["name"] == "VERSION"
+
+
+def test_a_package_called_curl_downloads_nothing() -> None:
+    log = """
+Step 4/6 : RUN apk del --purge curl make && true
+ ---> Running in 1a2b3c4d5e6f
+The command '/bin/sh -c apk del --purge curl make' returned a non-zero code: 8
+"""
+    assert said(log).explanations[0].id is None
