@@ -15,6 +15,7 @@ from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
 from roslab.evidence.ros import vcs
+from roslab.knowledge.days import rosdistro_ref
 from roslab.knowledge.distros import rosdistro_tag
 from roslab.plan import lock as locks
 from roslab.plan.plan import Plan, make_plan
@@ -74,7 +75,7 @@ def plan_repository(
         config,
         folder_name=name,
         ignore=tuple(repository.read(".dockerignore").splitlines()),
-        rosdistro_tag=rosdistro_tag(decision.ros_distro),
+        rosdistro_tag=_tables(decision),
         source_version=version,
     )
     file = lock_file(config)
@@ -86,6 +87,13 @@ def plan_repository(
 def lock_file(config: Config) -> str:
     """Return the path of roslab.lock, which lies beside roslab.yaml, relative to the repository."""
     return posixpath.join(posixpath.dirname(config.file or ""), locks.NAME)
+
+
+def _tables(decision: Decision) -> str | None:
+    """Return the ref of ros/rosdistro with the tables of the decision's day, else those that know its distribution."""
+    if decision.day and decision.ros_distro:
+        return rosdistro_ref(decision.ros_distro, decision.day)[0]
+    return rosdistro_tag(decision.ros_distro)
 
 
 def read_configuration(

@@ -45,11 +45,11 @@ class Signer:
         return subprocess.run([*command, *arguments], input=data, capture_output=True, check=True).stdout
 
 
-def release(signer: Signer, suite: str, packages: Mapping[str, bytes]) -> dict[str, bytes]:
+def release(signer: Signer, suite: str, packages: Mapping[str, bytes], *, version: str = "1.0") -> dict[str, bytes]:
     """Return the files of a suite by their paths below the source's URL; packages are whole .deb files by name."""
     pool = {f"pool/{name}.deb": data for name, data in packages.items()}
     index = "\n".join(
-        f"Package: {path[5:-4]}\nVersion: 1.0\nArchitecture: all\nMaintainer: lab\nDescription: lab\n"
+        f"Package: {path[5:-4]}\nVersion: {version}\nArchitecture: all\nMaintainer: lab\nDescription: lab\n"
         f"Filename: {path}\nSize: {len(data)}\nSHA256: {hashlib.sha256(data).hexdigest()}\n"
         for path, data in pool.items()
     ).encode()
@@ -61,15 +61,15 @@ def release(signer: Signer, suite: str, packages: Mapping[str, bytes]) -> dict[s
     return {**pool, f"dists/{suite}/{listed}": index, f"dists/{suite}/InRelease": signer.sign(text)}
 
 
-def deb(name: str, folder: Path) -> bytes:
-    """Return a package that installs one file, /usr/share/NAME."""
-    tree = folder / name
+def deb(name: str, folder: Path, *, version: str = "1.0") -> bytes:
+    """Return a package that installs one file, /usr/share/NAME, which holds its name and its version if it has one."""
+    tree = folder / f"{name}-{version}"
     (tree / "DEBIAN").mkdir(parents=True)
     (tree / "usr/share").mkdir(parents=True)
-    (tree / "usr/share" / name).write_text(name)
-    control = f"Package: {name}\nVersion: 1.0\nArchitecture: all\nMaintainer: lab\nDescription: lab\n"
+    (tree / "usr/share" / name).write_text(name if version == "1.0" else f"{name} {version}")
+    control = f"Package: {name}\nVersion: {version}\nArchitecture: all\nMaintainer: lab\nDescription: lab\n"
     (tree / "DEBIAN/control").write_text(control)
-    built = folder / f"{name}.deb"
+    built = folder / f"{name}-{version}.deb"
     subprocess.run(["dpkg-deb", "--root-owner-group", "--build", tree, built], check=True, capture_output=True)
     return built.read_bytes()
 
@@ -83,6 +83,8 @@ def serving(files: Mapping[str, bytes]) -> Iterator[str]:
             data = files.get(urllib.parse.unquote(self.path))
             self.send_response(404 if data is None else 200)
             self.send_header("Content-Length", str(len(data or b"")))
+            if data and data.startswith(b"{"):
+                self.send_header("Content-Type", "application/vnd.pypi.simple.v1+json")
             self.end_headers()
             self.wfile.write(data or b"")
 

@@ -17,10 +17,11 @@ exit codes:
   5  the engine, the registry, the build or the image failed
   1  a bug of roslab's own
 """
-OVERRIDING = {"--name": "name", "--platform": "platforms", "--command": "command", "--test": "test"}
+OVERRIDING = {"--name": "name", "--date": "date", "--platform": "platforms", "--command": "command", "--test": "test"}
 """Options that set a key of roslab.yaml, and that key, which is also the name of the parsed option."""
 _HELP = {
     "--name": ("NAME", "the image's name (default: roslab.yaml's, else the repository's)"),
+    "--date": ("DAY", "the image of a day, YEAR-MONTH-DAY, or paper: the newest commit's; it wins over roslab.yaml's"),
     "--platform": ("LIST", "platforms to build for, such as linux/amd64,linux/arm64; they win over roslab.yaml's"),
     "--command": ("TEXT", "default command of the image, run by bash; it wins over roslab.yaml's"),
     "--test": ("TEXT", "command that proves the image, run by bash; it wins over roslab.yaml's"),

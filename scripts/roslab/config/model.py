@@ -148,6 +148,8 @@ class Config:
     the file names, built libraries in place and used other paths. ``migrate`` writes this key."""
     name: str | None = None
     kind: Kind | None = None
+    date: str | None = None
+    """``YYYY-MM-DD``, the day that the image is to be of, or ``paper``: that of the newest commit."""
     base: Base = field(default_factory=Base)
     repositories: tuple[str, ...] = ()
     """Extra apt sources (PPAs): ``repos`` of the paper, ``repo`` of the later format."""

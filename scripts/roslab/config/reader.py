@@ -94,6 +94,7 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
         compatible=compatible,
         name=_name(reading, root),
         kind=cast(Kind | None, reading.value(root, "kind", "kind")),
+        date=running.day(reading, root),
         base=base,
         repositories=packages.repositories(reading, root, key["repo"]),
         apt=packages.apt(reading, root, key["apt"]),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime as dt
 import shlex
 from typing import Literal, cast
 
@@ -86,6 +87,18 @@ def environment(reading: Reading, root: Mapping, key: str = "env") -> tuple[tupl
     for name, _ in mapping.pairs:
         reading.note(f"{key}.{name.text}", name)
     return tuple((name.text, value.text) for name, value in mapping.pairs if isinstance(value, Scalar))
+
+
+def day(reading: Reading, root: Mapping) -> str | None:
+    """Read ``date``; a day that the calendar lacks is an error, and so is one that the tables do not reach."""
+    text = reading.text(root, "date", "date")
+    if text is None or text.value == "paper":
+        return text.value if text else None
+    try:
+        dt.date.fromisoformat(text.value)
+    except ValueError:
+        reading.complain(f'date: there is no day "{text.value}"', "write YEAR-MONTH-DAY, or `paper`", text.node)
+    return text.value
 
 
 def secrets(reading: Reading, root: Mapping) -> tuple[str, ...]:

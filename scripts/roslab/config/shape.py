@@ -187,6 +187,8 @@ def _types(schema: Schema) -> set[str]:
 
 def _admits(schema: Schema, node: Node) -> bool:
     types, found = _types(schema), kind(node)
+    if found == "date":
+        return schema.get("format") == "date"
     return found in types or (found == "integer" and "number" in types)
 
 

@@ -21,6 +21,7 @@ def written(config: Config) -> str:
         "compatible": config.compatible,
         "name": config.name,
         "kind": config.kind,
+        "date": config.date,
         "base": base(config.base),
         "repo": list(config.repositories),
         "apt": list(config.apt),

@@ -11,6 +11,7 @@ from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.command import decide_command
 from roslab.decide.cuda.toolkit import decide_toolkit
 from roslab.decide.cuda.version import NO_CUDA, decide_cuda, of_image
+from roslab.decide.day import as_of, decide_day
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.kind import decide_kind
 from roslab.decide.mended_bases import decide_bases
@@ -49,6 +50,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     """
     _something(evidence, config)
     evidence, config = narrowed(evidence, config)
+    day = decide_day(evidence, config)
+    evidence = as_of(evidence, day.answer)
     kind = decide_kind(evidence, config, folder_name)
     evidence = with_fetched(evidence)
     release = decide_distro(evidence, config, kind.answer)
@@ -141,6 +144,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         evidence, config, kind.answer, base.answer.image, distro, cuda.answer.version, python.answer, everything
     )
     choices = (
+        day,
         kind,
         release,
         base,
@@ -180,6 +184,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         dockerfile=own.answer.file if own.answer else None,
         context=own.answer.context if own.answer else None,
         bases=mended.answer,
+        day=day.answer,
         command=command.answer.command,
         command_named=config.command is not None,
         command_candidates=command.answer.candidates,

@@ -9,9 +9,10 @@ from typing import ClassVar
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.cuda.version import Cuda
+from roslab.decide.day import existed
 from roslab.decide.decision import Choice, MendedBase, Reason
 from roslab.decide.python.base import base_for
-from roslab.decide.reasons import because, configured, ranked, strongest
+from roslab.decide.reasons import CONFIGURED, because, configured, ranked, strongest
 from roslab.decide.ros.distro_dates import ADOPTED, dated
 from roslab.decide.system.cmake_version import has_it, needed_cmake
 from roslab.decide.system.code_fits import misfits
@@ -163,6 +164,7 @@ def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
             reasons.append(because("ubuntu", codename, mention.text[:120], mention, weight=weight))
     reasons = [_compiling(reason, misfits(evidence)) for reason in reasons]
     reasons = _fitting(_new_enough(reasons, needed_cmake(evidence)), misfits(evidence))
+    reasons = [each for each in reasons if each.weight >= CONFIGURED or existed(evidence, each.answer)]
     best = strongest(reasons)
     version = next(number for number, codename in ubuntus().items() if codename == best.answer)
     image = f"ubuntu:{version}"

@@ -147,6 +147,8 @@ class Decision:
     dockerfile: str | None = None
     bases: tuple[MendedBase, ...] = ()
     """Images that this Dockerfile starts from, and that its build replaces."""
+    day: str | None = None
+    """``YYYY-MM-DD``: packages, tables and clones are taken as they were on that day."""
     context: str | None = None
     """Build context of the author's Dockerfile, relative to the root."""
     command: tuple[str, ...] | str = ("bash",)

@@ -277,6 +277,10 @@ class Evidence:
     limits: tuple[CodeLimit, ...] = ()
     """Versions of compilers and libraries that the C++ code compiles with."""
     cuda_files: tuple[str, ...] = ()
+    worked_on: tuple[Mention, ...] = ()
+    """Days of the repository's commit and of its citation file, in this order."""
+    day: str | None = None
+    """The day that the image is to be of; ``decide`` sets it."""
     problems: tuple[tuple[str, str | None, int | None], ...] = ()
     """``(message, file, line)``: what could not be read and was skipped; file and line may be ``None``."""
 

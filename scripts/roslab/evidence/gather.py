@@ -7,7 +7,7 @@ import re
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import cmake, cpp
 from roslab.evidence.native.limits import Signs
-from roslab.evidence.prose import author_dockerfile, ci, install_scripts, readme
+from roslab.evidence.prose import author_dockerfile, ci, install_scripts, readme, worked_on
 from roslab.evidence.prose.installs import merge
 from roslab.evidence.python import conda, imports, pixi, print_statement, project, removed, requirements
 from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, vcs
@@ -56,6 +56,7 @@ def gather(repository: Repository) -> Evidence:
             *print_statement.read(repository),
             *(commit_date.read(repository) if manifests or cmake_projects else ()),
         ),
+        worked_on=worked_on.read(repository),
         bounds=removed.read(repository),
         limits=signs.all(repository),
         cuda_files=cpp.cuda_files(repository),

@@ -28,6 +28,7 @@ SETTINGS = {
     "command": "command",
     "test": "test",
     "kind": "kind",
+    "date": "date",
     "build-tool": "build",
     "distro": "base.ros",
     "cuda": "base.cuda",
@@ -42,7 +43,7 @@ RUNNERS: dict[str, Runner] = {"linux/arm64": "ubuntu-24.04-arm", "linux/arm": "u
 HOST = re.compile(r"(?:[a-z0-9](?:[a-z0-9.-]*[a-z0-9])?|\[[0-9a-f:]+\])(?::\d{1,5})?", re.IGNORECASE)
 COMPONENT = re.compile(r"[a-z0-9]+(?:(?:\.|_|__|-+)[a-z0-9]+)*")
 """https://github.com/distribution/reference/blob/main/regexp.go"""
-VARIANT = ("path", "config", "kind", "distro", "build-tool", "cuda", "python", "tag-prefix", "tag-suffix")
+VARIANT = ("path", "config", "date", "kind", "distro", "build-tool", "cuda", "python", "tag-prefix", "tag-suffix")
 """Inputs that make variants of one image; each variant has its own cache and artifacts."""
 LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._:/=@+-]{0,255}")
 LONGEST = 256

@@ -197,6 +197,8 @@ def dockerfile(environment: Environment) -> None:
         seconds,
     )
     by_digest = f"type=image,name={run.image},push=true,push-by-digest=true,name-canonical=true"
+    if run.plan.as_of:
+        by_digest += ",rewrite-timestamp=true"  # the same day gives the same image, whenever it is built
     loaded = f"type=docker,name={runs.candidate(folder, run, platforms[0])}" if len(platforms) == 1 else ""
     build = {
         "dockerfile": str(dockerfile),

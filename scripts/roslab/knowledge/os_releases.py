@@ -53,6 +53,14 @@ def _versions(system: str) -> dict[str, str]:
 
 
 @cache
+def system_of(codename: str | None) -> str | None:
+    """Return ``Ubuntu`` or ``Debian`` for a release, ``None`` for one that is not known."""
+    if codename in ubuntus().values():
+        return "Ubuntu"
+    return next((row["system"] for row in rows("os_releases") if row["codename"] == codename), None)
+
+
+@cache
 def moved_to(codename: str) -> tuple[str, str] | None:
     """Return the name and the archive of a release whose packages were moved there, ``None`` for any other."""
     row = next((row for row in rows("os_releases") if row["codename"] == codename and row["moved"] == "yes"), None)

@@ -26,6 +26,11 @@ def last_snapshot(release: Distro) -> PackageSource:
     return _source(release, "ended")
 
 
-def _source(release: Distro, which: str) -> PackageSource:
+def snapshot(release: Distro, day: str) -> PackageSource:
+    """Return the snapshot of the sync of a day, ``YYYY-MM-DD``."""
+    return _source(release, "dated", day)
+
+
+def _source(release: Distro, which: str, day: str = "") -> PackageSource:
     row = next(row for row in rows("ros_packages") if row["which"] == which)
-    return PackageSource(url=row["url"].format(name=release.name), key=row["key"])
+    return PackageSource(url=row["url"].format(name=release.name, day=day), key=row["key"])

@@ -6,9 +6,10 @@ import re
 from dataclasses import dataclass
 
 from roslab.decide.decision import Decision
+from roslab.knowledge.days import last_sync
 from roslab.knowledge.distros import Distro, distro
 from roslab.knowledge.os_releases import ends, has_ended, release_of
-from roslab.knowledge.ros_packages import last_snapshot, ros_packages
+from roslab.knowledge.ros_packages import last_snapshot, ros_packages, snapshot
 
 _OFFICIAL = re.compile(r"(?:docker\.io/(?:library/)?)?ros:")
 _WITH_ROS = re.compile(r"(?:[^/]+/)*ros:")
@@ -25,6 +26,8 @@ class RosSource:
     """Name of the key that signs it, of ``keys.csv``."""
     in_base: bool
     """The base is an image of ROS: its own source is replaced, and none is added where it has none."""
+    otherwise: str | None = None
+    """Address that is taken where ``url`` does not answer, ``own`` for the base's; ``None``: ``url`` or nothing."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -54,11 +57,11 @@ def package_sources(decision: Decision) -> PackageSources | None:
     if decision.dockerfile:
         return None
     release = distro(decision.ros_distro) if decision.kind in ("ros1", "ros2") else None
-    return sources_of(decision.base_image, decision.ubuntu, release)
+    return sources_of(decision.base_image, decision.ubuntu, release, decision.day)
 
 
-def sources_of(image: str, ubuntu: str | None, release: Distro | None) -> PackageSources | None:
-    """Return what is changed in an image's package sources; ``release`` is the ROS that must be there.
+def sources_of(image: str, ubuntu: str | None, release: Distro | None, on: str | None = None) -> PackageSources | None:
+    """Return what is changed in an image's package sources; ``release`` is the ROS that must be there, ``on`` a day.
 
     The name of a base tells whether it has ROS; if another one has it too, apt finds its packages installed.
     """
@@ -66,10 +69,21 @@ def sources_of(image: str, ubuntu: str | None, release: Distro | None) -> Packag
     # NVIDIA replaced its key in 2022, and images of before are not told from later ones by their names
     ended = image.startswith("nvidia/") or has_ended(codename)
     ros = _ros(image, release) if release else None
+    if release and on and (sync := last_sync(release.name, on)) and sync.snapshot:
+        source = snapshot(release, sync.day)
+        in_base = bool(_WITH_ROS.match(image))
+        ros = RosSource(
+            distro=release.name,
+            ubuntu=release.ubuntu,
+            url=source.url,
+            key=source.key,
+            in_base=in_base,
+            otherwise=ros_packages(release).url if release.rosdistro_tag else "own",
+        )
     day = ends().get(codename or "", "") if not has_ended(codename) else ""
     if release and release.eol and release.rosdistro_tag is None:
         day = min(day or release.eol, release.eol)
-    end = End(day=day, ros=_later(image, release) if release else None) if day else None
+    end = End(day=day, ros=_later(image, release) if release and not (ros and ros.otherwise) else None) if day else None
     return PackageSources(ros=ros, ended=ended, end=end) if ros or ended or end else None
 
 

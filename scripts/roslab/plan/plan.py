@@ -25,6 +25,7 @@ from roslab.config.model import (
 from roslab.decide.decision import Decision, Reason, Warning_
 from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.tools import PythonTools, python_tools
+from roslab.plan.as_of import AsOf, as_of, lacking, of_day
 from roslab.plan.author_bases import Base, author_bases
 from roslab.plan.locked import Lock
 from roslab.plan.package_sources import PackageSources, package_sources
@@ -92,6 +93,8 @@ class Plan:
     ubuntu: str | None
     base_image: str
     package_sources: PackageSources | None
+    as_of: AsOf | None
+    """Packages and clones are taken as they were on a day; ``None`` for today."""
     build_tool: BuildTool
     author_dockerfile: AuthorDockerfile | None
     repositories: tuple[str, ...]
@@ -170,9 +173,12 @@ def make_plan(
     )
     ros = decision.kind in ("ros1", "ros2")
     in_workspace = tuple(
-        s for s in decision.source if ros and s.build in ("catkin_make", "catkin_tools", "colcon", "none")
+        of_day(s, decision.day)
+        for s in decision.source
+        if ros and s.build in ("catkin_make", "catkin_tools", "colcon", "none")
     )
-    libraries = tuple(s for s in decision.source if s not in in_workspace)
+    named = {s.name for s in in_workspace}
+    libraries = tuple(s for s in decision.source if s.name not in named)
     packages = image_packages(decision, config, (*in_workspace, *decision.submodules))
     name = config.name or image_name(folder_name)
     place = workspace(decision, config, in_workspace, name)
@@ -195,6 +201,7 @@ def make_plan(
         ubuntu=decision.ubuntu,
         base_image=decision.base_image,
         package_sources=package_sources(decision),
+        as_of=as_of(decision),
         build_tool=decision.build_tool,
         author_dockerfile=author_dockerfile,
         repositories=config.repositories,
@@ -202,7 +209,7 @@ def make_plan(
         apt_tools=packages.tools,
         apt=packages.named,
         apt_guessed=decision.apt_guessed,
-        libraries=tuple(library(source, config) for source in libraries),
+        libraries=tuple(of_day(library(source, config), decision.day) for source in libraries),
         rosdep=(
             Rosdep(manifests=decision.packages, skip_keys=decision.skip_keys, rosdistro_tag=rosdistro_tag)
             if ros and (decision.packages or in_workspace or decision.submodules)
@@ -227,7 +234,7 @@ def make_plan(
         tags=config.tags,
         secrets=config.secrets,
         ignore=ignore,
-        warnings=decision.warnings,
+        warnings=(*decision.warnings, *lacking(decision)),
         reasons=decision.reasons,
     )
 

@@ -34,7 +34,7 @@ END: tuple[Block, ...] = (
     final.start,
 )
 TODAY = Order(
-    base=(base.start, base.package_sources, base.repositories),  # 1. sources of packages, the user
+    base=(base.start, base.package_sources, base.snapshots, base.repositories),  # 1. sources of packages, the user
     stages=(system.library_stages, manifests.stage),  # 3. libraries: a new system package rebuilds none
     image=(
         system.packages,  # 2. what the repository declares …
@@ -61,7 +61,7 @@ TODAY = Order(
     ),
 )
 OLD_FORMATS = Order(  # the order of the old generators, in which later steps used earlier ones
-    base=(base.start, base.package_sources),
+    base=(base.start, base.package_sources, base.snapshots),
     stages=(manifests.stage,),
     image=(
         system.first_packages,

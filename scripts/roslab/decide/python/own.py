@@ -10,10 +10,12 @@ from roslab.decide.decision import Choice, Manager, Warning_
 from roslab.decide.python.base import cuda_ubuntu
 from roslab.decide.python.packages import Chosen, choose
 from roslab.decide.python.pins import Pin
+from roslab.decide.python.pythons import PREFERRED
 from roslab.decide.python.version import python_version
 from roslab.decide.python.weights import VersionWeight
 from roslab.decide.reasons import because, warn
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.days import existed
 from roslab.knowledge.distros import distro, python_of_ubuntu
 from roslab.values.origin import Place
 
@@ -52,7 +54,7 @@ def decide_version(
         number = _of_ros(ros_distro, said.answer)
         own = OwnPython(version=number, system=True, wanted=said.answer, chosen=chosen)
         return Choice(answer=own, reasons=said.reasons)
-    number = said.answer or _default(config, kind, cuda)
+    number = said.answer or _then(evidence.day) or _default(config, kind, cuda)
     own = OwnPython(version=number, system=False, wanted=said.answer, chosen=chosen)
     if said.answer:
         return Choice(answer=own, reasons=said.reasons)
@@ -98,6 +100,13 @@ def _of_ros(ros_distro: str | None, said: str | None) -> str | None:
     """Return Python 2 if the distribution's nodes run on it and the author says so, else ``None`` for Python 3."""
     known = distro(ros_distro) if ros_distro else None
     return known.python if known and said == known.python and said.startswith("2") else None
+
+
+def _then(day: str | None) -> str | None:
+    """Return the preferred Python of a day on which the default was not there yet."""
+    if day is None or existed(DEFAULT, day):
+        return None
+    return next((python for python in PREFERRED if existed(python, day)), None)
 
 
 def _default(config: Config, kind: Kind, cuda: str | None) -> str:

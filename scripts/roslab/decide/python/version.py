@@ -17,6 +17,7 @@ from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because, configured, outweighed
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.days import existed
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus
 from roslab.values.version import version_of
 
@@ -37,7 +38,7 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
         return Choice(answer=config.base.python, reasons=(said,))
     known = tuple(ranges(evidence, pins, _telling(evidence)))
     named = sorted(_named(evidence, pins), key=_order)
-    fitting = _fitting(known)
+    fitting = [python for python in _fitting(known) if evidence.day is None or existed(python, evidence.day)]
     chosen = next((reason for reason in named if reason.answer in fitting or reason.weight >= Weight.BELIEVED), None)
     if chosen is None and (older := tuple(ranges_by_use(evidence, pins))):  # nothing names a version
         known = (*known, *older)
@@ -46,7 +47,7 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
     if chosen is not None:
         others = (reason for reason in (*named, *reasons) if reason is not chosen)
         return Choice(answer=chosen.answer, reasons=(chosen, *outweighed(others, chosen)))
-    if not known:
+    if not known or not fitting:
         return Choice(answer=None, reasons=tuple(replace(reason, decisive=False) for reason in named))
     fits = because("python", fitting[0], "fits every pin below", weight=Weight.PINS)
     return Choice(answer=fits.answer, reasons=(fits, *reasons))

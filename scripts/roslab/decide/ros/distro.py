@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from roslab.config.model import Config, Kind
+from roslab.decide.day import existed, there
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.reasons import because, configured, ranked, warn
 from roslab.decide.ros.distro_dates import dated, of_its_time
@@ -29,7 +30,9 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     ros = 1 if kind == "ros1" else 2
     unknown = _unknown_keys(evidence, ros)
     lacking = misfits(evidence)
-    reasons = [_compiling(_fitted(reason, unknown), lacking) for reason in reasons_for(evidence, ros)]
+    unknown = {name: missing for name, missing in unknown.items() if existed(evidence, name)} or unknown
+    named = there(evidence, reasons_for(evidence, ros))
+    reasons = [_compiling(_fitted(reason, unknown), lacking) for reason in named]
     if config.base.ubuntu and (fitting := distros_of(config.base.ubuntu, 1 if ros == 1 else 2)):
         inside = [reason for reason in reasons if reason.answer in fitting]
         answer = max(inside, key=_order).answer if inside else fitting[0]

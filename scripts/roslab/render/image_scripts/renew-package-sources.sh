@@ -1,7 +1,8 @@
 #!/bin/bash
-# usage: renew-package-sources [--ros URL SUITE KEY] [--add] [--ended] [--after DAY OPTION...]
+# usage: renew-package-sources [--ros URL SUITE KEY] [--or URL] [--add] [--ended] [--after DAY OPTION...]
 # Makes the package sources of a base answer again, before anything is installed.
 #   --ros URL SUITE KEY  ROS's packages come from here, signed by the key of that name; replaces the base's own source
+#   --or URL             where that does not answer, take this, signed by the same key; own: the base's own source
 #   --add                also where the base has no source of ROS
 #   --ended              try each source: a release of Ubuntu or Debian that was moved is taken from the archive; what
 #                        is not there, or is signed by a key that this base cannot know, is named and left out
@@ -11,16 +12,17 @@ set -euo pipefail
 here=/usr/local/share/roslab
 log=/tmp/apt-update
 shopt -s nullglob
-url='' suite='' key='' add='' ended='' after=''
+url='' suite='' key='' other='' add='' ended=''
 mkdir --parents "${here}"
 while [ $# -gt 0 ]; do
   case "$1" in
     --ros) url="$2" suite="$3" key="$4" && shift 3 ;;
+    --or) other="$2" && shift ;;
     --add) add=yes ;;
     --ended) ended=yes ;;
     --after)
       if [[ ! "$(date --utc +%F)" > "$2" ]]; then break; fi
-      after=yes && shift
+      other=own && shift # a distribution's last snapshot may come long after its end
       ;;
   esac
   shift
@@ -84,12 +86,17 @@ use_archive() {
   done < <(sources)
 }
 
-# A distribution's last snapshot may come long after its end: its own source stays until then
-keep_ros() {
-  if ! refused | grep --quiet --fixed-strings "${url} "; then return; fi
-  echo "roslab: ${url} does not answer: ROS's own source stays"
-  rm /etc/apt/sources.list.d/roslab-ros.list
-  cp --recursive /tmp/own-sources/. /etc/apt/
+# Takes the other source of ROS where the first does not answer
+use_other() {
+  refused >"${log}.refused"
+  if ! grep --quiet --fixed-strings "${url} " "${log}.refused"; then return; fi
+  echo "source ${url}: ${other} is taken" | tee --append "${here}/left-out.txt"
+  if [ "${other}" = own ]; then
+    rm /etc/apt/sources.list.d/roslab-ros.list
+    cp --recursive /tmp/own-sources/. /etc/apt/
+  else
+    sed --in-place "s#${url}#${other}#" /etc/apt/sources.list.d/roslab-ros.list
+  fi
 }
 
 leave_out() {
@@ -137,7 +144,7 @@ if [ -n "${url}" ]; then
   mkdir --parents /tmp/own-sources
   cp --recursive /etc/apt/sources.list* /tmp/own-sources
   use_ros
-  if [ -n "${after}" ] && [ -e /etc/apt/sources.list.d/roslab-ros.list ]; then keep_ros; fi
+  if [ -n "${other}" ] && [ -e /etc/apt/sources.list.d/roslab-ros.list ]; then use_other; fi
   rm -rf /tmp/own-sources
 fi
 if [ -n "${ended}" ]; then

@@ -33,6 +33,15 @@ def package_sources(plan: Plan) -> str:
     return called if ros is None or ros.in_base else f"ENV ROS_DISTRO={quote.docker(ros.distro)}\n{called}"
 
 
+def snapshots(plan: Plan) -> str:
+    """Take packages as they were on the plan's day, those of the base too."""
+    if plan.as_of is None:
+        return ""
+    words = "".join(f" {quote.shell(word)}" for pair in plan.as_of.archives for word in pair)
+    comment = f"Packages as of {plan.as_of.day}, the base's too"
+    return shell.call("take-snapshots", f" {plan.as_of.day}{words}", comment=comment, secrets=secrets.for_apt(plan))
+
+
 def renewal(found: PackageSources, given: secrets.Secrets = secrets.NONE) -> str:
     """Return the step that makes the package sources of a base answer, today or once it has ended."""
     why = "ROS's package source" if found.ros else "Package sources"
@@ -54,6 +63,7 @@ def _options(ros: RosSource | None, *, ended: bool) -> str:
     named = ""
     if ros:
         named = f" --ros {quote.shell(ros.url)} {quote.shell(ros.ubuntu)} {quote.shell(ros.key)}"
+        named += f" --or {quote.shell(ros.otherwise)}" if ros.otherwise else ""
         named += "" if ros.in_base else " --add"
     return named + (" --ended" if ended else "")
 

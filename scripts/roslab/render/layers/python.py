@@ -56,6 +56,7 @@ def environment(plan: Plan) -> str:
                 "ENV VIRTUAL_ENV=/opt/venv \\\n    PATH=/opt/venv/bin:${PATH}",
                 shell.run(
                     "python3 -m venv --system-site-packages /opt/venv",
+                    *secrets.as_of(plan),
                     f"python3 -m pip install --no-cache-dir --upgrade{shell.words(tools)}",
                     around=locks.constraints(plan),
                 ),

@@ -36,7 +36,7 @@ NONE = Secrets()
 
 def for_pip(plan: Plan, user: User = "root") -> Secrets:
     """Return what pip needs: the private index, and logins for packages from git."""
-    return _of(plan, (PIP_INDEX, NETRC, SSH), user)
+    return _of(plan, (PIP_INDEX, NETRC, SSH), user, first=as_of(plan))
 
 
 def for_git(plan: Plan, user: User = "root") -> Secrets:
@@ -51,7 +51,12 @@ def for_apt(plan: Plan) -> Secrets:
 
 def for_both(plan: Plan) -> Secrets:
     """Return what rosdep needs, which calls apt and pip."""
-    return _of(plan, (APT_AUTH, PIP_INDEX, NETRC, SSH), "root")
+    return _of(plan, (APT_AUTH, PIP_INDEX, NETRC, SSH), "root", first=as_of(plan))
+
+
+def as_of(plan: Plan) -> tuple[str, ...]:
+    """Return the command that gives pip the index of the plan's day, none without a day."""
+    return (f'eval "$(index-as-of {plan.as_of.day})"',) if plan.as_of else ()
 
 
 def everything(plan: Plan, *, home: User, user: User) -> Secrets:
@@ -59,10 +64,13 @@ def everything(plan: Plan, *, home: User, user: User) -> Secrets:
     return _of(plan, plan.secrets, user, home=home)
 
 
-def _of(plan: Plan, wanted: Iterable[str], user: User, *, home: User | None = None) -> Secrets:
+def _of(
+    plan: Plan, wanted: Iterable[str], user: User, *, home: User | None = None, first: tuple[str, ...] = ()
+) -> Secrets:
     names = [name for name in wanted if name in plan.secrets]
     readable = ",mode=0444" if user == "user" else ""
-    mounts, commands = [], []
+    mounts: list[str] = []
+    commands = list(first)
     for name in names:
         if name == SSH:
             mounts.append("--mount=type=ssh,required=true" + (",mode=0666" if readable else ""))

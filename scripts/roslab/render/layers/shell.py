@@ -35,8 +35,9 @@ def run(*commands: str, comment: str = "", secrets: Secrets = NONE, around: Arou
     """Return one RUN in which each command must succeed before the next, with the secrets that it may read."""
     body = "".join(f"{mount} \\\n    " for mount in secrets.mounts)
     body += " \\\n && ".join((*secrets.commands, *around.first, *commands, *around.last))
-    script = copy_script("compile-jobs") if any(JOBS in command for command in commands) else ""
-    return f"{comment_lines(comment)}{script}{around.before}RUN {body}"
+    said = "\n".join((*secrets.commands, *around.first, *commands))
+    scripts = "".join(copy_script(name) for name in ("compile-jobs", "index-as-of") if f'"$({name}' in said)
+    return f"{comment_lines(comment)}{scripts}{around.before}RUN {body}"
 
 
 def call(

@@ -173,8 +173,9 @@ def clone(source: Source, folder: str) -> list[str]:
     commands = [f"git clone {quote.shell(source.repo or '')} {folder}"]
     if source.ref:
         commands.append(f"git -C {folder} -c advice.detachedHead=false checkout {quote.shell(source.ref)}")
-    elif source.before:
-        found = f'commit="$(git -C {folder} rev-list --max-count=1 --before={quote.shell(source.before)} HEAD)"'
+    if source.before:
+        until = quote.shell(f"{source.before}T23:59:59Z")
+        found = f'commit="$(git -C {folder} rev-list --max-count=1 --before={until} HEAD)"'
         commands += [found, f'git -C {folder} -c advice.detachedHead=false checkout "${{commit:-HEAD}}"']
     return [*commands, f"git -C {folder} submodule update --init --recursive"]
 

@@ -1,0 +1,62 @@
+"""What the world offers of a past day: package snapshots, ROS's syncs, rosdep's tables, Pythons."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+
+from roslab.knowledge.table import rows
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Sync:
+    """A sync of a ROS distribution: the day on which its packages were last released together."""
+
+    day: str
+    snapshot: bool
+    """snapshots.ros.org took one; only distributions with long support have them."""
+
+
+@cache
+def _syncs() -> dict[str, tuple[Sync, ...]]:
+    found: dict[str, list[Sync]] = {}
+    for row in rows("ros_syncs"):
+        found.setdefault(row["distro"], []).append(Sync(day=row["day"], snapshot=row["snapshot"] == "yes"))
+    return {name: tuple(sorted(syncs, key=lambda sync: sync.day)) for name, syncs in found.items()}
+
+
+def last_sync(distro: str, day: str) -> Sync | None:
+    """Return the last sync of a distribution not after a day (``YYYY-MM-DD``), ``None`` if none is known."""
+    return next((sync for sync in reversed(_syncs().get(distro, ())) if sync.day <= day), None)
+
+
+def rosdistro_ref(distro: str, day: str) -> tuple[str, str]:
+    """Return the ref of ros/rosdistro with the tables of a day, and the day that they are of.
+
+    The tag of the distribution's last sync, else the last commit of a month; before the first with today's index, it.
+    """
+    if sync := last_sync(distro, day):
+        return f"{distro}/{sync.day}", sync.day
+    table = rows("rosdistro_commits")
+    row = next((row for row in reversed(table) if row["day"] <= day), table[0])
+    return row["commit"], row["day"]
+
+
+def archives_of(day: str, system: str | None) -> tuple[tuple[str, str], ...]:
+    """Return ``(pattern of an address, address of its snapshot)`` of the archives that can be had as of a day.
+
+    ``system`` is Ubuntu or Debian, ``None`` for one that is not known.
+    """
+    time = f"{day.replace('-', '')}T235959Z"
+    known = (row for row in rows("snapshots") if row["since"] <= day and system in (None, row["system"]))
+    return tuple((row["pattern"], row["address"].format(time=time)) for row in known)
+
+
+def since(system: str) -> str:
+    """Return the first day of the snapshots of Ubuntu or Debian."""
+    return min(row["since"] for row in rows("snapshots") if row["system"] == system)
+
+
+def existed(python: str, day: str) -> bool:
+    """Tell whether a Python (``3.8``) had been released on a day; one that is not in the table counts as new."""
+    return any(row["python"] == python and row["released"] <= day for row in rows("pythons"))

@@ -1,0 +1,112 @@
+"""``date``: what the plan takes of a past day, and what it names that cannot be had of it."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from roslab.errors import ConfigurationError
+from roslab.pipeline import plan_repository
+from roslab.plan.plan import Plan, from_json, to_json
+from roslab.render.dockerfile import dockerfile
+
+PACKAGE = """\
+<package format="2">
+  <name>robot</name><version>1.0.0</version><description>x</description>
+  <maintainer email="a@example.org">a</maintainer><license>MIT</license>
+  <buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend>
+</package>
+"""
+CMAKE = "cmake_minimum_required(VERSION 3.0)\nproject(robot)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+ROS1 = {"package.xml": PACKAGE, "CMakeLists.txt": CMAKE}
+PYTHON = {"main.py": "import numpy\n\nprint(numpy.zeros(3))\n", "requirements.txt": "numpy\n"}
+CPP = {"CMakeLists.txt": "project(robot CXX)\nadd_executable(robot main.cpp)\n", "main.cpp": "int main() {}\n"}
+
+
+def plan(folder: Path, files: dict[str, str], config: str) -> Plan:
+    for path, text in {**files, "roslab.yaml": f"format: 3\n{config}"}.items():
+        (folder / path).write_text(text)
+    return plan_repository(folder).plan
+
+
+@pytest.mark.parametrize(
+    ("day", "distro", "tables", "ros"),
+    [
+        ("2017-03-01", "kinetic", "55d26753612d93f2d915e99b8b068626928e4fb9", "final"),
+        ("2021-01-20", "melodic", "melodic/2020-12-21", "2020-12-21"),
+        ("2022-06-01", "noetic", "noetic/2022-05-18", "2022-05-18"),
+    ],
+)
+def test_ros_is_of_the_day(tmp_path: Path, day: str, distro: str, tables: str, ros: str) -> None:
+    named = f"base: {{ros: {distro}}}\n" if distro == "melodic" else ""
+    found = plan(tmp_path, ROS1, f"date: {day}\n{named}")
+    assert found.ros_distro == distro
+    assert found.rosdep
+    assert found.rosdep.rosdistro_tag == tables
+    assert found.package_sources
+    assert found.package_sources.ros
+    assert f"/{distro}/{ros}/ubuntu" in found.package_sources.ros.url
+    text = dockerfile(found)
+    assert f"RUN take-snapshots {day}" in text
+    assert f'eval "$(index-as-of {day})"' in text
+    assert from_json(to_json(found)) == found
+
+
+def test_what_has_no_snapshot_is_named(tmp_path: Path) -> None:
+    found = plan(tmp_path, ROS1, "date: 2017-03-01\nbase: {ros: kinetic}\n")
+    said = " / ".join(warning.message for warning in found.warnings)
+    assert "Ubuntu has no snapshot before 2023-03-01" in said
+    assert "no snapshot of ROS kinetic of that time" in said
+    assert "rosdep's tables are of 2018-11-29" in said
+
+
+@pytest.mark.parametrize(
+    ("files", "day", "base"),
+    [
+        (PYTHON, "2019-05-20", "ubuntu:16.04"),
+        (PYTHON, "2024-05-20", "ubuntu:22.04"),
+        (CPP, "2019-05-20", "ubuntu:18.04"),
+        (CPP, "2024-05-20", "ubuntu:22.04"),
+    ],
+)
+def test_no_base_is_newer_than_the_day(tmp_path: Path, files: dict[str, str], day: str, base: str) -> None:
+    assert plan(tmp_path, files, f"date: {day}\n").base_image in {base, "python:3.7-slim-bookworm"}
+
+
+def test_a_distribution_that_came_later_is_taken_where_the_author_names_it_alone(tmp_path: Path) -> None:
+    said = {"README.md": "# Robot\n\nTested on ROS Noetic.\n"}
+    (tmp_path / "named").mkdir()
+    assert plan(tmp_path / "named", ROS1, "date: 2018-12-01\nbase: {ros: noetic}\n").ros_distro == "noetic"
+    assert plan(tmp_path, ROS1 | said, "date: 2018-12-01\n").ros_distro in {"kinetic", "melodic"}
+
+
+def test_clones_are_of_the_day(tmp_path: Path) -> None:
+    source = "source: [{name: sister, repo: 'https://example.org/sister.git', ref: main, build: catkin_make}]\n"
+    text = dockerfile(plan(tmp_path, ROS1, f"date: 2022-06-01\n{source}"))
+    assert "checkout main" in text
+    assert "--before=2022-06-01T23:59:59Z" in text
+
+
+def test_the_day_of_the_paper(tmp_path: Path) -> None:
+    found = plan(tmp_path, ROS1, "date: paper\n")
+    assert found.as_of is None
+    assert "neither a commit nor a citation file" in found.warnings[0].message
+    (tmp_path / "CITATION.cff").write_text("cff-version: 1.2.0\npreferred-citation:\n  year: 2021\n")
+    found = plan(tmp_path, ROS1, "date: paper\n")
+    assert found.as_of
+    assert found.as_of.day == "2021-12-31"
+    when = {"GIT_AUTHOR_DATE": "2020-07-09T12:00:00Z", "GIT_COMMITTER_DATE": "2020-07-09T12:00:00Z", "PATH": "/usr/bin"}
+    identity = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
+    for words in (["init", "--quiet"], ["add", "."], [*identity, "commit", "--quiet", "--message", "x"]):
+        subprocess.run(["git", "-C", tmp_path, *words], check=True, env={**when, "HOME": str(tmp_path)})
+    found = plan(tmp_path, ROS1, "date: paper\n")
+    assert found.as_of
+    assert found.as_of.day == "2020-07-09"
+
+
+@pytest.mark.parametrize("day", ["2019-02-30", "19-05-20", "yesterday", "2019"])
+def test_what_is_no_day(tmp_path: Path, day: str) -> None:
+    with pytest.raises(ConfigurationError):
+        plan(tmp_path, ROS1, f"date: {day}\n")
