@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import json
+import re
 import shutil
 import subprocess
 import sys
@@ -47,7 +49,7 @@ def main() -> int:
     options = parser.parse_args()
     start = time.monotonic()
     try:
-        laboratory.up()
+        laboratory.up(bases=bases(ROOT / "examples" / options.example))
         lab = laboratory.current()
         say(f"examples/{options.example} is pushed by a stranger who wrote one workflow")
         reference, tags = publish(lab, options.example)
@@ -63,6 +65,21 @@ def main() -> int:
         print("and so were the Docker actions unless REPRO_LAB_ACTIONS names a folder of the real ones.")
     print("`python3 tests/lab down` ends the engine and the registry.")
     return 0
+
+
+def bases(example: Path) -> tuple[str, ...]:
+    """Return the base images of an example's image: of its generated Dockerfile, or of its author's."""
+    roslab: list[str | Path] = [sys.executable, "-I", ROOT / "scripts"]
+    with tempfile.TemporaryDirectory(prefix="repro-demo-") as folder:
+        text = subprocess.run([*roslab, "inspect", example, "--format", "json"], check=True, capture_output=True).stdout
+        own = json.loads(text)["dockerfile"]
+        if own is None:
+            command = [*roslab, "create", example, "--output", folder]
+            subprocess.run(command, check=True, capture_output=True)
+        written = (example / own if own else Path(folder, "Dockerfile")).read_text(encoding="utf-8")
+    lines = re.findall(r"^FROM +(?:--\S+ +)*(\S+)(?: +AS +(\S+))?", written, re.MULTILINE | re.IGNORECASE)
+    stages = {"scratch", *(stage for _, stage in lines)}
+    return tuple(dict.fromkeys(base for base, _ in lines if base not in stages))
 
 
 def publish(lab: laboratory.Laboratory, example: str) -> tuple[str, tuple[str, ...]]:

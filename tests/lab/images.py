@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from . import facts, packages_folder, registry, rootfs
-from .command import run, succeeds
+from .command import LabError, run, succeeds
 from .home import HERE, folder, recipe
 
 RECIPES = HERE / "images"
@@ -57,6 +57,23 @@ def wanted(architectures: Sequence[str], *, everything: bool = False) -> tuple[I
         for row in rows
         if row["id"] not in replaced
     )
+
+
+def needed(images: Sequence[Image], names: Sequence[str]) -> tuple[Image, ...]:
+    """Return the stand-ins with these real names, and those that they are based on.
+
+    Raises LabError for a name that no stand-in has.
+    """
+    by_id = {image.id: image for image in images}
+    found: set[str] = set()
+    for name in names:
+        image = next((image for image in images if name in image.names), None)
+        if image is None:
+            raise LabError(f"there is no stand-in for {name}, and the real one is out of reach")
+        while image is not None:
+            found.add(image.id)
+            image = by_id[image.base] if image.base else None
+    return tuple(image for image in images if image.id in found)
 
 
 def _contexts(row: dict[str, Any]) -> tuple[tuple[str, Path], ...]:

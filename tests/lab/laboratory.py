@@ -6,7 +6,8 @@ import os
 import secrets
 import shutil
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -45,10 +46,11 @@ class Laboratory:
         return f"{self.registry}/{name}-{secrets.token_hex(4)}"
 
 
-def up(*, emulated: bool = True, everything: bool = False) -> None:
+def up(*, emulated: bool = True, everything: bool = False, bases: Sequence[str] | None = None) -> None:
     """Make and start everything a test may want, one line of progress per step; what is there already stays.
 
-    Without `emulated` the stand-ins are for this machine alone; `everything` adds those that take long under emulation.
+    Without `emulated` the stand-ins are for this machine alone; `everything` adds those that take long under emulation;
+    `bases` are the real names of the only ones that are wanted. Programs are compiled beside the making of images.
     Raises LabError when a step fails.
     """
     if os.geteuid() != 0 and engine.host() is None:
@@ -66,16 +68,22 @@ def up(*, emulated: bool = True, everything: bool = False) -> None:
             real = network.real_registry()
             _standins_marker().write_text("no" if real else "yes")
             told.note = "yes, no stand-ins are made" if real else "no, stand-ins are made"
-        if not real:
-            _images(emulated=emulated, everything=everything)
-        for title, make in (("act", tools.act), ("node", tools.node)):
-            with step(title) as told:
-                told.note = str(make())
-        with step("buildkitd") as told:
-            told.note = buildkit.up()
+        with ThreadPoolExecutor(max_workers=1) as beside:
+            programs = beside.submit(_programs)
+            if not real:
+                _images(emulated=emulated, everything=everything, bases=bases)
+            programs.result()
 
 
-def _images(*, emulated: bool, everything: bool) -> None:
+def _programs() -> None:
+    for title, make in (("act", tools.act), ("node", tools.node)):
+        with step(title) as told:
+            told.note = str(make())
+    with step("buildkitd") as told:
+        told.note = buildkit.up()
+
+
+def _images(*, emulated: bool, everything: bool, bases: Sequence[str] | None) -> None:
     env = _docker_environment()
     # Who once asked for everything keeps it; else the next plain `up` would take the slow images away again.
     kept = folder() / "everything"
@@ -87,7 +95,7 @@ def _images(*, emulated: bool, everything: bool) -> None:
             told.note = rootfs.make(architecture).name
     rootfs.machine(folder("rootfs", "machine"))
     wanted = images.wanted(architectures, everything=everything)
-    for image in wanted:
+    for image in wanted if bases is None else images.needed(wanted, bases):
         with step(f"stand-in {image.names[0] if image.names else image.id}") as told:
             told.note = images.make(image, wanted, env)
     if everything:

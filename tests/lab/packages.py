@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import sys
+import threading
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
@@ -18,6 +19,8 @@ SOURCES = Path("/etc/apt")
 # Without these apt also fetches icons and component descriptions, four times as much as the index itself.
 LEAN = ("-o", "Acquire::IndexTargets::deb::DEP-11::DefaultEnabled=false", "-o", "Acquire::Languages=none")
 QUIET = {"DEBIAN_FRONTEND": "noninteractive"}
+_apt = threading.RLock()
+"""Two threads of the lab never run apt at once: the second would fail at dpkg's own lock."""
 
 
 def installed(names: Sequence[str]) -> bool:
@@ -35,11 +38,12 @@ def _version(name: str) -> str:
 
 def install(names: Sequence[str]) -> bool:
     """Install what is missing of Debian packages from the machine's own sources; tell whether anything was missing."""
-    if installed(names):
-        return False
-    update()
-    run(["apt-get", "install", "-y", "--no-install-recommends", *names], log=f"apt-{names[0]}", env=QUIET)
-    return True
+    with _apt:
+        if installed(names):
+            return False
+        update()
+        run(["apt-get", "install", "-y", "--no-install-recommends", *names], log=f"apt-{names[0]}", env=QUIET)
+        return True
 
 
 @cache
@@ -58,11 +62,12 @@ def install_from(suites: Sequence[str], names: Sequence[str]) -> str:
     tried = []
     for suite in suites:
         options = _beside(suite, names)
-        run(["apt-get", *options, "update"], log=f"apt-update-{suite}", env=QUIET)
         command = ["apt-get", *options, "install", "-y", "--no-install-recommends", *names]
-        if succeeds([*command, "-s"]):
-            run(command, log=f"apt-{suite}", env=QUIET)
-            return suite
+        with _apt:
+            run(["apt-get", *options, "update"], log=f"apt-update-{suite}", env=QUIET)
+            if succeeds([*command, "-s"]):
+                run(command, log=f"apt-{suite}", env=QUIET)
+                return suite
         tried.append(suite)
     raise LabError(f"no suite of {', '.join(tried)} has {', '.join(names)} for this machine")
 
