@@ -8,7 +8,10 @@ from dataclasses import dataclass
 
 from roslab.decide.python.pythons import PREFERRED
 from roslab.explain.answer import Explanation
+from roslab.knowledge.distros import default_distro, distro, distros_of, ubuntus
+from roslab.knowledge.os_releases import has_ended
 from roslab.knowledge.released import released
+from roslab.knowledge.ros_sources import ros_sources
 from roslab.repair.change import Given
 from roslab.values.specifier import admits, specifiers
 
@@ -113,7 +116,46 @@ def ros(found: Explanation, given: Given) -> Worked:
     if distro and known:
         return Worked(values=tuple(f"ros-{distro}-{word.replace('_', '-')}" for word in known))
     missing = ", ".join(wanted)
-    return Worked(why=f"{missing} is not released for ROS {distro}: name its repository under `source`")
+    known_sources = (source for word in wanted for source in ros_sources(word, _generation(distro)))
+    lines = [f"{{name: {each.package}, url: {each.repo}, ref: {each.ref}}}" for each in known_sources]
+    where = f": `source: [{', '.join(lines)}]`" if lines else ""
+    return Worked(why=f"{missing} is not released for ROS {distro}: name its repository under `source`{where}")
+
+
+def _generation(name: str | None) -> int:
+    known = distro(name)
+    return known.ros if known else 0
+
+
+_OF_ROS_1 = ("catkin", "roscpp", "rospy", "roslaunch", "message_generation", "message_runtime", "rviz", "tf")
+_OF_ROS_2 = ("ament_", "rclcpp", "rclpy", "rosidl_", "launch_ros")
+
+
+def other_ros(found: Explanation, given: Given) -> Worked:
+    """Take the ROS that the code is written for: the one made for the image's Ubuntu, or its generation's usual one."""
+    names = dict(found.names)
+    now = given.plan.ros_distro
+    word = names.get("name") or names.get("key", "")
+    wanted = 1 if word in _OF_ROS_1 else 2 if word.startswith(_OF_ROS_2) else 0
+    if names.get("version") in ubuntus().values() and wanted:
+        fitting = distros_of(names["version"], 1 if wanted == 1 else 2)
+        return Worked(values=fitting[:1], certain=False, why=f"no ROS {wanted} is made for {names['version']}")
+    if not wanted or wanted == _generation(now):
+        return Worked(why=f"ROS {now} has it: source /opt/ros/{now}/setup.bash in that step" if now else found.fix)
+    return Worked(values=(default_distro(1 if wanted == 1 else 2).name,), certain=False)
+
+
+def newer_ubuntu(_: Explanation, given: Given) -> Worked:
+    """Take the next release of Ubuntu that is still supported."""
+    if given.plan.ros_distro:
+        return Worked(why=f"ROS {given.plan.ros_distro} belongs to its Ubuntu: take a newer ROS with `base.ros`")
+    releases = list(ubuntus().items())
+    codenames = [codename for _, codename in releases]
+    if given.plan.ubuntu not in codenames:
+        return Worked(why="the base image is no Ubuntu that `base.ubuntu` sets")
+    later = releases[codenames.index(given.plan.ubuntu) + 1 :]
+    fitting = [version for version, codename in later if not has_ended(codename)]
+    return Worked(values=tuple(fitting[:1]), certain=False, why="there is no newer Ubuntu yet")
 
 
 def renamed(found: Explanation, given: Given) -> Worked:
@@ -161,7 +203,9 @@ WAYS: Mapping[str, Way] = {
     "cmake": cmake,
     "jobs": jobs,
     "key": key,
+    "newer-ubuntu": newer_ubuntu,
     "numpy": numpy,
+    "other-ros": other_ros,
     "python": python,
     "released": ros,
     "renamed": renamed,

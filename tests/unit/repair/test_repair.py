@@ -144,6 +144,28 @@ def test_plan_and_log_give_the_value_and_who_asked(
     assert str(found.changes[0].asked.place) == str(place), found
 
 
+GLIBC = "./tool: /lib/libc.so.6: version `GLIBC_2.38' not found"
+CATKIN = 'By not providing "Findcatkin.cmake" in CMAKE_MODULE_PATH'
+
+
+@pytest.mark.parametrize(
+    ("yaml", "text", "wanted"),
+    [
+        ("base: {ros: humble}", log("colcon build", CATKIN), "base.ros: noetic"),
+        (
+            "base: {ros: noetic}",
+            log("rosdep install -y", "arm: No definition of [ament_cmake] for OS version [jammy]"),
+            "base.ros: humble",
+        ),
+        ("base: {ubuntu: '22.04'}", log("./tool", GLIBC), "base.ubuntu: 24.04"),
+    ],
+)
+def test_another_base_is_likely_and_never_certain(tmp_path: Path, yaml: str, text: str, wanted: str) -> None:
+    found = repaired(made(tmp_path, {**CPP, "roslab.yaml": f"format: 3\n{yaml}\n"}), text)
+    assert [str(change) for change in found.changes] == [wanted]
+    assert found.certain.changes == ()
+
+
 @pytest.mark.parametrize(
     ("files", "text", "why"),
     [
@@ -163,6 +185,17 @@ def test_plan_and_log_give_the_value_and_who_asked(
             "roslab.yaml has libgoogle-glog-dev already",
         ),
         (CPP, log("make", "main.cpp:1:1: error: what is this"), "no known cause"),
+        (ROS, log("catkin_make", CATKIN), "ROS noetic has it: source /opt/ros/noetic/setup.bash"),
+        (ROS, log("make", GLIBC), "ROS noetic belongs to its Ubuntu"),
+        (
+            ROS,
+            log(
+                "catkin_make",
+                "Could not find a package configuration file provided by",
+                '  "catkin_simple" with any of the following names: /opt/ros/noetic',
+            ),
+            "`source: [{name: catkin_simple, url: https://github.com/catkin/catkin_simple.git, ref: ",
+        ),
     ],
 )
 def test_where_nothing_answers_it_says_why(tmp_path: Path, files: Mapping[str, str], text: str, why: str) -> None:
