@@ -135,6 +135,13 @@ def _building_commands(commands: Commands) -> None:
     run.add_argument("--notebook", action="store_true", help="open JupyterLab instead of the default command")
     _tag(run)
     run.add_argument("arguments", nargs="*", metavar="-- COMMAND", help="a command to run instead of the default one")
+    verify = _command(commands, "verify", "Prove a published image again, here, and compare with what it carries.")
+    verify.add_argument("image", metavar="IMAGE", help="the image, such as ghcr.io/OWNER/NAME:TAG")
+    verify.add_argument(
+        "--platform", metavar="NAME", help="platform to prove, such as linux/arm64 (default: the engine's)"
+    )
+    verify.add_argument("--like", metavar="IMAGE", help="compare with what this other image carries")
+    _format(verify)
 
 
 def _rounds(text: str) -> int:

@@ -12,7 +12,13 @@ from importlib import import_module
 from roslab.cli.arguments import completed, parser
 from roslab.errors import RoslabError
 
-MODULES = {"build": "building", "explain": "explaining", "lock": "locking", "diff": "locking"}
+MODULES = {
+    "build": "building",
+    "explain": "explaining",
+    "lock": "locking",
+    "diff": "locking",
+    "verify": "verifying",
+}
 """Modules of the commands that are not in ``commands``."""
 
 

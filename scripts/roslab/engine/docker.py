@@ -177,6 +177,19 @@ def commit_labels(root: Path) -> tuple[tuple[str, str], ...]:
     return (("org.opencontainers.image.revision", revision),) if revision else ()
 
 
+def labels_of(reference: str) -> dict[str, str]:
+    """Return the labels of an image in the engine, none if it is not there."""
+    answer = output(["docker", "image", "inspect", "--format", "{{json .Config.Labels}}", reference])
+    return dict(json.loads(answer.stdout) or {}) if answer.returncode == 0 else {}
+
+
+def starts_shell(reference: str) -> bool:
+    """Tell whether a loaded image starts a bare shell, as base images do."""
+    answer = output(["docker", "image", "inspect", "--format", "{{json .Config.Cmd}}", reference])
+    words = json.loads(answer.stdout) if answer.returncode == 0 else None
+    return isinstance(words, list) and [Path(word).name for word in words] in (["bash"], ["sh"])
+
+
 def name_image(candidate: str, name: str) -> None:
     """Give an image that passed its proofs its name. Raises ``BuildError`` if the engine refuses."""
     answer = output(["docker", "tag", candidate, name])

@@ -217,9 +217,9 @@ def pull(reference: str, platform: str) -> None:
         raise BuildError(Problem(message=f"cannot pull {reference} for {platform}: {last_line(answer.stderr)}"))
 
 
-def annotations_of(image: str, digest: str) -> dict[str, str]:
+def annotations_of(reference: str) -> dict[str, str]:
     """Return the annotations of a manifest or index. Raises ``BuildError`` if the registry does not return it."""
-    found = _inspect(f"{image}@{digest}").get("annotations")
+    found = _inspect(reference).get("annotations")
     return {str(name): str(value) for name, value in found.items()} if isinstance(found, dict) else {}
 
 

@@ -11,6 +11,7 @@ from roslab.github import api, event, kept, rebuild, signing, tags, workflow
 from roslab.github.event import Event
 from roslab.github.labels import PREFIX
 from roslab.github.run import Folder, Run, reports_folder
+from roslab.plan import record
 from roslab.render.outcome import PlatformReport, platforms_of
 
 REVISION = f"{PREFIX}.revision"
@@ -37,8 +38,9 @@ def index(environment: Mapping[str, str]) -> None:
         workflow.warn(Problem(message=reason))
         return
     own = tags.dressed(tags.own(said, run.image, what), run.plan.tags)
-    said_of_it = registry.annotations_of(run.image, proved[0].digest)
+    said_of_it = registry.annotations_of(f"{run.image}@{proved[0].digest}")
     annotated = {name: value for name, value in said_of_it.items() if name.startswith(PREFIX)}
+    annotated[record.KEY] = record.to_json(record.record(run.plan, {each.platform: each.ladder for each in proved}))
     digest = registry.create_index(run.image, tuple(dict.fromkeys(report.source for report in proved)), own, annotated)
     digests = {report.platform: report.digest for report in proved}
     unsigned = signing.unsigned(what)

@@ -10,6 +10,7 @@ from roslab.errors import ConfigurationError
 from roslab.github import kept
 from roslab.github.event import Event
 from roslab.github.run import Folder, Run
+from roslab.render import climbed
 from roslab.render.markdown import code
 from roslab.render.outcome import Report, platforms_of
 
@@ -43,7 +44,7 @@ def collect(folder: Folder, reports: Path, event: Event) -> Report:
         verify=tuple(published.get("verify", ())),
         unsigned=published.get("unsigned", ""),
         notes=_visibility(run, event, public=published.get("public")) if published else _origin(event),
-        badge=_badge(run, event),
+        badge="\n".join(filter(None, (_badge(run, event), climbed.badge(platforms, run.revision)))),
     )
 
 

@@ -8,11 +8,11 @@ import tempfile
 import time
 from collections.abc import Sequence
 from contextlib import ExitStack, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from roslab.config.model import ProofGoals, ProofLimits
-from roslab.engine.docker import Say, machine_memory, output, say
+from roslab.engine.docker import Say, machine_memory, output, say, starts_shell
 from roslab.errors import BuildError
 from roslab.knowledge.launches import dead_nodes
 from roslab.plan.proof import Proof, describe
@@ -48,6 +48,8 @@ class Seen:
     restarted: tuple[str, ...] = ()
     written: tuple[str, ...] = ()
     """Figures and result files in the container that were not in the image."""
+    bare: bool = False
+    """The image's own command is a shell, which ends without a terminal: no program has started."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -139,6 +141,7 @@ def _prove_once(  # noqa: PLR0917 - what one proof is made of
         start = time.monotonic()
         log = folder / "log"
         seen, watched = _run([*words, reference, *proof.command], log, proof, goals, camera)
+        seen = replace(seen, bare=proof.rung == 1 and not proof.command and starts_shell(reference))
         seconds = time.monotonic() - start
         with log.open("rb") as stream:
             dead = dead_nodes(_text(stream.read(READ_OUTPUT))) if proof.may_run_on else ()

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from roslab.config.model import ProofGoals
+from roslab.knowledge.test_counts import count_of_tests
 from roslab.plan.ladder import Ladder, Rung
 from roslab.plan.proof import Proof
 from roslab.prove.containers import Outcome
@@ -27,7 +29,7 @@ def climb(proofs: Sequence[Proof], outcomes: Sequence[Outcome], goals: ProofGoal
         _starts(start, outcome),
         _talks(start, outcome, goals),
         _shows(start, outcome),
-        _commands(4, [proof for proof in proofs if proof.rung == 4], seen),
+        _agrees([proof for proof in proofs if proof.rung == 4], seen),
     )
     return Ladder(rungs=tuple(rung for rung in rungs if rung))
 
@@ -46,8 +48,27 @@ def _commands(number: int, proofs: Sequence[Proof], seen: dict[str, Outcome]) ->
     return Rung(number=number, state="missed", said=why, needed=f"that {short.name}", facts=facts)
 
 
+def _agrees(proofs: Sequence[Proof], seen: dict[str, Outcome]) -> Rung | None:
+    """Return the rung of the tests: one that ended with 0 and ran nothing has agreed with nothing."""
+    found = _commands(4, proofs, seen)
+    if found is None or found.state != "held":
+        return found
+    counts = {proof.name: count_of_tests(seen[proof.name].output) for proof in proofs}
+    if empty := [name for name, count in counts.items() if count == 0]:
+        return replace(
+            found,
+            state="missed",
+            said=f"{_listed(empty)} ended with 0, and ran no test",
+            needed="a test that is found and not skipped",
+        )
+    told = [
+        f"{name}: {_count(count, 'test')} ran" if count else f"{name} ended with 0" for name, count in counts.items()
+    ]
+    return replace(found, said=_listed(told), facts=tuple(told))
+
+
 def _starts(start: Proof | None, outcome: Outcome | None) -> Rung | None:
-    if start is None:
+    if start is None or (outcome and outcome.seen.bare):
         return None
     if outcome is None:
         return _untried(1)
@@ -68,6 +89,8 @@ def _starts(start: Proof | None, outcome: Outcome | None) -> Rung | None:
 def _talks(start: Proof | None, outcome: Outcome | None, goals: ProofGoals) -> Rung | None:
     if start is None or start.graph is None:
         return None
+    if outcome and outcome.seen.bare:
+        return None
     graph = outcome.seen.graph if outcome else None
     if graph is None:
         return _untried(2)
@@ -77,7 +100,7 @@ def _talks(start: Proof | None, outcome: Outcome | None, goals: ProofGoals) -> R
         *(f"service {name}" for name in graph.services),
     )
     needed = _missing(graph, goals)
-    if not graph.nodes:
+    if not graph.nodes and not graph.topics:
         said = "no node was in the graph" + (f": {graph.problem}" if graph.problem else "")
         blind = graph.problem.startswith("the image has no")
         return Rung(number=2, state="unseen" if blind else "missed", said=said, needed=needed)
@@ -89,6 +112,8 @@ def _missing(graph: Graph, goals: ProofGoals) -> str:
 
     A node that only serves talks if it answers a question without effect and has a service of its own.
     """
+    if not graph.nodes:
+        return "a node in the graph that is not hidden"
     talking = {topic.name for topic in graph.topics if topic.messages}
     if silent := [name for name in goals.topics if name not in talking]:
         return f"a message on {', '.join(silent)}"

@@ -19,7 +19,11 @@ AGAIN = 1.0
 """Seconds after which a probe is started again, for example because the container was not yet running."""
 READ = 1 << 20
 """Bytes from the end of what it printed that hold its last line."""
-START = 'for python in python3 python2 python; do command -v $python >/dev/null && exec $python - "$@"; done; exit 127'
+START = """\
+program=$(cat)
+for python in python3 python2 python; do command -v $python >/dev/null && exec $python -c "$program" "$@"; done
+exit 127
+"""
 
 
 @dataclass(kw_only=True, slots=True)

@@ -108,7 +108,7 @@ def test_a_launch_with_a_dead_node_says_which() -> None:
         ),
         (replace(TALK, topics=(SILENT,), services=("/add",)), NONE, "a message on one of its topics"),
         (TALK, ProofGoals(topics=("/scan", "/chatter")), "a message on /scan"),
-        (Graph(), NONE, "a node that publishes, or serves and answers"),
+        (Graph(), NONE, "a node in the graph that is not hidden"),
     ],
 )
 def test_what_a_graph_needs_to_talk(graph: Graph, goals: ProofGoals, needed: str) -> None:
@@ -155,3 +155,14 @@ def test_what_is_asked_for() -> None:
     assert below(ladder, None) == below(ladder, 0) == below(ladder, 1) == ""
     assert below(ladder, 2).endswith("and rung 2, talks, does not hold: a message on one of its topics")
     assert "which this image cannot have" in below(of(outcome(PLAIN)), 3)
+
+
+def test_a_test_that_collects_nothing() -> None:
+    found = rung(of(replace(outcome(TEST), output="Ran 0 tests in 0.000s\n\nOK\n")), 4)
+    assert (found.state, found.said) == ("missed", "the repository's test ended with 0, and ran no test")
+    assert rung(of(replace(outcome(TEST), output="Ran 2 tests in 0.1s\n")), 4).said.endswith("test: 2 tests ran")
+    assert rung(of(outcome(TEST)), 4).said == "the repository's test ended with 0"
+
+
+def test_an_image_whose_own_command_is_a_shell() -> None:
+    assert of(outcome(START, seen=Seen(code=0, bare=True, graph=Graph(problem="x")))).rungs == ()

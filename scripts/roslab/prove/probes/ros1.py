@@ -170,4 +170,4 @@ def main(play):
         time.sleep(PAUSE)
 
 
-main(*sys.argv[1:2] or [""])
+main(sys.argv[1])
