@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -94,7 +93,3 @@ def to_data(ladder: Ladder) -> list[dict[str, Any]]:
     """Return a ladder for JSON."""
     return [dataclasses.asdict(rung) for rung in ladder.rungs]
 
-
-def to_json(ladder: Ladder) -> str:
-    """Return a ladder as one line of JSON."""
-    return json.dumps(to_data(ladder), separators=(",", ":"))
