@@ -92,4 +92,3 @@ def below(ladder: Ladder, wanted: int | None) -> str:
 def to_data(ladder: Ladder) -> list[dict[str, Any]]:
     """Return a ladder for JSON."""
     return [dataclasses.asdict(rung) for rung in ladder.rungs]
-
