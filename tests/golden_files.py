@@ -11,8 +11,9 @@ from pathlib import Path
 GOLDEN = Path(__file__).resolve().parent / "golden"
 EXAMPLES = GOLDEN.parent.parent / "examples"
 CONSTANT = "_constant"
+DISTROS = "_distros"
 MARK = re.compile(rf"^@@ {CONSTANT}/(\S+) @@\n", re.MULTILINE)
-_CARRIED = re.compile(r"(^COPY --chmod=755 <<'EOF' /([\w-]+)\n)(.*?)(?=^EOF$)", re.MULTILINE | re.DOTALL)
+_CARRIED = re.compile(r"(^COPY (?:--chmod=755 )?<<'EOF' /([\w.-]+)\n)(.*?)(?=^EOF$)", re.MULTILINE | re.DOTALL)
 _BODY = re.compile(r"(^# ---- the same for every repository[^\n]*\n)(.*)", re.MULTILINE | re.DOTALL)
 
 
@@ -28,7 +29,7 @@ def contents(folder: Path) -> dict[str, str]:
 
 def whole(name: str) -> dict[str, str]:
     """Return the files that an example gives, by path, each byte of them."""
-    return {path: MARK.sub(_part, text) for path, text in contents(GOLDEN / name).items()}
+    return {path: unfolded(text) for path, text in contents(GOLDEN / name).items()}
 
 
 def refresh(name: str, made: dict[str, str]) -> None:
@@ -38,10 +39,21 @@ def refresh(name: str, made: dict[str, str]) -> None:
         (GOLDEN / name / path).unlink()
     for path, text in made.items():
         (GOLDEN / name / path).parent.mkdir(parents=True, exist_ok=True)
-        (GOLDEN / name / path).write_text(_folded(path, text))
+        (GOLDEN / name / path).write_text(folded(path, text))
 
 
-def _folded(path: str, text: str) -> str:
+def of_distros() -> dict[str, str]:
+    """Return the Dockerfile of each ROS distribution, each byte of it."""
+    return {path.name: unfolded(path.read_text()) for path in sorted((GOLDEN / DISTROS).iterdir())}
+
+
+def unfolded(text: str) -> str:
+    """Return a golden file with each constant part in its place."""
+    return MARK.sub(_part, text)
+
+
+def folded(path: str, text: str) -> str:
+    """Return a file as it is kept, and keep the constant parts that it has."""
     if path == "Dockerfile":
         return _CARRIED.sub(lambda found: found[1] + _kept(found[2], found[3]), text)
     if path.endswith(".sh"):

@@ -10,7 +10,9 @@ from subprocess import CompletedProcess
 
 import pytest
 
-from golden_files import names, whole
+from golden_files import names, of_distros, whole
+from roslab.pipeline import plan_repository
+from roslab.render.bases import bases
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 GENERATED = [name for name in names() if "Dockerfile" in whole(name)]
@@ -25,6 +27,7 @@ PYTHON = {"main.py": "import numpy\n\nif __name__ == '__main__':\n    print(nump
 VARIANTS = {
     "catkin_tools": ROS
     | {"roslab.yaml": "format: 3\nbase:\n  ros: noetic\nbuild: catkin_tools\nbuild_args: [--verbose]\n"},
+    "past_day": ROS | {"roslab.yaml": "format: 3\nbase:\n  ros: noetic\ndate: 2024-05-20\npip: [numpy]\n"},
     "old_distro": ROS | {"roslab.yaml": "format: 3\nbase:\n  ros: melodic\nskip_keys: [some_key]\n"},
     "sister_source": ROS
     | {
@@ -81,6 +84,25 @@ def lint(text: str, hadolint: str) -> None:
 @pytest.mark.parametrize("name", GENERATED)
 def test_examples(name: str, tool: Callable[[str], str]) -> None:
     lint(whole(name)["Dockerfile"], tool("hadolint"))
+
+
+def test_every_distribution(tool: Callable[[str], str]) -> None:
+    for text in of_distros().values():
+        lint(text, tool("hadolint"))
+
+
+def test_what_replaces_the_bases_of_an_authors_dockerfile(tmp_path: Path, tool: Callable[[str], str]) -> None:
+    files = {
+        "Dockerfile": "FROM ros:kinetic AS one\nFROM nvidia/cuda:10.0-devel-ubuntu18.04\nCOPY . /source\n",
+        "CMakeLists.txt": "project(robot CXX)\n",
+        "roslab.yaml": "format: 3\nkind: cpp\ndockerfile: Dockerfile\n",
+    }
+    for path, text in files.items():
+        (tmp_path / path).write_text(text)
+    authored = plan_repository(tmp_path).plan.author_dockerfile
+    assert authored
+    assert len(authored.bases) == 2
+    lint(bases(authored.bases), tool("hadolint"))
 
 
 @pytest.mark.parametrize("name", VARIANTS)
