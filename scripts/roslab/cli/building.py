@@ -60,6 +60,10 @@ def _once(
     secrets = of_environment(planned.plan.secrets, os.environ)
     screenshots = _screenshots(options, planned)
     platforms = planned.plan.platforms if options.platforms else (engine.native_platform(),)
+    if planned.plan.lock:
+        from roslab.cli.locking import available, compared  # noqa: PLC0415 - the other builds do without
+
+        planned = available(planned, platforms)
     authored = planned.plan.author_dockerfile
     name = f"{planned.plan.name}:{options.tag}"
     engine.say(f"roslab: building {name} for {', '.join(platforms)}")
@@ -87,6 +91,8 @@ def _once(
                 engine.build(job)
                 if not options.no_proof:
                     prove(planned, candidates[-1], platform, f"{name} was not named", screenshots)
+                if planned.plan.lock:
+                    compared(planned, candidates[-1], platform)
         for candidate, platform in zip(candidates, platforms, strict=True):
             # The engine's image store may hold only one platform per name, so each of several gets its own name
             suffix = f"-{platform.rpartition('/')[2]}" if len(platforms) > 1 else ""

@@ -5,21 +5,30 @@ from __future__ import annotations
 import argparse
 import sys
 import tempfile
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from roslab.cli.building import prove
 from roslab.cli.planning import planned_of
 from roslab.engine import docker as engine
 from roslab.engine import registry
-from roslab.errors import BuildError
+from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.files import write_configuration
-from roslab.lock import inventory, making
+from roslab.lock import check as checking
+from roslab.lock import comparison, inventory, making
 from roslab.pipeline import Planned, lock_file
-from roslab.plan.lock import to_text
+from roslab.plan.lock import to_text, without
+from roslab.render import moved
+from roslab.render.dockerfile import question
+
+NEAREST = "a build takes what is left; build, look whether it still proves, and run `roslab lock`"
 
 
 def lock(options: argparse.Namespace) -> int:
     """Prove the image of every platform again, and write what they are made of beside roslab.yaml."""
+    if options.check:
+        return _check(options)
     options.no_lock = True  # an older lock says nothing of what this image holds
     planned = planned_of(options)
     engine.check()
@@ -39,6 +48,53 @@ def lock(options: argparse.Namespace) -> int:
     return 0
 
 
+def _check(options: argparse.Namespace) -> int:
+    """Say what of roslab.lock could no longer be had."""
+    planned = planned_of(options)
+    if planned.plan.lock is None:
+        hint = "build with `roslab build`, then run `roslab lock`"
+        raise ConfigurationError(Problem(message=f"there is no {lock_file(planned.config)}", hint=hint))
+    engine.check()
+    problems = []
+    for platform, _ in _names(options, planned):
+        answer = checking.check(planned.plan, question(planned.plan), platform)
+        for said in answer.silent:
+            engine.say(f"roslab: warning: {said}")
+        problems += [Problem(message=f"{platform}: {each}", hint=NEAREST) for each in answer.missing]
+    if problems:
+        raise BuildError(*problems)
+    sys.stdout.write(f"{lock_file(planned.config)}: everything it names can still be had\n")
+    return 0
+
+
+def available(planned: Planned, platforms: Sequence[str]) -> Planned:
+    """Return what is planned without what its lock names and nobody has any more; each is told before the build."""
+    plan = planned.plan
+    if plan.lock is None or plan.author_dockerfile:
+        return planned
+    for platform in platforms:
+        answer = checking.check(plan, question(plan), platform)
+        for said in answer.silent:
+            engine.say(f"roslab: warning: {said}")
+        for each in answer.missing:
+            engine.say(f"{lock_file(planned.config)}: warning: {each}")
+        plan = without(plan, answer.missing)
+    return replace(planned, plan=plan)
+
+
+def compared(planned: Planned, image: str, platform: str) -> None:
+    """Say how much of an image is not as its lock has it."""
+    machine = planned.plan.lock.machine(platform) if planned.plan.lock else None
+    if machine is None:
+        return
+    found = comparison.compare(comparison.locked(machine), comparison.contents(inventory.read(image, platform)))
+    engine.say(
+        f"roslab: {len(found.moved)} of {found.packages} packages are not as {lock_file(planned.config)} has them"
+    )
+    for change in found.moved:
+        engine.say(f"    {change.kind}: {moved.line(change)}")
+
+
 def _names(options: argparse.Namespace, planned: Planned) -> list[tuple[str, str]]:
     """Return the platforms and the names that `roslab build` gave their images."""
     platforms = planned.plan.platforms if options.platforms else (engine.native_platform(),)
@@ -49,9 +105,6 @@ def _names(options: argparse.Namespace, planned: Planned) -> list[tuple[str, str
 
 def diff(options: argparse.Namespace) -> int:
     """Print what moved from one image to another."""
-    from roslab.lock import comparison  # noqa: PLC0415
-    from roslab.render import moved  # noqa: PLC0415
-
     engine.check()
     platform = options.platform or engine.native_platform()
     old, new = (_read(reference, platform) for reference in (options.old, options.new))

@@ -181,21 +181,25 @@ def _build(watch: Watch) -> None:
         with workflow.group(f"Build {run.plan.name} from nothing for {watch.platform}"):
             file = write_bases(run.plan, Path(place))
             mended = mend_bases(bases_of(run.plan), file, platforms=(watch.platform,)) if file else Mended()
-            engine.build(
-                engine.Build(
-                    context=context,
-                    dockerfile=dockerfile,
-                    platforms=(watch.platform,),
-                    tags=(watch.candidate,),
-                    contexts=mended.contexts,
-                    arguments=authored.args if authored else (),
-                    target=authored.target if authored else None,
-                    secrets=secrets.held(watch.folder, run, watch.environment),
-                    extra=("--no-cache", "--pull") if _pulls(watch.environment) else ("--no-cache",),
+            try:
+                engine.build(
+                    engine.Build(
+                        context=context,
+                        dockerfile=dockerfile,
+                        platforms=(watch.platform,),
+                        tags=(watch.candidate,),
+                        contexts=mended.contexts,
+                        arguments=authored.args if authored else (),
+                        target=authored.target if authored else None,
+                        secrets=secrets.held(watch.folder, run, watch.environment),
+                        extra=("--no-cache", "--pull")
+                        if _pulls(watch.environment) and not mended.images
+                        else ("--no-cache",),
+                    )
                 )
-            )
-            for image in mended.images:
-                engine.remove_image(image)
+            finally:
+                for image in mended.images:
+                    engine.remove_image(image)
 
 
 def _pulls(environment: Environment) -> bool:

@@ -11,6 +11,7 @@ from roslab.engine import registry
 from roslab.engine.docker import output
 from roslab.errors import BuildError, Problem
 from roslab.lock import online
+from roslab.lock.check import GIT
 from roslab.lock.inventory import Inventory, inspect
 from roslab.lock.steps import placed
 from roslab.plan.lock import python_of
@@ -112,7 +113,7 @@ def _rosdistro(plan: Plan) -> str | None:
         return None
     if plan.rosdep.rosdistro_tag:
         return plan.rosdep.rosdistro_tag
-    answer = output(["git", "ls-remote", ROSDISTRO, "HEAD"])
+    answer = output([*GIT, "ls-remote", ROSDISTRO, "HEAD"])
     return answer.stdout.split()[0] if answer.returncode == 0 and answer.stdout.split() else None
 
 
@@ -129,7 +130,7 @@ def _sources(plan: Plan, images: Sequence[tuple[str, Inventory]]) -> tuple[Locke
 def _commit(url: str, ref: str | None) -> str | None:
     if ref and len(ref) == 40 and set(ref) <= set("0123456789abcdef"):
         return ref
-    answer = output(["git", "ls-remote", "--", url, ref or "HEAD", f"{ref}^{{}}"])
+    answer = output([*GIT, "ls-remote", "--", url, ref or "HEAD", f"{ref}^{{}}"])
     lines = sorted(answer.stdout.splitlines(), key=lambda line: not line.endswith("^{}"))
     return lines[0].split()[0] if lines else None  # a tag that is an object of its own names its commit in a line more
 

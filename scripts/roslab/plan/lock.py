@@ -6,6 +6,7 @@ because people read its differences.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 from collections.abc import Callable, Iterable, Mapping
@@ -14,7 +15,7 @@ from typing import Any, TypeVar
 
 from roslab.config.model import Source
 from roslab.errors import ConfigurationError, Problem
-from roslab.plan.locked import Distribution, Environment, Lock, LockedSource, Machine, Package
+from roslab.plan.locked import Distribution, Environment, Lock, LockedSource, Machine, Missing, Package
 from roslab.plan.plan import Plan
 from roslab.values.origin import Place
 
@@ -66,6 +67,11 @@ def to_text(lock: Lock) -> str:
     body = ",\n".join(machines)
     parts.append(f'  "platforms": {{\n{body}\n  }}' if body else '  "platforms": {}')
     return "{\n" + ",\n".join(parts) + "\n}\n"
+
+
+def digest(text: str) -> str:
+    """Return the digest by which an image names a lock."""
+    return f"sha256:{hashlib.sha256(text.encode()).hexdigest()}"
 
 
 def _line(value: object) -> str:
@@ -163,7 +169,7 @@ def use(plan: Plan, lock: Lock, *, file: str = NAME) -> Plan:
         rosdep = replace(rosdep, rosdistro_tag=lock.rosdistro)
     return replace(
         plan,
-        base_image=f"{asked}@{lock.digest}",
+        base_image=f"{asked}@{lock.digest}" if lock.digest else asked,
         libraries=tuple(map(at, plan.libraries)),
         workspace=replace(plan.workspace, sources=tuple(map(at, plan.workspace.sources))),
         rosdep=rosdep,
@@ -174,3 +180,34 @@ def use(plan: Plan, lock: Lock, *, file: str = NAME) -> Plan:
 def python_of(plan: Plan) -> str:
     """Return what the versions of Python packages hold for: the environment and its Python."""
     return f"{plan.python.manager} {plan.python.version or ''}".strip()
+
+
+def without(plan: Plan, gone: Iterable[Missing]) -> Plan:
+    """Return a plan that no longer asks for what is gone: the build then takes the nearest that is left."""
+    lost = {(each.kind, each.name, each.wanted) for each in gone}
+    commits = {each.wanted: each.nearest for each in gone if each.kind == "source"}
+    if not lost or plan.lock is None:
+        return plan
+    machines = tuple(
+        replace(
+            machine,
+            apt=tuple(p for p in machine.apt if ("apt", p.name, p.version) not in lost),
+            python=tuple(
+                replace(each, packages=tuple(p for p in each.packages if ("pip", p.name, p.version) not in lost))
+                for each in machine.python
+            ),
+        )
+        for machine in plan.lock.machines
+    )
+
+    def at(source: Source) -> Source:
+        return replace(source, ref=commits[source.ref] or source.ref) if source.ref in commits else source
+
+    base, _, digest = plan.base_image.partition("@")
+    return replace(
+        plan,
+        lock=replace(plan.lock, machines=machines),
+        base_image=base if ("base", base, digest) in lost else plan.base_image,
+        libraries=tuple(map(at, plan.libraries)),
+        workspace=replace(plan.workspace, sources=tuple(map(at, plan.workspace.sources))),
+    )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -80,3 +81,19 @@ class Lock:
     def machine(self, platform: str) -> Machine | None:
         """Return what is known of a platform."""
         return next((machine for machine in self.machines if machine.platform == platform), None)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Missing:
+    """Something of a lock that can no longer be had."""
+
+    kind: Literal["base", "apt", "pip", "conda", "source"]
+    name: str
+    wanted: str
+    """The version, digest, commit or URL of the lock."""
+    nearest: str | None
+    """What is left in its place, ``None`` if nothing is."""
+
+    def __str__(self) -> str:
+        left = f"the nearest left is {self.nearest}" if self.nearest else "nothing of that name is left"
+        return f"{self.kind}: {self.name} {self.wanted} can no longer be had; {left}"

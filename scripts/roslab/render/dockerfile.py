@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import base, final, manifests, python, scripts, system, workspace
+from roslab.render.layers import base, final, locks, manifests, python, scripts, shell, system, workspace
 from roslab.render.output import Beside
 from roslab.values.secret import SSH
 
@@ -114,6 +114,21 @@ def dockerfile(plan: Plan) -> str:
     stages = [_without_repetition(stage) for stage in stages]
     carried = scripts.stage("\n".join(stages))
     return _header(plan) + "\n" + "\n\n\n".join((carried, *stages)) + "\n"
+
+
+def question(plan: Plan) -> str:
+    """Return a Dockerfile whose image holds one file: the packages of roslab.lock that no source of the base has.
+
+    Its first steps are those of the image, which need not be repeated. The argument ASKED makes the question a new one.
+    """
+    order = OLD_FORMATS if plan.compatible else TODAY
+    lines = locks.apt_lines(plan, lambda package: package.step != "base")
+    ask = (
+        f"{shell.heredoc('/asked', lines)}{shell.copy_script('missing-packages')}ARG ASKED\n"
+        "RUN : ${ASKED} && missing-packages /asked >/missing"
+    )
+    base = f"FROM {quote.image(plan.base_image)} AS base\n{_join(order.base, plan)}\n{ask}"
+    return "\n\n".join((scripts.stage(base), base, "FROM scratch\nCOPY --from=base /missing /\n"))
 
 
 def _header(plan: Plan) -> str:

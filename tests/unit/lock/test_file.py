@@ -12,10 +12,10 @@ import pytest
 
 from roslab.errors import ConfigurationError
 from roslab.pipeline import plan_repository
-from roslab.plan.lock import from_text, to_text, use
-from roslab.plan.locked import Distribution, Environment, Lock, LockedSource, Machine, Package
+from roslab.plan.lock import from_text, to_text, use, without
+from roslab.plan.locked import Distribution, Environment, Lock, LockedSource, Machine, Missing, Package
 from roslab.plan.plan import from_json, to_json
-from roslab.render.dockerfile import dockerfile
+from roslab.render.dockerfile import dockerfile, question
 
 DIGEST = "sha256:" + "1" * 64
 HASH = "sha256:" + "2" * 64
@@ -174,3 +174,27 @@ def test_it_goes_with_the_plan_from_job_to_job(repository: Path) -> None:
     plan = plan_repository(repository).plan
     assert plan.lock == lock()
     assert from_json(to_json(plan)) == plan
+
+
+def test_what_is_gone_is_not_asked_for_any_more(repository: Path) -> None:
+    (repository / "roslab.lock").write_text(to_text(lock()))
+    plan = plan_repository(repository).plan
+    gone = [
+        Missing(kind="apt", name="libeigen3-dev", wanted="3.4.0-4", nearest="3.4.1"),
+        Missing(kind="pip", name="numpy", wanted="1.26.4", nearest=None),
+        Missing(kind="base", name="ubuntu:24.04", wanted=DIGEST, nearest=None),
+    ]
+    text = dockerfile(without(plan, gone))
+    assert "FROM ubuntu:24.04\n" in text
+    assert "pin-packages" not in text
+    assert "numpy==" not in text
+    assert "pip==24.0" in text
+    assert without(plan, []) == plan
+
+
+def test_the_question_names_what_the_steps_would_pin(repository: Path) -> None:
+    (repository / "roslab.lock").write_text(to_text(lock()))
+    text = question(plan_repository(repository).plan)
+    assert "\nlibeigen3-dev 3.4.0-4\nEOF\n" in text
+    assert "libc6" not in text
+    assert text.endswith("FROM scratch\nCOPY --from=base /missing /\n")

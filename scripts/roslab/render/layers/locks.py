@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
-from roslab.plan.locked import Distribution
+from roslab.plan.locked import Distribution, Package
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
@@ -17,7 +17,7 @@ MACHINES = {"linux/amd64": "x86_64", "linux/arm64": "aarch64"}
 
 def apt(plan: Plan, *steps: str) -> Around:
     """Return what pins the packages of steps to their locked versions, for as long as one RUN lasts."""
-    lines = _apt_lines(plan, {*steps, ""})
+    lines = apt_lines(plan, lambda package: package.step in (*steps, ""))
     if not lines:
         return shell.NOTHING
     name = f"apt-{steps[0]}"
@@ -28,12 +28,13 @@ def apt(plan: Plan, *steps: str) -> Around:
     )
 
 
-def _apt_lines(plan: Plan, steps: set[str]) -> str:
+def apt_lines(plan: Plan, wanted: Callable[[Package], bool]) -> str:
+    """Return the lines of a list of locked packages: name, version, and the machine where it is that one's alone."""
     machines = plan.lock.machines if plan.lock else ()
     found: dict[tuple[str, str], list[str]] = {}
     for machine in machines:
         for package in machine.apt:
-            if package.step in steps:
+            if wanted(package):
                 found.setdefault((package.name, package.version), []).append(machine.platform)
     return "\n".join(
         quote.checked(f"{name} {version}{where}")
