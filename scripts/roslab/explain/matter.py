@@ -31,7 +31,10 @@ _NEVER = re.compile(
     r"|go: (?:finding|downloading|extracting) \S{1,200} v"
     r"|(?:[|│] {1,3}){0,30}(?:[+`]--|[├└]─)[-─┬ ]{0,3}[@\w])"  # a tree of packages
 )
-_PROBE = re.compile(r"_configtest|conftest\.|CMakeTmp|CMakeScratch|TryCompile-|cmTC_|CheckSymbolExists|check_c_source")
+_PROBE = re.compile(
+    r"_configtest|conftest\.|CMakeTmp|CMakeScratch|TryCompile-|cmTC_|CheckSymbolExists|check_c_source|check_libyaml"
+    r"|\bext/_yaml\."
+)
 _ECHO = re.compile(
     r"(?:process|executor failed running|The command) .{0,4000}?((?:exit|non-zero) code: ?\d{1,3})", re.DOTALL
 )

@@ -18,6 +18,8 @@ from roslab.knowledge.failures import Failure, compiled, failures
 _ERRORS = re.compile(r"CMake Error|(?i:\berror\b)|\*\*\*|Configuring incomplete")
 _GUESSED = 8
 """From this rank on, a failure only tells how a step ended, which outweighs nothing that is known."""
+_WENT_ON = re.compile(r"^(?:Complete!$|Successfully (?:installed|built) |OK: \d{1,6} MiB in )", re.MULTILINE)
+"""What programs print when they did what they were asked: a failure before it did not stop them."""
 _NEAR = 600
 """Number of characters before a match that are searched for the name that belongs to it."""
 
@@ -79,7 +81,8 @@ class _Case:
 def match(log: Log, step: Step, image: Image) -> Match | None:
     """Return the known failure that explains a step: the one with the best rank, and among these the earliest.
 
-    A failure that builds often survive gives way to any other that is known after its line.
+    A failure that builds often survive, or after which this one went on, gives way to any other that is known after its
+    line; of several such failures the last is taken.
     """
     survived: tuple[int, Match] | None = None
     raw = "\n".join(line.text for line in step.lines[-4000:])
@@ -88,18 +91,25 @@ def match(log: Log, step: Step, image: Image) -> Match | None:
         if survived is not None and number >= _GUESSED:
             break
         found = [one for failure in rank if (one := _one(failure, case)) is not None]
+        stopped = [one for one in found if not _passed(one, case)]
         if survived is not None:
             later = case.text.text.find("\n", survived[0])
-            found = [entry for entry in found if 0 <= later < entry[0] and not entry[1].failure.passing]
-        if not found:
-            continue
-        best = min(found, key=lambda entry: entry[0])
-        if not best[1].failure.passing:
-            return best[1]
-        survived = best
-        if after := [entry for entry in found if entry[0] > best[0] and not entry[1].failure.passing]:
-            return min(after, key=lambda entry: entry[0])[1]
+            found = [one for one in found if 0 <= later < one[0]]
+            stopped = [one for one in stopped if 0 <= later < one[0]]
+        if stopped:
+            return min(stopped, key=_position)[1]
+        if found:
+            survived = max(found, key=_position) if survived is not None else min(found, key=_position)
     return survived[1] if survived else None
+
+
+def _position(one: tuple[int, Match]) -> int:
+    return one[0]
+
+
+def _passed(one: tuple[int, Match], case: _Case) -> bool:
+    """Return whether the build went on after a failure, as far as its kind or the lines after it tell."""
+    return one[1].failure.passing or bool(_WENT_ON.search(case.text.text, one[0]))
 
 
 def _one(failure: Failure, case: _Case) -> tuple[int, Match] | None:

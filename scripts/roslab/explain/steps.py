@@ -32,8 +32,10 @@ class Step:
 
     @property
     def command(self) -> str:
-        """The instruction alone: ``RUN make``."""
-        return re.sub(r"^(?:\[[^\]]{0,200}\]|(?:Step|STEP) \d+(?:/\d+)? ?:) ?", "", self.name).strip()
+        """The instruction alone, its first word in capitals: ``RUN make``."""
+        text = re.sub(r"^(?:\[[^\]]{0,200}\]|(?:Step|STEP) \d+(?:/\d+)? ?:) ?", "", self.name).strip()
+        word, space, rest = text.partition(" ")
+        return f"{word.upper()}{space}{rest}"
 
     @property
     def platform(self) -> str:

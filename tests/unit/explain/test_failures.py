@@ -323,3 +323,25 @@ Step 4/6 : RUN apk del --purge curl make && true
 The command '/bin/sh -c apk del --purge curl make' returned a non-zero code: 8
 """
     assert said(log).explanations[0].id is None
+
+
+def test_what_the_step_went_on_after_gives_way() -> None:
+    log = """
+Step 4/6 : RUN yum install -y unzip more; unzip /tmp/database.zip
+ ---> Running in 1a2b3c4d5e6f
+No package more available.
+Complete!
+unzip:  cannot find or open /tmp/database.zip, /tmp/database.zip.zip or /tmp/database.zip.ZIP.
+The command '/bin/sh -c yum install' returned a non-zero code: 9
+"""
+    assert [one.id for one in said(log).explanations] == ["file-missing"]
+    alone = log.replace("unzip:  cannot find or open /tmp/database.zip, /tmp/database.zip.zip or", "and then")
+    assert [one.id for one in said(alone).explanations] == ["yum-missing"]
+
+
+def test_a_name_that_begins_like_a_common_package_tells_nothing_of_the_lists() -> None:
+    log = """#9 [5/9] RUN apt install -y python3-catkin-tools
+#9 1.4 E: Unable to locate package python3-catkin-tools
+#9 ERROR: process "/bin/sh -c apt install -y python3-catkin-tools" did not complete successfully: exit code: 100
+"""
+    assert [one.id for one in said(log).explanations] == ["apt-unknown"]

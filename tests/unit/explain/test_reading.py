@@ -340,3 +340,13 @@ def test_a_step_keeps_its_first_error_however_much_follows() -> None:
     assert len(kept) <= steps.MOST
     assert kept[0].text == "a.c:1:1: error: the first"
     assert kept[-1].number == 59_999
+
+
+def test_an_instruction_in_small_letters_is_the_same() -> None:
+    log = b"""Step 3/4 : run curl -s http://files.example.org/a.repo > /etc/a.repo
+ ---> Running in 1a2b3c4d5e6f
+The command '/bin/sh -c curl -s http://files.example.org/a.repo > /etc/a.repo' returned a non-zero code: 7
+"""
+    (found,) = explain(io.BytesIO(log)).explanations
+    assert found.step.startswith("RUN curl")
+    assert found.id == "download-silent"
