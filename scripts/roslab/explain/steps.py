@@ -16,6 +16,9 @@ _new = tuple.__new__
 """Makes a ``Line`` in a third of the time, for logs of a million lines."""
 _HEAD, _TAIL, _SAID = 400, 4000, 4000
 
+_SMALL = re.compile(r"^(?i:run|copy|add|from|env|arg|user|workdir|label|cmd|entrypoint|shell|volume|expose)\b(?= )")
+"""The first word of an instruction, which a Dockerfile may write in small letters."""
+
 
 @dataclass(kw_only=True, slots=True, eq=False)
 class Step:
@@ -34,8 +37,7 @@ class Step:
     def command(self) -> str:
         """The instruction alone, its first word in capitals: ``RUN make``."""
         text = re.sub(r"^(?:\[[^\]]{0,200}\]|(?:Step|STEP) \d+(?:/\d+)? ?:) ?", "", self.name).strip()
-        word, space, rest = text.partition(" ")
-        return f"{word.upper()}{space}{rest}"
+        return _SMALL.sub(lambda word: word[0].upper(), text)
 
     @property
     def platform(self) -> str:
