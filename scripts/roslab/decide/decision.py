@@ -157,6 +157,8 @@ class Decision:
     command_candidates: tuple[tuple[str, ...], ...] = ()
     test: tuple[str, ...] | str | None = None
     """The command that tests the image in place of the default proofs; a string runs in ``bash -c``."""
+    rostests: tuple[str, ...] = ()
+    """Launch files of the repository with tests that can run in the image."""
     platforms: tuple[str, ...] = ("linux/amd64", "linux/arm64")
     platforms_refused: tuple[tuple[str, str], ...] = ()
     cuda: str | None = None

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import shlex
 
-from roslab.config.model import Config
+from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import configured
+from roslab.evidence import places
+from roslab.evidence.facts import Evidence
 
 
 def decide_test(config: Config) -> Choice[tuple[str, ...] | str | None]:
@@ -15,3 +17,21 @@ def decide_test(config: Config) -> Choice[tuple[str, ...] | str | None]:
         return Choice(answer=None)
     text = config.test if isinstance(config.test, str) else shlex.join(config.test)
     return Choice(answer=config.test, reasons=(configured(config, "test", text, "test"),))
+
+
+def rostests(evidence: Evidence, kind: Kind, build_tool: BuildTool) -> tuple[str, ...]:
+    """Return the launch files whose tests run in an image that holds no test programs: paths relative to the root.
+
+    A workspace is built without its tests, so that each program that they start must be a file of the tree, another
+    package's, or one that is built anyway.
+    """
+    if kind != "ros1" or build_tool == "none":
+        return ()
+    own = {manifest.name for manifest in evidence.manifests}
+    projects = (project for project in evidence.cmake if not places.test(project.file))
+    built = {name for project in projects for name, _ in project.executables}
+    return tuple(
+        launch.file
+        for launch in evidence.launch
+        if launch.tests and not any(package in own and program not in built for package, program in launch.compiled)
+    )

@@ -218,6 +218,10 @@ class LaunchFile:
     dependencies: tuple[Dependency, ...]
     gui: bool
     """Whether it starts rviz, rqt, Gazebo's client or the like."""
+    tests: int = 0
+    """Number of its tests for rostest."""
+    compiled: tuple[tuple[str, str], ...] = ()
+    """Of a file with tests: package and program of what it starts that is no file of the tree."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

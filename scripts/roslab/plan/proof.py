@@ -57,6 +57,13 @@ sys.exit(failed)
 https://github.com/ament/ament_cmake/blob/rolling/ament_cmake_core/doc/resource_index.md"""
 
 
+ROSTEST_SCRIPT = 'failed=0; for file in "$@"; do rostest "$file" || failed=1; done; exit $failed'
+MOST_TESTS = 3
+"""Most launch files with tests that are tried; each starts a ROS of its own."""
+TEST_SECONDS = 120
+"""Seconds that tests of the tree may take together, which nobody asked for."""
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Proof:
     """One command that is run in a container of the image."""
@@ -66,6 +73,8 @@ class Proof:
     """An argv, started through the image's entry point."""
     required: bool = True
     """If it fails, the image gets no tag; otherwise it is only tried and told."""
+    limit: int | None = None
+    """Seconds after which it has failed, ``None`` for the usual."""
     guessed: bool = False
     """Nobody named the command, and it may be a wrong one."""
     may_run_on: bool = False
@@ -85,7 +94,7 @@ def proofs(decision: Decision) -> tuple[Proof, ...]:
     """
     installed, start = _installed(decision), _start(decision)
     if not decision.test:
-        return (*installed, start)
+        return (*installed, start, *_found_tests(decision))
     command = ("bash", "-c", decision.test) if isinstance(decision.test, str) else decision.test
     test = Proof(name="the repository's test", command=command, display=decision.gui, rung=4)
     told = (replace(proof, required=False) for proof in (*installed, *([start] if start.rung else [])))
@@ -105,6 +114,19 @@ def _installed(decision: Decision) -> list[Proof]:
         command = ("python2", "-m", "pip", "show", *beside)
         found.append(Proof(name="declared packages of Python 2 are installed", command=command))
     return [replace(proof, rung=0) for proof in found]
+
+
+def _found_tests(decision: Decision) -> list[Proof]:
+    """Return tests of the tree, which nobody promised to pass: they are tried and told."""
+    files = decision.rostests[:MOST_TESTS]
+    if not files or decision.workspace == "none" or decision.build_tool not in ROS_TOOLS:
+        return []
+    all_of = len(decision.rostests)
+    name = (
+        "the repository's rostests" if len(files) == all_of else f"{len(files)} of the repository's {all_of} rostests"
+    )
+    command = ("bash", "-c", ROSTEST_SCRIPT, "proof", *files)
+    return [Proof(name=name, command=command, required=False, rung=4, limit=TEST_SECONDS)]
 
 
 def _start(decision: Decision) -> Proof:

@@ -75,7 +75,7 @@ class Watch:
     def _limit(self, elapsed: float) -> float:
         """Return the second at which the watch is over, as far as it is known now."""
         if not self.proof.may_run_on:
-            return PROOF_LIMIT
+            return self.proof.limit or PROOF_LIMIT
         limits = [float(self.goals.seconds or PROOF_SECONDS)]
         if self.camera:
             # An emulated program or a simulator may need longer for its first window, and a moment to fill it

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from typing import Literal
+from typing import Literal, TypedDict
 
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency, LaunchFile, Strength
@@ -47,6 +47,8 @@ _IF = re.compile(r"\s(?:if|unless)\s*=")
 _ACTION = re.compile(
     r"\b(?:Node|IncludeLaunchDescription|ExecuteProcess|LaunchDescription|GroupAction|DeclareLaunchArgument)\("
 )
+_STARTED = re.compile(r"<(node|test)\s([^>]{0,2000})>")
+_QUOTED = re.compile(r"([\w-]+)\s*=\s*[\"']([^\"']*)[\"']")
 _NO_PACKAGE = frozenset({"find", "pkg", "package", "name", "python", "python3", "self"})
 
 
@@ -71,6 +73,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 ros=1 if old else 2,
                 dependencies=tuple(_named(text, file, python=python)),
                 gui=bool(_GUI.search(text)),
+                **_tested(text, repository if old else None),
             )
         )
     return tuple(found)
@@ -94,6 +97,23 @@ def plugins(repository: Repository) -> tuple[Dependency, ...]:
         viewer = Dependency(namespace="ros", name=name, strength="used", file=file.path, line=1, role="exec")
         found.setdefault(name, viewer)
     return tuple(found.values())
+
+
+class _Tested(TypedDict):
+    tests: int
+    compiled: tuple[tuple[str, str], ...]
+
+
+def _tested(text: str, repository: Repository | None) -> _Tested:
+    """Return the fields of a file's tests for rostest; ``None`` for a file of ROS 2, which has none."""
+    if repository is None or "<test" not in text:
+        return _Tested(tests=0, compiled=())
+    tags = [(match[1], dict(_QUOTED.findall(match[2]))) for match in _STARTED.finditer(text)]
+    programs = ((said.get("pkg", ""), said.get("type", "")) for _, said in tags)
+    return _Tested(
+        tests=sum(tag == "test" for tag, _ in tags),
+        compiled=tuple(dict.fromkeys(each for each in programs if not repository.named(each[1]))),
+    )
 
 
 def _candidates(repository: Repository) -> list[File]:
