@@ -28,6 +28,7 @@ class Census:
     """What was seen of a container's processes, at one look after another."""
 
     _last: dict[int, Process] = field(default_factory=dict, init=False)
+    _gone: Counter[tuple[int, str]] = field(default_factory=Counter, init=False)
     _launched: Counter[str] = field(default_factory=Counter, init=False)
     _others: Counter[str] = field(default_factory=Counter, init=False)
 
@@ -38,11 +39,14 @@ class Census:
             self.take(read(answer.stdout))
 
     def take(self, now: dict[int, Process]) -> None:
-        """Compare the processes with those of the last look: the same command with another number was started anew."""
-        gone = Counter(_key(process) for number, process in self._last.items() if number not in now)
+        """Compare the processes with those of earlier looks: the same command with another number was started anew.
+
+        There may be none of it at a look between, because a launch may wait before it starts a node again.
+        """
+        self._gone.update(_key(process) for number, process in self._last.items() if number not in now)
         for number, process in now.items():
-            if number not in self._last and gone[_key(process)]:
-                gone[_key(process)] -= 1
+            if number not in self._last and self._gone[_key(process)]:
+                self._gone[_key(process)] -= 1
                 parent = now.get(process.parent)
                 counted = self._launched if parent and launches(parent.command) else self._others
                 counted[_name(process.command)] += 1

@@ -25,6 +25,10 @@ def test_a_launch_starts_a_node_anew() -> None:
     )
 
 
+def test_a_launch_that_waits_before_it_starts_a_node_anew() -> None:
+    assert seen(LAUNCH + node(20), LAUNCH, LAUNCH, LAUNCH + node(21)).respawned == ("talker was started anew 1 time",)
+
+
 def test_a_launch_of_ros_2_too() -> None:
     launch = "11 10 /usr/bin/python3 /opt/ros/jazzy/bin/ros2 launch robot all.launch.py\n"
     look = launch + "{} 11 /ws/talker --ros-args -r __node:=says\n"
