@@ -262,8 +262,9 @@ def test_a_rung_that_is_asked_for(lab: Laboratory, roslab: Roslab, tmp_path: Pat
 def test_what_is_published_can_be_verified(lab: Laboratory, roslab: Roslab, tmp_path: Path) -> None:
     """Through the workflow: the summary, the annotation of the index, the same rungs again, and a changed image."""
     name = lab.fresh_repository(f"{doors.OWNER}/robot").rpartition("/")[2]
-    recipe = "FROM ros:noetic-ros-base\nCOPY . /opt/ros/noetic/share/fools\n"
-    recipe += 'RUN chmod +x /opt/ros/noetic/share/fools/*.py\nCMD ["roslaunch", "fools", "good.launch"]\n'
+    place = "/opt/ros/noetic/share/fools"
+    recipe = f"FROM ros:noetic-ros-base\nCOPY package.xml good.launch talk.py {place}/\n"
+    recipe += f'RUN chmod +x {place}/talk.py\nCMD ["roslaunch", "fools", "good.launch"]\n'
     config = "format: 3\nkind: ros1\ndockerfile: Dockerfile\nplatforms: [linux/amd64]\n"
     files = {**FOOLS_1, "Dockerfile": recipe, "roslab.yaml": config}
     caller = doors.through_workflow(tmp_path / "caller", {"registry": lab.registry}, files)
@@ -282,7 +283,6 @@ def test_what_is_published_can_be_verified(lab: Laboratory, roslab: Roslab, tmp_
     assert same.returncode == 0, same.stderr
     assert "the same rungs as were recorded" in same.stdout
     changed = doors.write(tmp_path / "changed", {"talk.py": TALK_1.replace("/chatter", "/rumour")})
-    place = "/opt/ros/noetic/share/fools"
     recipe = f"FROM {published}\nCOPY talk.py {place}/\nRUN chmod +x {place}/talk.py\n"
     (changed / "Dockerfile").write_text(recipe)
     other = f"{lab.registry}/{doors.OWNER}/{name}:changed"
