@@ -32,6 +32,7 @@ from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.workspace import Packages, packages_of
 from roslab.decide.system.by_hand import as_written, by_hand
+from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, started
 from roslab.decide.system.packages import decide_system, without_twins
@@ -131,6 +132,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     sources = with_recipes(sources, (*libraries, *linked))
     system = without_twins(system, frozenset(source.name for source, _ in (*libraries, *linked)))
 
+    inside = compiled_inside(evidence, config, kind.answer)
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else NO_CUDA
     compiling = decide_compiling(
@@ -159,6 +161,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         platforms,
         sources,
         system,
+        inside,
     )
     return Decision(
         kind=kind.answer,
@@ -176,6 +179,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         source=sources.answer.sources,
         vcs=sources.answer.vcs,
         submodules=() if own.answer else sources.answer.submodules,
+        inside=inside.answer,
         packages=tuple(manifest.file for manifest in packages.built) if kind.answer in _ROS else (),
         package_names=_names(packages, kind.answer),
         workspace=layout.answer.workspace,

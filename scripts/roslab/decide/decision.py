@@ -91,11 +91,11 @@ class Python:
     """conda's packages where ``conda_file`` is a manifest of pixi's, which micromamba does not read."""
     conda_channels: tuple[str, ...] = ()
     conda_defaults: bool = False
+    """The environment file counts on conda's default channels, which conda adds by itself and micromamba does not."""
     conda_local: tuple[str, ...] = ()
     """Folders of the tree that the conda file installs, as it writes them; they are ``projects``."""
     conda_pip: bool = True
     """The conda file has pip install something else."""
-    """The environment file counts on conda's default channels, which conda adds by itself and micromamba does not."""
     first: tuple[Requirement, ...] = ()
     """What must be installed before the others are built (numpy, torch, Cython)."""
     bounds: tuple[Requirement, ...] = ()
@@ -135,6 +135,8 @@ class Decision:
     """vcs files to import into the workspace, relative to the root."""
     submodules: tuple[SourceDependency, ...] = ()
     """Submodules that are not checked out and are cloned in the image, each at its path."""
+    inside: tuple[tuple[str, str], ...] = ()
+    """Folders of copied libraries that are compiled where they lie, each with the options of CMake."""
     packages: tuple[str, ...] = ()
     """Paths of the package.xml files that are built (neither ignored nor an asset)."""
     package_names: tuple[str, ...] = ()

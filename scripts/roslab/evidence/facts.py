@@ -190,7 +190,18 @@ class Mention:
     """A mention of a distribution, an Ubuntu, a CUDA or Python version or the like."""
 
     topic: Literal[
-        "distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command", "date", "vcs_file"
+        "distro",
+        "ubuntu",
+        "cuda",
+        "cudnn",
+        "python",
+        "build_tool",
+        "base",
+        "framework",
+        "command",
+        "date",
+        "vcs_file",
+        "compiled",
     ]
     value: str
     source: Literal[

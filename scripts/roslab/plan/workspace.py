@@ -63,6 +63,8 @@ class Workspace:
     """Sister packages that are cloned into the workspace."""
     submodules: tuple[Source, ...] = ()
     """Submodules that are not checked out: cloned into the repository's folder, each at the path that is its name."""
+    inside: tuple[tuple[str, str], ...] = ()
+    """Folders of the repository, each with CMake's options, that are compiled where they lie before all else."""
     python_projects: tuple[str, ...]
     links: tuple[tuple[str, str], ...]
     """Name and target of the links that keep the paths of an image in an old format."""
@@ -87,6 +89,7 @@ def workspace(decision: Decision, config: Config, sisters: tuple[Source, ...], n
         program=_program(decision, config, folder) if decision.build_tool == "cmake" else None,
         sources=sisters,
         submodules=decision.submodules,
+        inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
         python_projects=decision.python.projects,
         links=tuple(links),
     )

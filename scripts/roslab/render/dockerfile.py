@@ -57,6 +57,7 @@ TODAY = Order(
         python.versions,
         python.projects,
         workspace.own_projects,
+        workspace.compile_inside,
         *END,
     ),
 )

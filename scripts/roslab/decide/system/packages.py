@@ -10,6 +10,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Python, Reason, Warning_
 from roslab.decide.reasons import because, configured
 from roslab.decide.ros.keys import declared_keys, translate
+from roslab.decide.ros.source_names import address
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import needs
@@ -18,6 +19,7 @@ from roslab.evidence.facts import Dependency, Evidence
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.never import never
 from roslab.knowledge.on_request import packages as on_request
+from roslab.knowledge.recipes import recipe
 from roslab.values.requirement import Requirement
 
 _IN_ANY_ROS = ("catkin", "ros_base", "ros_core", "ament_cmake")
@@ -89,12 +91,13 @@ def decide_system(
     for key in keys:
         if key.name not in found.skip:
             _translate(key, target, found, cloned=bool(sisters), submodules=submodules)
+    by_hand = frozenset(address(git.url) for git in evidence.sources if git.installed)
     known = frozenset({key.name for key in keys} | packages.names | sisters | set(config.skip_keys))
     for dependency, trusted in needs(evidence, packages, kind, target.ros_distro):
         if dependency.role == "shebang" and target.ubuntu in {None, *ubuntus_with_python2()}:
             continue
         if dependency.name not in known:
-            _add(dependency, target, found, known, trusted=trusted)
+            _add(dependency, target, found, known, trusted=trusted, by_hand=by_hand)
     for apt, asked in apt_for_wheels(python, installed, target.ubuntu, evidence):
         found.guessed.setdefault(apt, asked)
     refused = never()
@@ -143,11 +146,22 @@ def _translate(key: Dependency, target: Target, found: _Found, *, cloned: bool, 
         found.warnings.append(meant.warning)
 
 
-def _add(dependency: Dependency, target: Target, found: _Found, known: frozenset[str], *, trusted: bool) -> None:
-    """Add the packages of a name: declared if the build requires it and Ubuntu has it, else guessed."""
+def _add(
+    dependency: Dependency,
+    target: Target,
+    found: _Found,
+    known: frozenset[str],
+    *,
+    trusted: bool,
+    by_hand: frozenset[str],
+) -> None:
+    """Add the packages of a name: declared if the build requires it and Ubuntu has it, else guessed.
+
+    An optional library without a package is built if its address is among those that a page builds ``by_hand``.
+    """
     meant = resolve(dependency, target)
     sure = trusted and dependency.strength == "declared" and dependency.namespace in {"cmake", "pkg-config"}
-    if meant.recipe and trusted and dependency.strength != "optional":
+    if meant.recipe and trusted and (dependency.strength != "optional" or _written(meant.recipe, target, by_hand)):
         found.recipes.setdefault(meant.recipe, dependency)
     for apt in meant.apt:
         if apt.startswith("ros-") and _covered(apt, target, known):
@@ -159,6 +173,10 @@ def _add(dependency: Dependency, target: Target, found: _Found, known: frozenset
     if dependency.strength != "optional":
         for apt in meant.beside:
             found.guessed.setdefault(apt, dependency)
+
+
+def _written(library: str, target: Target, by_hand: frozenset[str]) -> bool:
+    return any(built.name == library and address(built.repo) in by_hand for built in recipe(library, target.ubuntu))
 
 
 def _covered(apt: str, target: Target, known: frozenset[str]) -> bool:

@@ -14,7 +14,7 @@ MAX_SIZE = 128 * 1024
 MAX_SCRIPTS = 400
 _NAME = re.compile(
     r"install|setup|dep(?:s|end)|require|bootstrap|prepare|build|provision|prereq|environment|docker|ci|"
-    r"catkin|apt|init|configure"
+    r"catkin|apt|init|configure|compile|make|third"
 )
 _ROBOT = re.compile(r"jetson|tegra|raspberry|nvidia[-_]?driver|udev|kernel|windows|macos?|osx|homebrew|uninstall")
 _LIST = re.compile(
@@ -25,7 +25,7 @@ _NAMES = re.compile(r"[a-z0-9][a-z0-9+.-]+")
 
 
 def read(repository: Repository) -> Prose:
-    """Return the install lines of shell scripts and of plain lists of system packages."""
+    """Return the install lines of shell scripts and of plain lists of system packages, and what scripts compile."""
     parts: list[Prose] = []
     shells = [
         file
@@ -38,11 +38,12 @@ def read(repository: Repository) -> Prose:
     ]
     for file in sorted(shells, key=lambda file: (file.path.count("/"), file.path))[:MAX_SCRIPTS]:
         text = repository.read(file)
-        if "install" in text or "clone" in text:
+        if "install" in text or "clone" in text or "cmake" in text:
             collector = Collector(file.path, "script")
             _assignments(text, collector)
             collector.text(text)
-            parts.append(collector.prose()._replace(mentions=()))
+            found = collector.prose()
+            parts.append(found._replace(mentions=tuple(m for m in found.mentions if m.topic == "compiled")))
     lists = (
         file
         for file in repository.suffixed(".txt")

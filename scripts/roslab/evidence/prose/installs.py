@@ -31,6 +31,7 @@ _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--de
 _APT_NAME = re.compile(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
 _PYTHON = re.compile(r"^(?:i?python)(\d(?:\.\d+)?)?$")
 _OPTION = re.compile(r"-D[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
+_BUILD_FOLDER = re.compile(r"(?:^|/)build[\w-]*(?:/.*)?$")
 _ARCHIVE = re.compile(
     r"(https://github\.com/[\w-]+/([\w.-]+))/archive/(?:refs/tags/)?([\w.+-]+?)\.(?:zip|tar\.gz|tgz)$"
 )
@@ -60,6 +61,8 @@ class Collector:
     """The sections that the text stands in."""
     options: str = ""
     """The options of the last ``cmake``."""
+    configured: str = ""
+    """The folder in which ``cmake`` ran last."""
     fresh: int | None = None
     """Index of the clone that a following ``git checkout`` belongs to."""
 
@@ -233,7 +236,10 @@ class Collector:
         if program == "cmake":
             self._mention("build_tool", "cmake", command)
             self.options = " ".join(word for word in words if _OPTION.fullmatch(word)) or self.options
+            self.configured = self.folder if "--build" not in words else self.configured
         if not {"install", "--install"} & {*words}:
+            if self.configured and (program != "cmake" or "--build" in words):
+                self._compiled(command)
             return
         here = {re.sub(r"[-_.]+", "_", part).lower() for part in self.folder.split("/")}
         for index in range(len(self.sources) - 1, -1, -1):
@@ -241,6 +247,17 @@ class Collector:
             if any(part == name or part.startswith(f"{name}_") for part in here):
                 self.sources[index] = replace(self.sources[index], installed=True, options=self.options)
                 return
+
+    def _compiled(self, command: Command) -> None:
+        """Note a folder in which a library is compiled and not installed."""
+        folder = _BUILD_FOLDER.sub("", self.configured)
+        text, self.configured = self.options, ""
+        if folder:
+            self.mentions.append(
+                Mention(
+                    topic="compiled", value=folder, source=self.source, file=self.file, line=command.line, text=text
+                )
+            )
 
     def _archive(self, command: Command) -> None:
         """Read a release that is fetched as an archive: it is the tag of a repository."""

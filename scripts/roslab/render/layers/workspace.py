@@ -114,6 +114,18 @@ def setups(plan: Plan) -> list[str]:
     return found
 
 
+def compile_inside(plan: Plan) -> str:
+    """Compile the libraries that lie in the repository, where the build looks for them."""
+    if not plan.workspace.inside:
+        return ""
+    runs = []
+    for folder, options in plan.workspace.inside:
+        build = quote.shell_with_user(f"{source_folder(plan)}/{folder}/build")
+        cmake = f"cmake{_words(('-DCMAKE_BUILD_TYPE=Release', *options.split()))} .."
+        runs.append(shell.run(f"mkdir --parents {build}", f"cd {build}", cmake, f"make --jobs={shell.JOBS}"))
+    return "\n".join(["# Libraries inside the repository", "USER ${NB_USER}", *runs])
+
+
 def compile_workspace(plan: Plan) -> str:
     """Compile the ROS workspace as the user, who can then compile it again."""
     build = plan.workspace.ros

@@ -1,0 +1,65 @@
+"""Libraries inside the tree that a page, or a script it runs, compiles there are compiled before the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+CMAKE = "cmake_minimum_required(VERSION 3.5)\nproject(a)\nadd_executable(a a.cpp)\n"
+SCRIPT = """#!/bin/bash
+cd Thirdparty/g2o
+mkdir build
+cd build
+cmake .. -DCMAKE_BUILD_TYPE=Release -DWITH_GUI=OFF
+make -j2
+cd ../../..
+mkdir build
+cd build
+cmake ..
+make -j2
+"""
+TREE = {"CMakeLists.txt": CMAKE, "Thirdparty/g2o/CMakeLists.txt": "project(g2o)\n", "build.sh": SCRIPT}
+
+
+def test_a_script_that_the_page_runs(tree: Tree) -> None:
+    decision = tree({**TREE, "README.md": "```\nchmod +x build.sh\n./build.sh\n```\n"})
+    assert decision.inside == (("Thirdparty/g2o", "-DCMAKE_BUILD_TYPE=Release -DWITH_GUI=OFF"),)
+
+
+def test_a_script_that_no_page_runs_compiles_nothing(tree: Tree) -> None:
+    assert tree({**TREE, "README.md": "Build it with CMake.\n"}).inside == ()
+
+
+def test_a_page_compiles_a_submodule(tree: Tree) -> None:
+    modules = '[submodule "third-party/Pangolin"]\n\tpath = third-party/Pangolin\n\turl = https://github.com/s/P.git\n'
+    page = "```\ngit clone https://github.com/b/a.git\ncd a/\ncd third-party/OpenNI2/\nmake -j8\ncd ../Pangolin/\n"
+    page += "mkdir build\ncd build\ncmake .. -DE=$HOME/a -DPYTHON=OFF\nmake -j8\ncd ../../..\nmkdir build\ncd build\n"
+    page += "cmake ..\nmake\n```\n"
+    decision = tree({"CMakeLists.txt": CMAKE, ".gitmodules": modules, "README.md": page})
+    assert decision.inside == (("third-party/Pangolin", "-DPYTHON=OFF"),)
+
+
+def test_examples_are_not_compiled_first(tree: Tree) -> None:
+    page = "```\ncd examples/one\nmkdir build && cd build\ncmake ..\nmake\n```\n"
+    assert tree({"CMakeLists.txt": CMAKE, "examples/one/CMakeLists.txt": CMAKE, "README.md": page}).inside == ()
+
+
+def test_the_image_compiles_it_before_the_program(tmp_path: Path) -> None:
+    for path, text in {**TREE, "README.md": "```\n./build.sh\n```\n"}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert 0 < text.index("Thirdparty/g2o/build") < text.index("# The program")
+
+
+def test_an_optional_library_that_the_page_builds_by_hand(tree: Tree) -> None:
+    cmake = CMAKE.replace("add_executable", "find_package(Pangolin 0.2 QUIET)\nadd_executable")
+    page = "```\ngit clone https://github.com/stevenlovegrove/Pangolin.git\ncd Pangolin\nmkdir build\n"
+    page += "cd build\ncmake ..\nsudo make install\n```\n"
+    assert not tree({"CMakeLists.txt": cmake}).source
+    assert [source.name for source in tree({"CMakeLists.txt": cmake, "README.md": page}).source] == ["pangolin"]
