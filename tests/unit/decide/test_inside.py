@@ -62,4 +62,8 @@ def test_an_optional_library_that_the_page_builds_by_hand(tree: Tree) -> None:
     page = "```\ngit clone https://github.com/stevenlovegrove/Pangolin.git\ncd Pangolin\nmkdir build\n"
     page += "cd build\ncmake ..\nsudo make install\n```\n"
     assert not tree({"CMakeLists.txt": cmake}).source
+    indented = page.replace("```\n", "").replace("\n", "\n\t")
+    assert [s.name for s in tree({"CMakeLists.txt": cmake, "README.md": f"Build:\n\n\t{indented}"}).source] == [
+        "pangolin"
+    ]
     assert [source.name for source in tree({"CMakeLists.txt": cmake, "README.md": page}).source] == ["pangolin"]

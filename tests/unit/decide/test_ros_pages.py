@@ -200,3 +200,30 @@ def test_a_cloned_repository_holds_packages_that_begin_with_its_name(
     page = "Tested on ROS 2 Humble.\n\n    git clone https://github.com/moveit/moveit_task_constructor.git\n"
     files = {"package.xml": package, "CMakeLists.txt": "project(a)\nfind_package(ament_cmake REQUIRED)\n"}
     assert tree({**files, "README.md": page}).ros_distro == "humble"
+
+
+@pytest.mark.parametrize(
+    ("page", "distro"),
+    [("Dependencies: python 2.7\n", "melodic"), ("python 2.7 or Python 3.6\n", "noetic"), ("", "noetic")],
+)
+def test_python_2_names_the_last_distribution_that_has_it(tmp_path: Path, page: str, distro: str) -> None:
+    cmake = "project(demo)\nfind_package(catkin REQUIRED)\n"
+    files = {"package.xml": CATKIN.format(more=""), "CMakeLists.txt": cmake, "README.md": page}
+    assert decided(tmp_path, files).ros_distro == distro
+
+
+@pytest.mark.parametrize(
+    ("page", "first", "python"),
+    [
+        ("ROS kinetic\n", "#!/usr/bin/env python", "2.7"),
+        ("ROS kinetic\n", "#!/usr/bin/env python3", None),
+        ("ROS kinetic with Python 3.5\n", "#!/usr/bin/env python", None),
+        ("ROS noetic\n", "#!/usr/bin/env python", None),
+    ],
+)
+def test_the_python_of_nodes_is_that_of_their_first_line(
+    tmp_path: Path, page: str, first: str, python: str | None
+) -> None:
+    files = {"package.xml": CATKIN.format(more=""), "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n"}
+    files |= {"README.md": page, "scripts/node.py": f"{first}\nimport scipy\n", "requirements.txt": "scipy\n"}
+    assert decided(tmp_path, files).python.version == python

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.version import DEFAULT as CUDA
-from roslab.decide.decision import Choice, Manager, Warning_
+from roslab.decide.decision import Choice, Manager, Reason, Warning_
 from roslab.decide.python.base import cuda_ubuntu
 from roslab.decide.python.packages import Chosen, choose
 from roslab.decide.python.pins import Pin
@@ -14,6 +14,7 @@ from roslab.decide.python.pythons import PREFERRED
 from roslab.decide.python.version import python_version
 from roslab.decide.python.weights import VersionWeight
 from roslab.decide.reasons import because, warn
+from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.days import existed
 from roslab.knowledge.distros import distro, python_of_ubuntu
@@ -51,9 +52,9 @@ def decide_version(
     chosen = choose(evidence, config, kind, pins)
     said = python_version(evidence, config, pins)
     if kind in {"ros1", "ros2"} or _plain(evidence, config, kind, chosen):
-        number = _of_ros(ros_distro, said.answer)
+        number, first = _of_ros(evidence, ros_distro, said.answer)
         own = OwnPython(version=number, system=True, wanted=said.answer, chosen=chosen)
-        return Choice(answer=own, reasons=said.reasons)
+        return Choice(answer=own, reasons=(*first, *said.reasons))
     number = said.answer or _then(evidence.day) or _default(config, kind, cuda)
     own = OwnPython(version=number, system=False, wanted=said.answer, chosen=chosen)
     if said.answer:
@@ -96,10 +97,21 @@ def _plain(evidence: Evidence, config: Config, kind: Kind, chosen: Chosen) -> bo
     return kind == "cpp" or (kind == "cuda" and not installs)
 
 
-def _of_ros(ros_distro: str | None, said: str | None) -> str | None:
-    """Return Python 2 if the distribution's nodes run on it and the author says so, else ``None`` for Python 3."""
+def _of_ros(evidence: Evidence, ros_distro: str | None, said: str | None) -> tuple[str | None, tuple[Reason, ...]]:
+    """Return Python 2 if the distribution's nodes run on it, and why; ``None`` for Python 3.
+
+    They do if the author says so, or says nothing and starts a program by ``python``, which is Python 2 there.
+    """
     known = distro(ros_distro) if ros_distro else None
-    return known.python if known and said == known.python and said.startswith("2") else None
+    if known is None or known.ros != 1 or not known.python.startswith("2"):
+        return None, ()
+    if said:
+        return (known.python if said == known.python else None), ()
+    node = next((d for d in evidence.code if d.role == "shebang" and not places.vendored(d.file)), None)
+    if node is None:
+        return None, ()
+    why = f"its first line starts `python`, which is Python 2 on ROS {known.name}"
+    return known.python, (because("python", known.python, why, node, weight=VersionWeight.DEFAULT),)
 
 
 def _then(day: str | None) -> str | None:

@@ -13,7 +13,7 @@ from roslab.decide.ros.distro_evidence import Weight, reasons_for
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.code_fits import misfits
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import Distro, default_distro, distro, distros, distros_of
 from roslab.knowledge.libraries import library
@@ -114,6 +114,10 @@ def _compiling(reason: Reason, lacking: dict[str, tuple[str, ...]]) -> Reason:
     return replace(reason, reason=text, weight=max(Weight.DEFAULT, reason.weight - Weight.LACKS_A_KEY))
 
 
+def _is_python2(mention: Mention) -> bool:
+    return mention.topic == "python" and mention.value.startswith("2") and mention.source in {"readme", "code"}
+
+
 def _nearest(
     reasons: list[Reason], unknown: dict[str, frozenset[str]], lacking: dict[str, tuple[str, ...]]
 ) -> list[Reason]:
@@ -149,6 +153,13 @@ def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]])
         default = default_distro(1 if kind == "ros1" else 2).name
         usual = "the default fits" if answer == default else f"{answer}, not the default {default}, fits"
         why = f"no distribution is named; {usual} the last commit, of {date.value}"
+    old = next((m for m in evidence.mentions if _is_python2(m)), None)
+    three = any(m.topic == "python" and m.value.startswith("3") for m in evidence.mentions)
+    if kind == "ros1" and old and not three and not distros()[answer].python.startswith("2"):
+        of_python2 = (found for found in distros().values() if found.python.startswith("2") and found.ros == 1)
+        answer = max(of_python2, key=lambda found: found.preference).name
+        why = f"no distribution is named, and {answer} is the last with Python 2: “{old.text.strip()[:60]}”"
+        date = old
     if unknown.get(answer):
         fitting = [name for name, missing in unknown.items() if not missing]
         answer = max(fitting, key=_preference, default=answer)

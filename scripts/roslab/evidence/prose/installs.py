@@ -10,6 +10,7 @@ from typing import Literal
 
 from roslab.evidence.facts import Dependency, GitSource, Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
+from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.runners import started
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks
 from roslab.knowledge.tools import PIXI
@@ -32,9 +33,6 @@ _APT_NAME = re.compile(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9
 _PYTHON = re.compile(r"^(?:i?python)(\d(?:\.\d+)?)?$")
 _OPTION = re.compile(r"-D[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
 _BUILD_FOLDER = re.compile(r"(?:^|/)build[\w-]*(?:/.*)?$")
-_ARCHIVE = re.compile(
-    r"(https://github\.com/[\w-]+/([\w.-]+))/archive/(?:refs/tags/)?([\w.+-]+?)\.(?:zip|tar\.gz|tgz)$"
-)
 _BUILT = re.compile(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
 """The path of a compiled program."""
 _STARTS = re.compile(
@@ -61,8 +59,6 @@ class Collector:
     """The sections that the text stands in."""
     options: str = ""
     """The options of the last ``cmake``."""
-    configured: str = ""
-    """The folder in which ``cmake`` ran last."""
     fresh: int | None = None
     """Index of the clone that a following ``git checkout`` belongs to."""
 
@@ -231,15 +227,13 @@ class Collector:
         """Note what CMake is told, and, where something is installed, the clone in whose folder the text is now."""
         words = command.words
         if program in {"wget", "curl"}:
-            self._archive(command)
+            self.sources += archives(command, self.file)
             return
         if program == "cmake":
             self._mention("build_tool", "cmake", command)
             self.options = " ".join(word for word in words if _OPTION.fullmatch(word)) or self.options
-            self.configured = self.folder if "--build" not in words else self.configured
+            self._compiled(command)
         if not {"install", "--install"} & {*words}:
-            if self.configured and (program != "cmake" or "--build" in words):
-                self._compiled(command)
             return
         here = {re.sub(r"[-_.]+", "_", part).lower() for part in self.folder.split("/")}
         for index in range(len(self.sources) - 1, -1, -1):
@@ -249,31 +243,12 @@ class Collector:
                 return
 
     def _compiled(self, command: Command) -> None:
-        """Note a folder in which a library is compiled and not installed."""
-        folder = _BUILD_FOLDER.sub("", self.configured)
-        text, self.configured = self.options, ""
-        if folder:
-            self.mentions.append(
-                Mention(
-                    topic="compiled", value=folder, source=self.source, file=self.file, line=command.line, text=text
-                )
+        """Note a folder in which CMake is run, with its options: it may hold a library of the tree."""
+        if folder := _BUILD_FOLDER.sub("", self.folder):
+            said = Mention(
+                topic="compiled", value=folder, source=self.source, file=self.file, line=command.line, text=self.options
             )
-
-    def _archive(self, command: Command) -> None:
-        """Read a release that is fetched as an archive: it is the tag of a repository."""
-        for word in command.words:
-            if match := _ARCHIVE.match(word):
-                self.sources.append(
-                    GitSource(
-                        name=match[2],
-                        url=match[1],
-                        ref=match[3],
-                        strength="prose",
-                        file=self.file,
-                        line=command.line,
-                        kind="clone",
-                    )
-                )
+            self.mentions.append(said)
 
     def _program(self, program: str, command: Command) -> None:
         words = command.words

@@ -34,7 +34,7 @@ _FENCE = re.compile(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
 _START = re.compile(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
-    r"rosrun|catkin|catkin_make|colcon|cmake|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|(?:ba)?sh|mkdir|cd)\s.*|catkin_make|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
+    r"rosrun|catkin|catkin_make|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|(?:ba)?sh|mkdir|cd)\s.*|catkin_make|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
 )
 _NAMED = re.compile(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
 """A sentence that runs a program by its name."""

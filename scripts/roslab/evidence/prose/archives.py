@@ -1,0 +1,28 @@
+"""Releases that are fetched as an archive: each is the tag of a repository."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslab.evidence.facts import GitSource
+from roslab.evidence.lex.shell import Command
+
+_ARCHIVE = re.compile(
+    r"(https://github\.com/[\w-]+/([\w.-]+))/archive/(?:refs/tags/)?([\w.+-]+?)\.(?:zip|tar\.gz|tgz)$"
+)
+
+
+def archives(command: Command, file: str) -> Iterator[GitSource]:
+    """Yield the repositories and tags whose archives ``wget`` or ``curl`` fetches."""
+    for word in command.words:
+        if match := _ARCHIVE.match(word):
+            yield GitSource(
+                name=match[2],
+                url=match[1],
+                ref=match[3],
+                strength="prose",
+                file=file,
+                line=command.line,
+                kind="clone",
+            )
