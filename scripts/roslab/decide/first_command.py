@@ -23,7 +23,7 @@ _ASIDE = re.compile(
 _SERVES = re.compile(
     r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre-?proc\w*|prepare\w*|extract\w*|install\w*|set-?up|format|"
     r"record\w*|collect\w*|tokenize\w*|generate\w*|gen|export\w*|annotate\w*|"
-    r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|env)(?:[_.-]|$)",
+    r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|env|lint|tidy)(?:[_.-]|$)",
     re.IGNORECASE,
 )
 """The name of a program that serves the one that is meant."""
@@ -54,8 +54,8 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     """Return the command that a page of the author runs first, ``None`` if no page runs any.
 
     Pages nearer to the root come first, then sections about running it, then the order of the page. What needs a file
-    that the tree lacks comes after what needs none, except for Python, whose READMEs usually name data; a call that is
-    given with blanks to fill in comes last; programs that only serve others are never returned.
+    that the tree lacks comes after what needs none, except for Python, whose READMEs usually name data; another
+    that is given with blanks to fill in comes last; programs that only serve others are never returned.
     """
     written = [c for c in candidates if c.strong and not _helps(c) and not any(map(_HELP.match, c.argv))]
     rest = [c for c in written if not _after(c)] or [c for c in written if c.argv[0].startswith("python")]
@@ -66,7 +66,7 @@ def _order(candidate: Candidate) -> tuple[bool, bool, bool, int, int, str, int]:
     """Return the place of a command in the order; equal ones keep theirs."""
     return (
         bool(_CLOUD.search(candidate.heading)),
-        candidate.cut,
+        candidate.cut and not candidate.argv[0].startswith("python"),
         _lacks(candidate) and not candidate.argv[0].startswith("python"),
         candidate.file.count("/"),
         -_section(candidate.heading),

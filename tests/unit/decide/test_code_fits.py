@@ -84,3 +84,18 @@ def test_versions() -> None:
     assert satisfies("Unknown", "focal", "3.2")
     assert fits("Ceres", "jammy", at_least=None, below="2.2")
     assert not fits("Ceres", "noble", at_least=None, below="2.2")
+
+
+@pytest.mark.parametrize(("more", "distro"), [("", "noetic"), ("#include <types/wrapped.hpp>\n", "melodic")])
+def test_a_header_that_nothing_includes_is_not_compiled(tmp_path: Path, more: str, distro: str) -> None:
+    files = {
+        "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+        "README.md": "Tested with ROS Noetic\n",
+        "include/toolkit/types/wrapped.hpp": "#include <opencv/cv.h>\n",
+        "src/main.cpp": f"#include <ros/ros.h>\n{more}",
+    }
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    assert decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo").ros_distro == distro

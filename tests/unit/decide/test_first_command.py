@@ -173,3 +173,15 @@ def test_a_compiled_program_may_be_named_after_its_data(tree: Tree) -> None:
     )
     page = "Run it:\n\n    bin/a_dataset files=XXX/cam0\n"
     assert tree({"CMakeLists.txt": cmake, "README.md": page}).command == ("a_dataset",)
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("python train.py -s <path to data>\npython render.py -r 2\n", "python train.py"),
+        ("python -W ignore train.py a.yaml\npython render.py\n", "python -W ignore train.py a.yaml"),
+    ],
+)
+def test_the_first_program_of_python_counts_even_with_blanks(tree: Tree, page: str, command: str) -> None:
+    files = dict.fromkeys(("train.py", "render.py"), "import numpy\n")
+    assert " ".join(tree({**files, "README.md": f"```\n{page}```\n"}).command) == command

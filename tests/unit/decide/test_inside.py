@@ -67,3 +67,23 @@ def test_an_optional_library_that_the_page_builds_by_hand(tree: Tree) -> None:
         "pangolin"
     ]
     assert [source.name for source in tree({"CMakeLists.txt": cmake, "README.md": page}).source] == ["pangolin"]
+
+
+def test_a_path_that_begins_in_the_readers_home(tree: Tree) -> None:
+    page = "```\ncd ~/ws/src/a/Thirdparty/g2o/\nmkdir build\ncd build\ncmake ..\nmake\n```\n"
+    assert tree({**TREE, "README.md": page}).inside == (("Thirdparty/g2o", ""),)
+
+
+def test_the_ref_of_a_page_wins_over_the_package_of_ros(tree: Tree) -> None:
+    package = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>"
+    cmake = "project(a)\nfind_package(catkin REQUIRED)\nfind_package(Sophus REQUIRED)\n"
+    page = "ROS melodic\n```\ngit clone https://github.com/strasdat/Sophus.git\ncd Sophus\ngit checkout a621ff\n"
+    page += "mkdir build && cd build && cmake ..\nmake\nsudo make install\n```\n"
+    decision = tree({"package.xml": package, "CMakeLists.txt": cmake, "README.md": page})
+    assert [(source.name, source.ref) for source in decision.source] == [("Sophus", "a621ff")]
+
+
+def test_a_copied_package_makes_no_workspace_of_a_cmake_project(tree: Tree) -> None:
+    package = "<package><name>tag</name><buildtool_depend>catkin</buildtool_depend></package>"
+    copied = {"thirdparty/tag/package.xml": package, "thirdparty/tag/CMakeLists.txt": "project(tag)\n"}
+    assert tree({"CMakeLists.txt": CMAKE, **copied}).kind == "cpp"

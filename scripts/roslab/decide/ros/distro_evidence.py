@@ -51,7 +51,7 @@ class Weight:
         "vendored": 50,
     }
     COPIES = 20  # added for a Dockerfile that copies this source
-    CI_IMAGE = 520
+    CI_IMAGE = 520  # of ROS's own; somebody's image for a tool may be older than what CI tests
     FAMILY = 440  # one of a family of images, one for each distribution
     PLACE: ClassVar = {
         "ci": 500,  # it is tested there at every push
@@ -117,7 +117,9 @@ def _mentions(evidence: Evidence, ros: int) -> Iterator[Reason]:
             yield from _ubuntu(mention, ros)
         elif mention.topic == "base":
             for name in _names(mention.value):
-                yield because("ros_distro", name, f"CI runs in {mention.value}", mention, weight=Weight.CI_IMAGE)
+                official = re.match(r"(?:.*/)?ros[12]?(?:[:@]|$)", mention.value)
+                weight = Weight.CI_IMAGE if official else Weight.PLACE["ci"] - Weight.DEEPER
+                yield because("ros_distro", name, f"CI runs in {mention.value}", mention, weight=weight)
 
 
 def _ubuntu(mention: Mention, ros: int) -> Iterator[Reason]:

@@ -62,8 +62,9 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
             seen.add(manifest.name)
             kept.add(folder)
     vendored = [m for m in built if places.vendored(m.file)]
-    if len(vendored) < len(built) and all(types(m) <= {"cmake"} for m in vendored):
-        left_out += vendored  # another package of the tree builds these itself
+    beside = len(vendored) < len(built) and all(types(m) <= {"cmake"} for m in vendored)
+    if beside or (len(vendored) == len(built) and "CMakeLists.txt" in cmake):
+        left_out += vendored  # another package of the tree, or the project at its root, builds these itself
         built = [m for m in built if m not in vendored]
     return Packages(
         built=tuple(sorted(built, key=lambda m: m.file)),

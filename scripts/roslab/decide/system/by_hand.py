@@ -58,9 +58,11 @@ def by_hand(
     found: dict[str, tuple[Source, Dependency]] = {}
     for asked in code_needs(evidence, packages):
         name = re.sub(r"^lib(?=[a-z])", "", plain(asked.name))
-        if name not in offered or len(name) < SHORTEST or name in taken or not _unknown(asked, target):
+        if name not in offered or len(name) < SHORTEST or name in taken:
             continue
         git = offered[name]
+        if not _unknown(asked, target, pinned=git.installed and bool(fixed(git.ref))):
+            continue
         ref = fixed(git.ref)
         source = Source(
             name=git.name,
@@ -75,8 +77,12 @@ def by_hand(
     return tuple(found.values())
 
 
-def _unknown(asked: Dependency, target: Target) -> bool:
-    """Tell whether no table knows a name that the build requires; what CMake only tries is no reason to build it."""
+def _unknown(asked: Dependency, target: Target, *, pinned: bool) -> bool:
+    """Tell whether no table knows a name that the build requires; what CMake only tries is no reason to build it.
+
+    ``pinned``: a page builds it at a ref, which then wins over a package of ROS, whose version is another.
+    """
     required = asked.strength == "declared" if asked.namespace == "cmake" else asked.namespace == "link"
     meant = resolve(asked, target)
-    return required and not (meant.apt or meant.recipe)
+    of_ros = pinned and all(apt.startswith("ros-") for apt in meant.apt)
+    return required and not ((meant.apt and not of_ros) or meant.recipe)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice
@@ -39,6 +39,8 @@ def compiled_inside(evidence: Evidence, config: Config, kind: Kind) -> Choice[tu
     )
 
 
-def _meant(path: str, folders: Iterable[str]) -> str | None:
-    """Return the folder that a path ends with: a page may begin outside the repository."""
-    return max((folder for folder in folders if f"/{path}".endswith(f"/{folder}")), key=len, default=None)
+def _meant(path: str, folders: Collection[str]) -> str | None:
+    """Return the folder that a path ends with, or the only one that ends with it: a page may begin anywhere."""
+    whole = [folder for folder in folders if f"/{path}".endswith(f"/{folder}")]
+    part = [folder for folder in folders if f"/{folder}".endswith(f"/{path}")]
+    return max(whole, key=len) if whole else part[0] if len(part) == 1 else None

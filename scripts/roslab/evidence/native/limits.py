@@ -18,6 +18,10 @@ _GUARDS = ("__has_include", "CV_VERSION", "CV_MAJOR_VERSION", "CERES_VERSION", "
 """The file, or one that it includes, chooses by what is there."""
 
 
+MAX_PLACES = 100
+"""Most files that are kept for a sign."""
+
+
 @cache
 def _signs(where: str, value: str) -> tuple[Limit, ...]:
     """Return the signs that a header or a standard is; few of them are named in thousands of files."""
@@ -26,9 +30,11 @@ def _signs(where: str, value: str) -> tuple[Limit, ...]:
 
 @dataclass
 class Signs:
-    """The signs that were found so far, each at its first place."""
+    """The signs that were found so far, each with its places."""
 
-    found: dict[tuple[str, str], CodeLimit] = field(default_factory=dict)
+    found: dict[tuple[str, str], list[CodeLimit]] = field(default_factory=dict)
+    included: set[str] = field(default_factory=set)
+    """The last parts of the headers that any file includes."""
     guarded: bool = False
     """A file of the tree asks for the version of a library: its names tell nothing."""
 
@@ -43,11 +49,15 @@ class Signs:
 
     def header(self, name: str, path: str, text: str, position: int) -> None:
         """Read an include at a position of a file."""
+        self.included.add(name.rpartition("/")[2])
         for limit in _signs("include", name):
             self._add(limit, path, text.count("\n", 0, position) + 1)
 
     def all(self, repository: Repository) -> tuple[CodeLimit, ...]:
-        """Return the signs of the sources that were read and of the CMake files."""
+        """Return the signs of the sources that were read and of the CMake files, each at its first place.
+
+        A header that nothing includes is not compiled: a library that was copied whole has many.
+        """
         if self.guarded:
             self.found = {key: limit for key, limit in self.found.items() if key[0] == "GCC"}
         for file in repository.named("CMakeLists.txt"):
@@ -56,13 +66,20 @@ class Signs:
                 for match in _STANDARD.finditer(text):
                     for sign in _signs("standard", match[1]):
                         self._add(sign, file.path, text.count("\n", 0, match.start(1)) + 1)
-        return tuple(self.found.values())
+        first = (next((limit for limit in each if self._compiled(limit.file)), None) for each in self.found.values())
+        return tuple(limit for limit in first if limit)
+
+    def _compiled(self, file: str) -> bool:
+        name = file.rpartition("/")[2]
+        return not name.endswith((".h", ".hpp", ".hh")) or name in self.included
 
     def _add(self, sign: Limit, file: str, line: int) -> None:
         found = CodeLimit(
             library=sign.library, at_least=sign.at_least, below=sign.below, what=sign.what, file=file, line=line
         )
-        self.found.setdefault((sign.library, sign.what), found)
+        known = self.found.setdefault((sign.library, sign.what), [])
+        if all(limit.file != file for limit in known[-1:]) and len(known) < MAX_PLACES:
+            known.append(found)
 
 
 def _comment(text: str, position: int) -> bool:

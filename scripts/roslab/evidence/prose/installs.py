@@ -268,7 +268,7 @@ class Collector:
                 self.requirements.append(
                     Requirement(name="", written=folder, origin="prose", role="project", file=self.file, line=line)
                 )
-            elif words[1].endswith(".py") or words[1] == "-m":
+            elif any(word.endswith(".py") for word in words[1:4]) or words[1] == "-m":
                 self._run(command)
         elif self.source == "readme" and _STARTS.match(" ".join(words[:2])):
             self._run(command)
