@@ -59,7 +59,8 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     """
     written = [c for c in candidates if c.strong and not _helps(c) and not any(map(_HELP.match, c.argv))]
     rest = [c for c in written if not _after(c)] or [c for c in written if c.argv[0].startswith("python")]
-    return min(rest, key=_order, default=None)
+    whole = {program_of(c.argv) for c in rest if not c.cut}
+    return min((c for c in rest if not c.cut or program_of(c.argv) not in whole), key=_order, default=None)
 
 
 def _order(candidate: Candidate) -> tuple[bool, bool, bool, int, int, str, int]:

@@ -87,15 +87,6 @@ def test_versions() -> None:
 
 
 @pytest.mark.parametrize(("more", "distro"), [("", "noetic"), ("#include <types/wrapped.hpp>\n", "melodic")])
-def test_a_header_that_nothing_includes_is_not_compiled(tmp_path: Path, more: str, distro: str) -> None:
-    files = {
-        "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
-        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
-        "README.md": "Tested with ROS Noetic\n",
-        "include/toolkit/types/wrapped.hpp": "#include <opencv/cv.h>\n",
-        "src/main.cpp": f"#include <ros/ros.h>\n{more}",
-    }
-    for path, text in files.items():
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text(text)
-    assert decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo").ros_distro == distro
+def test_a_header_that_nothing_includes_is_not_compiled(tree: Tree, more: str, distro: str) -> None:
+    header = {"include/toolkit/types/wrapped.hpp": "#include <opencv/cv.h>\n"}
+    assert tree({**ros1(code=more, page="Tested with ROS Noetic"), **header}).ros_distro == distro

@@ -179,6 +179,7 @@ def test_a_compiled_program_may_be_named_after_its_data(tree: Tree) -> None:
     ("page", "command"),
     [
         ("python train.py -s <path to data>\npython render.py -r 2\n", "python train.py"),
+        ("python train.py -s <path to data>\npython train.py --demo\n", "python train.py --demo"),
         ("python -W ignore train.py a.yaml\npython render.py\n", "python -W ignore train.py a.yaml"),
     ],
 )
