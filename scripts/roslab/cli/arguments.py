@@ -78,13 +78,14 @@ def _reading_commands(commands: Commands) -> None:
         "--force", action="store_true", help="replace files that roslab wrote before; never one of yours"
     )
     explain = _command(commands, "explain", "Say in plain words why a build failed.")
-    explain.add_argument("log", metavar="LOG", help="the saved log of a build, - for standard input")
+    log = "the log of a failed build, saved by `docker build . > LOG 2>&1`, act, GitHub or GitLab; - for standard input"
+    explain.add_argument("log", metavar="LOG", help=log)
     _repository(explain, default=None)
     _format(explain)
     explain.add_argument(
         "--apply",
         action="store_true",
-        help="show what to add to roslab.yaml, and add it; the old one is kept as FILE.old",
+        help="show what is certainly missing in roslab.yaml, and add it; the old one is kept as FILE.old",
     )
 
 
@@ -170,7 +171,11 @@ def _command(commands: Commands, name: str, summary: str) -> argparse.ArgumentPa
 
 def _repository(command: argparse.ArgumentParser, *overriding: str, default: str | None = ".") -> None:
     """Add the arguments of a command that reads a repository, and those options of ``OVERRIDING`` that it takes."""
-    help_ = "the repository (default: this folder)" if default else "the repository that was built: names who asked"
+    help_ = (
+        "the repository (default: this folder)"
+        if default
+        else "the repository that was built: adds who asked and the lines to paste"
+    )
     command.add_argument("path", nargs="?", default=default, metavar="PATH", help=help_)
     command.add_argument("--config", metavar="FILE", help="roslab.yaml to read, relative to the repository")
     command.add_argument("--branch", metavar="NAME", help="the branch's name, where there is no .git to read it from")
