@@ -22,7 +22,7 @@ PACKAGE = """\
 </package>
 """
 TOOLS = {1: ("catkin", "roscpp", "catkin_package"), 2: ("ament_cmake", "rclcpp", "ament_package")}
-CMAKE = "cmake_minimum_required(VERSION 3.5)\nproject(robot)\nfind_package({tool} REQUIRED)\n{end}()\n"
+CMAKE = "cmake_minimum_required(VERSION 2.8.3)\nproject(robot)\nfind_package({tool} REQUIRED)\n{end}()\n"
 
 
 @pytest.fixture(scope="module")

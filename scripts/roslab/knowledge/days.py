@@ -33,10 +33,15 @@ def last_sync(distro: str, day: str) -> Sync | None:
 def rosdistro_ref(distro: str, day: str) -> tuple[str, str]:
     """Return the ref of ros/rosdistro with the tables of a day, and the day that they are of.
 
-    The tag of the distribution's last sync, else the last commit of a month; before the first with today's index, it.
+    The tag of the distribution's last sync, else of any other's, for the tables are of all; before the first tag the
+    last commit of a month; before the first with today's index, it.
     """
     if sync := last_sync(distro, day):
         return f"{distro}/{sync.day}", sync.day
+    others = [(found.day, name) for name in _syncs() if (found := last_sync(name, day))]
+    if others:
+        newest, name = max(others)
+        return f"{name}/{newest}", newest
     table = rows("rosdistro_commits")
     row = next((row for row in reversed(table) if row["day"] <= day), table[0])
     return row["commit"], row["day"]

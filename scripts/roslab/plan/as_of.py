@@ -56,6 +56,8 @@ def _lacking(decision: Decision, day: str) -> list[str]:
         found = [f"{system} has no snapshot before {since}: its packages, the base's too, are its last ones"]
     release = distro(decision.ros_distro) if decision.kind in ("ros1", "ros2") else None
     if release:
+        if release.released > day:
+            found.append(f"ROS {release.name} was released on {release.released}, and no older one is known")
         sync = days.last_sync(release.name, day)
         if sync is None or not sync.snapshot:
             found.append(f"no snapshot of ROS {release.name} of that time is known: its packages are its last ones")

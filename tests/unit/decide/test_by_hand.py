@@ -85,7 +85,7 @@ def test_what_is_cloned_without_a_ref_is_taken_as_it_was(tmp_path: Path) -> None
             ["git", "-C", str(tmp_path), *identity, *words], check=True, capture_output=True, env=environment
         )
     text = dockerfile(plan_repository(tmp_path).plan)
-    assert "--before=2019-01-25 HEAD" in text
+    assert "--before=2019-01-25T23:59:59Z HEAD" in text
     assert '"${commit:-HEAD}"' in text
 
 
@@ -116,17 +116,23 @@ def test_a_driver_that_is_started_under_a_condition_is_not_cloned(
 
 
 @pytest.mark.parametrize(
-    ("update", "file"),
+    ("update", "config", "file"),
     [
-        ("rosdep update", None),
-        ("rosdep update --rosdistro kinetic", "Dockerfile"),
-        ("rosdep update --include-eol-distros", "Dockerfile"),
-        ("apt-get update", "Dockerfile"),
+        ("rosdep update", "", "Dockerfile"),
+        ("rosdep update", "repair: false\n", None),
+        ("rosdep update --rosdistro kinetic", "repair: false\n", "Dockerfile"),
+        ("rosdep update --include-eol-distros", "repair: false\n", "Dockerfile"),
+        ("apt-get update", "repair: false\n", "Dockerfile"),
     ],
 )
-def test_an_authors_dockerfile_without_tables_is_not_built(tree: Tree, update: str, file: str | None) -> None:
+def test_an_authors_dockerfile_without_tables_is_built_where_they_are_brought(
+    tmp_path: Path, update: str, config: str, file: str | None
+) -> None:
     made = f"FROM ros:kinetic-ros-base\nCOPY . /ws/src/demo\nRUN {update}\n"
-    assert tree({**ros1("", ""), "README.md": "", "Dockerfile": made}).dockerfile == file
+    files = {"README.md": "", "Dockerfile": made, "roslab.yaml": f"format: 3\n{config}"}
+    for path, text in {**ros1("", ""), **files}.items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    assert plan_repository(tmp_path).decision.dockerfile == file
 
 
 def test_what_cmake_clones_needs_git(tree: Tree) -> None:

@@ -106,6 +106,23 @@ def test_the_day_of_the_paper(tmp_path: Path) -> None:
     assert found.as_of.day == "2020-07-09"
 
 
+@pytest.mark.parametrize(
+    ("day", "distro"), [("2020-12-01", "eloquent"), ("2022-06-01", "foxy"), ("2024-05-01", "humble")]
+)
+def test_ci_that_was_left_behind_tells_nothing_of_a_later_day(tmp_path: Path, day: str, distro: str) -> None:
+    manifest = PACKAGE.replace("catkin", "ament_cmake").replace("roscpp", "rclcpp")
+    cmake = CMAKE.replace("catkin_package", "ament_package").replace("catkin", "ament_cmake")
+    ci = {".travis.yml": "env:\n  - ROS_DISTRO=eloquent\nscript: colcon build\n"}
+    assert (
+        plan(tmp_path, {"package.xml": manifest, "CMakeLists.txt": cmake, **ci}, f"date: {day}\n").ros_distro == distro
+    )
+
+
+def test_a_distribution_that_is_newer_than_the_day_is_named(tmp_path: Path) -> None:
+    found = plan(tmp_path, ROS1, "date: 2019-01-01\nbase: {ros: dashing}\nkind: ros2\n")
+    assert any("ROS dashing was released on 2019-05-31" in warning.message for warning in found.warnings)
+
+
 @pytest.mark.parametrize("day", ["2019-02-30", "19-05-20", "yesterday", "2019"])
 def test_what_is_no_day(tmp_path: Path, day: str) -> None:
     with pytest.raises(ConfigurationError):

@@ -9,7 +9,7 @@ from roslab.decide.day import existed, there
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.reasons import because, configured, ranked, warn
 from roslab.decide.ros.distro_dates import dated, of_its_time
-from roslab.decide.ros.distro_evidence import Weight, reasons_for
+from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.code_fits import misfits
@@ -31,7 +31,7 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     unknown = _unknown_keys(evidence, ros)
     lacking = misfits(evidence)
     unknown = {name: missing for name, missing in unknown.items() if existed(evidence, name)} or unknown
-    named = there(evidence, reasons_for(evidence, ros))
+    named = [reason for reason in there(evidence, reasons_for(evidence, ros)) if not stale(reason, evidence.day)]
     reasons = [_compiling(_fitted(reason, unknown), lacking) for reason in named]
     if config.base.ubuntu and (fitting := distros_of(config.base.ubuntu, 1 if ros == 1 else 2)):
         inside = [reason for reason in reasons if reason.answer in fitting]
@@ -60,6 +60,10 @@ def _became(evidence: Evidence, best: Reason) -> Reason | None:
         return None
     became = min(later, key=lambda found: found.released).name
     why = f"{best.reason}; the rolling of the last commit, of {date.value}, became {became}"
+    past = [found for found in distros().values() if found.ros == 2 and found.eol and found.released <= date.value]
+    if evidence.day and past:
+        became = max(past, key=lambda found: found.released).name
+        why = f"{best.reason}; nothing keeps the rolling of {evidence.day}, when {became} was the newest release"
     return because("ros_distro", became, why, date, weight=best.weight + 1)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime as dt
 import re
 from collections.abc import Iterator
 from typing import ClassVar
@@ -15,6 +16,8 @@ from roslab.values.origin import Place
 
 FAMILY = 2
 """Dockerfiles for more distributions than this are a family: none of them tells which distribution is meant."""
+LEFT_BEHIND = dt.timedelta(days=182)
+"""From the end of a distribution on, so long CI and Dockerfiles may still be for it."""
 QUOTED = 160
 """Most characters of a sentence that are quoted."""
 _AGAINST = re.compile(
@@ -85,6 +88,21 @@ def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
         if reason.answer not in found or reason.weight > found[reason.answer].weight:
             found[reason.answer] = reason
     return list(found.values())
+
+
+def stale(reason: Reason, day: str | None) -> bool:
+    """Tell whether a reason for a distribution is of an earlier time than the day that the image is to be of.
+
+    A page tells what the authors used, and people use what has ended. CI and Dockerfiles stay behind unnoticed, and an
+    Ubuntu alone tells of a distribution only while that is maintained.
+    """
+    end = distros()[reason.answer].eol
+    if day is None or end is None or end >= day:
+        return False
+    if reason.reason.startswith("Ubuntu "):
+        return True
+    left_behind = (dt.date.fromisoformat(end) + LEFT_BEHIND).isoformat()
+    return reason.reason.startswith(("CI", "the author's image")) and left_behind < day
 
 
 def _dockerfiles(evidence: Evidence) -> Iterator[Reason]:
