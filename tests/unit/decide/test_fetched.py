@@ -73,3 +73,10 @@ def test_what_is_named_after_ros_is_no_wrapper(tmp_path: Path, name: str, kind: 
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text, encoding="utf-8")
     assert decide(gather(Repository.open(tmp_path)), Config(), folder_name=name).kind == kind
+
+
+@pytest.mark.parametrize("file", ["environment.yml", "requirements.txt"])
+def test_the_python_of_conda_brings_tk(tree: Tree, file: str) -> None:
+    text = "name: a\ndependencies:\n  - python=3.8\n  - matplotlib\n" if file.endswith("yml") else "matplotlib\n"
+    decision = tree({file: text, "run.py": "import matplotlib\n"})
+    assert ("python3-tk" in decision.apt_guessed) == (file == "requirements.txt")

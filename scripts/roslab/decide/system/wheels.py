@@ -10,6 +10,9 @@ from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.frameworks import imports, wheels
 from roslab.values.requirement import Requirement
 
+_TK = "python3-tk"
+"""Of the distribution's Python only; conda's brings Tk itself. https://github.com/conda-forge/python-feedstock"""
+
 
 def apt_for_wheels(
     python: Python, installed: tuple[Requirement, ...], ubuntu: str | None, evidence: Evidence
@@ -18,6 +21,8 @@ def apt_for_wheels(
     found: dict[str, Dependency | Requirement] = {}
     for asked in installed:
         for apt in wheels().get(asked.key, ()):
+            if python.manager == "conda" and apt == _TK:
+                continue
             found.setdefault(name_in(apt, ubuntu or "bookworm"), asked)
     if python.manager == "system":
         for dependency in evidence.code:
