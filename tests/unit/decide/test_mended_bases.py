@@ -72,5 +72,12 @@ def test_every_stage_is_read_and_each_base_replaced_once(tmp_path: Path) -> None
     assert (bionic.sources.ros, bionic.sources.ended, bionic.rosdistro_tag) == (None, True, None)
 
 
+def test_each_step_from_a_deleted_cuda_to_the_nearest_is_told(tmp_path: Path) -> None:
+    (tmp_path / "requirements.txt").write_text("tensorflow-gpu==1.13.1\n")
+    (tmp_path / "main.py").write_text("import tensorflow\n\ntensorflow.Session()\n")
+    said = [warning.message for warning in plan_repository(tmp_path).plan.warnings]
+    assert any("CUDA 10.0: its images were deleted" in text and "the image has 11.0.3" in text for text in said), said
+
+
 def test_nothing_is_replaced_where_the_author_does_not_want_it(tmp_path: Path) -> None:
     assert bases(tmp_path, "FROM ros:kinetic\nCOPY . /source\n", "repair: false\n") == ()

@@ -186,10 +186,12 @@ def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: t
     image = cuda_image(cuda)
     if image is not None and image.tag:
         return Choice(answer=_cuda(image, cudnn), reasons=reasons)
-    instead = next((row for other in others if (row := cuda_image(other)) and row.tag), None) or nearest_cuda_image(
-        cuda
-    )
-    why = "its images were deleted from the registry" if image else "no image of it is known"
+    accepted = next((row for other in others if (row := cuda_image(other)) and row.tag), None)
+    instead = accepted or nearest_cuda_image(cuda)
+    why = "its images were deleted from the registry, its last patch's too" if image else "no image of it is known"
+    if others:
+        having = accepted.cuda if accepted else "none"
+        why += f"; of {', '.join(others)}, which the framework accepts too, {having} has one"
     note = because(
         "cuda",
         instead.cuda,
@@ -198,7 +200,7 @@ def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: t
     )
     said = reasons[0]
     warning = warn(
-        f"CUDA {cuda}: {why}; the image has {instead.cuda}. A framework that loads CUDA {cuda} itself will "
+        f"CUDA {cuda}: {why}; the image has {instead.tag}. A framework that loads CUDA {cuda} itself will "
         "not see the GPU; set base.cuda or base.image in roslab.yaml to choose another",
         Place(file=said.file, line=said.line) if said.file else None,
     )
