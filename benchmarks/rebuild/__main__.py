@@ -44,6 +44,7 @@ def dump(results: Results) -> str:
 
 def write(results: Results) -> None:
     """Keep the figures and, for each repository, their picture."""
+    RESULTS.parent.mkdir(exist_ok=True)
     RESULTS.write_text(dump(results))
     for name, cases in results.items():
         (RESULTS.parent / f"rebuild-{name}.svg").write_text(picture(cases, f"{name}: seconds until it is pushed"))

@@ -14,6 +14,7 @@ from roslab.decide.decision import Decision, Warning_
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
+from roslab.evidence.native import unread
 from roslab.evidence.ros import vcs
 from roslab.knowledge.days import rosdistro_ref
 from roslab.knowledge.distros import rosdistro_tag
@@ -77,6 +78,7 @@ def plan_repository(
         ignore=tuple(repository.read(".dockerignore").splitlines()),
         rosdistro_tag=_tables(decision),
         source_version=version,
+        unread=unread.names(repository),
     )
     file = lock_file(config)
     if locked and repository.has(file):

@@ -64,12 +64,13 @@ def test_a_changed_constant_part_is_seen(monkeypatch: pytest.MonkeyPatch, tmp_pa
 
 
 def test_what_belongs_to_the_ros_1_example_fits_on_a_screen() -> None:
-    """Everything but what the file carries as heredocs, comments and blank lines included."""
+    """Every instruction; what the file carries as heredocs and the comments beside the instructions are not counted."""
     text = whole("ros1_talker")["Dockerfile"]
     own = re.sub(r"^COPY [^\n]*<<'EOF' .*?^EOF\n\n?", "", text, flags=re.MULTILINE | re.DOTALL)
     assert "roslaunch ros1_talker" in own
     assert "rosdep update" not in own
-    assert len(own.splitlines()) <= 50, own
+    lines = [line for line in own.splitlines() if line and not line.startswith("#")]
+    assert len(lines) <= 45, own
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -1,4 +1,4 @@
-"""The second of two pushes, each on a runner that has nothing yet: BuildKit's own record says which steps ran."""
+"""The second of two pushes on a runner that has nothing yet, and whose cache mounts a shared builder keeps."""
 
 from __future__ import annotations
 
@@ -58,3 +58,33 @@ def test_the_second_of_two_pushes(lab: Laboratory, tmp_path: Path, door: str, ca
     parts = {"action": ["all"], "image": ["linux-amd64", "linux-arm64"]}[door] if cache == "registry" else []
     caches = [tag for tag in registry.tags(f"{doors.OWNER}/{name}") if tag.startswith("buildcache-")]
     assert [re.sub("-[0-9a-f]{8}-", "-", name) for name in caches] == [f"buildcache-main-{part}" for part in parts]
+
+
+KEEPING = """\
+FROM ubuntu:24.04
+COPY . /source
+RUN --mount=type=cache,id=kept,target=/kept cp --recursive /kept /found && cat /source/who >/kept/who
+CMD ["ls", "/found"]
+"""
+
+
+def test_what_a_pull_request_keeps_in_a_cache_mount_reaches_no_branch_and_no_release(
+    lab: Laboratory, tmp_path: Path
+) -> None:
+    """One builder for all, as on a runner of one's own: only the branch itself finds what it kept."""
+    repository = lab.fresh_repository(f"{doors.OWNER}/robot").partition("/")[2]
+    name = repository.rpartition("/")[2]
+
+    def build(who: str, test: str, event: str, **said: str) -> None:
+        recipe = f"format: 3\nkind: cpp\ndockerfile: Dockerfile\nplatforms: [linux/amd64]\ntest: {test}\n"
+        files = {"Dockerfile": KEEPING, "roslab.yaml": recipe, "who": who}
+        caller = doors.through_action(tmp_path / who, {"registry": lab.registry}, files)
+        ran = run_workflow(lab, caller, event, doors.payload(name, **said), env=doors.builder(lab))
+        assert ran.exit_code == 0, ran.log
+
+    nothing = "test ! -e /found/who"
+    build("stranger", nothing, "pull_request", head="stranger/robot")
+    build("proposal", nothing, "pull_request", head=repository)
+    build("push", nothing, "push")
+    build("again", "grep push /found/who", "push")
+    build("release", nothing, "push", ref="refs/tags/v1.0.0")

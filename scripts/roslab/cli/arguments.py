@@ -102,6 +102,9 @@ def _building_commands(commands: Commands) -> None:
     build.add_argument("--no-cache", action="store_true", help="build every layer anew")
     build.add_argument("--no-lock", action="store_true", help="take today's versions, whatever roslab.lock says")
     build.add_argument(
+        "--twice", action="store_true", help="build twice from nothing, compare the bits, and name what differs"
+    )
+    build.add_argument(
         "--repair",
         metavar="N",
         type=_rounds,

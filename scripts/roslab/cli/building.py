@@ -6,6 +6,7 @@ import argparse
 import os
 import sys
 import tempfile
+import uuid
 from pathlib import Path
 
 from roslab.cli.planning import planned_of, warnings_of
@@ -15,6 +16,7 @@ from roslab.engine.bases import Mended, mend
 from roslab.engine.secrets import of_environment
 from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.pipeline import Planned, bases_of, write_bases, write_dockerfile
+from roslab.repository import git as commits
 from roslab.values.origin import Option
 
 
@@ -29,6 +31,9 @@ def build(options: argparse.Namespace) -> int:
     sys.stderr.write(warnings_of(planned))
     version = engine.check()
     engine.say(f"roslab: Docker {version}")
+    if options.twice:
+        _twice(options, planned, arguments)
+        return 0
     if not options.repair:
         _once(options, planned, arguments)
         return 0
@@ -67,6 +72,7 @@ def _once(
     authored = planned.plan.author_dockerfile
     name = f"{planned.plan.name}:{options.tag}"
     engine.say(f"roslab: building {name} for {', '.join(platforms)}")
+    anew = _from_nothing() if options.no_cache and not again else ()
     candidates: list[str] = []
     helpers: list[str] = []
     try:
@@ -83,10 +89,10 @@ def _once(
                     tags=(candidates[-1],),
                     labels=engine.commit_labels(planned.repository.root),
                     contexts=mended.contexts,
-                    arguments=(*(authored.args if authored else ()), *arguments),
+                    arguments=(*(authored.args if authored else ()), *arguments, *anew),
                     target=authored.target if authored else None,
                     secrets=secrets,
-                    extra=("--no-cache",) if options.no_cache and not again else (),
+                    extra=("--no-cache",) if anew else (),
                 )
                 engine.build(job)
                 if not options.no_proof:
@@ -107,6 +113,53 @@ def _mended(planned: Planned, folder: Path, platform: str) -> Mended:
     """Return what replaces the images of the author's Dockerfile that no longer answer."""
     file = write_bases(planned.plan, folder)
     return mend(bases_of(planned.plan), file, platforms=(platform,)) if file else Mended()
+
+
+def _from_nothing() -> tuple[tuple[str, str], ...]:
+    """Return the argument that gives a build empty cache mounts, which ``--no-cache`` alone leaves as they are.
+
+    https://docs.docker.com/build/buildkit/frontend/
+    """
+    return (("BUILDKIT_CACHE_MOUNT_NS", uuid.uuid4().hex),)
+
+
+def _twice(options: argparse.Namespace, planned: Planned, arguments: tuple[tuple[str, str], ...]) -> None:
+    """Build an image twice from nothing and compare the bits; times are the commit's.
+
+    Raises ``BuildError`` that names the files that differ.
+    """
+    from roslab.engine.twice import differences  # noqa: PLC0415 - for this option alone
+
+    authored = planned.plan.author_dockerfile
+    platforms = planned.plan.platforms if options.platforms else (engine.native_platform(),)
+    seconds = commits.head(planned.repository.root)[1] or 0
+    with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
+        dockerfile, context = write_dockerfile(planned, Path(folder))
+        for platform in platforms:
+            mended = _mended(planned, Path(folder), platform)
+            archives = [Path(folder, f"{name}.tar") for name in ("first", "second")]
+            for archive in archives:
+                engine.say(f"roslab: the {archive.stem} build for {platform}")
+                job = engine.Build(
+                    context=context,
+                    dockerfile=dockerfile,
+                    platforms=(platform,),
+                    labels=engine.commit_labels(planned.repository.root),
+                    contexts=mended.contexts,
+                    arguments=(*(authored.args if authored else ()), *arguments, *_from_nothing()),
+                    target=authored.target if authored else None,
+                    output=f"type=oci,dest={archive},rewrite-timestamp=true",
+                    secrets=of_environment(planned.plan.secrets, os.environ),
+                    extra=("--no-cache", "--provenance=false"),
+                )
+                engine.build(job, environment={"SOURCE_DATE_EPOCH": str(seconds)})
+            if found := differences(*archives):
+                listed = "\n".join(f"  {line}" for line in found)
+                message = f"two builds of one commit differ on {platform}:\n{listed}"
+                raise BuildError(Problem(message=message))
+            for image in mended.images:
+                engine.remove_image(image)
+            sys.stdout.write(f"{platform}: two builds, the same bits\n")
 
 
 def _screenshots(options: argparse.Namespace, planned: Planned) -> Path:

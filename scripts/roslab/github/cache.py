@@ -1,4 +1,4 @@
-"""The layer cache: where a build reads layers from, and where it writes its own."""
+"""The caches of a build: where it reads layers from and writes its own, and whose cache mounts it may use."""
 
 from __future__ import annotations
 
@@ -47,6 +47,20 @@ def layers(event: Event, publication: Publication, wish: Cache, *, image: str, p
     if event.name == "schedule":
         return Layers(write=write, reason="a scheduled build reads no cache: it is there to see what has moved")
     return Layers(read=read, write=write, reason=f"read from the branches {own} and {event.default_branch}")
+
+
+def mounts(event: Event, wish: Cache, *, variant: str = "") -> str:
+    """Return the namespace of a build's cache mounts, which outlive it where a builder serves many jobs.
+
+    What a step leaves in such a mount is used by a later one as it is, so that no namespace is shared across a line
+    of trust: a pull request has its own, a branch its own, and a release or a build that asked for no cache one of this
+    run alone. https://docs.docker.com/build/buildkit/frontend/ (BUILDKIT_CACHE_MOUNT_NS)
+    """
+    if wish == "none" or event.tag is not None or event.name == "schedule":
+        return f"once-{short(event.repository, event.ref, event.sha, event.run, variant)}"
+    if event.branch is None or event.queued:
+        return f"proposed-{short(event.repository, event.ref, event.head or '', variant)}"
+    return f"branch-{short(event.repository, event.branch, variant)}"
 
 
 def _reference(image: str, branch: str, part: str, variant: str) -> str:

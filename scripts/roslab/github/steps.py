@@ -196,6 +196,8 @@ def dockerfile(environment: Environment) -> None:
         ),
         seconds,
     )
+    mounts = cache.mounts(what, run.cache, variant=run.variant)
+    arguments = (*(authored.args if authored else ()), ("BUILDKIT_CACHE_MOUNT_NS", mounts))
     by_digest = f"type=image,name={run.image},push=true,push-by-digest=true,name-canonical=true"
     if run.plan.as_of:
         by_digest += ",rewrite-timestamp=true"  # the same day gives the same image, whenever it is built
@@ -207,7 +209,7 @@ def dockerfile(environment: Environment) -> None:
         # Those of the index are made with it: the build of one platform has none
         "annotations": "\n".join(f"manifest:{name}={value}" for name, value in named) if run.push else "",
         "platforms": ",".join(platforms),
-        "build-args": "\n".join(f"{name}={value}" for name, value in authored.args) if authored else "",
+        "build-args": "\n".join(f"{name}={value}" for name, value in arguments),
         "build-contexts": "\n".join(f"{name}={value}" for name, value in mended.contexts),
         "target": (authored.target or "") if authored else "",
         # A pull request's image goes straight to the engine; several platforms stay in the builder, to be loaded singly

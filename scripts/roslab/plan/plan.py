@@ -135,6 +135,13 @@ class Plan:
     lock: Lock | None = None
     """Versions that an earlier image was made of and this one is made of again."""
 
+    @property
+    def compiled_apart(self) -> bool:
+        """Whether nothing but the compilation needs the source while the image is made: it gets a stage of its own."""
+        place = self.workspace
+        needed_later = self.custom or self.compatible or place.python_projects or place.submodules
+        return bool(place.ros or place.program) and not needed_later
+
 
 def image_name(text: str) -> str:
     """Return a valid image name for any text: lower case, runs of other characters become one dash.
@@ -155,10 +162,12 @@ def make_plan(
     ignore: tuple[str, ...] = (),
     rosdistro_tag: str | None = None,
     source_version: SourceVersion | None = None,
+    unread: tuple[str, ...] = (),
 ) -> Plan:
     """Turn one decision into the plan of an image.
 
-    ``folder_name`` names the image if roslab.yaml does not; ``ignore`` are the lines of the author's .dockerignore.
+    ``folder_name`` names the image if roslab.yaml does not; ``ignore`` are the lines of the author's .dockerignore,
+    ``unread`` the names at the top of the repository that no build file names.
     """
     author_dockerfile = (
         AuthorDockerfile(
@@ -181,7 +190,7 @@ def make_plan(
     libraries = tuple(s for s in decision.source if s.name not in named)
     packages = image_packages(decision, config, (*in_workspace, *decision.submodules))
     name = config.name or image_name(folder_name)
-    place = workspace(decision, config, in_workspace, name)
+    place = workspace(decision, config, in_workspace, name, unread)
     run = Run(
         command=decision.command,
         candidates=decision.command_candidates,

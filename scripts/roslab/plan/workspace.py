@@ -66,11 +66,15 @@ class Workspace:
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of the repository, each with CMake's options, that are compiled where they lie before all else."""
     python_projects: tuple[str, ...]
+    unread: tuple[str, ...] = ()
+    """Names at the top of the repository that no build file names."""
     links: tuple[tuple[str, str], ...]
     """Name and target of the links that keep the paths of an image in an old format."""
 
 
-def workspace(decision: Decision, config: Config, sisters: tuple[Source, ...], name: str) -> Workspace:
+def workspace(
+    decision: Decision, config: Config, sisters: tuple[Source, ...], name: str, unread: tuple[str, ...] = ()
+) -> Workspace:
     """Return what is compiled; ``name`` is the image's, which the repository's folder has too."""
     ros = decision.kind in ("ros1", "ros2")
     in_workspace = decision.workspace != "none" and not (ros and decision.build_tool not in ROS_TOOLS)
@@ -91,6 +95,7 @@ def workspace(decision: Decision, config: Config, sisters: tuple[Source, ...], n
         submodules=decision.submodules,
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
         python_projects=decision.python.projects,
+        unread=unread,
         links=tuple(links),
     )
 

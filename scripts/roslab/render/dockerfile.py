@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import base, final, locks, manifests, python, scripts, shell, system, workspace
+from roslab.render.layers import apart, base, final, locks, manifests, python, scripts, shell, system, workspace
 from roslab.render.output import Beside
 from roslab.values.secret import SSH
 
@@ -24,6 +24,9 @@ class Order:
     stages: tuple[Block, ...]
     """Blocks that each make their own stages."""
     image: tuple[Block, ...]
+    """What the source is not needed for."""
+    source: tuple[Block, ...]
+    """From the copy of the source on: everything here is repeated when a file changes."""
 
 
 END: tuple[Block, ...] = (
@@ -53,7 +56,9 @@ TODAY = Order(
         python.locked,
         python.packages,
         python.guessed_packages,
-        workspace.copy_source,  # 5. everything below is repeated when a file changes
+    ),
+    source=(
+        workspace.copy_source,  # 5.
         python.versions,
         python.projects,
         workspace.own_projects,
@@ -82,6 +87,8 @@ OLD_FORMATS = Order(  # the order of the old generators, in which later steps us
         system.libraries_in_place,
         workspace.sister_sources,
         workspace.rosdep,
+    ),
+    source=(
         workspace.copy_source,
         workspace.old_paths,
         python.versions,
@@ -105,14 +112,7 @@ def text(plan: Plan, _: Beside) -> str:
 def dockerfile(plan: Plan) -> str:
     """Return the text of the Dockerfile for a plan without a Dockerfile of the author's."""
     order = OLD_FORMATS if plan.compatible else TODAY
-    base_stage, image = _join(order.base, plan), _join(order.image, plan)
-    stages = [text for block in order.stages if (text := block(plan))]
-    start = f"FROM {quote.image(plan.base_image)}"
-    if stages:
-        stages = [f"{start} AS base\n{base_stage}", *stages, f"FROM base\n{image}"]
-    else:
-        stages = [f"{start}\n{base_stage}\n\n{image}"]
-    stages = [_without_repetition(stage) for stage in stages]
+    stages = [_without_repetition(stage) for stage in _stages(order, plan)]
     carried = scripts.stage("\n".join(stages))
     return _header(plan) + "\n" + "\n\n\n".join((carried, *stages)) + "\n"
 
@@ -130,6 +130,27 @@ def question(plan: Plan) -> str:
     )
     base = f"FROM {quote.image(plan.base_image)} AS base\n{_join(order.base, plan)}\n{ask}"
     return "\n\n".join((scripts.stage(base), base, "FROM scratch\nCOPY --from=base /missing /\n"))
+
+
+def _stages(order: Order, plan: Plan) -> list[str]:
+    start = f"FROM {quote.image(plan.base_image)}"
+    first = _join(order.base, plan)
+    between = [text for block in order.stages if (text := block(plan))]
+    before = f"{start} AS base\n{first}"
+    if not plan.compiled_apart:
+        image = _join((*order.image, *order.source), plan)
+        return [before, *between, f"FROM base\n{image}"] if between else [f"{start}\n{first}\n\n{image}"]
+    dependencies = _join((*order.image, final.environment), plan)
+    if between:
+        between = [before, *between, f"FROM base AS {apart.DEPENDENCIES}\n{dependencies}"]
+    else:
+        between = [f"{start} AS {apart.DEPENDENCIES}\n{first}\n\n{dependencies}".rstrip("\n")]
+    return [
+        apart.source_stage(plan),
+        *between,
+        f"FROM {apart.DEPENDENCIES} AS {apart.COMPILED}\n{apart.compiled(plan)}",
+        f"FROM {apart.DEPENDENCIES}\n{_join((apart.results, final.start), plan)}",
+    ]
 
 
 def _header(plan: Plan) -> str:

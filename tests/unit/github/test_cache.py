@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslab.github.cache import layers
+from roslab.github.cache import layers, mounts
 from roslab.github.event import Event, publication
 from roslab.github.run import short
 
@@ -80,3 +80,19 @@ def test_no_two_branches_or_variants_share_a_cache() -> None:
     found = [tag(name) for name in names] + [tag("x-y", '{"distro": "humble"}'), tag("x-y", '{"distro": "jazzy"}')]
     assert len(set(found)) == len(found)
     assert all(len(name.rpartition(":")[2]) <= 128 for name in found)
+
+
+PUSH = event(run="7")
+PULL = event(name="pull_request", ref="refs/pull/7/merge", proposed=True, head="lab/robot", base_branch="main")
+FOREIGN = event(name="pull_request", ref="refs/pull/7/merge", proposed=True, head="stranger/robot", base_branch="main")
+BRANCH = event(ref="refs/heads/feature")
+QUEUE = event(ref="refs/heads/gh-readonly-queue/main/pr-7")
+RELEASE = event(ref="refs/tags/v1.0.0", run="7")
+
+
+def test_no_two_lines_of_trust_share_what_a_step_keeps() -> None:
+    every = [mounts(found, "auto") for found in (PUSH, PULL, FOREIGN, BRANCH, QUEUE, RELEASE, event(name="schedule"))]
+    every += [mounts(event(run="9"), "none"), mounts(PUSH, "auto", variant="humble")]
+    assert len(set(every)) == len(every)
+    assert mounts(PUSH, "auto") == mounts(event(sha="1" * 40, run="8"), "auto"), "the next push goes on with it"
+    assert mounts(RELEASE, "auto") != mounts(event(ref="refs/tags/v1.0.0", run="8"), "auto")

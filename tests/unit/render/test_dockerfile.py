@@ -6,6 +6,7 @@ import dataclasses
 import json
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -68,7 +69,7 @@ def test_layers_go_from_rarely_to_often_changing() -> None:
         "FROM ros:noetic-ros-base AS base",
         "RUN create-user",
         "FROM base AS library-1-ceres",
-        "FROM base\n",
+        "FROM base AS dependencies\n",
         "libeigen3-dev",
         "libglew-dev",
         "COPY --from=library-1-ceres",
@@ -76,8 +77,10 @@ def test_layers_go_from_rarely_to_often_changing() -> None:
         "COPY talker/package.xml /tmp/manifests/talker/",
         "RUN install-rosdep-keys",
         "numpy==1.17",
-        "USER ${NB_USER}\nWORKDIR /home/${NB_USER}/ws/src/paper\nCOPY --chown=${NB_UID}:${NB_UID} . .",
+        "FROM dependencies AS compiled\nUSER ${NB_USER}\nWORKDIR /home/${NB_USER}/ws/src/paper\nCOPY --from=source ",
         "catkin_make -j",
+        "COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/built/ /home/${NB_USER}/ws/",
+        "COPY --chown=${NB_UID}:${NB_UID} . .",
         "ENTRYPOINT",
         "CMD",
     )
@@ -89,8 +92,8 @@ def test_both_orders_have_every_block_of_python() -> None:
     own = {python.environment, python.jupyter, python.constraints, python.packages, python.guessed_packages}
     own |= {python.versions, python.projects}
     for order in (TODAY, OLD_FORMATS):
-        assert own <= {*order.image}
-        assert order.image.index(python.versions) < order.image.index(python.projects)
+        assert own <= {*order.image, *order.source}
+        assert order.source.index(python.versions) < order.source.index(python.projects)
 
 
 def test_a_new_system_package_rebuilds_no_library() -> None:
@@ -123,8 +126,9 @@ def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> No
         "install-rosdep-keys",
         "install-optional-pip",
     ]
-    assert carried.findall(text) == [*names, "roslab-entrypoint"]
-    library, image = text.split("\nFROM base AS library-1-ceres\n")[1].split("\nFROM base\n")
+    assert carried.findall(text) == [*names, "roslab-entrypoint", "reuse-build"]
+    library, image = text.split("\nFROM base AS library-1-ceres\n")[1].split("\nFROM base AS dependencies\n")
+    image = image.partition("\nFROM dependencies AS compiled\n")[0]
     for stage in (library, image):
         assert stage.count("COPY --from=scripts /compile-jobs") == 1
         assert stage.index("COPY --from=scripts /compile-jobs") < stage.index("$(compile-jobs)")
@@ -132,10 +136,10 @@ def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> No
 
 def test_every_script_is_called_by_some_dockerfile() -> None:
     folder = Path(image_scripts.__path__[0])
-    calls = "".join(path.read_text() for path in (folder.parent / "layers").glob("*.py"))
+    calls = "".join(path.read_text() for path in folder.parent.rglob("*.py"))
     names = sorted(path.stem for path in folder.glob("*.sh"))
-    assert len(names) == 9
-    assert [name for name in names if f'"{name}"' not in calls] == []
+    assert len(names) == 15
+    assert [name for name in names if not re.search(rf"""["'/]{name}["' ]""", calls)] == []
 
 
 def test_a_new_script_repeats_no_step_before_its_first_use() -> None:
@@ -161,10 +165,37 @@ def test_manifests_are_copied_by_name_each_step_its_own() -> None:
 def test_many_manifests_are_one_layer() -> None:
     names = tuple(f"part_{number}/package.xml" for number in range(40))
     text = written(plan(packages=names))
-    stage, image = text.split("\nFROM base AS manifests\n")[1].split("\nFROM base\n")
+    stage, image = text.split("\nFROM base AS manifests\n")[1].split("\nFROM base AS dependencies\n")
+    assert "COPY --from=source / .\n" in stage, "what no build file names repeats nothing here either"
     assert all(name in stage for name in names)
     assert "package.xml" not in image.replace("# What the package.xml files name", "")
     assert "COPY --from=manifests /manifests/ /tmp/manifests/\n" in image
+
+
+def test_what_no_build_file_names_is_blank_for_the_compilation_and_whole_in_the_image() -> None:
+    found = plan()
+    found = replace(found, workspace=replace(found.workspace, unread=("README.md", "docs")))
+    text = dockerfile(found)
+    assert "FROM scratch AS source\nCOPY . /\nCOPY --link <<README.md <<docs /\nREADME.md\ndocs\n" in text
+    compiled, image = text.split("\nFROM dependencies AS compiled\n")[1].split("\nFROM dependencies\n")
+    assert "COPY --from=source --chown=${NB_UID}:${NB_UID} / ." in compiled
+    assert "COPY --chown=${NB_UID}:${NB_UID} . ." in image
+    assert "RUN" not in image, "an edit of these repeats no step"
+
+
+def test_a_repository_that_is_a_workspace_is_copied_before_what_was_compiled() -> None:
+    """It may hold a folder devel of its own."""
+    found = plan()
+    text = dockerfile(replace(found, workspace=replace(found.workspace, folder="ws")))
+    image = text.split("\nFROM dependencies\n")[1]
+    assert image.index("COPY --chown=${NB_UID}:${NB_UID} . .") < image.index("COPY --from=compiled ")
+
+
+def test_what_needs_the_source_in_the_image_is_compiled_there() -> None:
+    custom = Custom(commands=("make a",), as_root=False, chained=False, workdir="home")
+    text = dockerfile(plan(Config(custom=custom)))
+    assert "AS compiled" not in text
+    assert "reuse-build" not in text
 
 
 @pytest.mark.parametrize(
@@ -184,9 +215,12 @@ def test_each_build_tool(tool: str, command: str, setup: str) -> None:
 
 def test_the_image_runs_as_the_user_with_the_source_at_hand() -> None:
     lines = dockerfile(plan(command=("roslaunch", "talker", "a b.launch"))).splitlines()
-    assert lines[-4:] == [
+    assert lines[-7:] == [
         "USER ${NB_USER}",
         "WORKDIR /home/${NB_USER}/ws/src/paper",
+        "COPY --chown=${NB_UID}:${NB_UID} . .",
+        "",
+        "ENV HOME=/home/${NB_USER}",
         'ENTRYPOINT ["roslab-entrypoint"]',
         'CMD ["roslaunch", "talker", "a b.launch"]',
     ]
@@ -368,4 +402,4 @@ def test_conda_installs_what_a_manifest_of_pixi_names(plan: Callable[..., Plan])
     assert "--prefix /opt/conda --channel conda-forge" in text
     assert "'numpy<2'" in text
     assert "COPY pixi.toml" not in text
-    assert "--file" not in text
+    assert "--file /tmp/manifests" not in text

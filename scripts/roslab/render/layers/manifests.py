@@ -39,9 +39,10 @@ def stage(plan: Plan) -> str:
     if len(_folders(files)) <= MOST_FOLDERS:
         return ""
     copy = f"cp --parents --target-directory=/manifests{shell.words(quote.path(name) for name in files)}"
+    source = "COPY --from=source / ." if plan.compiled_apart else "COPY . ."
     why = "# The manifests alone: what is installed from them is installed again only when one of them changes"
     return "\n".join(
-        (why, "FROM base AS manifests", "WORKDIR /repository", "COPY . .", shell.run("mkdir /manifests", copy))
+        (why, "FROM base AS manifests", "WORKDIR /repository", source, shell.run("mkdir /manifests", copy))
     )
 
 

@@ -10,6 +10,10 @@ from roslab.render.layers.secrets import NONE, Secrets
 
 JOBS = '"$(compile-jobs)"'
 """As many compilers as there are cores, but 2 GB of memory for each: a template-heavy file needs that much."""
+FORGET = (
+    "rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/*,alternatives.log,dpkg.log}"
+)
+"""Ends a step of apt: lists that grow old, and what holds the time of the build or the machine's inodes."""
 SET_JOBS = f"jobs={JOBS}"
 
 
@@ -81,11 +85,11 @@ def words(items: Iterable[str], *, indent: int = 6) -> str:
 
 
 def apt_install(packages: Sequence[str], secrets: Secrets = NONE, around: Around = NOTHING) -> str:
-    """Return a RUN that installs packages and leaves no package lists behind."""
+    """Return a RUN that installs packages and leaves neither lists nor times behind."""
     return run(
         "apt-get update",
         f"apt-get install --yes --no-install-recommends{words(packages)}",
-        "rm -rf /var/lib/apt/lists/*",
+        FORGET,
         secrets=secrets,
         around=around,
     )

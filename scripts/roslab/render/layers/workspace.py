@@ -13,6 +13,7 @@ from roslab.render.layers.system import fetch
 
 HOME = f"/home/{quote.USER}"
 WS = f"{HOME}/{WORKSPACE}"
+BUILD_CACHE = "/var/cache/roslab-build"
 
 
 def source_folder(plan: Plan) -> str:
@@ -78,8 +79,13 @@ def rosdep(plan: Plan) -> str:
 
 def copy_source(plan: Plan) -> str:
     """Copy the repository; the user owns it, and the folders on the way to it, which WORKDIR makes."""
+    return f"# The source\n{source_copied(plan)}"
+
+
+def source_copied(plan: Plan, of: str = "", path: str = ".") -> str:
+    """Return the lines that copy a source as the user's into the repository's folder; ``of`` names its stage."""
     target = quote.docker_path(source_folder(plan))
-    return f"# The source\nUSER ${{NB_USER}}\nWORKDIR {target}\nCOPY --chown=${{NB_UID}}:${{NB_UID}} . ."
+    return f"USER ${{NB_USER}}\nWORKDIR {target}\nCOPY {of}--chown=${{NB_UID}}:${{NB_UID}} {path} ."
 
 
 def old_paths(plan: Plan) -> str:
@@ -135,17 +141,30 @@ def compile_workspace(plan: Plan) -> str:
     return f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{run}"
 
 
-def _commands(build: RosBuild) -> list[str]:
+def compile_again(plan: Plan) -> str:
+    """Compile the ROS workspace with the build tree of the last build, where a cache has kept it."""
+    build = plan.workspace.ros
+    if build is None:
+        return ""
+    cache = f"--mount=type=cache,id=build-{plan.name}-${{TARGETARCH}},target={BUILD_CACHE}"
+    kept = secrets.Secrets(mounts=(f"{cache},uid=${{NB_UID}},sharing=locked",))
+    run = shell.run(f". {setups(plan)[0]}", *_commands(build, again="reuse-build "), secrets=kept)
+    script = "COPY --from=scripts /compile-jobs /reuse-build /usr/local/bin/\n"
+    run = run.replace(shell.copy_script("compile-jobs"), "")
+    return f"ARG TARGETARCH\nWORKDIR {WS}\n{script}{run}"
+
+
+def _commands(build: RosBuild, again: str = "") -> list[str]:
     options, arguments = _words(build.cmake_options), _words(build.arguments)
     cmake = f" \\\n      --cmake-args{options}" if options else ""
     match build.tool:
         case "catkin_make":
-            return [f"catkin_make -j{shell.JOBS}{options}{arguments}"]
+            return [f"{again}catkin_make -j{shell.JOBS}{options}{arguments}"]
         case "catkin_tools":
-            catkin = 'catkin build --no-status --jobs "${jobs}" --parallel-packages "${jobs}"'
+            catkin = f'{again}catkin build --no-status --jobs "${{jobs}}" --parallel-packages "${{jobs}}"'
             return [shell.SET_JOBS, f"{catkin}{cmake}{arguments}"]
         case "colcon":
-            colcon = 'colcon build --event-handlers console_direct+ --parallel-workers "${jobs}"'
+            colcon = f'{again}colcon build --event-handlers console_direct+ --parallel-workers "${{jobs}}"'
             return [shell.SET_JOBS, f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" \\\n    {colcon}{cmake}{arguments}']
 
 

@@ -1,0 +1,64 @@
+#!/bin/bash
+# usage: reuse-build COMMAND...
+# Compiles the ROS workspace in the current folder and moves what runs to ../built, without the build tree.
+# Where a cache is mounted, the build tree is taken from it, and kept there for the next build. It is taken only if all
+# is as it was but the contents of code: the command, the packages, the libraries in /usr/local and /opt, the names of
+# the source's files, and what is in those that are no code. Else, and without a cache, everything is compiled.
+set -euo pipefail
+
+cache=/var/cache/roslab-build
+trees=(build devel install .catkin_tools)
+code='.*\.(c|cc|cpp|cxx|cu|h|hh|hpp|hxx|cuh|inl|ipp|tpp|py|launch)'
+headers='.*\.(h|hh|hpp|hxx|cuh|inl|ipp|tpp|cmake|pc|a|msg|srv|action|idl)'
+
+# A Python file or a launch file may be read while CMake runs, and make would not know
+if grep --recursive --quiet --include=CMakeLists.txt --include='*.cmake' --extended-regexp \
+  '(execute_process|exec_program|file *\( *(READ|STRINGS))' src; then
+  code='.*\.(c|cc|cpp|cxx|cu|h|hh|hpp|hxx|cuh|inl|ipp|tpp)'
+fi
+tracked() { find src -type d -name .git -prune -o -type f -regextype posix-extended "$@" -print0 | sort --zero-terminated; }
+present() { for tree in "${trees[@]}"; do if [ -e "${tree}" ]; then echo "${tree}"; fi; done; }
+
+fingerprint() {
+  echo "$*" | sed --regexp-extended 's/(-[jl]|(jobs|packages|workers)[ =])[0-9]+//g'
+  env | grep --invert-match --extended-regexp '^(HOSTNAME|MAKEFLAGS|OLDPWD|PWD|SHLVL|SOURCE_DATE_EPOCH|_)=' | sort
+  dpkg-query --show
+  find /usr/local /opt -path '/usr/local/cuda*' -prune -o -name '*-info' -print | sort
+  find /usr/local /opt -path '/usr/local/cuda*' -prune -o -type f -regextype posix-extended -regex "${headers}" -print0 |
+    sort --zero-terminated | xargs --null --no-run-if-empty sha256sum
+  find src -name .git -prune -o -printf '%y %p %l\n' | sort
+  tracked -not -regex "${code}" | xargs --null --no-run-if-empty sha256sum
+}
+
+now="$(fingerprint "$@" | sha256sum)"
+contents="$(tracked -regex "${code}" | xargs --null --no-run-if-empty sha256sum)"
+if [ -d "${cache}/tree" ] && [ "$(cat "${cache}/fingerprint")" = "${now}" ]; then
+  echo "roslab: only code has changed since the last build: its build tree is used again"
+  cp --archive "${cache}/tree/." .
+  # A checkout gives every file a time of its own. To make, the tree is newer than all of it but what has changed.
+  mapfile -t found < <(present)
+  find "${found[@]}" -exec touch --no-dereference --date='2 seconds ago' {} +
+  comm -13 <(sort "${cache}/contents") <(sort <<<"${contents}") | cut --characters=67- |
+    xargs --delimiter='\n' --no-run-if-empty touch --date='1 second ago'
+fi
+
+if [ -d "${cache}" ]; then rm -rf "${cache}/tree"; fi # what fails is not used again
+"$@"
+
+if [ -d "${cache}" ]; then
+  mkdir "${cache}/new"
+  mapfile -t found < <(present)
+  cp --archive "${found[@]}" "${cache}/new"
+  echo "${now}" >"${cache}/fingerprint"
+  echo "${contents}" >"${cache}/contents"
+  mv "${cache}/new" "${cache}/tree"
+fi
+# A program may load a library out of the build tree; then only the compiler's own files go
+mapfile -t found < <(present | grep --line-regexp --invert-match build)
+if [ -d build ] && grep --recursive --quiet --fixed-strings "${PWD}/build/" "${found[@]}"; then
+  find build -name '*.o' -delete
+  found+=(build)
+fi
+mkdir --parents ../built
+mv "${found[@]}" ../built
+rm -rf build log logs
