@@ -12,7 +12,7 @@ from roslab.prove.graph import Graph, Topic, read
 SEEN: dict[str, Any] = {
     "nodes": ["/rosout", "/talker", "/listener_123_1600000000000", "/play_1600000000000000000"],
     "answered": ["/rosout", "/talker"],
-    "services": ["/talker/get_loggers", "/add_two_ints"],
+    "services": ["/talker/get_loggers", "/add_two_ints", "/play_1600000000000000000/pause_playback"],
     "topics": [
         {"name": "/rosout", "type": "rosgraph_msgs/Log", "messages": {"/talker": 3}},
         {"name": "/chatter", "type": "std_msgs/String", "messages": {"/talker": 3, "/other": 4}},

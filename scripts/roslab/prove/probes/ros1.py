@@ -151,7 +151,7 @@ def merged(before, now):
 
 
 def main(play):
-    """Look until the container ends."""
+    """Look until the container ends; play a bag as soon as there is a node."""
     socket.setdefaulttimeout(LONGEST)
     start = time.time()
     topics, answered, seen, player = {}, set(), {}, None
@@ -160,7 +160,7 @@ def main(play):
         try:
             master = ServerProxy(found.get("ROS_MASTER_URI", "http://localhost:11311"))
             seen = merged(seen, look(master, topics, answered))
-            if play and player is None:
+            if play and player is None and set(seen["nodes"]) - {"/rosout"}:
                 player = subprocess.Popen(["rosbag", "play", play], env=found, stdout=2)
         except Exception as error:
             seen["problem"] = "no ROS master answered" if isinstance(error, (IOError, OSError)) else repr(error)

@@ -7,6 +7,7 @@ https://docs.ros.org/en/jazzy/p/rclpy/
 import glob
 import json
 import os
+import subprocess
 import sys
 import time
 
@@ -86,9 +87,9 @@ class Watcher:
         return dict(self.seen, answered=sorted(self.answered), topics=topics)
 
     def told(self, topic):
-        """Return a topic; ROS 2 does not say which publisher a message came from, so all count as the first other's."""
-        names = sorted(self.publishers.get(topic, ()))
-        first = next((name for name in names if name != "/rosbag2_player"), names[0] if names else "")
+        """Return a topic; ROS 2 does not say which publisher a message came from: where a bag is played, from it."""
+        names = sorted(self.publishers.get(topic, ()), key=lambda name: name != "/rosbag2_player")
+        first = names[0] if names else ""
         messages = dict.fromkeys(names, 0)
         if first:
             messages[first] = self.messages.get(topic, 0)
@@ -136,8 +137,8 @@ class Watcher:
             self.asked[name] = self.clients[name].call_async(ListParameters.Request())
 
 
-def main():
-    """Look until the container ends."""
+def main(play):
+    """Look until the container ends; play a bag as soon as there is a node."""
     start = time.time()
     try:
         watcher = Watcher()
@@ -145,15 +146,18 @@ def main():
         while True:  # a process that ends would be started again and again
             say({"problem": "the image has no rclpy to look at the graph with: %s" % error}, start)
             time.sleep(PAUSE)
-    last = 0.0
+    last, player = 0.0, None
     while True:
         watcher.rclpy.spin_once(watcher.node, timeout_sec=0.05)
         if time.time() - last >= PAUSE:
             last = time.time()
-            say(watcher.look(), start)
+            seen = watcher.look()
+            say(seen, start)
+            if play and player is None and any("/_" not in name for name in seen["nodes"]):
+                player = subprocess.Popen(["ros2", "bag", "play", play], stdout=2)
 
 
 if MARK in os.environ:
-    main()
+    main(sys.argv[1])
 else:
     begin()
