@@ -85,7 +85,7 @@ _VERTEX = re.compile(r"#(\d{1,6}) (\d{1,7}\.\d{1,3} ?)?")
 _NAMED = re.compile(r"(?:\[|importing cache|exporting |resolve image|sha256:|pushing|merging|copy |local:)")
 _CLASSIC = re.compile(r"(?:Step|STEP) \d{1,4}(?:/\d{1,4})? ?: ?")
 _REPEATED = re.compile(r" > (.{1,2000}?):?$")
-_SECONDS = re.compile(r"\d{1,7}\.\d{1,3} ")
+_SECONDS = re.compile(r"^\d{1,7}\.\d{1,3} ")
 _PLACE = re.compile(r"([^\s:]{1,200}):(\d{1,6})$")
 _FINAL = re.compile(
     r"(?:ERROR: |error: |target \S{1,100}: |buildx failed with: |#\d+ ERROR: |Error: ){0,3}failed to (?:solve|build)\b"

@@ -350,3 +350,11 @@ The command '/bin/sh -c curl -s http://files.example.org/a.repo > /etc/a.repo' r
     (found,) = explain(io.BytesIO(log)).explanations
     assert found.step.startswith("RUN curl")
     assert found.id == "download-silent"
+
+
+def test_a_repeated_line_loses_its_seconds_and_no_other_number() -> None:
+    said = b'npm ERR! notsup Required: {"node":"^18.17.0 || >=20.5.0"}'
+    log = b"#6 [2/9] RUN npm i npm@latest -g\n#6 3.257 %s\n#6 ERROR: process failed: exit code: 1\n------\n" % said
+    log += b" > [2/9] RUN npm i npm@latest -g:\n3.257 %s\n------\n" % said
+    (found,) = explain(io.BytesIO(log)).explanations
+    assert dict(found.names)["needs"] == "^18.17.0 || >=20.5.0"
