@@ -11,7 +11,7 @@ if [ -z "${python}" ]; then
 fi
 index="${PIP_INDEX_URL:-$("${python}" -m pip config get global.index-url 2>/dev/null || echo https://index.example.org/simple)}"
 ready="$(mktemp)"
-"${python}" - "$1" "${index%/}/" "${ready}" <<'PYTHON' >/dev/null 2>/tmp/index-as-of.log &
+"${python}" - "$1" "${index%/}/" "${ready}" <<'PYTHON' >/dev/null 2>/dev/shm/index-as-of.log &
 import json
 import os
 import sys
@@ -84,7 +84,7 @@ for _ in $(seq 100); do
   sleep 0.1
 done
 if [ ! -s "${ready}" ]; then
-  cat /tmp/index-as-of.log >&2
+  cat /dev/shm/index-as-of.log >&2
   echo "echo 'roslab: the index of $1 cannot be served' && false"
   exit 0
 fi
