@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import datetime as dt
 import os
 import posixpath
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from roslab.config import Config, Override, configure, locate
 from roslab.decide import decide
@@ -18,6 +20,7 @@ from roslab.evidence.native import unread
 from roslab.evidence.ros import vcs
 from roslab.knowledge.days import rosdistro_ref
 from roslab.knowledge.distros import rosdistro_tag
+from roslab.knowledge.keys import expires
 from roslab.plan import lock as locks
 from roslab.plan.plan import Plan, make_plan
 from roslab.plan.version import SourceVersion, of_projects, source_version
@@ -25,6 +28,9 @@ from roslab.render import FILES, OutputFile, bases, render_all
 from roslab.repository import git as commits
 from roslab.repository.checkout import Repository, printable
 from roslab.values.origin import Place
+
+if TYPE_CHECKING:
+    from roslab.engine.preflight import Finding
 
 READMES = ("README.md", "Readme.md", "readme.md", "README.markdown", "README.rst", "README.txt", "README")
 
@@ -210,6 +216,34 @@ def write_bases(plan: Plan, folder: Path) -> Path | None:
     file = folder / bases.FILE
     file.write_text(bases.bases(plan.author_dockerfile.bases if plan.author_dockerfile else ()), encoding="utf-8")
     return file
+
+
+def preflight(plan: Plan, platforms: Sequence[str]) -> tuple[Finding, ...]:
+    """Return what is wrong with the base and the package source of a plan, where the network tells, with what to do."""
+    from roslab.engine import preflight as ask  # noqa: PLC0415 - only a build asks
+
+    found = ask.base(plan.base_image, platforms) if not plan.author_dockerfile else ()
+    ros = plan.package_sources.ros if plan.package_sources else None
+    if ros:
+        instead = {None: "the build stops there", "own": "the base's own source is taken"}
+        otherwise = instead.get(ros.otherwise) or f"{ros.otherwise} is taken"
+        found += ask.source(ros.url, ros.ubuntu, otherwise)
+        found += ask.key(ros.key, expires(ros.key), dt.datetime.now(tz=dt.timezone.utc).date().isoformat())
+    return found
+
+
+def write_policy(plan: Plan, folder: Path) -> dict[str, str]:
+    """Write what pins the images and files of an author's own Dockerfile; return the variables that name it.
+
+    https://docs.docker.com/build/building/variables/#experimental_buildkit_source_policy
+    """
+    if not (plan.author_dockerfile and plan.lock and plan.lock.materials):
+        return {}
+    from roslab.lock.materials import policy  # noqa: PLC0415 - few builds have one
+
+    file = folder / "source-policy.json"
+    file.write_text(policy(plan.lock.materials), encoding="utf-8")
+    return {"EXPERIMENTAL_BUILDKIT_SOURCE_POLICY": str(file)}
 
 
 def write_plan(plan: Plan, root: Path, folder: Path) -> tuple[Path, Path]:

@@ -13,6 +13,7 @@ import pytest
 from .doors import write
 from .laboratory import Laboratory
 from .moving import World, moving_world
+from .old_world import serving
 
 Roslab = Callable[..., CompletedProcess[str]]
 BASE = "repro-lab/moving:base"
@@ -96,4 +97,62 @@ def test_with_the_lock_nothing_moves(lab: Laboratory, roslab: Roslab, world: Wor
         "apt robot-tool": ("1.0", "2.0"),
         "pip robot-core": ("1.0", "2.0"),
     }
-    docker(lab, "image", "rm", "--force", *(f"{IMAGE}:{tag}" for tag in ("first", "locked", "today")))
+    assert "can still be had" in run("lock", str(tree), "--check").stdout
+
+    world.add_deb("robot-data", "3.0")
+    world.add_wheel("robot-core", "3.0")
+    del world.debs["robot-data", "1.0"], world.wheels["robot-core", "1.0"]
+    told = [
+        "apt: robot-data 1.0 can no longer be had; the nearest left is 2.0",
+        "pip: robot-core 1.0 can no longer be had; the nearest left is 2.0",
+    ]
+    checked = run("lock", str(tree), "--check", code=5)
+    assert all(line in checked.stderr for line in told), checked.stderr
+    assert checked.stderr.count("can no longer be had") == 2
+    built = run("build", str(tree), "--tag", "vanished")
+    named = [built.stderr.index(line) for line in told]
+    assert max(named) < built.stderr.index("pip install --no-cache-dir robot-lib"), "it is named before the build"
+    assert set(moved(f"{IMAGE}:first", f"{IMAGE}:vanished")) == {"apt robot-data", "pip robot-core"}
+    docker(lab, "image", "rm", "--force", *(f"{IMAGE}:{tag}" for tag in ("first", "locked", "today", "vanished")))
+
+
+def test_an_authors_dockerfile_takes_the_same_images_and_files_again(
+    lab: Laboratory, roslab: Roslab, tmp_path: Path
+) -> None:
+    """Its base moves to another image, and the file that it downloads changes; no line of it does."""
+    base, name = "repro-lab/authored:base", "lab-authored"
+
+    def make(text: str) -> None:
+        files = {"Dockerfile": f"FROM ubuntu:24.04\nRUN echo {text} >/base\n"}
+        docker(lab, "build", "--tag", base, str(write(tmp_path / text, files)))
+
+    served = {"/data": b"first\n"}
+    with serving(served) as address:
+        own = f'FROM {base}\nADD --chmod=644 {address}/data /data\nCMD ["true"]\n'
+        config = f"format: 3\nname: {name}\nkind: cpp\ndockerfile: Dockerfile\ntest: cat /base /data\n"
+        tree = write(tmp_path / "tree", {"Dockerfile": own, "roslab.yaml": config})
+
+        def run(*words: str, code: int = 0) -> CompletedProcess[str]:
+            answer = roslab(*words, env=lab.environment, timeout=1800)
+            assert answer.returncode == code, answer.stderr[-8000:]
+            return answer
+
+        make("one")
+        docker(lab, "tag", base, "repro-lab/authored:kept")  # as a registry keeps it by its digest
+        run("build", str(tree), "--tag", "first")
+        run("lock", str(tree), "--tag", "first")
+        lock = json.loads((tree / "roslab.lock").read_text())
+        assert [each["source"] for each in lock["materials"]] == [
+            f"docker-image://docker.io/{base}",
+            f"{address}/data",
+        ]
+        make("two")
+        run("build", str(tree), "--tag", "locked", "--no-cache")
+        assert docker(lab, "run", "--rm", f"{name}:locked", "cat", "/base", "/data") == "one\nfirst\n"
+        run("build", str(tree), "--tag", "today", "--no-cache", "--no-lock")
+        assert docker(lab, "run", "--rm", f"{name}:today", "cat", "/base", "/data") == "two\nfirst\n"
+        served["/data"] = b"second\n"
+        refused = run("build", str(tree), "--tag", "locked", "--no-cache", code=5)
+        assert "digest mismatch" in refused.stderr
+    tags = [f"{name}:first", f"{name}:locked", f"{name}:today", base, "repro-lab/authored:kept"]
+    docker(lab, "image", "rm", "--force", *tags)

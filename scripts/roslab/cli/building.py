@@ -15,7 +15,7 @@ from roslab.engine import docker as engine
 from roslab.engine.bases import Mended, mend
 from roslab.engine.secrets import of_environment
 from roslab.errors import BuildError, ConfigurationError, Problem
-from roslab.pipeline import Planned, bases_of, write_bases, write_dockerfile
+from roslab.pipeline import Planned, bases_of, preflight, write_bases, write_dockerfile, write_policy
 from roslab.repository import git as commits
 from roslab.values.origin import Option
 
@@ -71,6 +71,9 @@ def _once(
         planned = available(planned, platforms)
     authored = planned.plan.author_dockerfile
     name = f"{planned.plan.name}:{options.tag}"
+    if not again:
+        for found in preflight(planned.plan, platforms):
+            engine.say(f"roslab: warning: {found.text}")
     engine.say(f"roslab: building {name} for {', '.join(platforms)}")
     anew = _from_nothing() if options.no_cache and not again else ()
     candidates: list[str] = []
@@ -94,7 +97,7 @@ def _once(
                     secrets=secrets,
                     extra=("--no-cache",) if anew else (),
                 )
-                engine.build(job)
+                engine.build(job, environment=write_policy(planned.plan, Path(folder)))
                 if not options.no_proof:
                     prove(planned, candidates[-1], platform, f"{name} was not named", screenshots)
                 if planned.plan.lock:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 import tempfile
 from collections.abc import Sequence
@@ -13,12 +14,15 @@ from roslab.cli.building import prove
 from roslab.cli.planning import planned_of
 from roslab.engine import docker as engine
 from roslab.engine import registry
+from roslab.engine.secrets import of_environment
 from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.files import write_configuration
 from roslab.lock import check as checking
 from roslab.lock import comparison, inventory, making
+from roslab.lock.materials import of_build
 from roslab.pipeline import Planned, lock_file
 from roslab.plan.lock import to_text, without
+from roslab.plan.locked import Material
 from roslab.render import moved
 from roslab.render.dockerfile import question
 
@@ -39,13 +43,29 @@ def lock(options: argparse.Namespace) -> int:
             prove(planned, name, platform, "nothing is locked", Path(folder))
         engine.say(f"roslab: reading what {name} holds")
         images.append((platform, inventory.read(name, platform)))
-    made = making.make(planned.plan, images)
+    made = making.make(planned.plan, images, _materials(planned, images[0][0]))
     path = planned.repository.root / lock_file(planned.config)
     write_configuration(path, None, to_text(made))
     for machine in made.machines:
         pip = sum(len(environment.packages) for environment in machine.python)
         sys.stdout.write(f"{path.name}: {machine.platform}: {len(machine.apt)} packages of apt, {pip} of pip\n")
     return 0
+
+
+def _materials(planned: Planned, platform: str) -> tuple[Material, ...]:
+    """Return what the build of the author's own Dockerfile took from elsewhere."""
+    authored, root = planned.plan.author_dockerfile, planned.repository.root
+    if authored is None:
+        return ()
+    job = engine.Build(
+        context=root / authored.context,
+        dockerfile=root / authored.dockerfile,
+        platforms=(platform,),
+        arguments=authored.args,
+        target=authored.target,
+        secrets=of_environment(planned.plan.secrets, os.environ),
+    )
+    return of_build(job)
 
 
 def _check(options: argparse.Namespace) -> int:

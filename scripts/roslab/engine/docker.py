@@ -12,7 +12,7 @@ import sys
 import tempfile
 from collections import deque
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from roslab.engine.secrets import Secret
@@ -121,6 +121,21 @@ def build(job: Build, *, environment: Mapping[str, str] | None = None) -> tuple[
         log = _stream(command, environment)
         record = json.loads(metadata.read_text(encoding="utf-8")) if metadata.exists() else {}
     return str(record.get("containerimage.digest", "")), log
+
+
+def materials(job: Build, *, environment: Mapping[str, str] | None = None) -> list[dict[str, object]]:
+    """Build once more without a result and return what was taken from elsewhere, as BuildKit's provenance lists it.
+
+    Steps that the cache has are not repeated. Raises ``FailedBuild``.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        metadata = Path(folder) / "metadata.json"
+        extra = (*job.extra, "--provenance=mode=min", "--metadata-file", str(metadata))
+        build(replace(job, output="type=cacheonly", tags=(), extra=extra), environment=environment)
+        record = json.loads(metadata.read_text(encoding="utf-8")) if metadata.exists() else {}
+    found = record.get("buildx.build.provenance", {})
+    statement = found.get("buildDefinition", {}).get("resolvedDependencies") or found.get("materials")
+    return [each for each in statement or () if isinstance(each, dict)]
 
 
 def _stream(command: Sequence[str], environment: Mapping[str, str] | None) -> str:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import io
 import os
-import socket
 import tempfile
 import time
 from collections.abc import Mapping, Sequence
@@ -20,15 +19,14 @@ from roslab.engine.bases import Mended
 from roslab.engine.bases import mend as mend_bases
 from roslab.engine.client import login, private_client
 from roslab.errors import BuildError, Problem
-from roslab.explain.answer import Answer
 from roslab.explain.answer import explain as explained
 from roslab.github import checkout, event, inputs, issues, secrets, tags, workflow
 from roslab.github import run as runs
+from roslab.github.blame import by_machine
 from roslab.github.event import Event
 from roslab.github.explaining import Mending, mend
 from roslab.github.inputs import Inputs
 from roslab.github.run import Folder, Run
-from roslab.knowledge.failures import of_machine
 from roslab.lock import comparison, inventory, rot
 from roslab.lock.rot import Finding, Side
 from roslab.pipeline import bases_of, plan_repository, write_bases, write_plan
@@ -205,34 +203,6 @@ def _build(watch: Watch) -> None:
 def _pulls(environment: Environment) -> bool:
     """Tell whether bases are asked for anew; act's machines may have images that no registry has."""
     return environment.get("ACT") != "true"
-
-
-def by_machine(answer: Answer, environment: Environment) -> bool:
-    """Tell whether every failed step failed by the network, a server or the machine.
-
-    A host whose name nobody knows while GitHub's is known is gone, and that is the source's.
-    """
-    known = of_machine()
-    return bool(answer.explanations) and all(
-        each.id in known and not (each.id == "host-unknown" and _gone(dict(each.names).get("host", ""), environment))
-        for each in answer.explanations
-    )
-
-
-def _gone(host: str, environment: Environment) -> bool:
-    """Tell whether a host's name is known to nobody, as far as this machine can tell."""
-    api = (environment.get("GITHUB_API_URL") or "https://api.github.com").partition("://")[2].partition("/")[0]
-    try:
-        socket.getaddrinfo(api.partition(":")[0], None)
-    except OSError:
-        return False
-    try:
-        socket.getaddrinfo(host.partition(":")[0], None)
-    except socket.gaierror as error:
-        return bool(host) and error.errno == socket.EAI_NONAME
-    except (OSError, ValueError):
-        return False
-    return False
 
 
 def _prove_archived(watch: Watch) -> Side:

@@ -7,6 +7,7 @@ import posixpath
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 from roslab.engine import credentials
@@ -23,6 +24,7 @@ from roslab.github import (
     event,
     inputs,
     kept,
+    locking,
     rebuild,
     report,
     secrets,
@@ -33,7 +35,7 @@ from roslab.github import run as runs
 from roslab.github import source as completion
 from roslab.github.labels import labels
 from roslab.github.run import Folder, Run, slug
-from roslab.pipeline import bases_of, plan_repository, write_bases, write_plan
+from roslab.pipeline import bases_of, plan_repository, preflight, write_bases, write_plan
 from roslab.plan.answers import answers
 from roslab.plan.plan import to_json
 from roslab.render.markdown import prose
@@ -171,6 +173,12 @@ def dockerfile(environment: Environment) -> None:
     what = rebuild.event_of(event.read(environment), run.rebuilt, run.revision)
     root = checkout.part(_workspace(environment), run.path)
     folder.dockerfile.mkdir(exist_ok=True)
+    for found in preflight(run.plan, _platforms(environment, run)):
+        if found.certain:
+            workflow.warn(Problem(message=found.text))
+        else:
+            workflow.say(found.text)
+    run = replace(run, plan=locking.available(run.plan, _platforms(environment, run)))
     dockerfile, context = write_plan(run.plan, root, folder.dockerfile)
     authored = run.plan.author_dockerfile
     if authored and (copy := checkout.shielded(dockerfile, context, folder.dockerfile)):

@@ -16,3 +16,8 @@ def key(name: str) -> str:
     if not any(row["name"] == name for row in rows("keys")):
         raise KeyError(name)
     return (_FOLDER / f"{name}.asc").read_text(encoding="ascii")
+
+
+def expires(name: str) -> str:
+    """Return the day on which a key expires, ``YYYY-MM-DD``, ``""`` if it never does or is not known."""
+    return next((row["expires"] for row in rows("keys") if row["name"] == name), "")

@@ -15,7 +15,7 @@ from roslab.lock.check import GIT
 from roslab.lock.inventory import Inventory, inspect
 from roslab.lock.steps import placed
 from roslab.plan.lock import python_of
-from roslab.plan.locked import Environment, Lock, LockedSource, Machine
+from roslab.plan.locked import Environment, Lock, LockedSource, Machine, Material
 from roslab.plan.plan import Plan
 
 ROSDISTRO = "https://github.com/ros/rosdistro.git"
@@ -23,13 +23,15 @@ PYTHONS = {"image": "python3", "jupyter": "/opt/jupyter/bin/python", "python2": 
 """The interpreter of each environment of an image."""
 
 
-def make(plan: Plan, images: Sequence[tuple[str, Inventory]]) -> Lock:
+def make(plan: Plan, images: Sequence[tuple[str, Inventory]], materials: tuple[Material, ...] = ()) -> Lock:
     """Return the lock of the images of one plan, one for each platform, which the engine holds.
+
+    ``materials`` are those of an author's own Dockerfile, whose base is one of them.
 
     Raises ``BuildError`` where the base that they were made from is no longer the one of its name.
     """
     base = plan.base_image.partition("@")[0]
-    digest = base_digest(plan.base_image, images)
+    digest = "" if plan.author_dockerfile else base_digest(plan.base_image, images)
     machines = tuple(_machine(plan, platform, image) for platform, image in images)
     return Lock(
         base=base,
@@ -39,6 +41,7 @@ def make(plan: Plan, images: Sequence[tuple[str, Inventory]]) -> Lock:
         tools=_tools(),
         sources=_sources(plan, images),
         machines=machines,
+        materials=materials,
     )
 
 

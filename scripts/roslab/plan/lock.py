@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 
 from roslab.config.model import Source
 from roslab.errors import ConfigurationError, Problem
-from roslab.plan.locked import Distribution, Environment, Lock, LockedSource, Machine, Missing, Package
+from roslab.plan.locked import Distribution, Environment, Lock, LockedSource, Machine, Material, Missing, Package
 from roslab.plan.plan import Plan
 from roslab.values.origin import Place
 
@@ -52,6 +52,7 @@ def to_text(lock: Lock) -> str:
     }
     parts = [f"  {json.dumps(name)}: {_line(value)}" for name, value in head.items()]
     parts.append(f'  "sources": {_rows(map(asdict, lock.sources), "  ")}')
+    parts.append(f'  "materials": {_rows(map(asdict, lock.materials), "  ")}')
     machines = []
     for machine in lock.machines:
         pip = ",\n".join(
@@ -95,11 +96,12 @@ def from_text(text: str, *, file: str = NAME) -> Lock:
         machines = tuple(_machine(platform, found) for platform, found in data["platforms"].items())
         return Lock(
             base=_text(data["base"]["image"], "image"),
-            digest=_text(data["base"]["digest"], "digest"),
+            digest=_text(data["base"]["digest"], "digest") if data["base"]["digest"] else "",
             python=_text(data["python"], "python"),
             rosdistro=_text(data["rosdistro"], "rosdistro") if data["rosdistro"] is not None else None,
             tools=tuple((str(name), str(value)) for name, value in data["tools"].items()),
             sources=_all(LockedSource, data["sources"]),
+            materials=_all(Material, data["materials"]),
             machines=machines,
         )
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:

@@ -63,6 +63,15 @@ class LockedSource:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class Material:
+    """An image or a file that an author's own Dockerfile took from elsewhere."""
+
+    source: str
+    """As BuildKit names it: ``docker-image://docker.io/library/ubuntu:24.04``, or the file's URL."""
+    digest: str
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Lock:
     """A whole roslab.lock."""
 
@@ -77,6 +86,8 @@ class Lock:
     """Name and version of what built the image."""
     sources: tuple[LockedSource, ...]
     machines: tuple[Machine, ...]
+    materials: tuple[Material, ...] = ()
+    """Only of an author's own Dockerfile."""
 
     def machine(self, platform: str) -> Machine | None:
         """Return what is known of a platform."""

@@ -96,6 +96,7 @@ def test_what_fits_the_schema_is_what_is_written() -> None:
         (lambda d: d["platforms"]["linux/amd64"]["apt"][0].update(name="-o"), "'-o' is no name"),
         (lambda d: d["platforms"]["linux/amd64"]["apt"][0].pop("step"), "a row has the fields"),
         (lambda d: d["platforms"]["linux/amd64"]["pip"]["image"][0].update(url="https://a/b; reboot\nEOF"), "no url"),
+        (lambda d: d.update(materials=[{"source": "x", "digest": "sha256:1"}]), "'sha256:1' is no digest"),
         (lambda d: d["sources"][0].update(commit="main"), "'main' is no commit"),
     ],
 )

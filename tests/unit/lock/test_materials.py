@@ -1,0 +1,39 @@
+"""BuildKit's provenance becomes the policy that takes the same images and files again."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from roslab.lock.materials import _material, policy
+from roslab.plan.locked import Material
+
+SUM = "1" * 64
+
+
+@pytest.mark.parametrize(
+    ("uri", "source"),
+    [
+        ("pkg:docker/ubuntu@24.04?platform=linux%2Famd64", "docker-image://docker.io/library/ubuntu:24.04"),
+        ("pkg:docker/osrf/ros@noetic?platform=linux%2Famd64", "docker-image://docker.io/osrf/ros:noetic"),
+        ("pkg:docker/ghcr.io/a/b@v1", "docker-image://ghcr.io/a/b:v1"),
+        ("pkg:docker/127.0.0.1:5000/a@v1", "docker-image://127.0.0.1:5000/a:v1"),
+        ("https://example.org/a.tar.gz", "https://example.org/a.tar.gz"),
+        ("pkg:docker/ubuntu@24.04?digest=sha256:1&platform=linux%2Famd64", None),
+        ("https://github.com/a/b.git#main", None),
+    ],
+)
+def test_a_material_as_the_policy_names_it(uri: str, source: str | None) -> None:
+    digest = {"sha1": "2" * 40} if ".git" in uri else {"sha256": SUM}
+    found = _material({"uri": uri, "digest": digest})
+    assert (found.source if found else None) == source
+
+
+def test_the_policy_names_every_image_by_its_digest_and_every_file_by_its_sum() -> None:
+    image, file = "docker-image://docker.io/library/ubuntu:24.04", "https://example.org/a.tar.gz"
+    digest = f"sha256:{SUM}"
+    rules = json.loads(policy([Material(source=image, digest=digest), Material(source=file, digest=digest)]))["rules"]
+    assert [rule["selector"]["identifier"] for rule in rules] == [image, file]
+    assert rules[0]["updates"] == {"identifier": f"{image}@{digest}"}
+    assert rules[1]["updates"] == {"identifier": file, "attrs": {"http.checksum": digest}}
