@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Origin
 
 

@@ -8,13 +8,13 @@ import os
 import secrets
 import stat
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Literal
 
 from roslab.errors import ConfigurationError, Problem, RefusedError
 from roslab.render.output import MARKER, OutputFile
 from roslab.repository.checkout import printable
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 
 MARKED_LINES = 6

@@ -6,7 +6,7 @@ import datetime as dt
 import os
 import posixpath
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -27,6 +27,7 @@ from roslab.plan.version import SourceVersion, of_projects, source_version
 from roslab.render import FILES, OutputFile, bases, render_all
 from roslab.repository import git as commits
 from roslab.repository.checkout import Repository, printable
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 
 if TYPE_CHECKING:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from roslab.config.document import parse
 from roslab.config.edit import Edits, is_text, quoted
@@ -13,7 +12,9 @@ from roslab.config.node import Mapping, Node, Sequence
 from roslab.config.reader import mapping_of, read
 from roslab.errors import ConfigurationError, Problem
 from roslab.repository.checkout import printable
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
+from roslab.values.pattern import pattern
 
 LISTS = ("apt", "pip", "skip_keys", "build_args")
 """Keys with lists of texts, to which values are added."""
@@ -21,7 +22,7 @@ WORDS = ("cmake_options",)
 """Keys with one text, to whose end values are added."""
 SINGLE = ("base.python", "base.ros", "base.ubuntu", "base.cmake_update", "gui", "submodules")
 """Keys with one value, which is set."""
-_PLAIN = re.compile(r"[A-Za-z][\w.+-]*")
+_PLAIN = pattern(r"[A-Za-z][\w.+-]*")
 """Text that YAML reads as text without quotes in any position; words such as ``yes`` are quoted all the same."""
 _WORDS = {"yes", "no", "on", "off", "null", "y", "n"}
 

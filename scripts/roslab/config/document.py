@@ -6,8 +6,7 @@ ignore, are reported with both lines.
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import yaml
@@ -15,7 +14,9 @@ import yaml
 from roslab.config.node import Mapping, Mark, Node, Scalar, ScalarKind, Sequence, in_file
 from roslab.errors import ConfigurationError, Problem
 from roslab.repository.checkout import printable
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
+from roslab.values.pattern import pattern
 
 MAX_CHARACTERS = 64 * 1024
 """The longest real file of this program has 2,200 characters, that of another program 17,000."""
@@ -25,7 +26,7 @@ MAX_NODES = 20_000
 MAX_PROBLEMS = 50
 
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
+FORBIDDEN = pattern("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
 """Characters that YAML does not allow: controls, surrogates and noncharacters."""
 _TAG = "tag:yaml.org,2002:"
 _KINDS: dict[str, ScalarKind] = {
@@ -47,7 +48,7 @@ _HINTS = (
     ("undefined alias", "write the value out"),
 )
 _MERGE = "<<"
-_PASSWORD = re.compile(r"//[^/\s]*@")
+_PASSWORD = pattern(r"//[^/\s]*@")
 
 
 @dataclass(kw_only=True, slots=True)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from roslab.config.node import Mapping, Node, Scalar
+from roslab.values.dataclass import dataclass
 
 
 @dataclass(kw_only=True, slots=True)

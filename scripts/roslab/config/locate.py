@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import posixpath
-from dataclasses import dataclass
 
 from roslab.config.model import Config
 from roslab.errors import ConfigurationError, Problem, RefusedError
 from roslab.repository.checkout import Repository, printable
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Origin, Place
 
 NAMES = ("roslab.yaml", "roslab.yml", ".roslab.yaml", "repolab.yaml")

@@ -8,9 +8,9 @@ to is not counted.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Literal
 
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Origin, Place
 
 ScalarKind = Literal["string", "integer", "number", "boolean", "null", "date"]

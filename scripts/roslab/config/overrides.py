@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence as Several
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from typing import Any
 
 from roslab.config import reader, vocabulary
@@ -20,6 +20,7 @@ from roslab.config.shape import Shape
 from roslab.config.vocabulary import Schema
 from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.distros import releases_of
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Input, Option, Origin
 
 _SEPARATOR = re.compile(r"[\s,]+")

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
-
 from roslab.config import vocabulary
 from roslab.config.node import Mapping
 from roslab.config.reading import Reading
+from roslab.values.pattern import pattern
 
 _VALUED = frozenset({"-i", "-f", "--index-url", "--extra-index-url", "--find-links", "--no-binary", "--only-binary"})
 """Options of pip that need a value."""
@@ -17,7 +16,7 @@ _LONG = {
     "-f": "--find-links",
 }
 _EDITABLE = frozenset({"-e", "--editable"})
-_SPACED = re.compile(r";| @ | [<>=!~]|[<>=!~] |, ")
+_SPACED = pattern(r";| @ | [<>=!~]|[<>=!~] |, ")
 """A requirement that contains spaces; by the grammar such an entry is a single requirement."""
 
 

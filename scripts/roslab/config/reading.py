@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from roslab.config.node import Mapping, Node, Scalar, Sequence, Where
 from roslab.errors import Problem
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Origin
 
 

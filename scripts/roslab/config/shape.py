@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from roslab.config import vocabulary
 from roslab.config.advice import advice
@@ -17,6 +17,7 @@ from roslab.config.document import MAX_PROBLEMS, shown
 from roslab.config.node import Mapping, Mark, Node, Scalar, Sequence, Where, kind
 from roslab.config.vocabulary import Schema
 from roslab.errors import Problem
+from roslab.values.dataclass import dataclass
 
 _FOUND = {
     "array": "a list",

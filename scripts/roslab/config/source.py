@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Literal, cast
 
 from roslab.config import packages
@@ -11,13 +10,14 @@ from roslab.config.model import Source
 from roslab.config.node import Mapping, Scalar, Sequence
 from roslab.config.reading import Reading, Text
 from roslab.values.origin import Place
+from roslab.values.pattern import pattern
 from roslab.values.secret import SSH
 
 Build = Literal["cmake", "catkin_make", "catkin_tools", "colcon", "pip", "none"]
 OLD_TOOLS = {"catkin_build": "catkin_tools"}
 """Names of build tools in the old formats."""
-_FLAG = re.compile(r"(?:^|\s)(?:-b|--branch)[ =]+(\S+)|(?:^|\s)--(?:single-branch|depth[ =]\d+)")
-_SSH = re.compile(r"(?:ssh://)?git@([^/:]+)[/:](.+)")
+_FLAG = pattern(r"(?:^|\s)(?:-b|--branch)[ =]+(\S+)|(?:^|\s)--(?:single-branch|depth[ =]\d+)")
+_SSH = pattern(r"(?:ssh://)?git@([^/:]+)[/:](.+)")
 _PUBLIC = ("github.com", "gitlab.com", "bitbucket.org")
 """Hosts whose public repositories have the same path by https."""
 

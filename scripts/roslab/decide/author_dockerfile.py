@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass
-
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.mended_bases import nearest
@@ -14,12 +11,14 @@ from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.ended_bases import ended
 from roslab.knowledge.frameworks import cuda_image
 from roslab.knowledge.os_releases import has_ended, release_of
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
+from roslab.values.pattern import pattern
 
 MOST_REASONS = 20
 """Most Dockerfiles that the reasons mention; a collection of robots has hundreds."""
-_CUDA = re.compile(r"(?:^|/)nvidia/cuda:(\d+\.\d+)(\.\d+)?")
-_ROS = re.compile(r"(?:^|/)ros:([a-z]+)")
+_CUDA = pattern(r"(?:^|/)nvidia/cuda:(\d+\.\d+)(\.\d+)?")
+_ROS = pattern(r"(?:^|/)ros:([a-z]+)")
 _PUBLISHED = (
     "osrf/",
     "nvidia/",
@@ -33,8 +32,8 @@ _PUBLISHED = (
     "library/",
     "mcr.",
 )
-_ACCELERATED = re.compile(r"nvidia|nvcr\.io|cuda|pytorch|tensorflow|-gpu|rocm")
-_UBUNTU_TAG = re.compile(r"ubuntu[:_-]?(\d\d)\.\d\d")
+_ACCELERATED = pattern(r"nvidia|nvcr\.io|cuda|pytorch|tensorflow|-gpu|rocm")
+_UBUNTU_TAG = pattern(r"ubuntu[:_-]?(\d\d)\.\d\d")
 
 
 class Weight:

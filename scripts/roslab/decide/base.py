@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import datetime as dt
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import ClassVar
 
 from roslab.config.model import Config, Kind
@@ -18,6 +18,7 @@ from roslab.decide.system.cmake_version import has_it, needed_cmake
 from roslab.decide.system.code_fits import misfits
 from roslab.evidence.facts import AuthorDockerfile, Dependency, Evidence
 from roslab.knowledge.distros import Distro, distros, ubuntu_released, ubuntus, variants
+from roslab.values.dataclass import dataclass
 
 OLDEST_BY_DATE = "xenial"
 """No older Ubuntu is chosen by a date alone: code for an older one still compiles on it."""

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-import re
 import shlex
-from dataclasses import dataclass
 
 from roslab.config.model import Config, Kind
 from roslab.decide.candidate import Candidate, program_of
@@ -17,10 +15,12 @@ from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.windows import opens
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
+from roslab.values.pattern import pattern
 
 MAX_CANDIDATES = 30
-_ARGUMENT = re.compile(r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|--help\b|(?:^|\s)-h\b|--show-args\b|\s(?:-s|--ros-args)$")
+_ARGUMENT = pattern(r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|--help\b|(?:^|\s)-h\b|--show-args\b|\s(?:-s|--ros-args)$")
 """An argument that names a file or asks for help: such a command is no default."""
 
 

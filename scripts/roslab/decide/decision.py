@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Generic, Literal, TypeVar
 
 from roslab.config.model import BuildTool, Kind
 from roslab.config.model import Source as SourceDependency
 from roslab.decide.python.compiling import NOTHING, Compiling
 from roslab.decide.python.pythons import ANY
+from roslab.values.dataclass import dataclass
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 
 from roslab.decide.candidate import Candidate, program_of
+from roslab.values.pattern import pattern
 
 _USAGE = re.compile(
     r"\b(?:run(?:ning)?|usage|use|using|launch(?:ing)?|start(?:ing|ed)?|demos?|examples?|quick\w*|play|simulat\w*|execut\w*|"
@@ -13,41 +14,39 @@ _USAGE = re.compile(
     re.IGNORECASE,
 )
 """A section that says how to start it."""
-_ASIDE = re.compile(
+_ASIDE = pattern(
     r"\b(?:real|hardware|calibrat\w*|evaluat\w*|trouble\w*|faq|debug\w*|develop\w*|contribut\w*|convert\w*|conversion|"
     r"record\w*|tests?|testing|docker|format\w*|annotat\w*|benchmark\w*|advanced|optional|tools?|"
     r"how to (?:install|build)|visuali[sz]\w*)\b",
     re.IGNORECASE,
 )
 """A section about something else than starting it."""
-_SERVES = re.compile(
+_SERVES = pattern(
     r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre-?proc\w*|prepare\w*|extract\w*|install\w*|set-?up|format|"
     r"record\w*|collect\w*|tokenize\w*|generate\w*|gen|export\w*|annotate\w*|"
     r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|env|lint|tidy)(?:[_.-]|$)",
     re.IGNORECASE,
 )
 """The name of a program that serves the one that is meant."""
-_DATASET = re.compile(r"(?:^|[_.-])(?:datasets?|data)(?:[_.-]|$)", re.IGNORECASE)
+_DATASET = pattern(r"(?:^|[_.-])(?:datasets?|data)(?:[_.-]|$)", re.IGNORECASE)
 """The name of a file of Python that makes data; a node or a compiled program of that name runs on data."""
-_AFTER = re.compile(
+_AFTER = pattern(
     r"(?:^|[_.-])(?:calibrat\w*|evaluat\w*|eval|plot\w*|bench\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
     re.IGNORECASE,
 )
 """The name of a program that looks at what another one did; a README of Python may name its examples so."""
-_TEST = re.compile(r"(?:^|[_.-])tests?(?:[_.-]|$)", re.IGNORECASE)
+_TEST = pattern(r"(?:^|[_.-])tests?(?:[_.-]|$)", re.IGNORECASE)
 """The name of a test; a README of Python calls prediction so, and its tests are in folders of their own."""
-_CLOUD = re.compile(r"\b(?:azure|aws|gcp|cloud|clusters?|slurm|kubernetes|singularity|docker|colab)\b", re.IGNORECASE)
+_CLOUD = pattern(r"\b(?:azure|aws|gcp|cloud|clusters?|slurm|kubernetes|singularity|docker|colab)\b", re.IGNORECASE)
 """Sections about somebody else's machines."""
-_DATA = re.compile(
-    r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya?ml|png|mp4|avi|pcd|ply|obj|csv|json)$"
-)
+_DATA = pattern(r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya?ml|png|mp4|avi|pcd|ply|obj|csv|json)$")
 """An argument that names a file."""
-_HELP = re.compile(r"^(?:--help|-h|--show-args|-s)$")
-_VALUE = re.compile(r"^-{0,2}[\w-]+:?=[-.]*$|^-{3,}$")
+_HELP = pattern(r"^(?:--help|-h|--show-args|-s)$")
+_VALUE = pattern(r"^-{0,2}[\w-]+:?=[-.]*$|^-{3,}$")
 """A value that the reader fills in: ``name:=---``."""
 _DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "simulation", "sim", "system", "example")
 MANY = 8
-_SUFFIX = re.compile(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?$")
+_SUFFIX = pattern(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?$")
 
 
 def first_of(candidates: Iterable[Candidate]) -> Candidate | None:

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass
-
 from roslab.config.model import Config
 from roslab.decide.decision import Choice, MendedBase, Reason
 from roslab.decide.reasons import because
@@ -13,15 +10,17 @@ from roslab.knowledge.distros import Distro, distro, ubuntus
 from roslab.knowledge.ended_bases import ended
 from roslab.knowledge.frameworks import cuda_image, nearest_cuda_image
 from roslab.knowledge.os_releases import ends, has_ended, release_of
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
+from roslab.values.pattern import pattern
 
 _WEIGHT = 900
 """Above that of the FROM itself: it is what the build starts from."""
-_CUDA = re.compile(
+_CUDA = pattern(
     r"(?P<where>(?:docker\.io/|nvcr\.io/)?)nvidia/cuda(?P<gl>gl)?:(?P<cuda>\d+\.\d+)(?P<patch>\.\d+)?"
     r"(?:-(?P<cudnn>cudnn\d*))?-(?P<flavour>base|runtime|devel)-ubuntu(?P<ubuntu>\d\d\.\d\d)"
 )
-_ROS = re.compile(r"(?:^|/)ros:([a-z]+)")
+_ROS = pattern(r"(?:^|/)ros:([a-z]+)")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

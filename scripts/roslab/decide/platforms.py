@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from packaging.version import Version
 
 from roslab.config.model import Config, Kind
@@ -13,6 +11,7 @@ from roslab.decide.reasons import Placed, because, configured
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.arm64 import amd64_only, arm64_since, arm64_wheels
 from roslab.knowledge.distros import distro
+from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 from roslab.values.version import version_of
 

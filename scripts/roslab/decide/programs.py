@@ -5,15 +5,16 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 _NAME = re.compile(r"[A-Za-z0-9_.+-]+")
-_FOLDER = re.compile(r"[A-Za-z0-9_.+/-]+")
-_TEST = re.compile(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
+_FOLDER = pattern(r"[A-Za-z0-9_.+/-]+")
+_TEST = pattern(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate, program_of
@@ -14,6 +14,8 @@ from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 _PLACEHOLDER = re.compile(
     r"YOUR|your[_-]|path[/_-]to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
@@ -21,13 +23,13 @@ _PLACEHOLDER = re.compile(
     re.IGNORECASE,
 )
 """Also ``yyy-yy``: a repeated letter stands for a value that the reader fills in."""
-_BRACKETS = re.compile(r"<[^<>]{1,80}>|\[[^\[\]]{1,80}\]")
+_BRACKETS = pattern(r"<[^<>]{1,80}>|\[[^\[\]]{1,80}\]")
 """A blank of several words: ``<path to the data>``, ``[--option VALUE]``."""
-_NUMBERS = re.compile(r"\[[.,\s-]*\d[\d.,\s-]*\]")
+_NUMBERS = pattern(r"\[[.,\s-]*\d[\d.,\s-]*\]")
 """A list of numbers: ``--hid [32,32]``."""
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
 """Fewest words of a command that starts something."""
-_LAUNCH = re.compile(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
+_LAUNCH = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 """Files that serve a project without being its purpose."""
 

@@ -12,13 +12,13 @@ import time
 import urllib.error
 import urllib.request
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from email.message import Message
 from typing import Literal, Protocol
 from urllib.parse import urlencode, urljoin, urlsplit
 
 from roslab.engine.registry import PAUSE
 from roslab.errors import BuildError, Problem
+from roslab.values.dataclass import dataclass
 
 Verdict = Literal["granted", "wrong password", "forbidden", "unreachable", "unknown"]
 SECONDS = 20.0

@@ -6,10 +6,10 @@ import json
 import urllib.error
 import urllib.request
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from roslab.engine.docker import last_line, output
 from roslab.engine.registry import is_attestation, platform_name
+from roslab.values.dataclass import dataclass
 
 SECONDS = 20.0
 QUICK = 5.0

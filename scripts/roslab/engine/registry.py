@@ -9,11 +9,11 @@ import re
 import subprocess
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from roslab.engine.docker import last_line, output
 from roslab.errors import BuildError, Problem
+from roslab.values.dataclass import dataclass
 
 TRANSIENT = re.compile(
     r"\b(429|50[0234])\b|too ?many ?requests|service unavailable|bad gateway|gateway time-?out|timed? ?out"

@@ -7,10 +7,10 @@ https://docs.docker.com/reference/cli/docker/buildx/build/#secret
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from roslab.errors import ConfigurationError, Problem
+from roslab.values.dataclass import dataclass
 from roslab.values.secret import NETRC, SSH, variable
 
 

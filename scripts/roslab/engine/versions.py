@@ -6,13 +6,13 @@ https://distribution.github.io/distribution/spec/api/
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from urllib.parse import quote, urljoin, urlsplit
 
 from roslab.engine.credentials import Session
 from roslab.errors import BuildError, Problem
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 MANIFESTS = (
     "application/vnd.oci.image.index.v1+json",
@@ -20,7 +20,7 @@ MANIFESTS = (
     "application/vnd.docker.distribution.manifest.list.v2+json",
     "application/vnd.docker.distribution.manifest.v2+json",
 )
-NEXT = re.compile(r'<([^>]+)>;\s*rel="?next"?')
+NEXT = pattern(r'<([^>]+)>;\s*rel="?next"?')
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

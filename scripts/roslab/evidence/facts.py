@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 from roslab.values.conda import CondaPackage
+from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 
 Strength = Literal["declared", "used", "optional", "prose"]

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import re
 
+from roslab.values.pattern import pattern
+
 _VENDORED = re.compile(
     r"(?:^|/)(?:third[_-]?part(?:y|ies)|3rd(?:[_-]?party)?|thirdparty|vendor(?:ed)?|externals?|extern|ext|deps|"
     r"submodules?|_deps|site-packages|node_modules|"
     r"pybind11|googletest|gtest|contrib|attic|deprecated|archived?|old|legacy)(?:/|$)",
     re.IGNORECASE,
 )
-_DOCUMENTATION = re.compile(
+_DOCUMENTATION = pattern(
     r"(?:^|/)(?:\.?docs?\d?|documentation|site|website|sphinx|tutorials?|doxygen)(?:/|$)", re.IGNORECASE
 )
-_TEST = re.compile(r"(?:^|/)(?:tests?|testing|ci|\.ci|\.github|\.circleci|benchmarks?)(?:/|$)", re.IGNORECASE)
-_EXAMPLE = re.compile(r"(?:^|/)(?:examples?|demos?|samples?|templates?|tutorials?)(?:/|$)", re.IGNORECASE)
+_TEST = pattern(r"(?:^|/)(?:tests?|testing|ci|\.ci|\.github|\.circleci|benchmarks?)(?:/|$)", re.IGNORECASE)
+_EXAMPLE = pattern(r"(?:^|/)(?:examples?|demos?|samples?|templates?|tutorials?)(?:/|$)", re.IGNORECASE)
 
 
 def vendored(path: str) -> bool:

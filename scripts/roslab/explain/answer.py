@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import IO
 
 from roslab.explain import matter, names, signatures, steps
 from roslab.explain.reading import Line, lines
 from roslab.explain.steps import Log, Step
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 KEPT = 60_000
 """Characters of a failed step that are kept for its repair."""
-_IMAGE = re.compile(r" ---> ([0-9a-f]{12})$")
+_IMAGE = pattern(r" ---> ([0-9a-f]{12})$")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

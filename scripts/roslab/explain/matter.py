@@ -9,16 +9,17 @@ from roslab.explain.skim import is_marked
 from roslab.explain.steps import Step
 from roslab.knowledge.failures import compiled
 from roslab.knowledge.table import rows
+from roslab.values.pattern import pattern
 
 MOST = 300_000
 """Most characters of a step that patterns are matched on; of a longer step, its beginning and its end."""
 _QUOTES = str.maketrans({0x2018: "'", 0x2019: "'", 0x201C: '"', 0x201D: '"'})
 """Compilers use curved quotation marks in a UTF-8 locale."""
-_FOREIGN = re.compile(
+_FOREIGN = pattern(
     r"Fehler|nicht gefunden|erreur|fichier|introuvable|No existe|denegado|referencia a"
     r"|kann nicht|Impossible de|No se ha podido"
 )
-_NEVER = re.compile(
+_NEVER = pattern(
     r"\s{0,8}(?:"
     r"\+{1,3} (?!(?:curl|wget|git) )"  # commands printed by `set -x`; an address in one may be what is wrong
     r"|npm (?:WARN|warn|notice|http|verb|info|sill|timing) |warning \S{1,200} > "
@@ -31,27 +32,27 @@ _NEVER = re.compile(
     r"|go: (?:finding|downloading|extracting) \S{1,200} v"
     r"|(?:[|│] {1,3}){0,30}(?:[+`]--|[├└]─)[-─┬ ]{0,3}[@\w])"  # a tree of packages
 )
-_PROBE = re.compile(
+_PROBE = pattern(
     r"_configtest|conftest\.|CMakeTmp|CMakeScratch|TryCompile-|cmTC_|CheckSymbolExists|check_c_source|check_libyaml"
     r"|\bext/_yaml\."
 )
-_ECHO = re.compile(
+_ECHO = pattern(
     r"(?:process|executor failed running|The command) .{0,4000}?((?:exit|non-zero) code: ?\d{1,3})", re.DOTALL
 )
-_FAILED_TO = re.compile(r"^(?:ERROR: )?(?:failed to (?:build|solve): ){1,3}")
-_SAYS = re.compile(
+_FAILED_TO = pattern(r"^(?:ERROR: )?(?:failed to (?:build|solve): ){1,3}")
+_SAYS = pattern(
     r"(?i)\b(?:error|fatal|failed|failure|cannot|can't|could not|couldn't|unable|undefined|not found"
     r"|no such|denied|killed|invalid|missing|unsupported|unrecognized|refused|aborted|expired|mismatch"
     r"|exception|requires?|required)\b"
     r"|\*\*\*|^E: |ERR!"
 )
-_QUIET = re.compile(
+_QUIET = pattern(
     r"(?i)\bwarn(?:ing)?\b|^W: |\b0 (?:errors|failed|failures)\b|liberror|error[-_]?prone"
     r"|\berror\.(?:h|c|cpp|o|py|js)\b"
     r"|debconf: |no error|ignoring|\[ *\d{1,3}%\] (?:Building|Built)|deprecat|errors? occurred!|compilation terminated"
     r"|^\s*(?:note|hint): |See also \"|Waiting for unfinished jobs|recipe for target|make.{0,8}: Leaving"
 )
-_LAST = re.compile(
+_LAST = pattern(
     r"(?i)make(?:\[\d+\])?: \*\*\* |returned a non-zero|exit(?:ed with)? (?:code|status)|command .{0,60} failed"
 )
 

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 from roslab.knowledge import libraries
 from roslab.knowledge.distros import distro, ubuntus
 from roslab.knowledge.failures import compiled
 from roslab.knowledge.os_releases import moved_to
 from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 Names = dict[str, str]
 
@@ -29,10 +30,10 @@ class Image:
 
 
 _CODENAMES = "|".join(sorted(ubuntus().values()))
-_UBUNTU = re.compile(
+_UBUNTU = pattern(
     rf"(?:ubuntu(?:-ports)?/?(?:/dists/|\s)|ubuntu:|-)({_CODENAMES})\b|ubuntu:?-?(\d\d\.\d\d)\b|ubuntu(\d\d)(\d\d)\b"
 )
-_ROS = re.compile(r"\bros:([a-z]{4,9})\b|/opt/ros/([a-z]{4,9})\b|\bros-([a-z]{4,9})-[a-z]")
+_ROS = pattern(r"\bros:([a-z]{4,9})\b|/opt/ros/([a-z]{4,9})\b|\bros-([a-z]{4,9})-[a-z]")
 
 
 def image(text: str, instruction: str) -> Image:
@@ -120,7 +121,7 @@ def _symbol(names: Names, _: Image) -> Names:
 
 
 _INCLUDED = re.compile(r"/(?:include|site-packages|dist-packages|pkg/mod/[\w.]{1,60})/([\w.+-]{2,60})/")
-_FOLDERS = re.compile(r"(?:\bcd |/)((?:/?[\w.$-]{1,60}/){1,8}[\w.-]{1,60})")
+_FOLDERS = pattern(r"(?:\bcd |/)((?:/?[\w.$-]{1,60}/){1,8}[\w.-]{1,60})")
 
 
 def _built_with(names: Names, where: Image) -> Names:
@@ -133,7 +134,7 @@ def _built_with(names: Names, where: Image) -> Names:
 
 
 _SECRET = re.compile(r"(?i)key|token|licen[cs]e|secret|pass|user|auth|credential")
-_VARIABLE = re.compile(r"\$\{?([A-Za-z_]\w{1,60})")
+_VARIABLE = pattern(r"\$\{?([A-Za-z_]\w{1,60})")
 
 
 _ADDRESS = re.compile(r"(?:https?|ftp)://[^\s'\"]{1,300}")

@@ -6,6 +6,8 @@ import re
 from collections import Counter
 from collections.abc import Callable
 
+from roslab.values.pattern import pattern
+
 _SAMPLE = 400
 """Number of lines that are examined to find the prefix of all lines."""
 _PREFIXES: dict[str, re.Pattern[str]] = {
@@ -22,7 +24,7 @@ _PREFIXES: dict[str, re.Pattern[str]] = {
     # docker compose and Jenkins
     "clock": re.compile(r"\[?\d{4}-\d\d-\d\d[T ]\d\d:\d\d:\d\d(?:[.,]\d{1,9})?(?:Z|[+-]\d\d:?\d\d)?\]? "),
 }
-_SECTION = re.compile(r"^section_(?:start|end):\d{1,12}:[\w.-]{1,100}(?:\[[^\]\n]{0,100}\])?\s?", re.MULTILINE)
+_SECTION = pattern(r"^section_(?:start|end):\d{1,12}:[\w.-]{1,100}(?:\[[^\]\n]{0,100}\])?\s?", re.MULTILINE)
 
 
 def stripper(text: str) -> Callable[[str], str] | None:

@@ -9,6 +9,7 @@ from typing import IO, NamedTuple
 
 from roslab.explain import prefixes, skim
 from roslab.explain.skim import is_marked
+from roslab.values.pattern import pattern
 
 LONGEST = 2000
 """Most characters of a line that are kept: a progress bar or minified source code can be a line of millions."""
@@ -32,7 +33,7 @@ _COLOUR = re.compile(
     r"|\x1b[()][0-9A-Z]|\x1b[@-Z\\-_=>]"
     r"|\^\[\[[0-9;]{0,20}m"  # colours as `cat -v` shows them
 )
-_BARE_COLOUR = re.compile(r"\[\d{1,3}(?:;\d{1,3}){0,4}m|\[m(?=\s|$|\[)", re.MULTILINE)
+_BARE_COLOUR = pattern(r"\[\d{1,3}(?:;\d{1,3}){0,4}m|\[m(?=\s|$|\[)", re.MULTILINE)
 """A colour whose escape character was lost when the log was saved."""
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import groupby, islice
 from string import Formatter
 
@@ -14,11 +14,13 @@ from roslab.explain.names import LOOKUPS, Image, Names
 from roslab.explain.reading import Line
 from roslab.explain.steps import Log, Step
 from roslab.knowledge.failures import Failure, compiled, failures
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 _ERRORS = re.compile(r"CMake Error|(?i:\berror\b)|\*\*\*|Configuring incomplete")
 _GUESSED = 8
 """From this rank on, a failure only tells how a step ended, which outweighs nothing that is known."""
-_WENT_ON = re.compile(r"^(?:Complete!$|Successfully (?:installed|built) |OK: \d{1,6} MiB in )", re.MULTILINE)
+_WENT_ON = pattern(r"^(?:Complete!$|Successfully (?:installed|built) |OK: \d{1,6} MiB in )", re.MULTILINE)
 """What programs print when they did what they were asked: a failure before it did not stop them."""
 _NEAR = 600
 """Number of characters before a match that are searched for the name that belongs to it."""

@@ -6,8 +6,9 @@ whole chunk for a word is a hundred times as fast as searching each of its lines
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
+
+from roslab.values.pattern import pattern
 
 MARKS = (
     "rror", "ERR", "atal", "FATAL", "ailed", "ailure", "AIL", "ound", "No such", "annot", "an't", "nable", "ndefined",
@@ -32,7 +33,7 @@ _SAID = (
     "killed", "exception",
 )  # fmt: skip
 """Fewer words than ``MARKS``, for the inside of very large logs: each takes a millisecond for a million characters."""
-_FRAME = re.compile(r"\n(?=#\d{1,6} \D|S(?:tep|TEP) \d| > |\{|-----)")
+_FRAME = pattern(r"\n(?=#\d{1,6} \D|S(?:tep|TEP) \d| > |\{|-----)")
 """The beginning of a line that belongs to no step's output."""
 _END = 300
 """Number of lines at the end of a chunk that are kept."""

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from roslab.explain import progress
 from roslab.explain.reading import Line
 from roslab.explain.skim import is_marked
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 MOST = 16_000
 """Lines of one step that are kept until unimportant lines in its middle are dropped."""
@@ -82,18 +84,18 @@ class Log:
 
 
 _VERTEX = re.compile(r"#(\d{1,6}) (\d{1,7}\.\d{1,3} ?)?")
-_NAMED = re.compile(r"(?:\[|importing cache|exporting |resolve image|sha256:|pushing|merging|copy |local:)")
-_CLASSIC = re.compile(r"(?:Step|STEP) \d{1,4}(?:/\d{1,4})? ?: ?")
-_REPEATED = re.compile(r" > (.{1,2000}?):?$")
-_SECONDS = re.compile(r"^\d{1,7}\.\d{1,3} ")
-_PLACE = re.compile(r"([^\s:]{1,200}):(\d{1,6})$")
-_FINAL = re.compile(
+_NAMED = pattern(r"(?:\[|importing cache|exporting |resolve image|sha256:|pushing|merging|copy |local:)")
+_CLASSIC = pattern(r"(?:Step|STEP) \d{1,4}(?:/\d{1,4})? ?: ?")
+_REPEATED = pattern(r" > (.{1,2000}?):?$")
+_SECONDS = pattern(r"^\d{1,7}\.\d{1,3} ")
+_PLACE = pattern(r"([^\s:]{1,200}):(\d{1,6})$")
+_FINAL = pattern(
     r"(?:ERROR: |error: |target \S{1,100}: |buildx failed with: |#\d+ ERROR: |Error: ){0,3}failed to (?:solve|build)\b"
     r"|The command '.{1,5000} returned a non-zero code: \d"
     r"|[Ee]rror(?: building at STEP|: error building at STEP)"
     r"|executor failed running "
 )
-_GOOD = re.compile(r"Successfully (?:built [0-9a-f]{12}|tagged \S{1,200})$")
+_GOOD = pattern(r"Successfully (?:built [0-9a-f]{12}|tagged \S{1,200})$")
 
 
 def read(lines: Iterable[Line]) -> Log:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from roslab.github.event import Event, Publication
 from roslab.github.inputs import Cache
 from roslab.github.run import short
+from roslab.values.dataclass import dataclass
 
 PREFIX = "buildcache"
 """Prefix of the cache's tags, which are in the same registry repository as the image's tags."""

@@ -15,6 +15,7 @@ from roslab.github import workflow
 from roslab.github.run import Run
 from roslab.knowledge.runner_weight import runner_weight
 from roslab.plan.plan import Plan
+from roslab.values.pattern import pattern
 
 GB = 10**9
 UNPACKED = 2
@@ -23,7 +24,7 @@ PACKAGES = 4 * GB
 """Bytes for what is installed on the base, if nothing heavier is known."""
 FRAMEWORK = 12 * GB
 """Bytes for a framework with its CUDA libraries: 3 GB of wheels, unpacked, then compressed as a layer."""
-HEAVY = re.compile(r"(?:torch|tensorflow|jax|paddlepaddle|mxnet|tensorrt|nvidia-\w+)\b", re.IGNORECASE)
+HEAVY = pattern(r"(?:torch|tensorflow|jax|paddlepaddle|mxnet|tensorrt|nvidia-\w+)\b", re.IGNORECASE)
 LARGER = "take a larger runner (the input runners), or a smaller base (base.image in roslab.yaml)"
 
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
 from roslab.config.model import PullImage
 from roslab.errors import ConfigurationError, Problem, RefusedError
+from roslab.values.dataclass import dataclass
 
 Push = Literal["auto", "true", "false"]
 PUBLISHING = ("push", "create", "release", "schedule", "workflow_dispatch", "repository_dispatch", "workflow_run")

@@ -6,7 +6,6 @@ import dataclasses
 import io
 import posixpath
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 from roslab.config import Config, locate
@@ -26,6 +25,7 @@ from roslab.repair.change import Given, Repair
 from roslab.repair.hunk import Hunk, hunk
 from roslab.repair.repair import repair
 from roslab.repository.checkout import Repository
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 
 

@@ -6,7 +6,6 @@ import json
 import posixpath
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any, Literal, cast
 
 from roslab.config import Override
@@ -16,7 +15,9 @@ from roslab.errors import ConfigurationError, Problem
 from roslab.github.event import Push
 from roslab.plan.plan import image_name
 from roslab.repository.checkout import printable
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Input
+from roslab.values.pattern import pattern
 
 Cache = Literal["auto", "registry", "none"]
 Runner = str | list[str] | dict[str, Any]
@@ -40,12 +41,12 @@ SETTINGS = {
 DEFAULT_RUNNER = "ubuntu-24.04"
 RUNNERS: dict[str, Runner] = {"linux/arm64": "ubuntu-24.04-arm", "linux/arm": "ubuntu-24.04-arm"}
 """Free for public repositories: https://docs.github.com/en/actions/reference/runners/github-hosted-runners"""
-HOST = re.compile(r"(?:[a-z0-9](?:[a-z0-9.-]*[a-z0-9])?|\[[0-9a-f:]+\])(?::\d{1,5})?", re.IGNORECASE)
-COMPONENT = re.compile(r"[a-z0-9]+(?:(?:\.|_|__|-+)[a-z0-9]+)*")
+HOST = pattern(r"(?:[a-z0-9](?:[a-z0-9.-]*[a-z0-9])?|\[[0-9a-f:]+\])(?::\d{1,5})?", re.IGNORECASE)
+COMPONENT = pattern(r"[a-z0-9]+(?:(?:\.|_|__|-+)[a-z0-9]+)*")
 """https://github.com/distribution/reference/blob/main/regexp.go"""
 VARIANT = ("path", "config", "date", "kind", "distro", "build-tool", "cuda", "python", "tag-prefix", "tag-suffix")
 """Inputs that make variants of one image; each variant has its own cache and artifacts."""
-LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._:/=@+-]{0,255}")
+LABEL = pattern(r"[A-Za-z0-9][A-Za-z0-9 ._:/=@+-]{0,255}")
 LONGEST = 256
 """Most characters in a group's name."""
 

@@ -6,13 +6,13 @@ https://docs.github.com/en/rest/issues/issues
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 from urllib.parse import quote
 
 from roslab.github import api, workflow
 from roslab.github.event import Event
 from roslab.github.run import short
+from roslab.values.dataclass import dataclass
 
 AUTHOR = "github-actions[bot]"
 """Who opens issues with a job's own token: an issue of anybody else is not the watch's, whatever it says.

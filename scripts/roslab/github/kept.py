@@ -11,11 +11,11 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from roslab.errors import ConfigurationError, Problem
 from roslab.render.outcome import PlatformReport, Repair, from_json
+from roslab.values.dataclass import dataclass
 
 NAME = "job.json"
 

@@ -9,7 +9,6 @@ import json
 import tempfile
 import zlib
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +17,7 @@ from roslab.github.inputs import Cache
 from roslab.plan.plan import Plan, from_json
 from roslab.render.outcome import PlatformReport
 from roslab.render.outcome import to_json as report_json
+from roslab.values.dataclass import dataclass
 
 PORTABLE = 100_000
 """Most bytes of the line: a step reads another job's output from an environment variable, and Linux allows 128 KiB."""

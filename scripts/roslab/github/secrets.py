@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from roslab.engine.client import login
@@ -26,12 +26,14 @@ from roslab.github.access import OWN
 from roslab.github.event import Event
 from roslab.github.inputs import HOST
 from roslab.github.run import Folder, Run
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 from roslab.values.secret import PIP_INDEX, SSH, variable
 
 FOLDER = "secrets"
 """Below the folder of the run; the last step of a job removes it."""
-_NAME = re.compile(r"(?P<name>[A-Za-z][\w-]*)=")
-_REGISTRY = re.compile(r"registry:(?P<host>[^\s=]+)=(?P<username>[^\s:]*):?(?P<password>\S*)\s*")
+_NAME = pattern(r"(?P<name>[A-Za-z][\w-]*)=")
+_REGISTRY = pattern(r"registry:(?P<host>[^\s=]+)=(?P<username>[^\s:]*):?(?P<password>\S*)\s*")
 SHORTEST = 6
 """Fewest characters that are hidden in a log: a shorter word would hide others."""
 

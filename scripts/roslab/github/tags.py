@@ -4,22 +4,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from roslab.config.model import TagParts
 from roslab.errors import ConfigurationError, Problem
 from roslab.github.event import Event
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 OWN = re.compile(r"sha-[0-9a-f]{7,40}")
 """The tag of one commit in the form of docker/metadata-action."""
-RESERVED = re.compile(
+RESERVED = pattern(
     r"latest|nightly|v?\d+|(?:v\d+|\d+\.\d+|v\d+\.\d+|v?\d+\.\d+\.\d+)(?:[-+].*)?|sha-[0-9a-f]{7,40}|buildcache-.*|pr-\d+"
 )
 """Tags that mean a release, a commit, a cache or a pull request, which a branch of that name must not take."""
-TAKEN = re.compile(r"latest|nightly|sha-[0-9a-f]{7,40}|buildcache-.*|pr-\d+")
+TAKEN = pattern(r"latest|nightly|sha-[0-9a-f]{7,40}|buildcache-.*|pr-\d+")
 """The same for a git tag, which may have the name of a release."""
-SERIES = re.compile(r"\d+\.\d+")
-RELEASE = re.compile(r"v?(\d+)\.(\d+)\.(\d+)")
+SERIES = pattern(r"\d+\.\d+")
+RELEASE = pattern(r"v?(\d+)\.(\d+)\.(\d+)")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

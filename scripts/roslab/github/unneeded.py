@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fnmatch import fnmatchcase
 
 from roslab.config.model import TagParts
 from roslab.engine.versions import Manifest, Version
 from roslab.github.tags import OWN, RESERVED, cleaned
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 CACHE = re.compile(r"buildcache-(?P<branch>.+)-[0-9a-f]{8}-(?:all|linux-[a-z0-9-]+)")
 """A tag of cached layers, as ``cache`` forms it."""
-ATTESTED = re.compile(r"sha256-(?P<hex>[0-9a-f]{64})(?:\..+)?")
+ATTESTED = pattern(r"sha256-(?P<hex>[0-9a-f]{64})(?:\..+)?")
 """The tag under which a registry without referrers stores attestations and signatures of a digest.
 https://github.com/opencontainers/distribution-spec/blob/main/spec.md#referrers-tag-schema"""
-PROPOSED = re.compile(r"pr-(?P<number>\d+)")
+PROPOSED = pattern(r"pr-(?P<number>\d+)")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

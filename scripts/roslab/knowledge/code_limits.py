@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cache
 from typing import Literal, cast
 
 from packaging.version import Version
 
 from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
 
 Sign = Literal["include", "name", "standard"]
 """A header, a name in the code, a C++ standard that CMake asks for."""

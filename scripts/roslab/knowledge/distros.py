@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 from typing import Literal
 
 from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -30,12 +30,12 @@ A failure is one table ``[id]`` in a file ``failures_WORLD.toml``:
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from roslab.values import toml
+from roslab.values.dataclass import dataclass
 
 WORLDS = ("images", "apt", "system", "fetch", "ros", "python", "native", "languages", "own_words")
 """The files, in their order: of two failures of one rank that match on one line, the earlier one wins."""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 
 from packaging.version import Version
 
 from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
 from roslab.values.version import minor_of, version_of
 
 

@@ -10,11 +10,12 @@ from functools import cache
 
 from roslab.knowledge.distros import distro, ubuntus
 from roslab.knowledge.table import rows
+from roslab.values.pattern import pattern
 
 _REGISTRY = re.compile(r"^(?:docker\.io/)?(?:library/)?")
-_ROS = re.compile(r"(?:^|/)ros:([a-z]+)")
-_UBUNTU = re.compile(r"ubuntu[:_-]?(\d\d\.\d\d)")
-_DEBIAN = re.compile(r"^debian:(\d+)")
+_ROS = pattern(r"(?:^|/)ros:([a-z]+)")
+_UBUNTU = pattern(r"ubuntu[:_-]?(\d\d\.\d\d)")
+_DEBIAN = pattern(r"^debian:(\d+)")
 
 
 @cache

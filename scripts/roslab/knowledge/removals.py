@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 

@@ -17,11 +17,11 @@ The packages that a failure's own ``lookup`` names need no table here.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
 from roslab.values import toml
+from roslab.values.dataclass import dataclass
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

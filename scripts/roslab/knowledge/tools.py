@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
 
 INSTALLERS = ("pip", "setuptools", "wheel")
 PIXI = "pixi.toml"

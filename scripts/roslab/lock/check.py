@@ -7,7 +7,6 @@ import os
 import secrets
 import tempfile
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
 
@@ -19,6 +18,7 @@ from roslab.lock import index
 from roslab.lock.inventory import inspect
 from roslab.plan.locked import LockedSource, Missing
 from roslab.plan.plan import Plan
+from roslab.values.dataclass import dataclass
 
 GIT = ("env", "GIT_TERMINAL_PROMPT=0", "git")
 """A repository that asks for a password is private or gone: nobody is asked."""

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from roslab.lock.inventory import Inventory
 from roslab.plan.locked import Machine
+from roslab.values.dataclass import dataclass
 
 Kind = Literal["base", "apt", "pip", "conda", "source", "env"]
 KINDS: tuple[Kind, ...] = ("base", "apt", "pip", "conda", "source", "env")

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from roslab.engine.docker import last_line, output
 from roslab.errors import BuildError, Problem
 from roslab.plan.locked import Distribution, LockedSource, Package
+from roslab.values.dataclass import dataclass
 
 SECONDS = 600.0
 _SCRIPT = Path(__file__).with_name("inventory.sh")

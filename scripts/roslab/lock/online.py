@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from roslab.engine.docker import last_line, output, say
 from roslab.lock.inventory import Inventory
+from roslab.values.dataclass import dataclass
 
 SECONDS = 3600.0
 NETWORK = "bridge"

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from roslab.lock.comparison import Change, Comparison
+from roslab.values.dataclass import dataclass
 
 State = Literal["built", "proved", "drifted", "archived only", "broken", "unknown"]
 MEANINGS: Mapping[State, str] = {

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from roslab.config.model import Source
 from roslab.decide.decision import Decision, Warning_
 from roslab.knowledge import days
 from roslab.knowledge.distros import distro
 from roslab.knowledge.os_releases import release_of, system_of
+from roslab.values.dataclass import dataclass
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from roslab.decide.decision import Decision
 from roslab.decide.mended_bases import distro_of
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus_with_python2
 from roslab.knowledge.os_releases import release_of
 from roslab.knowledge.tools import python2_installers, python_tools
 from roslab.plan.package_sources import PackageSources, sources_of
+from roslab.values.dataclass import dataclass
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
-from dataclasses import dataclass
 from typing import Any, Literal
+
+from roslab.values.dataclass import dataclass
 
 NAMES = ("installs", "starts", "talks", "shows", "agrees", "runs on a GPU")
 """What holds on each rung, in their order."""

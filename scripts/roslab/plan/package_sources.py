@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from roslab.decide.decision import Decision
 from roslab.knowledge.days import last_sync
 from roslab.knowledge.distros import Distro, distro
 from roslab.knowledge.os_releases import ends, has_ended, release_of
 from roslab.knowledge.ros_packages import last_snapshot, ros_packages, snapshot
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 _OFFICIAL = re.compile(r"(?:docker\.io/(?:library/)?)?ros:")
-_WITH_ROS = re.compile(r"(?:[^/]+/)*ros:")
+_WITH_ROS = pattern(r"(?:[^/]+/)*ros:")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from roslab.config.model import Config, Source
 from roslab.decide.decision import Decision
 from roslab.knowledge.distros import distro
 from roslab.knowledge.on_request import packages
+from roslab.values.dataclass import dataclass
 from roslab.values.secret import SSH
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import json
 import re
-from dataclasses import dataclass
 from typing import Any
 
 from roslab.config.model import (
@@ -34,6 +33,7 @@ from roslab.plan.proof import Proof, proofs
 from roslab.plan.python import PythonPlan, python_plan
 from roslab.plan.version import SourceVersion
 from roslab.plan.workspace import Workspace, custom, library, workspace
+from roslab.values.dataclass import dataclass
 
 VERSION = 1
 """Version of the plan's JSON; a reader refuses any other."""

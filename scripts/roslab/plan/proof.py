@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal
 
 from packaging.version import Version
@@ -12,6 +12,7 @@ from packaging.version import Version
 from roslab.decide.decision import Decision
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.plan.workspace import ROS_TOOLS
+from roslab.values.dataclass import dataclass
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from roslab.decide import decision
 from roslab.decide.decision import Manager
 from roslab.decide.python.compiling import NOTHING, Compiling
+from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 
 

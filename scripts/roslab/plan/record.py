@@ -5,13 +5,13 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from roslab.config.model import ProofGoals, ProofLimits
 from roslab.errors import ConfigurationError, Problem
 from roslab.plan.ladder import Ladder, Rung, title
 from roslab.plan.plan import Plan
 from roslab.plan.proof import Proof
+from roslab.values.dataclass import dataclass
 
 KEY = "roslab.proof"
 """Annotation of an index and label of an image that hold the record."""

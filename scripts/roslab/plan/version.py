@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from packaging.utils import canonicalize_name
 from packaging.version import InvalidVersion, Version
 
 from roslab.evidence.facts import PythonProject
 from roslab.knowledge.version_tools import version_tools
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 UNKNOWN = "0.1.dev0"
 """If no tag has a version: the first version of setuptools_scm."""
-PLAIN = re.compile(r"[A-Za-z0-9_./+-]+")
+PLAIN = pattern(r"[A-Za-z0-9_./+-]+")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

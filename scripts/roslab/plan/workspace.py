@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import shlex
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal, get_args
 
 from roslab.config.model import Config, Custom, Source
 from roslab.decide.decision import Decision
+from roslab.values.dataclass import dataclass
 
 RosTool = Literal["catkin_make", "catkin_tools", "colcon"]
 ROS_TOOLS: tuple[RosTool, ...] = get_args(RosTool)

@@ -8,7 +8,7 @@ import tempfile
 import time
 from collections.abc import Sequence
 from contextlib import ExitStack, suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from roslab.config.model import ProofGoals, ProofLimits
@@ -23,6 +23,7 @@ from roslab.prove.screenshot import Camera, Screenshot, file_name
 from roslab.prove.verdict import End, judge, verdict
 from roslab.prove.watch import Watch
 from roslab.prove.written import results
+from roslab.values.dataclass import dataclass
 
 START_LIMIT = 300.0
 """Seconds that a container may take to start; a large image is unpacked first."""

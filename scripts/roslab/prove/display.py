@@ -28,11 +28,11 @@ import subprocess
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
 from pathlib import Path
 
 from roslab.engine.docker import last_line, output
 from roslab.errors import BuildError, Problem
+from roslab.values.dataclass import dataclass
 
 SIZE = "1920x1080x24"
 START_SECONDS = 30.0

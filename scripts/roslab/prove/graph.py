@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from roslab.knowledge.graphs import belongs
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 MOST = 500
 """Most nodes, topics or services that are kept; what runs in the container can claim any number."""
 LONGEST = 200
 """Most characters of a name."""
-_ANONYMOUS = re.compile(r"_\d{1,7}_\d{13}$")
+_ANONYMOUS = pattern(r"_\d{1,7}_\d{13}$")
 """What ROS 1 adds to the name of an anonymous node, its process's number and the time:
 http://docs.ros.org/en/noetic/api/rosgraph/html/_modules/rosgraph/names.html"""
 

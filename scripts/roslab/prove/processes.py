@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from roslab.engine.docker import output
 from roslab.knowledge.launches import launches
+from roslab.values.dataclass import dataclass
 
 _NAME = re.compile(r"\b(?:__name|__node):=(\S+)")
 LONGEST = 80

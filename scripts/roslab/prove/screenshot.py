@@ -11,11 +11,12 @@ import os
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslab.prove.display import Display
+from roslab.values.dataclass import dataclass
 
 if TYPE_CHECKING:
     from PIL.Image import Image

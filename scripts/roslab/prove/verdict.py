@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from roslab.plan.proof import Proof
+from roslab.values.dataclass import dataclass
 
 MAX_NODES = 5
 """Most dead nodes that one line names; a launch of thirty nodes may lose them all."""

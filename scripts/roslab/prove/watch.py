@@ -5,13 +5,14 @@ from __future__ import annotations
 import subprocess
 import time
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from roslab.config.model import ProofGoals
 from roslab.plan.proof import Proof
 from roslab.prove.probe import Probe
 from roslab.prove.processes import Census
 from roslab.prove.screenshot import Camera
+from roslab.values.dataclass import dataclass
 
 PROOF_SECONDS = 10.0
 """Seconds after which a program that keeps running counts as started."""

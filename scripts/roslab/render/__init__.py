@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from importlib import import_module
 from typing import Literal
 
 from roslab.plan.plan import Plan
 from roslab.render.output import MARKER, Beside, OutputFile
+from roslab.values.dataclass import dataclass
 
 __all__ = ["FILES", "MARKER", "OutputFile", "render_all"]
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import apart, base, final, locks, manifests, python, scripts, shell, system, workspace
 from roslab.render.output import Beside
+from roslab.values.dataclass import dataclass
 from roslab.values.secret import SSH
 
 Block = Callable[[Plan], str]

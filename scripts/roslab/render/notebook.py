@@ -16,10 +16,11 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.output import MARKER, Beside
 from roslab.render.shell_block import Step, steps
+from roslab.values.pattern import pattern
 
 Cell = tuple[Literal["markdown", "code"], str]
 MARKDOWN = (".md", ".markdown", ".mkd", ".mdown")
-_LABEL = re.compile(r"\[((?:[^\[\]\\]|\\.){1,999})\]")
+_LABEL = pattern(r"\[((?:[^\[\]\\]|\\.){1,999})\]")
 
 
 def text(plan: Plan, beside: Beside) -> str:

@@ -6,11 +6,12 @@ import dataclasses
 import json
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from roslab.plan.ladder import Ladder
 from roslab.plan.plan import Plan
 from roslab.render.sizes import LayerSize
+from roslab.values.dataclass import dataclass
 
 DIGEST = re.compile(r"sha256:[0-9a-f]{64}")
 """https://github.com/opencontainers/image-spec/blob/main/descriptor.md#digests"""

@@ -12,14 +12,15 @@ import shlex
 from collections.abc import Iterable, Sequence
 
 from roslab.errors import ConfigurationError, Problem
+from roslab.values.pattern import pattern
 
 USER = "${NB_USER}"
 """The only variable allowed in a path: the name of the image's user, which is an ARG and ENV of every image."""
-_FORBIDDEN = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+_FORBIDDEN = pattern("[\x00-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
 """Control characters, line separators, bytes that are not UTF-8, and marks that change the reading direction: they
 make a line look different from what it does (https://trojansource.codes)."""
-_BARE = re.compile(r"[A-Za-z0-9_@%+=:,./-]+")
-_IMAGE = re.compile(
+_BARE = pattern(r"[A-Za-z0-9_@%+=:,./-]+")
+_IMAGE = pattern(
     r"[A-Za-z0-9][A-Za-z0-9._-]*(?::[0-9]+(?=/))?(?:/[a-z0-9][a-z0-9._-]*)*(?::\w[\w.-]*)?(?:@\w+:[0-9a-f]+)?", re.ASCII
 )
 """A reference as in https://github.com/distribution/reference/blob/main/regexp.go, but slightly more permissive;

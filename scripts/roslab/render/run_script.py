@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-import re
-
 from roslab.config.model import Volume
 from roslab.errors import ConfigurationError, Problem
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.output import Beside
 from roslab.render.script import script
+from roslab.values.pattern import pattern
 
 IMAGE_USER = "1000"
-_PORT = re.compile(
+_PORT = pattern(
     r"(?:(?P<address>\d+(?:\.\d+){3}|\[[0-9A-Fa-f:]+\]):)?(?:(?P<host>\d+(?:-\d+)?):)?(?P<container>\d+(?:-\d+)?)"
     r"(?P<protocol>/(?:tcp|udp|sctp))?"
 )
-_OPTION = re.compile(r"ro|rw|z|Z|cached|consistent|delegated|nocopy|r?private|r?shared|r?slave")
-_MAC = re.compile(r"[0-9A-Fa-f]{2}(?:[:-][0-9A-Fa-f]{2}){5}")
+_OPTION = pattern(r"ro|rw|z|Z|cached|consistent|delegated|nocopy|r?private|r?shared|r?slave")
+_MAC = pattern(r"[0-9A-Fa-f]{2}(?:[:-][0-9A-Fa-f]{2}){5}")
 
 
 def text(plan: Plan, beside: Beside) -> str:

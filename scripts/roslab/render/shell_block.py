@@ -5,30 +5,31 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 SHELLS = frozenset({"bash", "sh", "shell", "zsh", "ksh", "shellscript", "commandline", "command", "cmdline"})
 SESSIONS = frozenset({"console", "terminal", "session", "shell-session", "shellsession", "bash-session", "sh-session"})
 """Languages of a block that shows both input and output."""
 _OWN = {"roslab": "host", "docker_build.sh": "host", "docker_run.sh": "host"}
 """Commands of this project, which build and run the image."""
-_LANGUAGE = re.compile(r"\{?\s*\.?([\w+#-]+)")
-_PROMPT = re.compile(
+_LANGUAGE = pattern(r"\{?\s*\.?([\w+#-]+)")
+_PROMPT = pattern(
     r"\s*(?:\([\w.-]+\)\s*)?"  # (venv)
     r"(?:[\w.-]+@[\w.-]+(?:[: ]\s*[~/][^\s$#%>]*)?\s?[$#%]"  # user@host:~/folder$
     r"|\[[\w.-]+@[\w.-]+ [^\s\]]+\]\s?[$#]|[~/][\w./~-]*\$|\$)"  # [user@host folder]$ and ~/folder$
     r"(?:\s+(?=\S)|\s*$)"
 )
-_ROOT = re.compile(r"\s*#\s+(?=(\S+))")
-_FIRST = re.compile(r"(?:^|&&|\|\||;|\|)\s*(?:(?:\w+=\S*|time|exec|nohup|env)\s+)*([^\s;&|]+)(?:\s+(\S+))?")
-_PROGRAM = re.compile(r"\.{0,2}/\w|\w+=|[\w.-]+/[\w./-]+\.(?:py|sh)$")
-_NO_COMMAND = re.compile(r"[<>=~]+|v?\d+(?:\.\d+)+|[:=].*|is|are|and|or|version")
+_ROOT = pattern(r"\s*#\s+(?=(\S+))")
+_FIRST = pattern(r"(?:^|&&|\|\||;|\|)\s*(?:(?:\w+=\S*|time|exec|nohup|env)\s+)*([^\s;&|]+)(?:\s+(\S+))?")
+_PROGRAM = pattern(r"\.{0,2}/\w|\w+=|[\w.-]+/[\w./-]+\.(?:py|sh)$")
+_NO_COMMAND = pattern(r"[<>=~]+|v?\d+(?:\.\d+)+|[:=].*|is|are|and|or|version")
 """Second words of a list of requirements (``cmake >= 3.5``) or of prose."""
-_OPEN = re.compile(r"(?:\\|&&|\|\|?|\{|\(|\b(?:do|then|else))\s*$")
-_HEREDOC = re.compile(r"<<-?\s*(['\"]?)(\w+)\1")
+_OPEN = pattern(r"(?:\\|&&|\|\|?|\{|\(|\b(?:do|then|else))\s*$")
+_HEREDOC = pattern(r"<<-?\s*(['\"]?)(\w+)\1")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from roslab.render.markdown import block
+from roslab.values.dataclass import dataclass
 
 BASE = "base image"
 SMALLEST = 0.02

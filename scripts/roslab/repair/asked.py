@@ -9,6 +9,7 @@ from roslab.evidence.facts import Dependency, Evidence
 from roslab.explain.answer import Explanation
 from roslab.repair.change import Asked, Given
 from roslab.values.origin import Place
+from roslab.values.pattern import pattern
 
 _KINDS = (
     ("header", ("include",), "the header"),
@@ -21,10 +22,10 @@ _KINDS = (
     ("tool", (), "the program"),
 )
 """For each name that a failure captures, the kinds of dependencies that it may be, and what it is called."""
-_FRAME = re.compile(r'File "(?P<file>[^"\n]{1,300})", line (?P<line>\d{1,6})')
-_CMAKE = re.compile(r"(?m)(?:CMake Error at |^ {1,4})(?P<file>[\w./+-]{1,300}):(?P<line>\d{1,6}) \(")
+_FRAME = pattern(r'File "(?P<file>[^"\n]{1,300})", line (?P<line>\d{1,6})')
+_CMAKE = pattern(r"(?m)(?:CMake Error at |^ {1,4})(?P<file>[\w./+-]{1,300}):(?P<line>\d{1,6}) \(")
 """The place of an error, or a line of the calls that led to it."""
-_AT = re.compile(r"(?P<file>[\w./+-]{1,300}\.\w{1,8}):(?P<line>\d{1,6})\b")
+_AT = pattern(r"(?P<file>[\w./+-]{1,300}\.\w{1,8}):(?P<line>\d{1,6})\b")
 
 
 def asked(found: Explanation, given: Given, value: str = "") -> Asked:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import difflib
 import re
-from dataclasses import dataclass
 
 from roslab.evidence.lex.dockerfile import Instruction, instructions
 from roslab.explain.answer import Answer, Explanation
 from roslab.explain.signatures import filled
 from roslab.explain.words import dockerfile_lines
 from roslab.knowledge.repairs import repairs
+from roslab.values.dataclass import dataclass
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 from roslab.decide.python.pythons import PREFERRED
 from roslab.explain.answer import Explanation
@@ -13,11 +12,13 @@ from roslab.knowledge.os_releases import has_ended
 from roslab.knowledge.released import released
 from roslab.knowledge.ros_sources import ros_sources
 from roslab.repair.change import Given
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 from roslab.values.specifier import admits, specifiers
 
 _ALIASES = ("float", "int", "bool", "object", "str", "complex", "long", "unicode")
 """Names that NumPy 1.24 removed: https://numpy.org/doc/stable/release/1.24.0-notes.html"""
-_PIN = re.compile(r"==\s*([\w.!+]{1,60})$")
+_PIN = pattern(r"==\s*([\w.!+]{1,60})$")
 _SERIAL = {
     "catkin_make": ("-j1",),
     "cmake": ("-j1",),

@@ -14,8 +14,10 @@ import subprocess
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
+
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 SECONDS = 900.0
 """How long one submodule may take."""
@@ -25,7 +27,7 @@ DEEPEST = 8
 POINTER = b"version https://git-lfs.github.com/spec/v1"
 """First line of a file whose content is in LFS: https://github.com/git-lfs/git-lfs/blob/main/docs/spec.md"""
 LARGEST_POINTER = 1024
-REF = re.compile(r"[A-Za-z0-9_][\w./+-]{0,199}")
+REF = pattern(r"[A-Za-z0-9_][\w./+-]{0,199}")
 SSH = (
     re.compile(r"ssh://(?:[\w.-]+@)?(?P<host>[\w.-]+)(?::\d+)?/"),
     re.compile(r"[\w.-]+@(?P<host>[\w.-]+):(?!/)"),

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import stat
-from dataclasses import dataclass
 from pathlib import Path
+
+from roslab.values.dataclass import dataclass
 
 MAX_FILES = 500_000
 """Files listed; a larger tree is read as far as that, with a warning (``Repository.problems``)."""

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cache
 
 from packaging.markers import Marker, UndefinedComparison
 
+from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 from roslab.values.specifier import NEWEST_PATCH
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal
 
 from packaging.markers import InvalidMarker, Marker
@@ -10,6 +10,7 @@ from packaging.specifiers import SpecifierSet
 from packaging.utils import canonicalize_name
 from packaging.version import Version
 
+from roslab.values.dataclass import dataclass
 from roslab.values.version import version_of
 from roslab.values.wheel import Wheel, wheel_of
 

@@ -10,19 +10,20 @@ from packaging.markers import InvalidMarker, Marker
 from packaging.requirements import InvalidRequirement
 from packaging.requirements import Requirement as Parsed
 
+from roslab.values.pattern import pattern
 from roslab.values.requirement import FREE, Requirement, RequirementOrigin, Role
 from roslab.values.specifier import specifiers
 from roslab.values.wheel import wheel_of
 
 _EDITABLE = re.compile(r"^(?:-e|--editable)[ =]*(\S.*)$")
-_PER_LINE = re.compile(r"\s+--(?:hash|global-option|install-option|config-settings)[ =]\S+")
-_URL = re.compile(r"^(?:(?:git|hg|svn|bzr)\+\S+|https?://\S+|file:\S+|git://\S+|git@\S+)$")
-_PATH = re.compile(r"[\w./-]+(?:\[.*\])?")
-_NAME = re.compile(r"([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)\s*(\[[\w\s,.-]*\])?\s*(.*)")
-_VERSIONS = re.compile(r"\(?\s*(?:(?:===?|!=|~=|<=?|>=?)\s*[\w.*+!-]+\s*,?\s*)+\)?")
-_EXPORTED = re.compile(r"=([\w.+!-]+?)(?:=[^=\s]+)?")
-_EGG = re.compile(r"[#&]egg=([\w.-]+)")
-_LAST = re.compile(r"/([\w.-]+?)(?:\.git)?(?:@[^/]*)?(?:#.*)?$")
+_PER_LINE = pattern(r"\s+--(?:hash|global-option|install-option|config-settings)[ =]\S+")
+_URL = pattern(r"^(?:(?:git|hg|svn|bzr)\+\S+|https?://\S+|file:\S+|git://\S+|git@\S+)$")
+_PATH = pattern(r"[\w./-]+(?:\[.*\])?")
+_NAME = pattern(r"([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)\s*(\[[\w\s,.-]*\])?\s*(.*)")
+_VERSIONS = pattern(r"\(?\s*(?:(?:===?|!=|~=|<=?|>=?)\s*[\w.*+!-]+\s*,?\s*)+\)?")
+_EXPORTED = pattern(r"=([\w.+!-]+?)(?:=[^=\s]+)?")
+_EGG = pattern(r"[#&]egg=([\w.-]+)")
+_LAST = pattern(r"/([\w.-]+?)(?:\.git)?(?:@[^/]*)?(?:#.*)?$")
 _NOWHERE = partial(Requirement, origin="table")
 """A requirement before its place and origin are known."""
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from functools import cache
 
 from packaging.specifiers import InvalidSpecifier, Specifier, SpecifierSet
 from packaging.version import Version
 
+from roslab.values.pattern import pattern
+
 NEWEST_PATCH = 99
 """Above every patch release of a Python: 3.8 ended at 3.8.20, 3.9 at 3.9.25. https://www.python.org/downloads/."""
-_SERIES = re.compile(r"([~^])\s*(\d+(?:\.\d+)*)")
+_SERIES = pattern(r"([~^])\s*(\d+(?:\.\d+)*)")
 
 
 def specifiers(text: str) -> SpecifierSet | None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from packaging.utils import canonicalize_name
 
@@ -11,6 +10,7 @@ from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.accelerated import accelerated
+from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 
 

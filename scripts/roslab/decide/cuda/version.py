@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import ClassVar
 
 from packaging.version import Version
@@ -24,7 +23,9 @@ from roslab.knowledge.frameworks import (
     nearest_cuda_image,
     newest_framework,
 )  # fmt: skip
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
+from roslab.values.pattern import pattern
 from roslab.values.version import minor_of, version_of
 
 DEFAULT = "11.8"
@@ -35,8 +36,8 @@ _BUILT_FOR = frozenset({"torch", "torchvision", "torchaudio", "torch-scatter", "
 _OF_CONDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda-toolkit", "cuda"})
 _OF_JAX = {"cuda11": "11.8", "cuda12": "12.3"}
 """CUDA by the first letters of a JAX extra. https://docs.jax.dev/en/latest/installation.html, read 2026-08-22."""
-_IMAGE = re.compile(r"(?:^|/)cuda(?:gl)?:(\d+\.\d+)|(?:^|/)[\w./-]+:[\w.-]*cuda(\d+\.\d+)")
-_LEAST = re.compile(r"or (?:above|higher|newer|later|greater)|>=|≥|\d\+(?!cu)|at least|minimum", re.IGNORECASE)
+_IMAGE = pattern(r"(?:^|/)cuda(?:gl)?:(\d+\.\d+)|(?:^|/)[\w./-]+:[\w.-]*cuda(\d+\.\d+)")
+_LEAST = pattern(r"or (?:above|higher|newer|later|greater)|>=|≥|\d\+(?!cu)|at least|minimum", re.IGNORECASE)
 _SHOWN = 20
 """Most reasons that are kept."""
 

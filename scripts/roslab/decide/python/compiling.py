@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from packaging.version import Version
 
 from roslab.evidence.facts import PythonProject
 from roslab.knowledge.compiled import architectures, prebuilt, public_hosts
 from roslab.knowledge.frameworks import build_needs
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
 _RUST = frozenset({"maturin", "setuptools-rust"})
-_CLOSED = re.compile(r"(?:\w+\+)?(?:git|ssh)://(?:[^@/]*@)?([\w.-]+)/|(?:\w+\+)?git@([\w.-]+):")
+_CLOSED = pattern(r"(?:\w+\+)?(?:git|ssh)://(?:[^@/]*@)?([\w.-]+)/|(?:\w+\+)?git@([\w.-]+):")
 """An address that needs a key, or a protocol that GitHub ended on 2022-03-15.
 
 https://github.blog/security/application-security/improving-git-protocol-security-github/"""

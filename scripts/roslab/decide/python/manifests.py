@@ -13,6 +13,7 @@ from roslab.decide.python.pins import DEVELOPMENT
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence, PythonProject, RequirementFile
 from roslab.knowledge.tools import PIXI
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
 _VARIANT = re.compile(
@@ -22,9 +23,9 @@ _VARIANT = re.compile(
     r"real|robot|server|web|app|viz|vis)(?:[-_.\d]|$)",
     re.IGNORECASE,
 )
-_PAGE = re.compile(r"^(?:docs?/|\.github/)?(?:readme|install(?:ation)?)\b[^/]*$", re.IGNORECASE)
+_PAGE = pattern(r"^(?:docs?/|\.github/)?(?:readme|install(?:ation)?)\b[^/]*$", re.IGNORECASE)
 """The pages whose lines tell how the project is installed."""
-_ELSEWHERE = re.compile(r"(?:^|[-_./])(?:mac|macos|osx|darwin|windows|win(?:32|64)?|m1|arm)(?:[-_.]|$)", re.IGNORECASE)
+_ELSEWHERE = pattern(r"(?:^|[-_./])(?:mac|macos|osx|darwin|windows|win(?:32|64)?|m1|arm)(?:[-_.]|$)", re.IGNORECASE)
 """An environment of another system."""
 MAX_PROJECTS = 6
 

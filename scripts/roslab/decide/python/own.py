@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.version import DEFAULT as CUDA
 from roslab.decide.decision import Choice, Manager, Reason, Warning_
@@ -18,6 +16,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.days import existed
 from roslab.knowledge.distros import distro, python_of_ubuntu
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 
 DEFAULT = "3.10"

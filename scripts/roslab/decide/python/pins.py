@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -13,13 +12,14 @@ from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence
 from roslab.knowledge.frameworks import conda_names, imports
 from roslab.values.conda import CondaPackage
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
 MAX_FILES = 60
 """Most requirement files that are considered, those nearest to the root first."""
 _NOT_OURS = frozenset({"vendored", "documentation", "ci"})
-DEVELOPMENT = re.compile(r"(?:^|/)(?:\.github|\.circleci|\.ci|ci)(?:/|$)|(?:^|/)docs?/(?!.*\.(?:md|rst)$)")
+DEVELOPMENT = pattern(r"(?:^|/)(?:\.github|\.circleci|\.ci|ci)(?:/|$)|(?:^|/)docs?/(?!.*\.(?:md|rst)$)")
 """Files that build the documentation or run in CI; a documentation page on how to install is not one of them."""
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from typing import NamedTuple
@@ -17,11 +16,12 @@ from roslab.decide.reasons import Placed, because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import Framework, framework, last_below
+from roslab.values.pattern import pattern
 from roslab.values.specifier import admits, specifiers
 
 _TRUSTED = 3
 """Of ``Pin.trust``: a manifest of the project itself."""
-_CLASSIFIER = re.compile(r"Python :: (\d\.\d+)")
+_CLASSIFIER = pattern(r"Python :: (\d\.\d+)")
 _ANY = Version("99")
 _AFTER = 2
 """A project most likely still runs this many minor versions after its newest classifier."""

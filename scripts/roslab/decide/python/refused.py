@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from packaging.specifiers import SpecifierSet
 from packaging.utils import canonicalize_name
@@ -14,6 +14,7 @@ from roslab.decide.python.pythons import ANY
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.not_on_index import NotOnIndex, not_on_index
+from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 
 

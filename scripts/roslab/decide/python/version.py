@@ -19,11 +19,12 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.days import existed
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus
+from roslab.values.pattern import pattern
 from roslab.values.version import version_of
 
 _OLDEST = Version("2.7")
-_UBUNTU = re.compile(r"(?:^|/|-)ubuntu:?(\d\d\.04)")
-_BOTH = re.compile(
+_UBUNTU = pattern(r"(?:^|/|-)ubuntu:?(\d\d\.04)")
+_BOTH = pattern(
     r"python\s*3|\b3\.\d|as well as|\bstill\b|or (?:later|newer|above)|\balso\b|\+|≥|>="
     r"|\bdrop(?:s|ped|ping)?\b|no longer|deprecat|end[- ]of[- ]life",
     re.IGNORECASE,

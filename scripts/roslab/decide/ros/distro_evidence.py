@@ -13,6 +13,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.knowledge.distros import distros, distros_of, ubuntus
 from roslab.values.origin import Place
+from roslab.values.pattern import pattern
 
 FAMILY = 2
 """Dockerfiles for more distributions than this are a family: none of them tells which distribution is meant."""
@@ -20,7 +21,7 @@ LEFT_BEHIND = dt.timedelta(days=182)
 """From the end of a distribution on, so long CI and Dockerfiles may still be for it."""
 QUOTED = 160
 """Most characters of a sentence that are quoted."""
-_AGAINST = re.compile(
+_AGAINST = pattern(
     r"not (?:been )?(?:tested|supported|work)|n't work|unsupported|no longer|deprecated|end[- ]of[- ]life|\beol\b|"
     r"coming soon|todo|"
     r"(?:see|use|switch to|check ?out|available (?:in|on|at)|go to)\s+(?:the\s+)?[\w\"'`/-]*\s*(?:branch|tag)|"
@@ -29,15 +30,15 @@ _AGAINST = re.compile(
     re.IGNORECASE,
 )
 """The sentence speaks of another time or another branch."""
-_FOR = re.compile(
+_FOR = pattern(
     r"test(?:ed)?\b|prerequisite|require|depend|install|ubuntu|support|compatible|/opt/ros/|ros-[a-z]+-|catkin|colcon|"
     r">=|≥|develop(?:ed)? (?:on|with|under|in)|recommend|using ros|\bros[ :_-]",
     re.IGNORECASE,
 )
 """The sentence tells what to install or use."""
-_RECOMMENDED = re.compile(r"\brecommend", re.IGNORECASE)
+_RECOMMENDED = pattern(r"\brecommend", re.IGNORECASE)
 _LIST = (".repos", ".rosinstall")
-_SENTENCE = re.compile(r"(?<=[.;!?])\s+|\s*\|\s*")
+_SENTENCE = pattern(r"(?<=[.;!?])\s+|\s*\|\s*")
 _WHAT = {"filename": "a file is named", "ci": "CI:", "dockerfile": "the author's image:", "script": "a script:"}
 
 

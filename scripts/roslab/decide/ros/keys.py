@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from difflib import get_close_matches
 
 from roslab.config.model import Kind
@@ -15,6 +14,7 @@ from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
+from roslab.values.dataclass import dataclass
 
 _NOT_INSTALLED = frozenset({"doc"})
 """rosdep leaves documentation alone."""

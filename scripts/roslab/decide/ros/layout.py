@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from roslab.config.model import Kind
@@ -11,6 +10,7 @@ from roslab.decide.programs import compiled, top_of
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.facts import Evidence
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 
 LAYOUT = 100

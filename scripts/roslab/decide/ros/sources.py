@@ -19,14 +19,15 @@ from roslab.knowledge.distros import distros
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.knowledge.ros_sources import RosSource, ros_sources
 from roslab.values.origin import Place
+from roslab.values.pattern import pattern
 from roslab.values.secret import SSH
 
 _EXTRA = re.compile(
     r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
 )
-_CLONED = re.compile(r"https?://")
-_PATH = re.compile(r"(?!\.\.?(?:/|$))[\w.+-]+(?:/(?!\.\.?(?:/|$))[\w.+-]+)*")
-_WORDS = re.compile(r"[a-z]+")
+_CLONED = pattern(r"https?://")
+_PATH = pattern(r"(?!\.\.?(?:/|$))[\w.+-]+(?:/(?!\.\.?(?:/|$))[\w.+-]+)*")
+_WORDS = pattern(r"[a-z]+")
 _IN_WORKSPACE: dict[BuildTool, Literal["catkin_make", "catkin_tools", "colcon"]] = {
     "catkin_make": "catkin_make",
     "catkin_tools": "catkin_tools",

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cache
 from typing import Literal
 
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.ros.conditions import holds
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 RosVersion = Literal[1, 2]
-_ASSET = re.compile(r"(?:^|/)(?:assets?|data|resources?|urdfs?|meshes|models)(?:/|$)", re.IGNORECASE)
+_ASSET = pattern(r"(?:^|/)(?:assets?|data|resources?|urdfs?|meshes|models)(?:/|$)", re.IGNORECASE)
 """Folders of robot descriptions: programs read a package there, it is not built."""
 
 _CATKIN = frozenset({"catkin", "catkin_simple", "roscpp", "rospy"})

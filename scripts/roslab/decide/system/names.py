@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from roslab.evidence.facts import Dependency
 from roslab.knowledge.distros import ever
 from roslab.knowledge.libraries import Library, header, library
 from roslab.knowledge.released import released
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 APT_NAME = re.compile(r"^[a-z0-9][a-z0-9.+-]+$")
-_PLACEHOLDER = re.compile(r"^ros-(\{distro\}|[a-z]+)-(.+)$")
+_PLACEHOLDER = pattern(r"^ros-(\{distro\}|[a-z]+)-(.+)$")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

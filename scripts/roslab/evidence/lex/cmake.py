@@ -12,9 +12,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache
 
+from roslab.values.pattern import pattern
+
 _BRACKET_COMMENT = re.compile(r"#\[(=*)\[.*?\]\1\]", re.DOTALL)
-_TOKEN = re.compile(r"#[^\n]*|\"((?:[^\"\\]|\\.)*)\"|\[(=*)\[(.*?)\]\2\]|([()])|((?:[^\s()#\"\\]|\\.)+)", re.DOTALL)
-_VARIABLE = re.compile(r"\$\{(\w+)\}")
+_TOKEN = pattern(r"#[^\n]*|\"((?:[^\"\\]|\\.)*)\"|\[(=*)\[(.*?)\]\2\]|([()])|((?:[^\s()#\"\\]|\\.)+)", re.DOTALL)
+_VARIABLE = pattern(r"\$\{(\w+)\}")
 _OPENERS = frozenset({"if", "while", "function", "macro", "foreach", "block"})
 _CONTROL = (
     "if",

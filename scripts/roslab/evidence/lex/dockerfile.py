@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from roslab.evidence.lex.shell import logical_lines
+from roslab.values.pattern import pattern
 
 _INSTRUCTION = re.compile(r"^\s*([A-Za-z]+)\s+(.*)$", re.DOTALL)
 _KNOWN = frozenset(
@@ -20,7 +21,7 @@ _KNOWN = frozenset(
         "LABEL", "MAINTAINER", "ONBUILD", "RUN", "SHELL", "STOPSIGNAL", "USER", "VOLUME", "WORKDIR",
     }
 )  # fmt: skip
-_HEREDOC = re.compile(r"<<-?\s*[\"']?(\w+)[\"']?")
+_HEREDOC = pattern(r"<<-?\s*[\"']?(\w+)[\"']?")
 
 
 class Instruction(NamedTuple):

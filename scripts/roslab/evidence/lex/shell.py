@@ -12,13 +12,15 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from roslab.values.pattern import pattern
+
 UNKNOWN = "\x00"
 """In a word, this stands for a value that only a running shell knows."""
 MAX_LOGICAL = 20_000
 """Most characters of one logical line; a longer one is data."""
 MAX_VALUE = 4_000
 """Most characters of a variable's value: one that doubles itself in each line would fill the memory."""
-_PLACEHOLDER = re.compile(
+_PLACEHOLDER = pattern(
     r"""\bros-(?:
         \$?\{\{\s*[\w.]*distro[\w.]*\s*\}\}                      # ${{ matrix.ros_distro }}
       | "?'?\$\{?\(?\w*(?:distro|version|rosver)\w*\}?\)?'?"?    # $ROS_DISTRO, "${ROS_DISTRO}"
@@ -29,8 +31,8 @@ _PLACEHOLDER = re.compile(
     )-(?=[a-z0-9])""",
     re.VERBOSE | re.IGNORECASE,
 )
-_CAPITALS = re.compile(r"^ros-([A-Za-z0-9_]+)-$")
-_TOKEN = re.compile(
+_CAPITALS = pattern(r"^ros-([A-Za-z0-9_]+)-$")
+_TOKEN = pattern(
     r"""(?P<space>[^\S\n]+|\n)
       | (?P<single>'[^']*') | (?P<double>"(?:\\.|[^"\\])*")
       | (?P<unknown>\$\((?:[^()]|\([^()]*\))*\)|`[^`]*`)
@@ -72,7 +74,7 @@ _WRAPPERS = frozenset(
     }
 )
 _VALUED_SUDO = frozenset({"-u", "-g", "-n", "--user"})
-_ASSIGNMENT = re.compile(r"^([A-Za-z_]\w*)=(.*)$", re.DOTALL)
+_ASSIGNMENT = pattern(r"^([A-Za-z_]\w*)=(.*)$", re.DOTALL)
 _SHELLS = frozenset({"bash", "sh", "zsh", "dash"})
 
 

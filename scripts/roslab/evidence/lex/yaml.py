@@ -6,9 +6,11 @@ import re
 from collections.abc import Iterator
 from typing import Any, Literal, NamedTuple
 
+from roslab.values.pattern import pattern
+
 MAX_DEPTH = 100
-_BRACKETS = re.compile(r"[\[\]{}]")
-_DEEP = re.compile(rf"^(?:[ \t]*(?:- )){{{MAX_DEPTH},}}|^ {{1000,}}\S", re.MULTILINE)
+_BRACKETS = pattern(r"[\[\]{}]")
+_DEEP = pattern(rf"^(?:[ \t]*(?:- )){{{MAX_DEPTH},}}|^ {{1000,}}\S", re.MULTILINE)
 
 
 class Scalar(NamedTuple):

@@ -10,12 +10,13 @@ from roslab.evidence.facts import CMakeProject, Dependency, GitSource
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import cmake_needs
 from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
 
 MAX_PROJECTS = 3_000
 MAX_MODULES = 300
 """Most CMake files that are searched for what they clone, those nearest to the root first."""
 MAX_MODULE = 64 * 1024
-_CLONES = re.compile(r"^[^#\n]*\b(?:GIT_REPOSITORY|GITHUB_REPOSITORY|CPMAddPackage|git\s+clone)\b", re.MULTILINE)
+_CLONES = pattern(r"^[^#\n]*\b(?:GIT_REPOSITORY|GITHUB_REPOSITORY|CPMAddPackage|git\s+clone)\b", re.MULTILINE)
 _EXECUTABLE = frozenset(
     [
         "add_executable",
@@ -57,12 +58,12 @@ _FOUND = (
     ("catkin", re.compile(r"catkin(?:_simple)?$")),
     ("ament", re.compile(r"ament_|autoware_cmake$")),
 )
-_CUDA = re.compile(r"(?:CUDA|CUDAToolkit|CUDNN|TensorRT)$")
+_CUDA = pattern(r"(?:CUDA|CUDAToolkit|CUDNN|TensorRT)$")
 _PROGRAMS_IN = frozenset({"CMAKE_RUNTIME_OUTPUT_DIRECTORY", "EXECUTABLE_OUTPUT_PATH"})
-_OUTPUT = re.compile(
+_OUTPUT = pattern(
     r"^(?:\$\{((?:CMAKE|PROJECT|CMAKE_CURRENT)_(?:SOURCE|BINARY)_DIR)\})?((?:/|(?<!\})(?=[\w.]))[\w./-]*|)$"
 )
-_TARGET = re.compile(r"[A-Za-z][\w.+-]*$")
+_TARGET = pattern(r"[A-Za-z][\w.+-]*$")
 
 
 @dataclass

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
 
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency, GitSource, Strength
 from roslab.evidence.lex.cmake import Call
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 CALLS = frozenset(
     [
@@ -68,13 +69,13 @@ _ROS_FINDERS = frozenset(
     ]
 )
 """ROS packages whose components are packages themselves."""
-_TEST = re.compile(r"CATKIN_ENABLE_TESTING|BUILD_TEST(?:S|ING)?|_TESTS?\b|GTEST", re.IGNORECASE)
-_ELSEWHERE = re.compile(r"^(?:WIN32|MSVC|APPLE)\b")
-_HERE = re.compile(r"^(?:UNIX\b(?! AND (?:APPLE))|NOT \(?(?:WIN32|MSVC|APPLE)\)?$|NOT (?:WIN32|MSVC|APPLE)\b)")
-_NAME = re.compile(r"^[A-Za-z][\w.+-]*$")
-_LINK = re.compile(r"^(?:-l)?([A-Za-z_][\w.+-]*)$")
-_VERSION = re.compile(r"^\d+(?:\.\d+)*$")
-_MODULE = re.compile(r"^([A-Za-z][\w.+-]*?)(?:(?:>=|<=|=|>|<)[\d.]+)?$")
+_TEST = pattern(r"CATKIN_ENABLE_TESTING|BUILD_TEST(?:S|ING)?|_TESTS?\b|GTEST", re.IGNORECASE)
+_ELSEWHERE = pattern(r"^(?:WIN32|MSVC|APPLE)\b")
+_HERE = pattern(r"^(?:UNIX\b(?! AND (?:APPLE))|NOT \(?(?:WIN32|MSVC|APPLE)\)?$|NOT (?:WIN32|MSVC|APPLE)\b)")
+_NAME = pattern(r"^[A-Za-z][\w.+-]*$")
+_LINK = pattern(r"^(?:-l)?([A-Za-z_][\w.+-]*)$")
+_VERSION = pattern(r"^\d+(?:\.\d+)*$")
+_MODULE = pattern(r"^([A-Za-z][\w.+-]*?)(?:(?:>=|<=|=|>|<)[\d.]+)?$")
 MAX_LINKED = 60
 
 

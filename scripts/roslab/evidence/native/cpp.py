@@ -9,6 +9,7 @@ from roslab.evidence.facts import Dependency
 from roslab.evidence.native.limits import Signs
 from roslab.knowledge.libraries import library
 from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
 
 SUFFIXES = (".cpp", ".hpp", ".h", ".cc", ".cxx", ".hh", ".c", ".cu", ".cuh")
 MAX_READ = 32 * 1024
@@ -16,8 +17,8 @@ MAX_READ = 32 * 1024
 MAX_SOURCES = 2_500
 """Most source files opened, those nearest to the root first."""
 MAX_SIZE = 1024 * 1024
-_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]", re.MULTILINE)
-_STANDARD = re.compile(
+_INCLUDE = pattern(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]", re.MULTILINE)
+_STANDARD = pattern(
     r"^(?:[a-z_]+|c[a-z]+|std\w+\.h|bits/.*|sys/.*|linux/.*|arpa/.*|netinet/.*|net/.*|experimental/.*|(?:math|string|time|errno|signal|unistd|assert|ctype|fcntl|float|limits|inttypes|poll|pthread|termios|dirent|getopt|memory|locale|dlfcn|x86intrin|immintrin|emmintrin|xmmintrin|malloc|sched|wchar|windows)\.h)$"
 )
 

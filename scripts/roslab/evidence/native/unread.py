@@ -7,12 +7,13 @@ import re
 
 from roslab.knowledge.unread import unread
 from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
 
 MOST = 8
 """Each is a line of the Dockerfile; of more, the first."""
-_PLAIN = re.compile(r"[A-Za-z0-9._][A-Za-z0-9._-]*\Z")
+_PLAIN = pattern(r"[A-Za-z0-9._][A-Za-z0-9._-]*\Z")
 """A name that is one word of a Dockerfile."""
-_EVERYTHING = re.compile(r"\bDIRECTORY\s+\"?(?:\./?|\$\{\w+\}/?)\"?[\s)]|\bGLOB_RECURSE\b[^)]*[\s\"]\*[\s\")]")
+_EVERYTHING = pattern(r"\bDIRECTORY\s+\"?(?:\./?|\$\{\w+\}/?)\"?[\s)]|\bGLOB_RECURSE\b[^)]*[\s\"]\*[\s\")]")
 """CMake installs or lists a whole folder."""
 
 

@@ -14,37 +14,38 @@ from roslab.evidence.lex.shell import expand
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
-_NAME = re.compile(r"^(?:dockerfile(?:[-_.].*)?|.*\.dockerfile|.*[-_.]dockerfile|containerfile)$")
-_NOT = re.compile(
+_NAME = pattern(r"^(?:dockerfile(?:[-_.].*)?|.*\.dockerfile|.*[-_.]dockerfile|containerfile)$")
+_NOT = pattern(
     r"\.(?:md|rst|html?|py|ya?ml|json|sh|png|jpe?g|svg|j2|jinja2?|em|in|template|tmpl|erb|dockerignore|txt)$"
 )
-_DOCKER_FOLDER = re.compile(
+_DOCKER_FOLDER = pattern(
     r"^(?:.*/)?\.?(?:docker\w*|container\w*|devcontainer|build\w*|images?|env\w*|recipes?|"
     r"images?/\w+)(?:/[^/]+)*$|^$",
     re.IGNORECASE,
 )
 """Folders that only hold Dockerfiles, whose build context is the root."""
-_FROM = re.compile(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
-_UPDATE = re.compile(r"\brosdep\s+update\b(?!\s+--(?:include-eol-distros|rosdistro))")
+_FROM = pattern(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
+_UPDATE = pattern(r"\brosdep\s+update\b(?!\s+--(?:include-eol-distros|rosdistro))")
 """Not told to keep distributions that have ended. https://github.com/ros-infrastructure/rosdep/issues/818"""
-_PAIR = re.compile(r"(\w+)=(\"[^\"]*\"|'[^']*'|\S*)")
-_DEPLOY = re.compile(
+_PAIR = pattern(r"(\w+)=(\"[^\"]*\"|'[^']*'|\S*)")
+_DEPLOY = pattern(
     r"jetson|l4t|deploy|tegra|raspberry|\brpi\b|arm64|aarch64|armhf|production|release|simulator|\bursim\b",
     re.IGNORECASE,
 )
-_CI = re.compile(
+_CI = pattern(
     r"(?:^|[/._-])ci(?:[/._-]|$)|\.circleci|\.?devcontainer|\.github|\.gitlab|jenkins|travis|azure|clang-tidy|"
     r"coverage|lint",
     re.IGNORECASE,
 )
-_DOCS = re.compile(r"sphinx|mkdocs|doxygen|jekyll|readthedocs|(?:^|[/._-])docs?(?:[/._-]|$)", re.IGNORECASE)
-_PRIVATE = re.compile(
+_DOCS = pattern(r"sphinx|mkdocs|doxygen|jekyll|readthedocs|(?:^|[/._-])docs?(?:[/._-]|$)", re.IGNORECASE)
+_PRIVATE = pattern(
     r"id_rsa|GITHUB_TOKEN|ACCESS_TOKEN|OAUTH|:\$\{?\w*(?:TOKEN|PASSWORD)\w*\}?@",
     re.IGNORECASE,
 )
-_MOUNT = re.compile(r"--mount=(\S*\btype=(?:ssh|secret)\b\S*)")
+_MOUNT = pattern(r"--mount=(\S*\btype=(?:ssh|secret)\b\S*)")
 _REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
 
 

@@ -14,6 +14,7 @@ from roslab.evidence.lex.yaml import Scalar, scalars
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
 
 MAX_SIZE = 128 * 1024
 _NAMES = (
@@ -21,33 +22,33 @@ _NAMES = (
     "bitbucket-pipelines.yml", ".drone.yml",
     "circle.yml", ".cirrus.yml",
 )  # fmt: skip
-_FOLDERS = re.compile(
+_FOLDERS = pattern(
     r"^(?:\.github/workflows|\.github/actions/[^/]+|\.circleci|\.gitlab(?:-ci)?|\.azure-pipelines|"
     r"\.jenkins|\.ci)/[^/]+\.ya?ml$"
 )
-_OTHER = re.compile(
+_OTHER = pattern(
     r"(?:^|/)(?:.*(?:docs?|pages|release|publish|deploy|stale|label|lint|format|windows|macos?|osx|cla|"
     r"pre-commit|codeql).*)\.ya?ml$"
 )
-_PREFIX = re.compile(
+_PREFIX = pattern(
     r"^\s*(?:-\s+)?(?:(?:run|script|command|sh|bash|cmd|install|before_install|"
     r"before_script)\s*:\s*)?(?:-\s+)?[|>]?-?\s*"
 )
-_EXPRESSION = re.compile(r"\$\{\{[^}\n]*\}\}")
-_WITH_MATRIX = re.compile(r"([\w.+-]{0,40})\$\{\{ {0,9}matrix\.([A-Za-z]\w*) {0,9}\}\}([\w.+-]{0,40})")
+_EXPRESSION = pattern(r"\$\{\{[^}\n]*\}\}")
+_WITH_MATRIX = pattern(r"([\w.+-]{0,40})\$\{\{ {0,9}matrix\.([A-Za-z]\w*) {0,9}\}\}([\w.+-]{0,40})")
 MAX_VALUES = 4
 """Most values of a matrix that are filled in."""
-_IMAGE = re.compile(
+_IMAGE = pattern(
     r"^\s*(?:-\s*)?(?:image|container|docker_image|DOCKER_IMAGE|docker)\s*:\s*[\"']?([\w./-]+:[\w.${}-]+)",
     re.MULTILINE,
 )
-_DEBS = re.compile(
+_DEBS = pattern(
     r"^\s*(?:-\s*)?(?:ADDITIONAL_DEBS|apt_packages|apt-packages|extra_packages|"
     r"packages)\s*[:=]\s*[\"']?([a-z][\w .+-]{2,})[\"']?\s*$",
     re.MULTILINE,
 )
-_TRAVIS_APT = re.compile(r"^([ \t]*)packages:[ \t]*\n((?:\1[ \t]*-[ \t]*[\w.+-]+[ \t]*(?:\n|\Z))+)", re.MULTILINE)
-_FOLDED = re.compile(r"^([ \t]*)(?:-[ \t]+)?\w+:[ \t]*>-?[ \t]*\n((?:\1[ \t]+\S.*\n?)+)", re.MULTILINE)
+_TRAVIS_APT = pattern(r"^([ \t]*)packages:[ \t]*\n((?:\1[ \t]*-[ \t]*[\w.+-]+[ \t]*(?:\n|\Z))+)", re.MULTILINE)
+_FOLDED = pattern(r"^([ \t]*)(?:-[ \t]+)?\w+:[ \t]*>-?[ \t]*\n((?:\1[ \t]+\S.*\n?)+)", re.MULTILINE)
 
 
 def read(repository: Repository) -> Prose:

@@ -9,19 +9,20 @@ from roslab.evidence.facts import Prose
 from roslab.evidence.lex.shell import fill_placeholders
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
 
 MAX_SIZE = 128 * 1024
 MAX_SCRIPTS = 400
-_NAME = re.compile(
+_NAME = pattern(
     r"install|setup|dep(?:s|end)|require|bootstrap|prepare|build|provision|prereq|environment|docker|ci|"
     r"catkin|apt|init|configure|compile|make|third"
 )
-_ROBOT = re.compile(r"jetson|tegra|raspberry|nvidia[-_]?driver|udev|kernel|windows|macos?|osx|homebrew|uninstall")
-_LIST = re.compile(
+_ROBOT = pattern(r"jetson|tegra|raspberry|nvidia[-_]?driver|udev|kernel|windows|macos?|osx|homebrew|uninstall")
+_LIST = pattern(
     r"^(?:apt|debian|ubuntu|system|os)?[-_]?(?:additional[-_]?)?(?:apt|debs?|packages|"
     r"dependencies)(?:[-_]?(?:packages|requirements|dependencies|list|deps))?\.txt$"
 )
-_NAMES = re.compile(r"[a-z0-9][a-z0-9+.-]+")
+_NAMES = pattern(r"[a-z0-9][a-z0-9+.-]+")
 
 
 def read(repository: Repository) -> Prose:

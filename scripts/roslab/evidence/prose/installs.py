@@ -14,28 +14,29 @@ from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.runners import started
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks
 from roslab.knowledge.tools import PIXI
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
 MentionSource = Literal["dockerfile", "ci", "readme", "script"]
-TRIGGER = re.compile(
+TRIGGER = pattern(
     r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|"
     r"\s+build|\s+init)|"
     r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s|\bpixi\s+(?:install|shell)\b|\btorchrun\s|\b(?:ba)?sh\s+\S+\.sh\b|"
     r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b|/archive/|(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"
 )
 """A line without any of these words is skipped."""
-_RUN = re.compile(r"\b(?:roslaunch|rosrun|ros2)\s")
-_BLANK = re.compile(r"<[A-Za-z][^<>|&;\n]{0,60}>")
+_RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
+_BLANK = pattern(r"<[A-Za-z][^<>|&;\n]{0,60}>")
 """A placeholder for the reader of a page to fill in."""
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
-_APT_NAME = re.compile(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
-_PYTHON = re.compile(r"^(?:i?python)(\d(?:\.\d+)?)?$")
-_OPTION = re.compile(r"-D[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
-_BUILD_FOLDER = re.compile(r"(?:^|/)build[\w-]*(?:/.*)?$")
-_BUILT = re.compile(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
+_APT_NAME = pattern(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
+_PYTHON = pattern(r"^(?:i?python)(\d(?:\.\d+)?)?$")
+_OPTION = pattern(r"-D[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
+_BUILD_FOLDER = pattern(r"(?:^|/)build[\w-]*(?:/.*)?$")
+_BUILT = pattern(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
 """The path of a compiled program."""
-_STARTS = re.compile(
+_STARTS = pattern(
     rf"(?:{_BUILT.pattern.removesuffix('$')}(?=\s|$))|(?:ba)?sh \S+\.sh$|pixi run$|\.{{0,2}}/?[\w./-]+\.sh(?:\s|$)"
 )
 """A compiled program or a shell script, by its path."""

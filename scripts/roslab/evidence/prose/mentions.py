@@ -9,6 +9,7 @@ from typing import Literal
 
 from roslab.evidence.facts import Mention
 from roslab.knowledge.distros import english_words, releases_of, ubuntus
+from roslab.values.pattern import pattern
 
 MAX_MENTIONS = 120
 """Most mentions per file and topic: a changelog names very many versions."""
@@ -19,11 +20,9 @@ _NO_UBUNTU = {
 _CUDA = r"cuda(?:[\s_-]{0,3}toolkit)?(?:\s{0,3}\(?(?:version|v|==?|>=|~|:)?\s{0,3}|[-=:]{1,3})(\d{1,2}\.\d)"
 _CUDNN = r"cudnn(?:[\s:v=_-]|version){0,9}(\d)"
 _PYTHON = r"python(?:\s{0,3}(?:version|>=|==?|~=|:|\()?\s{0,3}|[-=])([23]\.\d{1,2})(?:\.\d+|\.x)?(?!\d)"
-_LOCAL = re.compile(r"(?<=[+/])cu(\d{2,3})\b")
+_LOCAL = pattern(r"(?<=[+/])cu(\d{2,3})\b")
 """``+cu118`` and ``/cu118``."""
-_MORE = re.compile(
-    r"(?:[\s,/|&-]{0,4}(?:or|and|to)?\s{0,3}(?:python)?\s{0,2}[23]\.\d{1,2}(?![\d.])){1,6}", re.IGNORECASE
-)
+_MORE = pattern(r"(?:[\s,/|&-]{0,4}(?:or|and|to)?\s{0,3}(?:python)?\s{0,2}[23]\.\d{1,2}(?![\d.])){1,6}", re.IGNORECASE)
 """What may follow a Python version: ``3.6, 3.7 or 3.8``. Blanks are bounded, so that no line takes long."""
 _LIST = r"([\w-][\w.-]{0,60}\.(?:repos|rosinstall))\b"
 
@@ -64,16 +63,16 @@ def _goes_on() -> dict[str, tuple[re.Pattern[str], re.Pattern[str]]]:
 
 _TRACEBACK = re.compile(r"File \"[^\"\n]{0,200}\Z")
 """A line of a traceback before a Python version: it is about somebody's own machine."""
-_CONTEXT = re.compile(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
+_CONTEXT = pattern(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
 
 
 def read(
     text: str, file: str, source: Literal["dockerfile", "ci", "readme", "script"], first: int = 1
 ) -> Iterator[Mention]:
     """Yield the versions that a text names, with the line each stands on; ``first`` is the number of its first line."""
-    for topic, pattern in _patterns():
+    for topic, each in _patterns():
         position, line, found = 0, first, 0
-        for match in pattern.finditer(text):
+        for match in each.finditer(text):
             start = max(text.rfind("\n", max(0, match.start() - 200), match.start()) + 1, match.start() - 90)
             end = text.find("\n", match.end(), match.end() + 90)
             context = text[max(0, start) : end if end >= 0 else match.end() + 90].strip()
@@ -82,7 +81,7 @@ def read(
                 continue  # it only counts with ROS, a branch or an Ubuntu near it
             if topic == "python" and _TRACEBACK.search(text, max(0, start), match.start()):
                 continue
-            if pattern is _LOCAL:
+            if each is _LOCAL:
                 value = f"{value[:-1]}.{value[-1]}"
             line += text.count("\n", position, match.start())
             position = match.start()

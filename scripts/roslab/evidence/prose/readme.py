@@ -16,51 +16,52 @@ from roslab.evidence.facts import GitSource, Mention, Prose
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import TRIGGER, Collector, merge
 from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
 MAX_PAGES = 60
 MAX_LINE = 2_000
 """Most characters of a line that a person types."""
-_PAGE = re.compile(
+_PAGE = pattern(
     r"^(?:readme|install|installation|building|build|compiling|compilation|"
     r"getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
 )
 _TEXTS = (".md", ".mdx", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
-_DOCS_PAGE = re.compile(
+_DOCS_PAGE = pattern(
     r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite"
 )
-_FENCE = re.compile(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
+_FENCE = pattern(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
 """Backquotes that are closed on their own line are inline code. https://spec.commonmark.org/0.31.2/#fenced-code-blocks"""
-_START = re.compile(
+_START = pattern(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
     r"rosrun|catkin|catkin_make|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|(?:ba)?sh|mkdir|cd)\s.*|catkin_make|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
 )
-_NAMED = re.compile(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
+_NAMED = pattern(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
 """A sentence that runs a program by its name."""
 MAX_LINKS = 100
-_LINK = re.compile(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?!\.?[\w/-])")
+_LINK = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?!\.?[\w/-])")
 """A page of a repository itself, not of a file in it."""
-_NAMED_PYTHON = re.compile(
+_NAMED_PYTHON = pattern(
     r"\b(?:run|runn?ing|start|launch|execute|use)\b(?:\s+(?:the|a|script|file|program|our)){0,3}\s+"
     r"`([\w./-]+\.py(?: [^`\n]{0,200})?)`",
     re.IGNORECASE,
 )
 """A sentence that runs a file of Python."""
-_SPAN = re.compile(r"(`+)(.+?)\1")
-_HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*$")
-_ELSEWHERE = re.compile(
+_SPAN = pattern(r"(`+)(.+?)\1")
+_HEADING = pattern(r"^(#{1,6})\s+(.*?)\s*#*$")
+_ELSEWHERE = pattern(
     r"\b(?:windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry|nvidia driver|"
     r"uninstall|docker (?:install|engine)|real[- ]robots?|"
     r"hardware(?: setup)?|kernel|contribut|changelog|news|acknowledg|citation|licen[sc]e)",
     re.IGNORECASE,
 )
-_STRUCK = re.compile(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
+_STRUCK = pattern(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
 """Text that is struck through: ``~~outdated~~``."""
-_LEAF = re.compile(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
+_LEAF = pattern(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
 DEEPEST = 7
 """Such a section ends at the next heading, whatever the level of that one."""
-_RST_LINE = re.compile(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
+_RST_LINE = pattern(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
 
 
 def read(repository: Repository) -> Prose:

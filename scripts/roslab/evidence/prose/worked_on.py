@@ -7,10 +7,11 @@ import re
 from roslab.evidence.facts import Mention
 from roslab.evidence.ros import commit_date
 from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
 
 _FILES = ("CITATION.cff", "CITATION.bib", "CITATION")
-_RELEASED = re.compile(r"^\s*date-released:\s*['\"]?(\d{4}-\d{2}-\d{2})", re.MULTILINE)
-_YEAR = re.compile(r"^\s*year\s*[:=]\s*[{\"']*(\d{4})\b", re.MULTILINE | re.IGNORECASE)
+_RELEASED = pattern(r"^\s*date-released:\s*['\"]?(\d{4}-\d{2}-\d{2})", re.MULTILINE)
+_YEAR = pattern(r"^\s*year\s*[:=]\s*[{\"']*(\d{4})\b", re.MULTILINE | re.IGNORECASE)
 
 
 def read(repository: Repository) -> tuple[Mention, ...]:

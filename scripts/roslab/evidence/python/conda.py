@@ -8,6 +8,7 @@ from roslab.evidence.facts import CondaEnvironment
 from roslab.evidence.lex.yaml import load
 from roslab.repository.checkout import File, Repository
 from roslab.values.conda import conda_package
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import requirement
 from roslab.values.version import minor_of
@@ -15,9 +16,9 @@ from roslab.values.version import minor_of
 _NAME = re.compile(
     r"^(?:.*[-_.])?(?:conda|env|environment|mamba|robostack)(?:[-_.\d].*)?\.ya?ml$|^conda.*\.ya?ml$|^env\w*\.ya?ml$"
 )
-_SHAPE = re.compile(r"^dependencies:", re.MULTILINE)
+_SHAPE = pattern(r"^dependencies:", re.MULTILINE)
 _OPTIONS = ("-f ", "-i ", "--extra-index-url", "--find-links", "--index-url")
-_FOLDER = re.compile(r"(?:(?:-e|--editable)\s+)?((?:\.{1,2}|[\w.-]+/)(?:[\w.-]+/?)*|\./?[\w./-]*)(?:\[[\w,-]+\])?")
+_FOLDER = pattern(r"(?:(?:-e|--editable)\s+)?((?:\.{1,2}|[\w.-]+/)(?:[\w.-]+/?)*|\./?[\w./-]*)(?:\[[\w,-]+\])?")
 """A folder of the tree: ``-e .``, ``submodules/simple-knn``."""
 MAX_SIZE = 256 * 1024
 

@@ -10,22 +10,23 @@ from roslab.evidence.facts import Dependency, Program
 from roslab.evidence.python import notebooks
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
 
 MAX_READ = 128 * 1024
 """Bytes of a module that are searched: imports are at its top."""
 MAX_MODULES = 6_000
 """Most modules opened, those nearest to the root first."""
-_IMPORT = re.compile(
+_IMPORT = pattern(
     r"^(?P<indent>[ \t]*)(?:import[ \t]+(?P<plain>[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?"
     r"(?:[ \t]*,[ \t]*[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?)*)"
     r"|from[ \t]+(?P<module>[A-Za-z_][\w.]*)[ \t]+import\b)",
     re.MULTILINE,
 )
 MAX_NOTEBOOK = 1024 * 1024
-_PLAIN_PYTHON = re.compile(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python[ \t]*\r?$", re.MULTILINE)
+_PLAIN_PYTHON = pattern(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python[ \t]*\r?$", re.MULTILINE)
 """A first line that starts `python`, which Ubuntu 20.04 and newer install only on demand."""
-_MAIN = re.compile(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
-_NODE = re.compile(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
+_MAIN = pattern(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
+_NODE = pattern(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
 _STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
     {
         "__builtin__", "ConfigParser", "Queue", "StringIO", "cPickle", "commands", "copy_reg", "cStringIO",

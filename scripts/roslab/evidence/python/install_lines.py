@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import itertools
-import re
 from collections.abc import Callable, Iterator
 from typing import Literal, NamedTuple
 
 from roslab.evidence.lex.shell import UNKNOWN, Command
 from roslab.knowledge.frameworks import conda_names
 from roslab.values.conda import conda_package
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement, Role
 from roslab.values.requirement_line import requirement, stated
 from roslab.values.version import minor_of
@@ -21,7 +21,7 @@ STOP = frozenset(
         "will", "should", "can", "which", "using", "command", "following",
     ]
 )  # fmt: skip
-PIP = re.compile(r"^pip(?:x|[23](?:\.\d+)?)?$")
+PIP = pattern(r"^pip(?:x|[23](?:\.\d+)?)?$")
 _PIP_VALUED = frozenset(
     {
         "-c", "--constraint", "-t", "--target", "--prefix", "--root", "--python", "--timeout", "--default-timeout",
@@ -37,11 +37,11 @@ _PIP_OPTIONS = {
 CONDA = frozenset({"conda", "mamba", "micromamba"})
 _CONDA_VALUED = frozenset({"-n", "-c", "--name", "--channel", "-p", "--prefix", "-f", "--file"})
 _CUDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit"})
-_PATH = re.compile(r"^[./~]|^(?!.*://).*(?:\.whl|\.tar\.gz|/)$")
-_FOLDER = re.compile(r"[\w.-]+(?:/[\w.-]+)+(?:\[[\w,-]+\])?")
+_PATH = pattern(r"^[./~]|^(?!.*://).*(?:\.whl|\.tar\.gz|/)$")
+_FOLDER = pattern(r"[\w.-]+(?:/[\w.-]+)+(?:\[[\w,-]+\])?")
 """A path in the tree; no name of a package has a slash."""
-_EXACT = re.compile(r"\d+(?:\.\d+)*")
-_NAME = re.compile(r"[a-z][a-z0-9._-]*")
+_EXACT = pattern(r"\d+(?:\.\d+)*")
+_NAME = pattern(r"[a-z][a-z0-9._-]*")
 
 
 class Version(NamedTuple):

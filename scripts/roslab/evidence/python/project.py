@@ -14,11 +14,12 @@ from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import poetry, requirements, setup_py
 from roslab.repository.checkout import Repository
 from roslab.values import toml
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement, Role
 from roslab.values.requirement_line import requirement
 
 MAX_SIZE = 256 * 1024
-_AMENT = re.compile(r"ament_index/resource_index|ament_python")
+_AMENT = pattern(r"ament_index/resource_index|ament_python")
 
 
 def read(repository: Repository) -> tuple[PythonProject, ...]:

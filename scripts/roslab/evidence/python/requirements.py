@@ -10,6 +10,7 @@ from typing import Literal
 from roslab.evidence import places
 from roslab.evidence.facts import RequirementFile
 from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import requirement
 
@@ -17,24 +18,24 @@ MAX_LINES = 3_000
 """Most requirement lines read of one file; a longer one is data."""
 MAX_SIZE = 512 * 1024
 Purpose = Literal["run", "docs", "test", "dev", "vendored"]
-_NAME = re.compile(
+_NAME = pattern(
     r"^(?!.*(?:apt|conda|rosdep|system|constraint|debian))(?:.*[-_.])?(?:requirements?|"
     r"requires)(?:[-_.\d].*)?\.(?:txt|in|pip)$"
 )
-_FOLDER = re.compile(r"(?:^|/)requirements?$", re.IGNORECASE)
-_DOCS = re.compile(r"(?:^|[-_./])(?:docs?\d?|sphinx|mkdocs|documentation|rtd|readthedocs)(?:[-_./]|$)", re.IGNORECASE)
-_TESTS = re.compile(r"(?:^|[-_./])(?:tests?|testing|pytest)(?:[-_./]|$)", re.IGNORECASE)
-_DEV = re.compile(
+_FOLDER = pattern(r"(?:^|/)requirements?$", re.IGNORECASE)
+_DOCS = pattern(r"(?:^|[-_./])(?:docs?\d?|sphinx|mkdocs|documentation|rtd|readthedocs)(?:[-_./]|$)", re.IGNORECASE)
+_TESTS = pattern(r"(?:^|[-_./])(?:tests?|testing|pytest)(?:[-_./]|$)", re.IGNORECASE)
+_DEV = pattern(
     r"(?:^|[-_./])(?:dev|develop|development|lint|linter|format|ci|build|release|style|precommit|typing)(?:[-_./]|$)",
     re.IGNORECASE,
 )
-_OPTION = re.compile(
+_OPTION = pattern(
     r"^(-i|--index-url|--extra-index-url|-f|--find-links|--pre|--trusted-host|--no-index|--no-binary|"
     r"--only-binary|--prefer-binary|--use-feature)\b[ =]*(.*)$"
 )
 _LONG = {"-i": "--index-url", "-f": "--find-links"}
-_NESTED = re.compile(r"^(?:-r|--requirement)[ =]*(\S+)$")
-_CONSTRAINT = re.compile(r"^(?:-c|--constraint)[ =]*(\S+)$")
+_NESTED = pattern(r"^(?:-r|--requirement)[ =]*(\S+)$")
+_CONSTRAINT = pattern(r"^(?:-c|--constraint)[ =]*(\S+)$")
 
 
 def read(repository: Repository) -> tuple[RequirementFile, ...]:

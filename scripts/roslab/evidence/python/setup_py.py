@@ -7,9 +7,11 @@ import re
 import sys
 from dataclasses import dataclass, field
 
+from roslab.values.pattern import pattern
+
 _FILE = re.compile(r"^[\w./-]*(?:require|dep)[\w./-]*\.(?:txt|in)$", re.IGNORECASE)
 _KEYS = {"install_requires": "", "requires": "", "tests_require": "test"}
-_STRINGS = re.compile(r"[\"']([A-Za-z][^\"'\n]*)[\"']")
+_STRINGS = pattern(r"[\"']([A-Za-z][^\"'\n]*)[\"']")
 MAX_DEPTH = 12
 _THERE = sys.stdlib_module_names | {"setuptools", "distutils", "pkg_resources", "pip", "wheel", "__future__"}
 """Modules that every build has."""

@@ -9,9 +9,10 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.knowledge.distros import distros
 from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
 
 _WORD = re.compile(r"[a-z]+[0-9]*|[0-9.]+")
-_FILES = re.compile(
+_FILES = pattern(
     r"dockerfile|containerfile|\.repos$|\.rosinstall$|\.repos\.ya?ml$|docker-compose|\.ya?ml$|\.sh$", re.IGNORECASE
 )
 

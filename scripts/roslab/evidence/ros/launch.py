@@ -13,42 +13,43 @@ from typing import Literal, TypedDict
 from roslab.evidence import places
 from roslab.evidence.facts import Dependency, LaunchFile, Strength
 from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
 MAX_FILES = 800
 """Most launch files, and most parameter files, that are opened, those nearest to the root first."""
-_XML = re.compile(r"\.launch$|\.launch\.xml$|\.launch\.inc$|\.test$")
-_PYTHON = re.compile(r"(?:\.launch|_launch|[-_.]?launch[-_]\w+|^launch)\.py$")
-_YAML = re.compile(r"\.launch\.ya?ml$|_launch\.ya?ml$")
+_XML = pattern(r"\.launch$|\.launch\.xml$|\.launch\.inc$|\.test$")
+_PYTHON = pattern(r"(?:\.launch|_launch|[-_.]?launch[-_]\w+|^launch)\.py$")
+_YAML = pattern(r"\.launch\.ya?ml$|_launch\.ya?ml$")
 _PACKAGE = r"[a-z][a-z0-9_-]{1,60}"
-_ATTRIBUTE = re.compile(rf"\bpkg\s*[=:]\s*[\"']?({_PACKAGE})\b(?![\w/$(])")
-_FIND = re.compile(rf"\$\(\s*find(?:-pkg-share|-pkg-prefix)?\s+['\"]?({_PACKAGE})['\"]?\s*\)|package://({_PACKAGE})/")
-_PYTHON_PACKAGE = re.compile(
+_ATTRIBUTE = pattern(rf"\bpkg\s*[=:]\s*[\"']?({_PACKAGE})\b(?![\w/$(])")
+_FIND = pattern(rf"\$\(\s*find(?:-pkg-share|-pkg-prefix)?\s+['\"]?({_PACKAGE})['\"]?\s*\)|package://({_PACKAGE})/")
+_PYTHON_PACKAGE = pattern(
     rf"(?:FindPackage(?:Share|Prefix)|get_package_(?:share_directory|prefix|share_path|path))"
     rf"\(\s*(?:package\s*=\s*)?[\"']({_PACKAGE})[\"']"
     rf"|\b(?:package|node_package|pkg)\s*=\s*[\"']({_PACKAGE})[\"']|\bros2\s+(?:run|launch)\s+({_PACKAGE})\b"
 )
-_NODELET = re.compile(rf"\bload\s+({_PACKAGE})/[A-Za-z]")
-_PLUGIN = re.compile(
+_NODELET = pattern(rf"\bload\s+({_PACKAGE})/[A-Za-z]")
+_PLUGIN = pattern(
     rf"^[ \t]{{0,99}}(?:-[ \t]{{0,99}})?(?:\{{[ \t]{{0,99}})?(?:name[ \t]*:[ \t]*\S+[ \t]*,[ \t]*)?"
     rf"(?:plugin|type|base_(?:local|global)_planner|planner_plugin|class)[ \t]*:[ \t]*"
     rf"[\"']?({_PACKAGE})(?:/|::)[A-Z]\w+",
     re.MULTILINE,
 )
-_PARAM_PLUGIN = re.compile(rf"name=\"base_(?:local|global)_planner\"\s+value=\"({_PACKAGE})/[A-Z]")
-_NEW = re.compile(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node")
+_PARAM_PLUGIN = pattern(rf"name=\"base_(?:local|global)_planner\"\s+value=\"({_PACKAGE})/[A-Z]")
+_NEW = pattern(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node")
 """Words that only ROS 2 uses in XML launch files."""
-_GUI = re.compile(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
+_GUI = pattern(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
 _COMMENT = {"xml": re.compile(r"<!--.*?-->", re.DOTALL), "hash": re.compile(r"^[ \t]*#.*$", re.MULTILINE)}
-_NAME = re.compile(r"<name>\s*([\w-]+)\s*</name>")
+_NAME = pattern(r"<name>\s*([\w-]+)\s*</name>")
 NEAR = 300
 """Most characters between a package's name and the end of the call or element that it belongs to."""
-_IF = re.compile(r"\s(?:if|unless)\s*=")
-_ACTION = re.compile(
+_IF = pattern(r"\s(?:if|unless)\s*=")
+_ACTION = pattern(
     r"\b(?:Node|IncludeLaunchDescription|ExecuteProcess|LaunchDescription|GroupAction|DeclareLaunchArgument)\("
 )
-_STARTED = re.compile(r"<(node|test)\s([^>]{0,2000})>")
-_QUOTED = re.compile(r"([\w-]+)\s*=\s*[\"']([^\"']*)[\"']")
+_STARTED = pattern(r"<(node|test)\s([^>]{0,2000})>")
+_QUOTED = pattern(r"([\w-]+)\s*=\s*[\"']([^\"']*)[\"']")
 _NO_PACKAGE = frozenset({"find", "pkg", "package", "name", "python", "python3", "self"})
 
 
@@ -150,8 +151,8 @@ def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
 
 
 def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> Iterator[Dependency]:
-    for pattern in patterns:
-        for match in pattern.finditer(text):
+    for each in patterns:
+        for match in each.finditer(text):
             name = next(group for group in match.groups() if group)
             if name not in _NO_PACKAGE:
                 line = text.count("\n", 0, match.start()) + 1

@@ -14,15 +14,16 @@ from roslab.evidence import places
 from roslab.evidence.facts import GitSource
 from roslab.evidence.lex.yaml import load
 from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
 MAX_OTHERS = 300
 """Most YAML files with other names that are opened, those nearest to the root first."""
-_SUFFIX = re.compile(r"\.(?:repos|rosinstall)$|^\.rosinstall$|[._]rosinstall$|\.repos\.ya?ml$")
-_LOOKS = re.compile(r"^repositories:[ \t]*(?:#.*)?$|^-[ \t]*(?:git|hg|svn|tar):", re.MULTILINE)
-_INLINE = re.compile(r"\b(?:url|uri)[ \t]*:", re.MULTILINE)
-_SSH = re.compile(r"^(?:ssh://)?(?:[\w.-]+@)([\w.-]+)(?::(?:\d+/)?|/)(.+)$")
-_PLAIN_URL = re.compile(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
+_SUFFIX = pattern(r"\.(?:repos|rosinstall)$|^\.rosinstall$|[._]rosinstall$|\.repos\.ya?ml$")
+_LOOKS = pattern(r"^repositories:[ \t]*(?:#.*)?$|^-[ \t]*(?:git|hg|svn|tar):", re.MULTILINE)
+_INLINE = pattern(r"\b(?:url|uri)[ \t]*:", re.MULTILINE)
+_SSH = pattern(r"^(?:ssh://)?(?:[\w.-]+@)([\w.-]+)(?::(?:\d+/)?|/)(.+)$")
+_PLAIN_URL = pattern(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
 
 
 def read(repository: Repository) -> tuple[GitSource, ...]:

@@ -13,9 +13,10 @@ from pathlib import Path
 from roslab.knowledge.keys import key
 from roslab.knowledge.os_releases import archives
 from roslab.render.layers import shell
+from roslab.values.pattern import pattern
 
 _FOLDER = Path(__file__).parent.parent / "image_scripts"
-_COPY = re.compile(r"^COPY --from=scripts (/.+) /usr/local/(?:bin|share/roslab)/$", re.MULTILINE)
+_COPY = pattern(r"^COPY --from=scripts (/.+) /usr/local/(?:bin|share/roslab)/$", re.MULTILINE)
 """What ``shell.copy_script`` and ``shell.copy_data`` write."""
 _TABLES = {"archives.txt": archives}
 """Tables of the program's knowledge that scripts read."""

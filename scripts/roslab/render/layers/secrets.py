@@ -6,11 +6,11 @@ What a mount does: https://docs.docker.com/reference/dockerfile/#run---mounttype
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Literal
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
+from roslab.values.dataclass import dataclass
 from roslab.values.secret import APT_AUTH, NETRC, PIP_INDEX, SSH
 
 User = Literal["root", "user"]

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from roslab.render import quote
 from roslab.render.layers.secrets import NONE, Secrets
+from roslab.values.dataclass import dataclass
 
 JOBS = '"$(compile-jobs)"'
 """As many compilers as there are cores, but 2 GB of memory for each: a template-heavy file needs that much."""

@@ -1,0 +1,28 @@
+"""Patterns that are compiled when they are first used: of the several hundred, one repository needs a few."""
+
+from __future__ import annotations
+
+import re
+from typing import Any, cast
+
+
+class _Lazy:
+    """Stands for a compiled pattern, whose methods and attributes it has."""
+
+    def __init__(self, source: str, flags: int) -> None:
+        self._given = (source, flags)
+
+    def __getattr__(self, name: str) -> Any:
+        """Compile the pattern, and keep the method, so that the next use of it does not come here."""
+        found = getattr(re.compile(*self._given), name)
+        setattr(self, name, found)
+        return found
+
+
+def pattern(source: str, flags: int = 0) -> re.Pattern[str]:
+    """Return what ``re.compile`` does, made at its first use.
+
+    ``re``'s own functions do not take it: use its methods. A source that is no pattern raises ``re.error`` at that
+    first use; a test compiles every one.
+    """
+    return cast("re.Pattern[str]", _Lazy(source, flags))
