@@ -16,7 +16,8 @@ from roslab.decide.reasons import CONFIGURED, because, configured, ranked, stron
 from roslab.decide.ros.distro_dates import ADOPTED, dated
 from roslab.decide.system.cmake_version import has_it, needed_cmake
 from roslab.decide.system.code_fits import misfits
-from roslab.evidence.facts import AuthorDockerfile, Dependency, Evidence
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import Distro, distros, ubuntu_released, ubuntus, variants
 from roslab.values.dataclass import dataclass
 

@@ -15,7 +15,8 @@ from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.sources import Sources
 from roslab.decide.system.packages import SystemPackages
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence, GitSource
+from roslab.evidence.dependency import GitSource
+from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.values.origin import Origin, Place
 

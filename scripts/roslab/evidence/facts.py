@@ -4,56 +4,10 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple
 
+from roslab.evidence.dependency import Dependency, GitSource
 from roslab.values.conda import CondaPackage
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
-
-Strength = Literal["declared", "used", "optional", "prose"]
-"""How far a dependency can be trusted.
-
-``declared``: a manifest made for installing says so (package.xml, requirements.txt, a required ``find_package``);
-``used``: the code uses it (an include, an import, a launch file's package); ``optional``: behind a condition or
-``QUIET``; ``prose``: written for humans (README) or for another machine (an author's Dockerfile, CI).
-"""
-Namespace = Literal["rosdep", "apt", "cmake", "ros", "pkg-config", "include", "import", "link"]
-"""What kind of name it is: ``ros`` is a ROS package, ``cmake`` a name given to ``find_package``."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Dependency:
-    """One thing that the repository needs, by its source's name for it; what pip is asked for is a ``Requirement``."""
-
-    namespace: Namespace
-    name: str
-    strength: Strength
-    file: str
-    line: int
-    version: str | None = None
-    role: str = ""
-    """``build``, ``exec``, ``test``, ``doc`` … as in its source."""
-    condition: str | None = None
-    """Its condition as written (``$ROS_VERSION == 1``, a CMake ``if``)."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class GitSource:
-    """A repository to clone beside this one or to build before it."""
-
-    name: str
-    url: str
-    ref: str | None
-    strength: Strength
-    file: str
-    line: int
-    kind: Literal["vcs", "submodule", "git_url", "clone", "fetch", "link"]
-    """What names it: a vcs file, .gitmodules, package.xml's export, a clone line, CMake's FetchContent, a link."""
-    installed: bool = False
-    """The page compiles it by hand with CMake and installs it, with these options."""
-    options: str = ""
-    absent: bool = False
-    """A submodule that is not checked out; its ``ref`` is the commit that the repository records, if git tells it."""
-    by_ssh: str = ""
-    """The address of ssh that stands there, for a build that has a key; ``url`` is the same by https."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -112,10 +112,10 @@ def _indexes(plan: Plan) -> tuple[str, ...]:
     for flag, value in pairwise(words):
         named.get("--index-url" if flag == "-i" else flag, []).append(value)
     variables = _variables(plan.base_image)
-    first = named["--index-url"] or [variables.get("PIP_INDEX_URL") or index.PYPI]
+    first = named["--index-url"] or [variables.get("PIP_INDEX_URL") or index.default()]
     more = [*named["--extra-index-url"], *variables.get("PIP_EXTRA_INDEX_URL", "").split()]
     more += [os.environ["PIP_INDEX"]] if "pip_index" in plan.secrets and os.environ.get("PIP_INDEX") else []
-    return tuple(dict.fromkeys((*first, *more)))
+    return tuple(dict.fromkeys(filter(None, (*first, *more))))
 
 
 def _variables(base: str) -> dict[str, str]:

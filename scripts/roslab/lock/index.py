@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import base64
 import json
+import shutil
+import subprocess
+import sys
 import urllib.error
 import urllib.request
 from collections.abc import Sequence
@@ -17,7 +20,8 @@ from roslab.plan.locked import Distribution, Missing
 if TYPE_CHECKING:
     from packaging.version import Version
 
-PYPI = "https://index.example.org/simple"
+DEFAULT = "from pip._internal.models.index import PyPI; print(PyPI.simple_url)"
+"""Prints the index that pip asks where nothing else is said: pip's own value."""
 ACCEPT = "application/vnd.pypi.simple.v1+json, text/html;q=0.5"
 SECONDS = 30.0
 LONGEST = 64 * 1024 * 1024
@@ -26,12 +30,27 @@ File = tuple[str, str]
 """Name of a file and its SHA-256 sum, ``""`` where the index does not say it."""
 
 
+def default() -> str:
+    """Return the index that pip asks where nothing else is said, ``""`` if this machine has no pip to tell it."""
+    for python in dict.fromkeys((sys.executable, shutil.which("python3") or "")):
+        ran = (
+            subprocess.run([python, "-I", "-c", DEFAULT], capture_output=True, text=True, check=False)
+            if python
+            else None
+        )
+        if ran and ran.returncode == 0:
+            return ran.stdout.strip()
+    return ""
+
+
 class Silent(Exception):  # noqa: N818 - its callers say why it is no error
     """An index did not answer."""
 
 
 def missing(packages: Sequence[Distribution], indexes: Sequence[str]) -> tuple[tuple[Missing, ...], str]:
     """Return the packages that no index has any more, and why an index was not asked, ``""`` if all were."""
+    if not indexes:
+        return (), "no pip on this machine tells which index to ask"
     wanted = list({(package.name, package.version): package for package in packages if package.hashes}.values())
 
     def look(package: Distribution) -> Missing | None:

@@ -19,6 +19,7 @@ from roslab.plan.proof import Proof, describe
 from roslab.prove.display import virtual_display
 from roslab.prove.graph import Graph
 from roslab.prove.probe import Probe
+from roslab.prove.said import kept
 from roslab.prove.screenshot import Camera, Screenshot, file_name
 from roslab.prove.verdict import End, judge, verdict
 from roslab.prove.watch import Watch
@@ -147,7 +148,7 @@ def _prove_once(  # noqa: PLR0917 - what one proof is made of
         with log.open("rb") as stream:
             dead = dead_nodes(_text(stream.read(READ_OUTPUT))) if proof.may_run_on else ()
             stream.seek(max(0, log.stat().st_size - KEPT_OUTPUT))
-            kept = _text(stream.read())
+            last = _text(stream.read())
         screenshot = camera.keep(picture) if camera else Screenshot(remark=without) if without else None
     end = End(code=seen.code, seconds=seconds if seen.code is not None else watched, dead=dead)
     passed, summary = verdict(proof, end, without=without)
@@ -157,7 +158,7 @@ def _prove_once(  # noqa: PLR0917 - what one proof is made of
         passed=passed,
         seconds=seconds,
         summary=summary,
-        output=kept,
+        output=last,
         screenshot=screenshot,
         held=judge(proof, end)[0],
         drawn=bool(camera and camera.drawn),
@@ -182,10 +183,12 @@ def _run(
 ) -> tuple[Seen, float]:
     """Run a container, its output to a file; return what was seen and the seconds that it was watched."""
     identity = log.with_name("container")
-    command = ["docker", "run", "--init", "--cidfile", str(identity), *arguments]
+    command = ["docker", "run", "--init", "--log-driver", "none", "--cidfile", str(identity), *arguments]
     with (
-        log.open("wb") as stream,
-        subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=stream, stderr=subprocess.STDOUT) as process,
+        subprocess.Popen(
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+        ) as process,
+        kept(process, log, head=READ_OUTPUT, tail=KEPT_OUTPUT),
     ):
         try:
             container = _wait_for_start(identity, process)

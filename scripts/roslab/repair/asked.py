@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from roslab.evidence.facts import Dependency, Evidence
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
 from roslab.explain.answer import Explanation
 from roslab.repair.change import Asked, Given
 from roslab.values.origin import Place

@@ -9,7 +9,7 @@ from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
-from roslab.evidence.facts import Dependency
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.libraries import library

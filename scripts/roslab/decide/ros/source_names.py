@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from roslab.evidence.facts import Dependency, GitSource
+from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.released import rosdep_keys
 

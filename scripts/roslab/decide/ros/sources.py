@@ -13,7 +13,8 @@ from roslab.decide.reasons import because, configured, warn
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import address, asked_for, fixed, itself_in, plain, wanted_names
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency, Evidence, GitSource
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.distros import distros
 from roslab.knowledge.released import released, rosdep_keys

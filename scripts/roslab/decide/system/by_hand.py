@@ -13,7 +13,8 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency, Evidence, GitSource
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.facts import Evidence
 from roslab.values.origin import Place
 
 SHORTEST = 3

@@ -7,7 +7,8 @@ from packaging.version import Version
 from roslab.config.model import Kind
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency, Evidence
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import cmake_of_ubuntu
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from roslab.evidence.facts import Dependency
+from roslab.evidence.dependency import Dependency
 from roslab.knowledge.distros import ever
 from roslab.knowledge.libraries import Library, header, library
 from roslab.knowledge.released import released

@@ -10,7 +10,8 @@ from roslab.config.model import Kind
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import written_for
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency, Evidence
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
 
 _STARTED = re.compile(r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch))\s+(?:--?\S+\s+)*([a-z][a-z0-9_]+)\s")
 

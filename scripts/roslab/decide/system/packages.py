@@ -15,7 +15,8 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import needs
 from roslab.decide.system.wheels import apt_for_wheels
-from roslab.evidence.facts import Dependency, Evidence
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.never import never
 from roslab.knowledge.on_request import packages as on_request

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from roslab.config.model import Source
-from roslab.evidence.facts import Dependency
+from roslab.evidence.dependency import Dependency
 from roslab.knowledge.recipes import Recipe, recipe
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from roslab.decide.decision import Python
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency, Evidence
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.apt_renames import name_in
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.frameworks import imports, wheels

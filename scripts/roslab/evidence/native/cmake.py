@@ -6,7 +6,8 @@ import posixpath
 import re
 from dataclasses import dataclass, field
 
-from roslab.evidence.facts import CMakeProject, Dependency, GitSource
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import cmake_needs
 from roslab.repository.checkout import File, Repository

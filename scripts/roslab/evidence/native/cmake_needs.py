@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Literal
 
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency, GitSource, Strength
+from roslab.evidence.dependency import Dependency, GitSource, Strength
 from roslab.evidence.lex.cmake import Call
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.native.limits import Signs
 from roslab.knowledge.libraries import library
 from roslab.repository.checkout import File, Repository

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from roslab.evidence.facts import GitSource
+from roslab.evidence.dependency import GitSource
 from roslab.evidence.lex.shell import Command
 
 _ARCHIVE = re.compile(

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from roslab.evidence import places
-from roslab.evidence.facts import AuthorDockerfile, GitSource, Mention, Prose
+from roslab.evidence.dependency import GitSource
+from roslab.evidence.facts import AuthorDockerfile, Mention, Prose
 from roslab.evidence.lex.dockerfile import Instruction, argv, instructions, sources
 from roslab.evidence.lex.shell import expand
 from roslab.evidence.prose import mentions

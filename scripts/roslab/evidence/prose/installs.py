@@ -8,7 +8,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
-from roslab.evidence.facts import Dependency, GitSource, Mention, Prose
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.runners import started

@@ -12,7 +12,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from roslab.evidence import places
-from roslab.evidence.facts import GitSource, Mention, Prose
+from roslab.evidence.dependency import GitSource
+from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import TRIGGER, Collector, merge
 from roslab.repository.checkout import File, Repository

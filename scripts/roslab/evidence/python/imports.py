@@ -6,7 +6,8 @@ import re
 import sys
 
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency, Program
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Program
 from roslab.evidence.python import notebooks
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.repository.checkout import File, Repository

@@ -11,7 +11,8 @@ from collections.abc import Iterable, Iterator
 from typing import Literal, TypedDict
 
 from roslab.evidence import places
-from roslab.evidence.facts import Dependency, LaunchFile, Strength
+from roslab.evidence.dependency import Dependency, Strength
+from roslab.evidence.facts import LaunchFile
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 

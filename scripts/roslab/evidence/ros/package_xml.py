@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from lxml import etree
 
-from roslab.evidence.facts import Dependency, GitSource, PackageManifest
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.facts import PackageManifest
 from roslab.repository.checkout import File, Repository
 
 IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")

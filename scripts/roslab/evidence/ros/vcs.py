@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from roslab.evidence import places
-from roslab.evidence.facts import GitSource
+from roslab.evidence.dependency import GitSource
 from roslab.evidence.lex.yaml import load
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern

@@ -9,7 +9,12 @@ if [ -z "${python}" ]; then
   echo "roslab: there is no Python yet to ask the index: pip's packages are those of today" >&2
   exit 0
 fi
-index="${PIP_INDEX_URL:-$("${python}" -m pip config get global.index-url 2>/dev/null || echo https://index.example.org/simple)}"
+# Where nothing is configured, pip's own index
+usual='
+try: from pip._internal.models.index import PyPI
+except ImportError: from pip.models.index import PyPI
+print(PyPI.simple_url)'
+index="${PIP_INDEX_URL:-$("${python}" -m pip config get global.index-url 2>/dev/null || "${python}" -c "${usual}")}"
 ready="$(mktemp)"
 "${python}" - "$1" "${index%/}/" "${ready}" <<'PYTHON' >/dev/null 2>/dev/shm/index-as-of.log &
 import json
