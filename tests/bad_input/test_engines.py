@@ -102,7 +102,7 @@ def test_an_image_that_fails_its_proof(roslab: Roslab, tmp_path: Path) -> None:
         tmp_path,
         *WORKING,
         '"buildx build") exit 0',
-        '"run --rm") echo "Segmentation fault"; exit 139',
+        '"run --init") echo "Segmentation fault"; exit 139',
         f'"image rm") echo "$3" >>{record}',
     )
     answer = roslab("build", EXAMPLE, env=environment)

@@ -40,7 +40,7 @@ def test_script(name: str, path: str, tool: Callable[[str], str]) -> None:
 @pytest.mark.parametrize("name", names())
 def test_files_inside_a_dockerfile(name: str, tool: Callable[[str], str]) -> None:
     for text in HEREDOC.findall(whole(name).get("Dockerfile", "")):
-        if not text.startswith("-----BEGIN PGP PUBLIC KEY BLOCK-----\n"):
+        if text.startswith("#!"):  # others are keys, tables and lines of configuration
             shellcheck(text, tool("shellcheck"))
 
 

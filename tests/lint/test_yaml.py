@@ -137,8 +137,8 @@ def test_a_runner_that_does_not_say_what_it_runs_is_told_so(
 
 
 NARROW = (
-    "ref", "registry", "image", "tag-prefix", "tag-suffix", "path", "config", "kind", "distro", "build-tool", "cuda",
-    "python", "platforms",
+    "ref", "registry", "image", "tag-prefix", "tag-suffix", "path", "config", "date", "kind", "distro",
+    "build-tool", "cuda", "python", "platforms",
 )  # fmt: skip
 
 
