@@ -21,7 +21,9 @@ present() { for tree in "${trees[@]}"; do if [ -e "${tree}" ]; then echo "${tree
 
 fingerprint() {
   echo "$*" | sed --regexp-extended 's/(-[jl]|(jobs|packages|workers)[ =])[0-9]+//g'
-  env | grep --invert-match --extended-regexp '^(HOSTNAME|MAKEFLAGS|OLDPWD|PWD|SHLVL|SOURCE_DATE_EPOCH|_)=' | sort
+  # Without what each build has anew: BuildKit hands a number to those who trace it
+  env | grep --invert-match --extended-regexp \
+    '^(HOSTNAME|MAKEFLAGS|OLDPWD|OTEL_\w+|PWD|SHLVL|SOURCE_DATE_EPOCH|TRACEPARENT|TRACESTATE|_)=' | sort
   dpkg-query --show
   find /usr/local /opt -path '/usr/local/cuda*' -prune -o -name '*-info' -print | sort
   find /usr/local /opt -path '/usr/local/cuda*' -prune -o -type f -regextype posix-extended -regex "${headers}" -print0 |

@@ -1,0 +1,117 @@
+"""The script that compiles with the last build's tree: it does only where nothing but code has changed."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+SCRIPT = Path(__file__).parents[3] / "scripts/roslab/render/image_scripts/reuse-build.sh"
+COMPILER = """\
+set -e
+mkdir -p build devel
+for file in $(find src -name '*.cpp'); do
+  object="build/$(basename "$file").o"
+  if [ ! -e "$object" ] || [ "$file" -nt "$object" ]; then
+    echo "compiled $(basename "$file")"
+    cp "$file" "$object"
+    cp "$file" devel/
+  fi
+done
+! grep -rq broken src
+"""
+"""What make and a compiler do: compile what is newer than its object."""
+
+pytestmark = pytest.mark.skipif(shutil.which("dpkg-query") is None, reason="the script is for images with dpkg")
+
+
+class Builder:
+    """Builds a workspace again and again, each time from a checkout of its own, with one cache."""
+
+    def __init__(self, root: Path) -> None:
+        self.root, self.cache = root, root / "cache"
+        self.cache.mkdir()
+        self.script = root / "reuse-build"
+        self.script.write_text(SCRIPT.read_text().replace("/var/cache/roslab-build", str(self.cache)))
+        (root / "compiler").write_text(COMPILER)
+        self.number = 0
+
+    def build(self, files: dict[str, str], **environment: str) -> tuple[list[str], dict[str, str]]:
+        """Return what was compiled, and what is in the image."""
+        self.number += 1
+        home = self.root / "home"  # the same path at every build, as in an image
+        shutil.rmtree(home, ignore_errors=True)
+        for path, text in files.items():
+            file = home / "ws" / "src" / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text)
+            old = 1_700_000_000 + self.number  # a checkout gives each file a time of its own
+            os.utime(file, (old, old))
+        ran = subprocess.run(
+            ["bash", self.script, "bash", str(self.root / "compiler")],
+            cwd=home / "ws",
+            env={**os.environ, **environment},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        compiled = [line.split()[1] for line in ran.stdout.splitlines() if line.startswith("compiled ")]
+        devel = home / "built" / "devel"
+        assert (ran.returncode == 0) == devel.is_dir(), ran.stderr
+        assert not (home / "built" / "build").exists(), "the tree is not in the image"
+        made = {file.name: file.read_text() for file in devel.iterdir()} if devel.is_dir() else {}
+        return sorted(compiled), made
+
+
+@pytest.fixture
+def builder(tmp_path: Path) -> Builder:
+    return Builder(tmp_path)
+
+
+FILES = {"a/a.cpp": "a", "a/b.cpp": "b", "a/CMakeLists.txt": "project(a)", "a/package.xml": "<package/>"}
+ALL = ["a.cpp", "b.cpp"]
+
+
+def test_an_edited_file_alone_is_compiled_again(builder: Builder) -> None:
+    assert builder.build(FILES)[0] == ALL
+    assert builder.build(FILES) == ([], {"a.cpp": "a", "b.cpp": "b"})
+    assert builder.build({**FILES, "a/b.cpp": "more"}) == (["b.cpp"], {"a.cpp": "a", "b.cpp": "more"})
+    assert builder.build(FILES) == (["b.cpp"], {"a.cpp": "a", "b.cpp": "b"}), "back again, with an older time"
+
+
+def test_what_each_build_has_anew_is_no_change(builder: Builder) -> None:
+    builder.build(FILES, TRACEPARENT="00-1", OTEL_TRACE_PARENT="00-1", HOSTNAME="one", MAKEFLAGS="-j2")
+    assert builder.build(FILES, TRACEPARENT="00-2", OTEL_TRACE_PARENT="00-2", HOSTNAME="two", MAKEFLAGS="-j1")[0] == []
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"a/c.cpp": "c"},
+        {"a/CMakeLists.txt": "project(b)"},
+        {"a/package.xml": "<package format='2'/>"},
+        {"a/setup.cfg": "[metadata]"},
+    ],
+)
+def test_any_other_change_compiles_everything(builder: Builder, change: dict[str, str]) -> None:
+    builder.build(FILES)
+    assert set(ALL) <= set(builder.build({**FILES, **change})[0])
+
+
+def test_another_variable_compiles_everything(builder: Builder) -> None:
+    builder.build(FILES)
+    assert builder.build(FILES, CXXFLAGS="-O0")[0] == ALL
+
+
+def test_a_failure_leaves_nothing_to_the_next_build(builder: Builder) -> None:
+    builder.build(FILES)
+    assert builder.build({**FILES, "a/a.cpp": "broken"}) == (["a.cpp"], {})
+    assert builder.build(FILES)[0] == ALL
+
+
+def test_without_a_cache_everything_is_compiled(builder: Builder) -> None:
+    builder.cache.rmdir()
+    assert builder.build(FILES)[0] == builder.build(FILES)[0] == ALL
