@@ -185,7 +185,7 @@ def python_of(plan: Plan) -> str:
 
 
 def without(plan: Plan, gone: Iterable[Missing]) -> Plan:
-    """Return a plan that no longer asks for what is gone: the build then takes the nearest that is left."""
+    """Return a plan that no longer asks for what is gone: the build then takes the newest; of a commit, the nearest."""
     lost = {(each.kind, each.name, each.wanted) for each in gone}
     commits = {each.wanted: each.nearest for each in gone if each.kind == "source"}
     if not lost or plan.lock is None:

@@ -139,7 +139,7 @@ class Plan:
     def compiled_apart(self) -> bool:
         """Whether nothing but the compilation needs the source while the image is made: it gets a stage of its own."""
         place = self.workspace
-        needed_later = self.custom or self.compatible or place.python_projects or place.submodules
+        needed_later = self.custom or self.compatible or place.python_projects or place.submodules or place.inside
         return bool(place.ros or place.program) and not needed_later
 
 
