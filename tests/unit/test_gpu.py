@@ -50,7 +50,7 @@ def test_a_proof_gets_what_its_image_needs_and_the_report_says_so(
     stand_in(machine, "nvidia-smi", "NVIDIA A10")
     (machine / "docker").write_text(
         f'#!/bin/sh\n[ $1 != image ] || exit 1\n[ $1 != run ] || echo "$*" >>{tmp_path}/run\n'
-        '[ $1 != info ] || echo \'"nvidia"\'\n'
+        "[ $1 != info ] || echo '\"nvidia\"'\n"
     )
     (machine / "docker").chmod(0o755)
     plan = plan_repository(examples / example).plan
