@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -108,7 +109,7 @@ def docker(lab: Laboratory, *arguments: str, cwd: Path, succeeds: bool = True) -
 def generated(folder: Path, name: str, keys: dict[str, Signer]) -> str:
     """Return the Dockerfile of the repository, on the base, with the lab's key in the place of ROS's."""
     text = dockerfile(plan_repository(folder).plan)
-    assert text.count("\nFROM ros:kinetic-ros-base\n") == 1
+    assert len(re.findall(r"^FROM ros:kinetic-ros-base(?: AS \w+)?$", text, re.MULTILINE)) == 1
     real, own = key("ros-snapshots"), keys["snapshots"].public(armour=True).decode()
     assert text.count(real.rstrip()) == 1, "nobody here can sign as ROS's snapshots do"
     return text.replace("FROM ros:kinetic-ros-base", f"FROM {name}").replace(real.rstrip(), own.rstrip())

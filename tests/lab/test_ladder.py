@@ -85,7 +85,7 @@ FOOLS_1 = {
     "one_of_three.launch": launch_1('talk.py" name="talker"', 'die.py" name="dies"', 'live.py" name="lives"'),
 }
 FOOLS_2 = {
-    "Dockerfile": "FROM ros:jazzy-ros-base-noble\nCOPY . /fools\n",
+    "Dockerfile": "FROM ros:jazzy-ros-base\nCOPY . /fools\n",
     "talk.py": TALK_2,
     "die.py": DIE,
     "live.py": LIVE,
@@ -188,7 +188,7 @@ def test_ros_1(  # noqa: PLR0917 - a table of cases
 @pytest.fixture(scope="module")
 def jazzy(lab: Laboratory, image: Callable[..., str]) -> str:
     """Return an image with rclpy; Debian packages none, so the lab has it only where it was given packages of ROS 2."""
-    base = "ros:jazzy-ros-base-noble"
+    base = "ros:jazzy-ros-base"
     command = ["docker", "run", "--rm", "--pull", "never", base, "python3", "-c", "import rclpy"]
     answer = subprocess.run(command, env=dict(lab.environment), capture_output=True, text=True, check=False)
     if answer.returncode:

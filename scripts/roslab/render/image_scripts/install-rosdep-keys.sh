@@ -61,4 +61,5 @@ while unknown="$(unknown_keys)" && [ "${unknown}" != "${before}" ]; do
 done
 if [ -s "${left_out}" ]; then sed 's/^/roslab: left out: /' "${left_out}"; fi
 install_keys --default-yes
-rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/*,alternatives.log,dpkg.log}
+rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
+find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +

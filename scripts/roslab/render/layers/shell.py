@@ -11,9 +11,12 @@ from roslab.values.dataclass import dataclass
 JOBS = '"$(compile-jobs)"'
 """As many compilers as there are cores, but 2 GB of memory for each: a template-heavy file needs that much."""
 FORGET = (
-    "rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/*,alternatives.log,dpkg.log}"
+    "rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache}"
+    " /var/log/{apt/[!h]*,alternatives.log,dpkg.log}",
+    "find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +",
 )
-"""Ends a step of apt: lists that grow old, and what holds the time of the build or the machine's inodes."""
+"""End a step of apt: lists that grow old go, and what holds the time of the build or the machine's inodes. apt's record
+of what each call installed stays, without its times: ``roslab lock`` reads it."""
 SET_JOBS = f"jobs={JOBS}"
 
 
@@ -89,7 +92,7 @@ def apt_install(packages: Sequence[str], secrets: Secrets = NONE, around: Around
     return run(
         "apt-get update",
         f"apt-get install --yes --no-install-recommends{words(packages)}",
-        FORGET,
+        *FORGET,
         secrets=secrets,
         around=around,
     )
