@@ -10,9 +10,9 @@ from roslab.values.dataclass import dataclass
 
 JOBS = '"$(compile-jobs)"'
 """As many compilers as there are cores, but 2 GB of memory for each: a template-heavy file needs that much."""
+_LOGS = "/var/log/{apt/[!h]*,alternatives.log,dpkg.log}"
 FORGET = (
-    "rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} "
-    + "/var/log/{apt/[!h]*,alternatives.log,dpkg.log}",
+    f"rm -rf /var/lib/apt/lists/* /var/cache/{{apt/*.bin,ldconfig/aux-cache}} {_LOGS}",
     "find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +",
 )
 """End a step of apt: lists that grow old go, and what holds the time of the build or the machine's inodes. apt's record
