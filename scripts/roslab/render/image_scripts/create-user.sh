@@ -12,4 +12,5 @@ elif [ "${present}" != "${NB_USER}" ]; then
 fi
 mkdir --parents /usr/local/share/roslab
 # What the base brought: `roslab lock` tells it from what the steps below install
-dpkg-query --show >/usr/local/share/roslab/base-packages
+# Without the architecture that dpkg puts behind the name of a library
+dpkg-query --show --showformat '${Package}\t${Version}\n' >/usr/local/share/roslab/base-packages
