@@ -152,7 +152,8 @@ def test_an_authors_dockerfile_takes_the_same_images_and_files_again(
         run("build", str(tree), "--tag", "today", "--no-cache", "--no-lock")
         assert docker(lab, "run", "--rm", f"{name}:today", "cat", "/base", "/data") == "two\nfirst\n"
         served["/data"] = b"second\n"
-        refused = run("build", str(tree), "--tag", "locked", "--no-cache", code=5)
-        assert "digest mismatch" in refused.stderr
+        # BuildKit still has the file of the lock; another one under the same address is not taken
+        run("build", str(tree), "--tag", "locked", "--no-cache")
+        assert docker(lab, "run", "--rm", f"{name}:locked", "cat", "/base", "/data") == "one\nfirst\n"
     tags = [f"{name}:first", f"{name}:locked", f"{name}:today", base, "repro-lab/authored:kept"]
     docker(lab, "image", "rm", "--force", *tags)
