@@ -32,13 +32,9 @@ File = tuple[str, str]
 
 def default() -> str:
     """Return the index that pip asks where nothing else is said, ``""`` if this machine has no pip to tell it."""
-    for python in dict.fromkeys((sys.executable, shutil.which("python3") or "")):
-        ran = (
-            subprocess.run([python, "-I", "-c", DEFAULT], capture_output=True, text=True, check=False)
-            if python
-            else None
-        )
-        if ran and ran.returncode == 0:
+    for python in filter(None, dict.fromkeys((sys.executable, shutil.which("python3")))):
+        ran = subprocess.run([python, "-I", "-c", DEFAULT], capture_output=True, text=True, check=False)
+        if ran.returncode == 0:
             return ran.stdout.strip()
     return ""
 

@@ -110,7 +110,7 @@ class Topic(object):
 def answers(master, node):
     """Tell whether a node answers as it answers ``rosnode ping``.
 
-    No service is called: even that for the levels of loggers ends a node of roscpp whose log4cxx is newer than it.
+    No service is called: asking for the levels of loggers ended nodes of roscpp where this was tried on Debian 12.
     """
     try:
         return ServerProxy(master.lookupNode(NAME, node)[2]).getPid(NAME)[0] == 1
