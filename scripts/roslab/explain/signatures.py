@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import field
 from itertools import groupby, islice
 from string import Formatter
@@ -128,6 +128,8 @@ def _one(failure: Failure, case: _Case) -> tuple[int, Match] | None:
         return None
     also = compiled(failure.also).search(whole) if failure.also else None
     for at, found in enumerate(matches):
+        if (failure.copied and not _copied(found["path"], case)) or _only_tried(found.groupdict(), case):
+            continue
         names = {
             **(_groups([also]) if also else {}),
             **_extra(failure, case, found.start()),
@@ -221,6 +223,20 @@ def _never_before(failure: Failure, case: _Case) -> bool:
     pattern = compiled(failure.not_before)
     whole = any(command.startswith("FROM ") for command in earlier)
     return whole and not any(pattern.search(command) for command in (case.step.command, *earlier))
+
+
+def _copied(path: str, case: _Case) -> bool:
+    """Return whether an earlier COPY or ADD names this file."""
+    name = re.compile(rf"(?<![\w.-]){re.escape(path.rpartition('/')[2])}(?![\w.-])")
+    earlier = (step.command for step in case.log.before(case.step))
+    return any(command.startswith(("COPY", "ADD")) and name.search(command) for command in earlier)
+
+
+def _only_tried(names: Mapping[str, str | None], case: _Case) -> bool:
+    """Return whether the instruction only looks whether a missing program is there, and goes on without it."""
+    program = re.escape(names.get("program") or "")
+    looks = rf"(?:\$\( ?|`|\bif (?:! ?)?|(?<![\w-])(?:which|hash|type|command -v) ){program}(?![\w.-])"
+    return bool(program) and re.search(looks, case.step.command) is not None
 
 
 def _shortened(command: str) -> str:

@@ -8,6 +8,7 @@ A failure is one table ``[id]`` in a file ``failures_WORLD.toml``:
 ``also``       must match too, anywhere in the step's lines or its instruction; ``unless`` must not, in its lines
 ``before``     must match in the instruction or the lines of an earlier step, or in this one's instruction
 ``not_before`` must not match any earlier instruction, nor this one; the log must hold the build's first step
+``copied``     ``true``: an earlier COPY or ADD must have brought the captured ``{path}`` into the image
 ``command``    must match the step's instruction (empty where the log tells of no step)
 ``extra``      more names, searched for in all lines of the step (``where = "command"``: in the instruction;
                ``extra_before = true``: the nearest one before the matched line)
@@ -57,6 +58,7 @@ class Failure:
     unless: str = ""
     before: str = ""
     not_before: str = ""
+    copied: bool = False
     command: str = ""
     extra: str = ""
     where: str = ""
