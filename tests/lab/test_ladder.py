@@ -276,7 +276,7 @@ def test_what_is_published_can_be_verified(lab: Laboratory, roslab: Roslab, tmp_
     record = json.loads(index["annotations"][KEY])
     ((platform, ladder),) = record["platforms"]
     assert platform == "linux/amd64"
-    assert [(each["number"], each["state"]) for each in ladder["rungs"]] == [(1, "held"), (2, "held")]
+    assert [(each["number"], each["state"]) for each in ladder["rungs"]] == [(0, "held"), (1, "held"), (2, "held")]
 
     published = f"{lab.registry}/{doors.OWNER}/{name}:main"
     same = roslab("verify", published, env=lab.environment, timeout=300)
@@ -302,4 +302,12 @@ def test_the_talker_through_the_laptop(lab: Laboratory, roslab: Roslab, tmp_path
     assert answer.returncode == 0, answer.stderr
     assert "rung 2, talks, holds: 2 nodes (/listener, /talker); in" in answer.stderr
     assert "reached: rung 4, agrees" in answer.stderr
-    docker(lab, "image", "rm", "--force", "ros1_talker:repro-lab")
+    image = "ros1_talker:repro-lab"
+    record = json.loads(docker(lab, "image", "inspect", "--format", f'{{{{index .Config.Labels "{KEY}"}}}}', image))
+    assert [each["number"] for each in record["platforms"][0][1]["rungs"]] == [0, 1, 2, 4]
+    (tmp_path / "Dockerfile").write_text(f"FROM {image}\nRUN rm ../../devel/lib/ros1_talker/talker\n")
+    docker(lab, "build", "--quiet", "--tag", "ros1_talker:changed", str(tmp_path))
+    changed = roslab("verify", "ros1_talker:changed", env=lab.environment, timeout=300)
+    assert changed.returncode == 5, changed.stderr
+    assert "first difference: rung 1, starts: it held when it was recorded" in changed.stdout
+    docker(lab, "image", "rm", "--force", image, "ros1_talker:changed")

@@ -34,6 +34,7 @@ def test_an_image_is_signed_before_its_tags_or_a_warning_says_why_not(
     assert ran.exit_code == 0, ran.log
     assert {"main", "latest"} < set(registry.tags(f"{doors.OWNER}/{name}"))
     assert ran.log.index("Main Sign the image") < ran.log.index("Main Move the tags")
+    assert ("Main Sign how far it got" in ran.log) == signed
     assert ("the image is not signed (grant the calling job `attestations: write`" in ran.log) != signed
     assert ("It is not signed" in ran.summary) != signed
     subject = f"oci://{lab.registry}/{doors.OWNER}/{name}@{ran.output('digest')}"

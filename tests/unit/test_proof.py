@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from roslab.config.model import Config
 from roslab.decide.decision import Decision, Python
-from roslab.plan.proof import LONGEST, Proof, describe, proofs
+from roslab.plan.proof import LONGEST, Proof, describe
+from roslab.plan.proofs import proofs
+from roslab.plan.workspace import workspace
 
 
 @pytest.mark.parametrize(
@@ -39,4 +42,4 @@ def test_a_shell_by_default_draws_nothing(command: tuple[str, ...] | str, displa
         command=command,
         gui=True,
     )
-    assert [proof.display for proof in proofs(decision)] == [display]
+    assert [proof.display for proof in proofs(decision, workspace(decision, Config(), (), "robot"))] == [display]

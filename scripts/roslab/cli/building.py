@@ -16,6 +16,8 @@ from roslab.engine.bases import Mended, mend
 from roslab.engine.secrets import of_environment
 from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.pipeline import Planned, bases_of, preflight, write_bases, write_dockerfile, write_policy
+from roslab.plan import record
+from roslab.plan.ladder import LOWER, Ladder, below, lines
 from roslab.repository import git as commits
 from roslab.values.origin import Option
 
@@ -78,6 +80,7 @@ def _once(
     anew = _from_nothing() if options.no_cache and not again else ()
     candidates: list[str] = []
     helpers: list[str] = []
+    labels: dict[str, str] = {}
     try:
         with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
             dockerfile, context = write_dockerfile(planned, Path(folder))
@@ -99,13 +102,14 @@ def _once(
                 )
                 engine.build(job, environment=write_policy(planned.plan, Path(folder)))
                 if not options.no_proof:
-                    prove(planned, candidates[-1], platform, f"{name} was not named", screenshots)
+                    ladder = prove(planned, candidates[-1], platform, f"{name} was not named", screenshots)
+                    labels[platform] = record.to_json(record.record(planned.plan, {platform: ladder}))
                 if planned.plan.lock:
                     compared(planned, candidates[-1], platform)
         for candidate, platform in zip(candidates, platforms, strict=True):
             # The engine's image store may hold only one platform per name, so each of several gets its own name
             suffix = f"-{platform.rpartition('/')[2]}" if len(platforms) > 1 else ""
-            engine.name_image(candidate, name + suffix)
+            engine.name_image(candidate, name + suffix, (record.KEY, labels[platform]) if labels else None)
             sys.stdout.write(f"{name}{suffix}\n")
     finally:
         for image in (*candidates, *helpers):
@@ -181,9 +185,11 @@ def _screenshots(options: argparse.Namespace, planned: Planned) -> Path:
     return folder.absolute()
 
 
-def prove(planned: Planned, candidate: str, platform: str, otherwise: str, screenshots: Path) -> None:
-    """Prove an image. Raises ``FailedBuild`` or ``BuildError``, whose message begins with ``otherwise``."""
-    from roslab.plan.ladder import LOWER, below, lines  # noqa: PLC0415
+def prove(planned: Planned, candidate: str, platform: str, otherwise: str, screenshots: Path) -> Ladder:
+    """Prove an image, and return how far it got.
+
+    Raises ``FailedBuild`` or ``BuildError``, whose message begins with ``otherwise``.
+    """
     from roslab.prove import containers  # noqa: PLC0415
     from roslab.prove.ladder import climb  # noqa: PLC0415
 
@@ -205,6 +211,7 @@ def prove(planned: Planned, candidate: str, platform: str, otherwise: str, scree
     engine.say("".join(f"[{platform}] {line}\n" for line in lines(ladder)).rstrip())
     if short := below(ladder, plan.proof_goals.rung):
         raise BuildError(Problem(message=f"{otherwise}: on {platform}, {short}", hint=LOWER))
+    return ladder
 
 
 def _argument(text: str) -> tuple[str, str]:

@@ -17,7 +17,7 @@ from roslab.decide.kind import decide_kind
 from roslab.decide.mended_bases import decide_bases
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
-from roslab.decide.proof import decide_test, rostests
+from roslab.decide.proof import compiled, decide_test, rostests
 from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
 from roslab.decide.python.fetched import with_fetched
@@ -194,6 +194,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         command_candidates=command.answer.candidates,
         test=test.answer,
         rostests=() if own.answer else rostests(evidence, kind.answer, build_tool.answer),
+        compiles=bool(compiled(evidence)),
         platforms=platforms.answer.built,
         platforms_refused=platforms.answer.refused,
         cuda=cuda.answer.version,

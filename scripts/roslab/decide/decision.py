@@ -161,6 +161,8 @@ class Decision:
     """The command that tests the image in place of the default proofs; a string runs in ``bash -c``."""
     rostests: tuple[str, ...] = ()
     """Launch files of the repository with tests that can run in the image."""
+    compiles: bool = False
+    """Programs are compiled, whichever tool does it."""
     platforms: tuple[str, ...] = ("linux/amd64", "linux/arm64")
     platforms_refused: tuple[tuple[str, str], ...] = ()
     cuda: str | None = None

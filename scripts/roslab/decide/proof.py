@@ -19,6 +19,13 @@ def decide_test(config: Config) -> Choice[tuple[str, ...] | str | None]:
     return Choice(answer=config.test, reasons=(configured(config, "test", text, "test"),))
 
 
+def compiled(evidence: Evidence) -> frozenset[str]:
+    """Return the names of the programs that CMake makes, without those of tests and of code that was copied in."""
+    apart = (places.test, places.vendored)
+    projects = (project for project in evidence.cmake if not any(kind(project.file) for kind in apart))
+    return frozenset(name for project in projects for name, _ in project.executables)
+
+
 def rostests(evidence: Evidence, kind: Kind, build_tool: BuildTool) -> tuple[str, ...]:
     """Return the launch files whose tests run in an image that holds no test programs: paths relative to the root.
 
@@ -28,8 +35,7 @@ def rostests(evidence: Evidence, kind: Kind, build_tool: BuildTool) -> tuple[str
     if kind != "ros1" or build_tool == "none":
         return ()
     own = {manifest.name for manifest in evidence.manifests}
-    projects = (project for project in evidence.cmake if not places.test(project.file))
-    built = {name for project in projects for name, _ in project.executables}
+    built = compiled(evidence)
     return tuple(
         launch.file
         for launch in evidence.launch

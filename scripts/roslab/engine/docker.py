@@ -206,9 +206,19 @@ def starts_shell(reference: str) -> bool:
     return isinstance(words, list) and [Path(word).name for word in words] in (["bash"], ["sh"])
 
 
-def name_image(candidate: str, name: str) -> None:
-    """Give an image that passed its proofs its name. Raises ``BuildError`` if the engine refuses."""
-    answer = output(["docker", "tag", candidate, name])
+def name_image(candidate: str, name: str, label: tuple[str, str] | None = None) -> None:
+    """Give an image that passed its proofs its name, and perhaps a label that could not be known before.
+
+    Its layers stay the same. Raises ``BuildError`` if the engine refuses.
+    """
+    command = ["docker", "tag", candidate, name]
+    if label:
+        # The engine's own builder, which has the context's name, is the one that sees its images
+        engine = output(["docker", "context", "show"]).stdout.strip() or "default"
+        platform = output(["docker", "image", "inspect", "--format", "{{.Os}}/{{.Architecture}}", candidate]).stdout
+        words = ["--builder", engine, "--platform", platform.strip(), "--provenance=false", "--load"]
+        command = ["docker", "buildx", "build", *words, "--label", "=".join(label), "--tag", name, "-"]
+    answer = output(command, stdin=f"FROM {candidate}\n" if label else "")
     if answer.returncode:
         raise BuildError(Problem(message=f"cannot name the image {name}: {last_line(answer.stderr)}"))
 
@@ -218,13 +228,13 @@ def remove_image(reference: str) -> None:
     output(["docker", "image", "rm", reference])
 
 
-def output(command: Sequence[str], timeout: float = 120.0) -> subprocess.CompletedProcess[str]:
+def output(command: Sequence[str], timeout: float = 120.0, stdin: str = "") -> subprocess.CompletedProcess[str]:
     """Run a short command and return what it printed; exit code 124: no answer within ``timeout`` seconds."""
     try:
         return subprocess.run(
             command,
             capture_output=True,
-            stdin=subprocess.DEVNULL,
+            input=stdin,
             text=True,
             errors="replace",
             timeout=timeout,

@@ -40,12 +40,15 @@ def index(environment: Mapping[str, str]) -> None:
     own = tags.dressed(tags.own(said, run.image, what), run.plan.tags)
     said_of_it = registry.annotations_of(f"{run.image}@{proved[0].digest}")
     annotated = {name: value for name, value in said_of_it.items() if name.startswith(PREFIX)}
-    annotated[record.KEY] = record.to_json(record.record(run.plan, {each.platform: each.ladder for each in proved}))
+    made = record.record(run.plan, {each.platform: each.ladder for each in proved})
+    annotated[record.KEY] = record.to_json(made)
     digest = registry.create_index(run.image, tuple(dict.fromkeys(report.source for report in proved)), own, annotated)
     digests = {report.platform: report.digest for report in proved}
     unsigned = signing.unsigned(what)
     folder.write("index.json", json.dumps({"digest": digest, "own": own, "digests": digests, "unsigned": unsigned}))
-    workflow.outputs({"digest": digest, "sign": "false" if unsigned else "true"}, environment)
+    folder.write("proof.json", record.to_result(made, url=f"{what.server}/{what.repository}/actions/runs/{what.run}"))
+    signing_of = {"sign": "false" if unsigned else "true", "result": str(folder.path / "proof.json")}
+    workflow.outputs({"digest": digest, **signing_of, "result-type": record.RESULT}, environment)
 
 
 def _asked(folder: Folder, environment: Mapping[str, str]) -> tuple[Run, Event, str]:

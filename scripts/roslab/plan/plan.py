@@ -29,7 +29,8 @@ from roslab.plan.author_bases import Base, author_bases
 from roslab.plan.locked import Lock
 from roslab.plan.package_sources import PackageSources, package_sources
 from roslab.plan.packages import image_packages
-from roslab.plan.proof import Proof, proofs
+from roslab.plan.proof import Proof
+from roslab.plan.proofs import proofs
 from roslab.plan.python import PythonPlan, python_plan
 from roslab.plan.version import SourceVersion
 from roslab.plan.workspace import Workspace, custom, library, workspace
@@ -235,7 +236,7 @@ def make_plan(
         icub=config.base.icub,
         cmake_update=config.base.cmake_update,
         run=run,
-        proofs=proofs(decision),
+        proofs=proofs(decision, place),
         proof_limits=config.proof,
         proof_goals=config.goals,
         platforms=decision.platforms,

@@ -16,6 +16,8 @@ from roslab.values.dataclass import dataclass
 KEY = "roslab.proof"
 """Annotation of an index and label of an image that hold the record."""
 VERSION = 1
+RESULT = "https://in-toto.io/attestation/test-result/v0.1"
+"""https://github.com/in-toto/attestation/blob/main/spec/predicates/test-result.md"""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -50,6 +52,21 @@ def record(plan: Plan, ladders: Mapping[str, Ladder]) -> Record:
 def to_json(made: Record) -> str:
     """Return a record as one line."""
     return json.dumps(dataclasses.asdict(made), ensure_ascii=True, separators=(",", ":"))
+
+
+def to_result(made: Record, *, url: str) -> str:
+    """Return a record as in-toto's predicate for the result of tests, which is signed; ``url`` is the run's page.
+
+    A rung is a test. One that does not hold is a warning: what had to hold did, or nothing would be published.
+    """
+    told = {"held": "passedTests", "missed": "warnedTests", "unseen": "warnedTests"}
+    tests: dict[str, list[str]] = {"passedTests": [], "warnedTests": [], "failedTests": []}
+    for platform, ladder in made.platforms:
+        for rung in ladder.rungs:
+            tests[told[rung.state]].append(f"{platform}: {title(rung.number)}")
+    used = {"name": KEY, "mediaType": "application/json", "annotations": dataclasses.asdict(made)}
+    result = "WARNED" if tests["warnedTests"] else "PASSED"
+    return json.dumps({"result": result, "configuration": [used], "url": url, **tests}, ensure_ascii=True) + "\n"
 
 
 def from_json(text: str) -> Record:

@@ -142,7 +142,11 @@ def _prove_once(  # noqa: PLR0917 - what one proof is made of
         words += ["--env", "PYTHONUNBUFFERED=1"] if proof.may_run_on else []
         start = time.monotonic()
         log = folder / "log"
-        seen, watched = _run([*words, reference, *proof.command], log, proof, goals, camera)
+        command: Sequence[str] = proof.command
+        if not proof.entrypoint:
+            words += ["--entrypoint", proof.command[0]]
+            command = proof.command[1:]
+        seen, watched = _run([*words, reference, *command], log, proof, goals, camera)
         seen = replace(seen, bare=proof.rung == 1 and not proof.command and starts_shell(reference))
         seconds = time.monotonic() - start
         with log.open("rb") as stream:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -12,6 +13,8 @@ from roslab.plan.proof import Proof
 from roslab.prove.containers import Outcome
 from roslab.prove.graph import Graph
 
+_NO_PROGRAM = (126, 127)
+"""Exit codes of ``docker run`` where there is no such program: https://docs.docker.com/engine/containers/run/"""
 MOST = 12
 """Most topics, files or nodes that one line names."""
 
@@ -41,11 +44,20 @@ def _commands(number: int, proofs: Sequence[Proof], seen: dict[str, Outcome]) ->
     facts = tuple(proof.name for proof in proofs if proof.name in seen and seen[proof.name].held)
     short = next((proof for proof in proofs if proof.name not in facts), None)
     if short is None:
-        return Rung(number=number, state="held", said="; ".join(facts), facts=facts)
+        told = (name + _looked_at(seen[name]) for name in facts)
+        return Rung(number=number, state="held", said="; ".join(told), facts=facts)
     if short.name not in seen:
         return _untried(number)
     why = f"{short.name}: {_plain(seen[short.name])}"
+    if seen[short.name].seen.code in _NO_PROGRAM and not short.required:
+        return Rung(number=number, state="unseen", said=f"{why}: the image has no {short.command[0]}", facts=facts)
     return Rung(number=number, state="missed", said=why, needed=f"that {short.name}", facts=facts)
+
+
+def _looked_at(outcome: Outcome) -> str:
+    """Return how much a proof looked at, where it says it: nothing is wrong with none."""
+    found = re.search(r"^[a-z ]{1,40} looked at: \d{1,9}$", outcome.output, re.MULTILINE)
+    return f" ({found[0]})" if found else ""
 
 
 def _agrees(proofs: Sequence[Proof], seen: dict[str, Outcome]) -> Rung | None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from roslab.pipeline import plan_repository
-from roslab.plan.proof import proofs
+from roslab.plan.proofs import proofs
 
 MANIFEST = (
     '<package format="2"><name>robot</name><version>1.0.0</version><description>x</description>'
@@ -44,4 +44,4 @@ def test_what_is_tried(tmp_path: Path, body: str, tried: bool) -> None:
     assert planned.plan.kind == "ros1"
     assert [proof.command[4:] for proof in found] == ([("test/all.test",)] if tried else [])
     assert not any(proof.required for proof in found)
-    assert planned.plan.proofs == proofs(planned.decision)
+    assert planned.plan.proofs == proofs(planned.decision, planned.plan.workspace)

@@ -166,3 +166,16 @@ def test_a_test_that_collects_nothing() -> None:
 
 def test_an_image_whose_own_command_is_a_shell() -> None:
     assert of(outcome(START, seen=Seen(code=0, bare=True, graph=Graph(problem="x")))).rungs == ()
+
+
+def test_rung_0_says_how_much_it_looked_at() -> None:
+    """That all of no programs find their libraries is no praise."""
+    ladder = of(replace(outcome(FOUND), output="programs looked at: 0\n"))
+    assert rung(ladder, 0).said == "the workspace's packages are found (programs looked at: 0)"
+    assert rung(ladder, 0).facts == ("the workspace's packages are found",)
+
+
+def test_an_authors_image_without_the_program_that_looks() -> None:
+    asked = replace(FOUND, command=("bash", "-c", "x"), required=False)
+    found = rung(of(outcome(asked, "failed with exit code 127", held=False, seen=Seen(code=127))), 0)
+    assert (found.state, found.said) == ("unseen", f"{FOUND.name}: failed with exit code 127: the image has no bash")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 
 import pytest
@@ -10,7 +11,7 @@ from roslab.config.model import ProofGoals, ProofLimits
 from roslab.errors import ConfigurationError
 from roslab.plan.ladder import Ladder, Rung
 from roslab.plan.proof import Proof
-from roslab.plan.record import VERSION, Record, difference, from_json, to_json
+from roslab.plan.record import VERSION, Record, difference, from_json, to_json, to_result
 
 INSTALLS = Rung(number=0, state="held", said="found", facts=("found",))
 TALKS = Rung(
@@ -75,3 +76,19 @@ def with_talks(**changes: object) -> Ladder:
 )
 def test_the_first_difference(seen: Ladder, said: str) -> None:
     assert difference(LADDER, seen) == said
+
+
+def test_the_signed_result_names_each_rung_and_calls_none_that_is_missed_passed() -> None:
+    missed = replace(TALKS, state="missed", needed="a message")
+    both = replace(RECORD, platforms=(*RECORD.platforms, ("linux/arm64", Ladder(rungs=(INSTALLS, missed)))))
+    made = json.loads(to_result(both, url="https://example.org/run"))
+    assert made["result"] == "WARNED"
+    assert made["passedTests"] == [
+        "linux/amd64: rung 0, installs",
+        "linux/amd64: rung 2, talks",
+        "linux/arm64: rung 0, installs",
+    ]
+    assert made["warnedTests"] == ["linux/arm64: rung 2, talks"]
+    assert made["failedTests"] == []
+    assert from_json(json.dumps(made["configuration"][0]["annotations"])) == both
+    assert json.loads(to_result(RECORD, url=""))["result"] == "PASSED"

@@ -1,0 +1,162 @@
+"""Rung 0: the declared packages are there, and what was compiled finds its libraries."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from packaging.version import Version
+
+from roslab.decide.decision import Decision
+from roslab.knowledge.distros import python_of_ubuntu
+from roslab.plan.proof import Proof
+from roslab.plan.workspace import ROS_TOOLS, Workspace
+from roslab.values.interpreter import Interpreter
+from roslab.values.requirement import Requirement
+
+IMPORT_SCRIPT = """\
+import importlib, os, sys
+try:
+    import importlib.metadata as metadata
+except ImportError:
+    os.execv(sys.executable, [sys.executable, "-m", "pip", "show", *sys.argv[1:]])
+names, failed = sys.argv[1:], {}
+for name in names:
+    try:
+        distribution = metadata.distribution(name)
+    except metadata.PackageNotFoundError:
+        failed[name] = "not installed"
+        continue
+    listed = (distribution.read_text("top_level.txt") or "").split()
+    packages = {str(f).split("/")[0] for f in distribution.files or () if str(f).endswith("/__init__.py")}
+    for module in listed or sorted(packages):
+        if not module.isidentifier() or module.startswith("_") or module in ("docs", "examples", "test", "tests"):
+            continue
+        try:
+            importlib.import_module(module)
+        except Exception as error:
+            failed[name] = f"import {module}: {type(error).__name__}: {error}"
+print("imported", len(names) - len(failed), "of", len(names), "packages")
+sys.exit("\\n".join(f"{name}: {why}" for name, why in failed.items()) or 0)
+"""
+"""A package and its module may have different names (``opencv-python``, ``cv2``): the package's files tell."""
+
+AMENT_SCRIPT = """\
+import os, sys
+prefixes = os.environ.get("AMENT_PREFIX_PATH", "").split(":")
+failed = 0
+for name in sys.argv[1:]:
+    marker = os.path.join("share", "ament_index", "resource_index", "packages", name)
+    found = [prefix for prefix in prefixes if os.path.exists(os.path.join(prefix, marker))]
+    print(name, "in", found[0] if found else "none of AMENT_PREFIX_PATH")
+    failed |= not found
+sys.exit(failed)
+"""
+"""The index that ``ros2 pkg`` and ament_index_python read; a base without ros2cli has it too.
+https://github.com/ament/ament_cmake/blob/rolling/ament_cmake_core/doc/resource_index.md"""
+
+LIBRARIES_SCRIPT = """\
+export LC_ALL=C
+programs=0 failed=0
+while IFS= read -r -d '' file; do
+  IFS= read -r -N 4 magic <"$file"
+  [ "$magic" = $'\\x7fELF' ] || continue
+  programs=$((programs + 1))
+  if missing=$(ldd "$file" 2>/dev/null | grep 'not found'); then printf '%s:\\n%s\\n' "$file" "$missing"; failed=1; fi
+done < <(
+  for folder in "$@"; do
+    case $folder in /opt/ros/* | '') ;; *) find -L "$folder" -name CMakeFiles -prune -o -type f -perm -u+x \
+      ! -name '*.so*' -print0 ;; esac
+  done 2>/dev/null | sort -zu
+)
+echo "programs looked at: $programs"
+exit $failed
+"""
+"""``ldd`` only asks the loader, and starts none of them; libraries may be plug-ins, whose programs find theirs."""
+PREFIXES = "IFS=:; set -f; set -- $CMAKE_PREFIX_PATH $AMENT_PREFIX_PATH; unset IFS; set +f\n"
+"""Where the workspaces that the environment knows have their programs."""
+WORKSPACES = """\
+for setup in /opt/ros/*/setup.bash \
+  $(find / -xdev -maxdepth 6 \\( -path '*/devel/setup.bash' -o -path '*/install/setup.bash' \\) 2>/dev/null)
+do . "$setup" --extend; done
+"""
+"""An author's Dockerfile may leave it to its command, or to .bashrc, to make its workspace known."""
+
+
+def installed(decision: Decision, place: Workspace) -> list[Proof]:
+    """Return the proofs of rung 0; nothing depends on those of an author's Dockerfile, which may install less."""
+    own = decision.dockerfile is not None
+    found = _workspace_proofs(decision, own=own)
+    distributions = _declared_distributions(decision)
+    if distributions:
+        version = None if own else decision.python.version or python_of_ubuntu().get(decision.ubuntu or "")
+        found.append(_import_proof(version, distributions))
+    on_python2 = Interpreter(pythons=("2.7",), platforms=decision.platforms)
+    if beside := _names(decision.python.python2, on_python2):
+        command = ("python2", "-m", "pip", "show", *beside)
+        found.append(Proof(name="declared packages of Python 2 are installed", command=command))
+    if decision.compiles:
+        found += _libraries(decision, place, own=own)
+    return [replace(proof, rung=0, required=not own, entrypoint=not own) for proof in found]
+
+
+def _libraries(decision: Decision, place: Workspace, *, own: bool) -> list[Proof]:
+    """Return the proof that programs which were compiled find their libraries, none where their place is unknown."""
+    name = "the compiled programs find their libraries"
+    if _in_workspace(decision):
+        return [_in_bash(name, PREFIXES + LIBRARIES_SCRIPT, own=own)]
+    if place.program and not own:
+        folders = (place.program.build, *place.program.programs)
+        return [_in_bash(name, "cd && " + LIBRARIES_SCRIPT, *dict.fromkeys(folders))]
+    return []
+
+
+def _in_bash(name: str, script: str, *arguments: str, own: bool = False) -> Proof:
+    return Proof(name=name, command=("bash", "-c", (WORKSPACES if own else "") + script, "proof", *arguments))
+
+
+def _in_workspace(decision: Decision) -> bool:
+    """Tell whether the repository is a package of a ROS workspace, or holds some."""
+    return (
+        decision.kind in ("ros1", "ros2")
+        and decision.build_tool in ROS_TOOLS
+        and (decision.workspace != "none" or decision.dockerfile is not None)
+    )
+
+
+def _workspace_proofs(decision: Decision, *, own: bool) -> list[Proof]:
+    if not decision.package_names or not _in_workspace(decision):
+        return []
+    name = "the workspace's packages are found"
+    if decision.kind == "ros1":
+        script = 'failed=0; for package in "$@"; do rospack find "$package" || failed=1; done; exit $failed'
+        return [_in_bash(name, script, *decision.package_names, own=own)]
+    if own:
+        return [_in_bash(name, 'exec python3 -c "$@"', AMENT_SCRIPT, *decision.package_names, own=True)]
+    return [Proof(name=name, command=("python3", "-c", AMENT_SCRIPT, *decision.package_names))]
+
+
+def _import_proof(version: str | None, distributions: list[str]) -> Proof:
+    if version and Version(version) < Version("3.8"):
+        # No importlib.metadata before 3.8: ask pip for each package
+        python = "python2" if version.startswith("2") else "python3"
+        return Proof(
+            name="declared Python packages are installed", command=(python, "-m", "pip", "show", *distributions)
+        )
+    return Proof(name="declared Python packages import", command=("python3", "-c", IMPORT_SCRIPT, *distributions))
+
+
+def _declared_distributions(decision: Decision) -> list[str]:
+    """Return the declared packages, without guesses and without conda packages, which have names of their own."""
+    python = decision.python
+    others = {*python.pip_guessed, *python.python2} - {*python.pip}
+    asked = python.pip if python.manager == "conda" else decision.pip
+    return _names((each for each in asked if each not in others), python.interpreter.on(*decision.platforms))
+
+
+def _names(asked: Iterable[Requirement], image: Interpreter) -> list[str]:
+    """Return the packages that pip installs on every platform: the same proof runs on all of them.
+
+    Bare URLs are left out: the name was only guessed from the URL.
+    """
+    return sorted({each.name for each in asked if each.package and each.name and not each.url and image.must(each)})

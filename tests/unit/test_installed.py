@@ -1,0 +1,70 @@
+"""Rung 0: what is asked of an image's packages, and of the libraries of what was compiled."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from roslab.pipeline import plan_repository
+from roslab.plan.installed import LIBRARIES_SCRIPT, PREFIXES
+from roslab.plan.proof import Proof
+
+MANIFEST = (
+    '<package format="2"><name>robot</name><version>1.0.0</version><description>x</description>'
+    '<maintainer email="a@example.org">a</maintainer><license>MIT</license>'
+    "<buildtool_depend>catkin</buildtool_depend></package>"
+)
+CMAKE = "cmake_minimum_required(VERSION 3.0.2)\nproject(robot)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+TREE = {"package.xml": MANIFEST, "CMakeLists.txt": CMAKE + "add_executable(driver driver.cpp)\n"}
+FOUND, LIBRARIES = "the workspace's packages are found", "the compiled programs find their libraries"
+
+
+def rung_0(folder: Path, **files: str) -> list[Proof]:
+    for name, text in {**TREE, **files}.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    return [proof for proof in plan_repository(folder, branch=None).plan.proofs if proof.rung == 0]
+
+
+def test_a_workspace(tmp_path: Path) -> None:
+    assert [proof.name for proof in rung_0(tmp_path)] == [FOUND, LIBRARIES]
+
+
+def test_a_workspace_that_compiles_only_tests(tmp_path: Path) -> None:
+    files = {"CMakeLists.txt": CMAKE, "test/CMakeLists.txt": "add_executable(check check.cpp)\n"}
+    assert [proof.name for proof in rung_0(tmp_path, **files)] == [FOUND]
+
+
+def test_an_authors_dockerfile_is_asked_the_same_and_nothing_depends_on_it(tmp_path: Path) -> None:
+    """Its entry point may be the program, and its workspace known to its command alone."""
+    recipe = 'FROM ros:noetic-ros-base\nCOPY . /ws/src/robot\nRUN cd /ws && catkin_make\nCMD ["roslaunch", "robot"]\n'
+    asked = {"Dockerfile": recipe, "requirements.txt": "numpy\n", "roslab.yaml": "format: 3\ndockerfile: Dockerfile\n"}
+    found = rung_0(tmp_path, **asked)
+    assert [proof.name for proof in found] == [FOUND, "declared Python packages import", LIBRARIES]
+    assert not any(proof.required or proof.entrypoint for proof in found)
+    assert all("/devel/setup.bash" in proof.command[2] for proof in (found[0], found[2]))
+
+
+@pytest.mark.parametrize(
+    ("library", "code", "told"),
+    [(b"libc.so.6", 0, "programs looked at: 1"), (b"libq.so.6", 1, "libq.so.6 => not found")],
+)
+def test_libraries(tmp_path: Path, library: bytes, code: int, told: str) -> None:
+    """A program whose library is gone is found, among scripts and shared objects, in a folder of the environment."""
+    place = tmp_path / "devel/lib/robot"
+    place.mkdir(parents=True)
+    (place / "driver").write_bytes(Path("/bin/true").read_bytes().replace(b"libc.so.6", library))
+    (place / "script").write_text("#!/bin/sh\n")
+    (place / "libplugin.so").write_bytes(b"\x7fELF")
+    for file in place.iterdir():
+        file.chmod(0o755)
+    answer = subprocess.run(
+        ["bash", "-c", PREFIXES + LIBRARIES_SCRIPT, "proof"],
+        env={"PATH": "/usr/bin:/bin", "CMAKE_PREFIX_PATH": f"{tmp_path}/devel:/opt/ros/noetic"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (answer.returncode, told in answer.stdout) == (code, True), answer
