@@ -10,7 +10,7 @@ from pathlib import Path
 from roslab.engine import docker as engine
 from roslab.engine import gpu, registry
 from roslab.errors import BuildError, Problem
-from roslab.github import disk, explaining, screen, secrets, trial, workflow
+from roslab.github import disk, explaining, screen, secrets, tree, trial, workflow
 from roslab.github import run as runs
 from roslab.github.run import Folder, Run
 from roslab.plan.ladder import LOWER, Ladder, below
@@ -30,7 +30,7 @@ def prove(environment: Mapping[str, str]) -> None:
     run = folder.run
     build = json.loads(folder.read("build.json"))
     seconds = time.time() - build["started"]
-    platforms = build["platforms"].split(",")
+    platforms = tuple(build["platforms"].split(","))
     digest = environment.get("ROSLAB_DIGEST", "")
     with screen.screenshots(folder, run, platforms, environment):
         if run.push:
@@ -51,6 +51,8 @@ def prove(environment: Mapping[str, str]) -> None:
             trial.tell(folder, run, platforms, environment)
     if problems := [problem for problem in failed if problem]:
         raise BuildError(*problems)
+    said = {name: build[name] for name in ("mounts", "source")}
+    tree.keep(tree.Carrier(plan=run.plan, folder=folder.dockerfile, platforms=platforms, **said), build["tree"])
 
 
 def _prove_pushed(  # noqa: PLR0917 - what one platform's image is proved with

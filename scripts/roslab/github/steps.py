@@ -28,6 +28,7 @@ from roslab.github import (
     rebuild,
     report,
     secrets,
+    tree,
     trial,
     workflow,
 )
@@ -205,6 +206,10 @@ def dockerfile(environment: Environment) -> None:
         seconds,
     )
     mounts = cache.mounts(what, run.cache, variant=run.variant)
+    kept = cache.tree(what, publication, run.cache, image=run.image, part=part, variant=run.variant)
+    source = tree.source_of(run.plan, root)
+    carrier = tree.Carrier(plan=run.plan, folder=folder.dockerfile, platforms=platforms, mounts=mounts, source=source)
+    tree.take(carrier, kept.read)
     arguments = (*(authored.args if authored else ()), ("BUILDKIT_CACHE_MOUNT_NS", mounts))
     by_digest = f"type=image,name={run.image},push=true,push-by-digest=true,name-canonical=true"
     if run.plan.as_of:
@@ -229,7 +234,8 @@ def dockerfile(environment: Environment) -> None:
         "sbom": builder.scanner(environment, wanted=run.push and what.public, act=what.act),
     }
     build |= secrets.outputs(secrets.held(folder, run, environment))
-    folder.write("build.json", json.dumps({**build, "started": time.time()}))
+    later = {"started": time.time(), "tree": kept.write, "mounts": mounts, "source": source}
+    folder.write("build.json", json.dumps({**build, **later}))
     workflow.outputs(build, environment)
 
 

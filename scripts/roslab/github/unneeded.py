@@ -13,8 +13,8 @@ from roslab.github.tags import OWN, RESERVED, cleaned
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-CACHE = re.compile(r"buildcache-(?P<branch>.+)-[0-9a-f]{8}-(?:all|linux-[a-z0-9-]+)")
-"""A tag of cached layers, as ``cache`` forms it."""
+CACHE = re.compile(r"buildcache-(?P<branch>.+)-[0-9a-f]{8}-(?:all|linux)(?:-[a-z0-9-]+)?(?P<tree>\.tree)?")
+"""A tag of cached layers or of a build tree, as ``cache`` forms it."""
 ATTESTED = pattern(r"sha256-(?P<hex>[0-9a-f]{64})(?:\..+)?")
 """The tag under which a registry without referrers stores attestations and signatures of a digest.
 https://github.com/opencontainers/distribution-spec/blob/main/spec.md#referrers-tag-schema"""
@@ -145,10 +145,11 @@ def _cached(tag: str, version: Version, rules: Rules, closed: frozenset[str]) ->
     match = CACHE.fullmatch(tag)
     if not match:
         return ""
+    what = "a build tree" if match["tree"] else "layers"
     if match["branch"] in {name[:80] for name in closed}:
-        return f"layers of the branch {match['branch']}, which is closed"
+        return f"{what} of the branch {match['branch']}, which is closed"
     if not rules.pull and version.days is not None and version.days >= rules.days:
-        return f"layers that no build wrote for {int(version.days)} days"
+        return f"{what} that no build wrote for {int(version.days)} days"
     return ""
 
 

@@ -37,6 +37,12 @@ def recorded(root: Path, paths: tuple[str, ...]) -> dict[str, str]:
     return {match[2]: match[1] for match in matches if match}
 
 
+def entries(root: Path) -> dict[str, str]:
+    """Return the object of each file and folder right below a checkout's folder: it changes with what is in it."""
+    pairs = (line.split("\t", 1) for line in _read(root, "ls-tree", "HEAD").split("\n") if "\t" in line)
+    return {name: what for what, name in pairs}
+
+
 def is_tag(root: Path, name: str) -> bool:
     """Tell whether the commit of a checkout has this git tag."""
     commit = _read(root, "rev-parse", "--quiet", "--verify", f"refs/tags/{name}^{{commit}}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslab.github.cache import layers, mounts
+from roslab.github.cache import layers, mounts, tree
 from roslab.github.event import Event, publication
 from roslab.github.run import short
 
@@ -48,6 +48,20 @@ def test_a_pull_request_reads_and_never_writes(head: str | None) -> None:
 
 def test_a_release_reads_and_writes_nothing() -> None:
     assert decide(event(ref="refs/tags/v1.0.0"), "registry") == ((), ())
+
+
+def test_a_build_tree_lies_beside_the_layers_and_shares_no_tag_with_them() -> None:
+    def kept(found: Event) -> tuple[tuple[str, ...], str]:
+        decided = tree(found, publication(found, "auto"), "auto", image=IMAGE, part="linux-arm64")
+        return decided.read, decided.write
+
+    main, feature = (f"{reference(branch).partition('ref=')[2]}.tree" for branch in ("main", "feature"))
+    assert kept(PUSH) == ((main,), main)
+    assert kept(BRANCH) == ((feature, main), feature)
+    assert kept(PULL) == kept(FOREIGN) == ((main,), "")
+    assert kept(QUEUE)[1] == ""
+    assert kept(RELEASE) == ((), "")
+    assert kept(event(name="schedule")) == ((), main)
 
 
 def test_a_scheduled_build_reads_nothing() -> None:

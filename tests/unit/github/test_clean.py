@@ -60,7 +60,16 @@ def test_what_stays(tags: tuple[str, ...]) -> None:
 
 
 @pytest.mark.parametrize(
-    "tags", [("fix-it",), ("fix-it", "sha-0123456"), ("pr-7",), ("buildcache-fix-it-01234567-linux-arm64",)]
+    "tags",
+    [
+        ("fix-it",),
+        ("fix-it", "sha-0123456"),
+        ("pr-7",),
+        ("buildcache-fix-it-01234567-linux-arm64",),
+        ("buildcache-fix-it-01234567-all-base-1",),
+        ("buildcache-fix-it-01234567-linux-arm64.tree",),
+        ("buildcache-fix-it-01234567-all.tree",),
+    ],
 )
 def test_what_a_closed_branch_leaves(tags: tuple[str, ...]) -> None:
     assert going([version("a", *tags, days=0.1)]) == ["a"]

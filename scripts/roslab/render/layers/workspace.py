@@ -146,12 +146,17 @@ def compile_again(plan: Plan) -> str:
     build = plan.workspace.ros
     if build is None:
         return ""
-    cache = f"--mount=type=cache,id=build-{plan.name}-${{TARGETARCH}},target={BUILD_CACHE}"
-    kept = secrets.Secrets(mounts=(f"{cache},uid=${{NB_UID}},sharing=locked",))
+    kept = secrets.Secrets(mounts=(tree_mount(plan),))
     run = shell.run(f". {setups(plan)[0]}", *_commands(build, again="reuse-build "), secrets=kept)
     script = "COPY --from=scripts /compile-jobs /reuse-build /usr/local/bin/\n"
     run = run.replace(shell.copy_script("compile-jobs"), "")
     return f"ARG TARGETARCH\nWORKDIR {WS}\n{script}{run}"
+
+
+def tree_mount(plan: Plan) -> str:
+    """Return the mount in which the build tree outlives a build; BuildKit knows it by all of these words."""
+    cache = f"--mount=type=cache,id=build-{plan.name}-${{TARGETARCH}},target={BUILD_CACHE}"
+    return f"{cache},uid=${{NB_UID}},sharing=locked"
 
 
 def _commands(build: RosBuild, again: str = "") -> list[str]:
