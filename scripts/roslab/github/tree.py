@@ -77,7 +77,7 @@ def source_of(plan: Plan, root: Path) -> str:
 
 def take(carrier: Carrier, references: Sequence[str]) -> None:
     """Fill the mount from the first of these images that exists, if it has no tree yet."""
-    if not carrier.carries:
+    if not references or not carrier.carries:
         return
     with workflow.group("Take the build tree of the last build"):
         any(_taken(carrier, reference) for reference in references)
