@@ -31,7 +31,7 @@ class Census:
     _last: dict[int, Process] = field(default_factory=dict, init=False)
     _gone: Counter[tuple[int, str]] = field(default_factory=Counter, init=False)
     _launched: Counter[str] = field(default_factory=Counter, init=False)
-    _others: Counter[str] = field(default_factory=Counter, init=False)
+    _others: Counter[tuple[int, str]] = field(default_factory=Counter, init=False)
 
     def look(self, container: str) -> None:
         """Look at a container's processes; it is no error if it has ended."""
@@ -42,16 +42,28 @@ class Census:
     def take(self, now: dict[int, Process]) -> None:
         """Compare the processes with those of earlier looks: the same command with another number was started anew.
 
-        There may be none of it at a look between, because a launch may wait before it starts a node again.
+        There may be none of it at a look between, because a launch may wait before it starts a node again. What a shell
+        ran before it became another command, for example the setup files that an entry point sources, is forgotten.
         """
+        for number, process in self._last.items():
+            if number in now and now[number].command != process.command:
+                self._forget_children(number)
         self._gone.update(_key(process) for number, process in self._last.items() if number not in now)
         for number, process in now.items():
             if number not in self._last and self._gone[_key(process)]:
                 self._gone[_key(process)] -= 1
                 parent = now.get(process.parent)
-                counted = self._launched if parent and launches(parent.command) else self._others
-                counted[_name(process.command)] += 1
+                if parent and launches(parent.command):
+                    self._launched[_name(process.command)] += 1
+                else:
+                    self._others[process.parent, _name(process.command)] += 1
         self._last = now
+
+    def _forget_children(self, number: int) -> None:
+        for key in [key for key in self._gone if key[0] == number]:
+            del self._gone[key]
+        for key in [key for key in self._others if key[0] == number]:
+            del self._others[key]
 
     @property
     def respawned(self) -> tuple[str, ...]:
@@ -61,7 +73,7 @@ class Census:
     @property
     def restarted(self) -> tuple[str, ...]:
         """What others started anew, for example a loop of a shell; whether it had failed is not known."""
-        return _told(self._others)
+        return _told(Counter([name for _, name in self._others.elements()]))
 
 
 def read(text: str) -> dict[int, Process]:
