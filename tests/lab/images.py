@@ -104,6 +104,12 @@ def make(image: Image, others: Sequence[Image], env: dict[str, str]) -> str:
     return f"{state} for {', '.join(image.architectures)}; {digest[7:19]}"
 
 
+def stands(identity: str, name: str, env: dict[str, str]) -> bool:
+    """Tell whether the engine's image of this real name is the stand-in with this id, made by whatever recipe."""
+    listed = ["docker", "image", "ls", "--no-trunc", "--format", "{{.ID}}", f"lab/{identity}"]
+    return _digests([name], env).get(name, "") in run(listed, env=env).split()
+
+
 def _forget_older(image: Image, reference: str, env: dict[str, str]) -> None:
     """Untag what earlier recipes of the same image made, so that a changed recipe does not fill the disk."""
     listed = run(["docker", "image", "ls", "--format", "{{.Repository}}:{{.Tag}}", f"lab/{image.id}"], env=env).split()

@@ -143,6 +143,8 @@ def current() -> Laboratory:
     Raises LabError, saying what is missing, when it is not up; it starts nothing.
     """
     missing = [name for name, state in status().items() if state in {"none", "down", "not decided yet"}]
+    if not missing and _packages_without_image():
+        missing = ["ros:jazzy-ros-base of the packages that it was given"]
     if missing:
         raise LabError(f"the lab is not up ({', '.join(missing)}): run `python3 tests/lab up` first")
     username, password = registry.credentials()
@@ -154,6 +156,15 @@ def current() -> Laboratory:
         act=tools.act(), node=tools.node(), docker_config=Path(environment["DOCKER_CONFIG"]),
         standins=standins, ros2=not standins or packages_folder.place("jazzy") is not None, environment=environment,
     )  # fmt: skip
+
+
+def _packages_without_image() -> bool:
+    """Tell whether the lab has packages of Jazzy, and its image is still the usual one, or another's.
+
+    Without this a test that needs rclcpp would run on an image whose names of ROS 2 packages are Debian's of ROS 1.
+    """
+    given = _standins_marker().read_text() == "yes" and packages_folder.place("jazzy") is not None
+    return given and not images.stands("jazzy-packages", "ros:jazzy-ros-base", _docker_environment())
 
 
 @contextmanager

@@ -10,7 +10,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from lab import registry
+from lab import images, registry
 from lab.act import run_workflow
 from lab.laboratory import Laboratory
 
@@ -100,6 +100,16 @@ def test_ros_1_builds_and_resolves_without_a_network(lab: Laboratory, tmp_path: 
     built = build(lab, tmp_path, "\n".join(lines) + "\n")
     assert built.returncode == 0, built.stderr
     assert f"ros-{distro}-roscpp" in built.stderr
+
+
+def test_the_lab_knows_which_stand_in_has_a_real_name(lab: Laboratory) -> None:
+    """Packages of ROS 2 that were given are no promise: the names may still be those of the image without them."""
+    if not lab.standins:
+        pytest.skip("the images are the real ones, not stand-ins")
+    environment = dict(lab.environment)
+    assert images.stands("base", "debian:12", environment)
+    assert not images.stands("jazzy-packages", "debian:12", environment)
+    assert images.stands("jazzy-packages", "ros:jazzy-ros-base", environment) is lab.ros2
 
 
 def test_ros_2_builds_an_ament_package(lab: Laboratory, tmp_path: Path) -> None:
