@@ -234,3 +234,12 @@ def test_a_build_command_alone_on_its_line(tmp_path: Path) -> None:
     page = "Build it:\n\n    cd ~/catkin_ws\n    catkin_make\n\nThen catkin_make is done.\n"
     found = read(readme, tmp_path, {"README.md": page})
     assert [(m.value, m.line) for m in found.mentions if m.topic == "build_tool"] == [("catkin_make", 4)]
+
+
+@pytest.mark.parametrize("substitution", ["`ros2 pkg prefix thing`", "$(ros2 pkg prefix thing)"])
+def test_what_only_a_shell_knows_stays_unknown_in_a_command(tmp_path: Path, substitution: str) -> None:
+    text = f"Run it:\n\n```bash\nros2 run thing load {substitution}/lib/libtalker.so --once\n```\n"
+    prose = read(readme, tmp_path, {"README.md": text})
+    assert [mention.value for mention in prose.mentions if mention.topic == "command"] == [
+        "ros2 run thing load …/lib/libtalker.so --once"
+    ]

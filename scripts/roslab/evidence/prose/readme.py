@@ -191,7 +191,8 @@ def _section(line: str, below: str, elsewhere: int) -> int:
 
 def _shell(line: str, *, fenced: bool) -> Iterator[str]:
     if match := _START.match(line.replace("\\\n", "\\\x01")):
-        yield re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n").replace("`", "")
+        shell = re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n")
+        yield shell if fenced else shell.replace("`", "")  # in a block they are the shell's, not Markdown's
     elif fenced:
         yield line
     else:
