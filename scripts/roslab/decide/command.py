@@ -95,7 +95,7 @@ def _obvious(
         only = obvious[0]
         why = f"the only one: {only.why}"
         return only.argv, because("command", shlex.join(only.argv), why, only, weight=Weight.ONLY_ONE)
-    why = f"{len(found)} programs could be the default" if found else "no program stands out"
+    why = f"{len(found)} program{'s' * (len(found) > 1)} could be the default" if found else "no program stands out"
     said = because("command", "bash", f"{why}, so it is a shell; set `command` in roslab.yaml", weight=Weight.SHELL)
     return ("bash",), said
 
