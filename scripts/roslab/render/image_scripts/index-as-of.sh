@@ -93,7 +93,9 @@ if [ ! -s "${ready}" ]; then
   echo "echo 'roslab: the index of $1 cannot be served' && false"
   exit 0
 fi
-echo "export PIP_INDEX_URL=http://127.0.0.1:$(cat "${ready}")/simple/ PIP_TRUSTED_HOST=127.0.0.1 PIP_NO_COMPILE=1"
+echo "export PIP_INDEX_URL=http://127.0.0.1:$(cat "${ready}")/simple/ PIP_TRUSTED_HOST=127.0.0.1"
+# Older Pythons know no compiled modules without the times of their sources; of pip's option, a "no" is the yes
+"${python}" -c 'import sys; sys.exit(sys.version_info < (3, 7))' || echo 'export PIP_NO_COMPILE=no PYTHONDONTWRITEBYTECODE=1'
 # shellcheck disable=SC2016 # for the shell that evaluates it
 echo 'export no_proxy="127.0.0.1${no_proxy:+,${no_proxy}}"'
 rm -f "${ready}"

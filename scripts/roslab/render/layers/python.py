@@ -55,8 +55,11 @@ def environment(plan: Plan) -> str:
                 "# A virtual environment of the user's own; the base's Python packages stay visible in it",
                 "ENV VIRTUAL_ENV=/opt/venv \\\n    PATH=/opt/venv/bin:${PATH}",
                 shell.run(
-                    "python3 -m venv --system-site-packages /opt/venv",
-                    *secrets.as_of(plan),
+                    secrets.REPEATABLE,
+                    *_venv("/opt/venv"),
+                    "sed --in-place '/^include-system-site-packages/s/false/true/' /opt/venv/pyvenv.cfg",
+                    # What is pinned may be newer than the day
+                    *(() if plan.python_tools.pinned else secrets.as_of(plan)),
                     f"python3 -m pip install --no-cache-dir --upgrade{shell.words(tools)}",
                     around=locks.constraints(plan),
                 ),
@@ -73,11 +76,20 @@ def environment(plan: Plan) -> str:
         # An old distribution's pip knows no wheels of today, and today's pip does not run on its Python
         lines.append(
             shell.run(
+                secrets.REPEATABLE,
                 f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}",
                 around=locks.constraints(plan),
             )
         )
     return "\n".join(lines)
+
+
+def _venv(folder: str) -> tuple[str, str]:
+    """Return the commands that make a virtual environment with a pip of its own.
+
+    ``venv`` itself calls ensurepip without Python's variables, one of which makes its compiled modules the same each time.
+    """
+    return f"python3 -m venv --without-pip {folder}", f"{folder}/bin/python -m ensurepip --upgrade --default-pip"
 
 
 def _both_pips(plan: Plan) -> str:
@@ -86,7 +98,8 @@ def _both_pips(plan: Plan) -> str:
     ``pip`` is Python 3's, as it was; where the author has packages for Python 2 it becomes Python 2's with them.
     """
     return f"""\
-RUN if python2 -m pip --version >/dev/null 2>&1; then \\
+RUN {secrets.REPEATABLE} \\
+ && if python2 -m pip --version >/dev/null 2>&1; then \\
       python2 -m pip install --no-cache-dir --upgrade{_words(python2_installers())}; \\
     fi; \\
     python3 -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}"""
@@ -256,7 +269,8 @@ def jupyter(plan: Plan) -> str:
     before, files = locks.pip(plan, "/opt/jupyter/bin/python", "", "jupyter")
     around = locks.constraints(plan, "jupyter")
     return shell.run(
-        "python3 -m venv /opt/jupyter",
+        secrets.REPEATABLE,
+        *_venv("/opt/jupyter"),
         f"{pip} --upgrade{shell.words(_tools(plan))}",
         *files,
         f"{pip}{shell.words(plan.python_tools.jupyter)}",

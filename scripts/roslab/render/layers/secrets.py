@@ -23,6 +23,13 @@ GIT_SSH = "ssh -o BatchMode=yes -o StrictHostKeyChecking=accept-new -o UserKnown
 """An image that is built knows no host yet: the key that a host shows is believed, as by a fresh checkout."""
 
 
+REPEATABLE = "export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0"
+"""Python then compiles modules to files that hold no time, and that are the same each time. 1980 is a zip's first year.
+
+https://peps.python.org/pep-0552/
+"""
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Secrets:
     """What one step mounts, and the commands that tell its programs where to look."""
@@ -36,7 +43,7 @@ NONE = Secrets()
 
 def for_pip(plan: Plan, user: User = "root") -> Secrets:
     """Return what pip needs: the private index, and logins for packages from git."""
-    return _of(plan, (PIP_INDEX, NETRC, SSH), user, first=as_of(plan))
+    return _of(plan, (PIP_INDEX, NETRC, SSH), user, first=before_pip(plan))
 
 
 def for_git(plan: Plan, user: User = "root") -> Secrets:
@@ -51,7 +58,12 @@ def for_apt(plan: Plan) -> Secrets:
 
 def for_both(plan: Plan) -> Secrets:
     """Return what rosdep needs, which calls apt and pip."""
-    return _of(plan, (APT_AUTH, PIP_INDEX, NETRC, SSH), "root", first=as_of(plan))
+    return _of(plan, (APT_AUTH, PIP_INDEX, NETRC, SSH), "root", first=before_pip(plan))
+
+
+def before_pip(plan: Plan) -> tuple[str, ...]:
+    """Return the commands before those of pip: the same packages give the same bytes, of the plan's day if it has one."""
+    return (REPEATABLE, *as_of(plan))
 
 
 def as_of(plan: Plan) -> tuple[str, ...]:
