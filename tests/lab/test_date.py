@@ -107,7 +107,8 @@ def base(lab: Laboratory, tmp_path: Path, ubuntu: Signer, proxy: str) -> str:
     files = {
         "apt/sources.list": "deb http://archive.ubuntu.com/ubuntu/ jammy main\n",
         "apt/apt.conf.d/zz-lab": f'Acquire::http::Proxy "{proxy}";\nAcquire::Retries "0";\n',
-        "Dockerfile": "FROM python:3.12-slim\nRUN rm -rf /etc/apt/sources.list /etc/apt/sources.list.d /var/lib/apt/lists/*\n"
+        "Dockerfile": "FROM python:3.12-slim\n"
+        "RUN rm -rf /etc/apt/sources.list /etc/apt/sources.list.d /var/lib/apt/lists/*\n"
         f"COPY apt/ /etc/apt/\nCOPY ubuntu.gpg /etc/apt/trusted.gpg.d/\nENV http_proxy={proxy} PIP_INDEX_URL={INDEX}\n"
         "RUN apt-get update && apt-get install robot-tool && grep 3.0 /usr/share/robot-tool\n",
     }

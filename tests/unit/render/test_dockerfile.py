@@ -75,7 +75,7 @@ def test_layers_go_from_rarely_to_often_changing() -> None:
         "COPY --from=library-1-ceres",
         "sister.git",
         "COPY talker/package.xml /tmp/manifests/talker/",
-        "RUN install-rosdep-keys",
+        " && install-rosdep-keys",
         "numpy==1.17",
         "FROM dependencies AS compiled\nUSER ${NB_USER}\nWORKDIR /home/${NB_USER}/ws/src/paper\nCOPY --from=source ",
         "catkin_make -j",
@@ -154,7 +154,7 @@ def test_a_new_script_repeats_no_step_before_its_first_use() -> None:
 def test_manifests_are_copied_by_name_each_step_its_own() -> None:
     python = Python(version="3.8", manager="system", requirements=("a b/req.txt",), manifests=("a b/more.txt",))
     text = written(plan(packages=("package.xml", "b/package.xml"), python=python))
-    rosdep, pip = text.split("RUN install-rosdep-keys /tmp/manifests")
+    rosdep, pip = text.split(" && install-rosdep-keys /tmp/manifests")
     assert "COPY package.xml /tmp/manifests/\nCOPY b/package.xml /tmp/manifests/b/\n" in rosdep
     assert "req.txt" not in rosdep, "an edit of the requirements repeats nothing of rosdep's"
     assert 'COPY ["a b/more.txt", "a b/req.txt", "/tmp/manifests/a b/"]\n' in pip
@@ -257,7 +257,7 @@ def test_old_formats_build_libraries_in_place_after_pythons_packages() -> None:
         base=Base(cmake_update="3.18.4"),
     )
     text = written(plan(config, source=(CERES,), python=python))
-    jupyter, libraries = ("/opt/jupyter", "cmake-3.18.4.tar.gz"), ("example.org/ceres.git", "RUN install-rosdep-keys")
+    jupyter, libraries = ("/opt/jupyter", "cmake-3.18.4.tar.gz"), ("example.org/ceres.git", " && install-rosdep-keys")
     order = positions(text, *jupyter, "scipy", *libraries)
     assert order == sorted(order)
     assert "AS library-" not in text
@@ -371,7 +371,7 @@ def test_how_pip_builds(plan: Callable[..., Plan]) -> None:
     assert '\n    TORCH_CUDA_ARCH_LIST="7.0;7.5+PTX"\n' in text
     assert "git config --system --add url.https://github.com/.insteadOf git://github.com/ \\\n" in text
     assert "--add url.https://github.com/.insteadOf git@github.com:\n" in text
-    assert "RUN CONDA_CHANNELS=defaults micromamba create" in text
+    assert " && CONDA_CHANNELS=defaults micromamba create" in text
     assert text.index("insteadOf") < text.index("micromamba create")  # its pip part clones
     assert "insteadOf" not in dockerfile(plan())
     assert "TORCH_CUDA_ARCH_LIST" not in dockerfile(plan())

@@ -87,7 +87,7 @@ def environment(plan: Plan) -> str:
 def _venv(folder: str) -> tuple[str, str]:
     """Return the commands that make a virtual environment with a pip of its own.
 
-    ``venv`` itself calls ensurepip without Python's variables, one of which makes its compiled modules the same each time.
+    ``venv`` itself calls ensurepip without Python's variables, one of which makes compiled modules the same each time.
     """
     return f"python3 -m venv --without-pip {folder}", f"{folder}/bin/python -m ensurepip --upgrade --default-pip"
 

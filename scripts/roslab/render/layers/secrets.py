@@ -62,7 +62,7 @@ def for_both(plan: Plan) -> Secrets:
 
 
 def before_pip(plan: Plan) -> tuple[str, ...]:
-    """Return the commands before those of pip: the same packages give the same bytes, of the plan's day if it has one."""
+    """Return the commands before those of pip: they write the same bytes again, of the plan's day if it has one."""
     return (REPEATABLE, *as_of(plan))
 
 
