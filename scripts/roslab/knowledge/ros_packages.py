@@ -20,6 +20,11 @@ def ros_packages(release: Distro) -> PackageSource:
     return last_snapshot(release) if release.rosdistro_tag else _source(release, f"ros{release.ros}")
 
 
+def first_source(release: Distro) -> str:
+    """Return the address that the packages of a distribution had while it was maintained."""
+    return _source(release, f"ros{release.ros}").url
+
+
 def last_snapshot(release: Distro) -> PackageSource:
     """Return the snapshot of a distribution as it was, or will be, at its end."""
     return _source(release, "ended")

@@ -32,6 +32,7 @@ from roslab.plan.packages import image_packages
 from roslab.plan.proof import Proof
 from roslab.plan.proofs import proofs
 from roslab.plan.python import PythonPlan, python_plan
+from roslab.plan.upstreams import Upstream, upstreams
 from roslab.plan.version import SourceVersion
 from roslab.plan.workspace import Workspace, custom, library, workspace
 from roslab.values.dataclass import dataclass
@@ -133,6 +134,8 @@ class Plan:
     """Lines of the author's .dockerignore, which are kept."""
     warnings: tuple[Warning_, ...]
     reasons: tuple[Reason, ...]
+    upstreams: tuple[Upstream, ...] = ()
+    """What no longer answers, and what replaces it."""
     lock: Lock | None = None
     """Versions that an earlier image was made of and this one is made of again."""
 
@@ -201,6 +204,8 @@ def make_plan(
         ports=config.ports,
         matlab=config.matlab,
     )
+    sources = package_sources(decision)
+    tools = python_tools(decision.python.version, decision.ubuntu)
     return Plan(
         version=VERSION,
         name=name,
@@ -210,7 +215,7 @@ def make_plan(
         ros_distro=decision.ros_distro,
         ubuntu=decision.ubuntu,
         base_image=decision.base_image,
-        package_sources=package_sources(decision),
+        package_sources=sources,
         as_of=as_of(decision),
         build_tool=decision.build_tool,
         author_dockerfile=author_dockerfile,
@@ -227,7 +232,7 @@ def make_plan(
         ),
         rosdep_keys=decision.rosdep,
         python=python_plan(decision.python, decision.compiling),
-        python_tools=python_tools(decision.python.version, decision.ubuntu),
+        python_tools=tools,
         source_version=source_version,
         workspace=place,
         custom=custom(config, place),
@@ -246,6 +251,13 @@ def make_plan(
         ignore=ignore,
         warnings=(*decision.warnings, *lacking(decision)),
         reasons=decision.reasons,
+        upstreams=upstreams(
+            decision,
+            sources=sources,
+            rosdistro_tag=rosdistro_tag,
+            installers=() if decision.python.manager == "conda" else tools.installers,
+            bases=author_dockerfile.bases if author_dockerfile else (),
+        ),
     )
 
 

@@ -74,6 +74,8 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
     lines += _packages(decision, plan)
     replaced = (f"{base.name} by {base.image}: {base.why}" for base in decision.bases)
     lines += _section("bases that the build of the Dockerfile replaces", replaced, rows=True)
+    gone = (f"{each.name} → {each.instead}: {each.why}" for each in plan.upstreams)
+    lines += _section("upstreams that no longer answer → what replaces them", gone, rows=True)
     lines += _section(
         "from source",
         (f"{s.name} {s.repo or s.zip or ''} {s.ref or '(no fixed ref)'}".strip() for s in decision.source),
