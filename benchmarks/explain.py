@@ -21,6 +21,7 @@ from io import BytesIO
 from pathlib import Path
 
 from roslab.explain.answer import Answer, explain
+from roslab.repair import dockerfile
 
 RIGHT, WRONG = 0.90, 0.03
 """Share of the logs that must be explained rightly, and that may be explained wrongly."""
@@ -40,6 +41,11 @@ def verdict(answer: Answer, row: dict[str, str]) -> str:
     return "right" if re.search(row["fix_regex"], fixes, FLAGS) else "cause only"
 
 
+def has_lines(answer: Answer) -> bool:
+    """Return whether an answer holds lines to paste, into roslab.yaml or an author's own Dockerfile."""
+    return bool(dockerfile.suggested(answer)) or any(found.repair for found in answer.explanations)
+
+
 def score(folder: Path) -> bool:
     """Print what became of each log that was not explained rightly, and the counts; tell whether the goals are met."""
     with (folder / "truth.tsv").open(encoding="utf-8", newline="") as stream:
@@ -53,12 +59,14 @@ def score(folder: Path) -> bool:
         slowest = max(slowest, time.process_time() - begun)
         found = verdict(answer, row)
         counts[found] += 1
+        counts["lines"] += found == "right" and has_lines(answer)
         if found != "right":
             known = ", ".join(each.id or "no known cause" for each in answer.explanations)
             uncertain = ", its log does not settle it" if row.get("certain") == "no" else ""
             print(f"{row['file']}: {found} ({known}); {row['class']}{uncertain}")
     told = ", ".join(f"{counts[name]} {name}" for name in ("right", "cause only", "wrong", "unknown"))
     print(f"{len(rows)} logs: {told}; slowest {slowest:.2f} s on the processor")
+    print(f"{counts['lines']} of the right ones with lines to paste, made from the log alone")
     return counts["right"] >= RIGHT * len(rows) and counts["wrong"] <= WRONG * len(rows)
 
 

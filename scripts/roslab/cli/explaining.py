@@ -37,11 +37,16 @@ def explain(options: argparse.Namespace) -> int:
         sys.stdout.write(words.as_json(answer, repair_words.data(found) if planned else None))
     else:
         sys.stdout.write(words.text(answer, lines=planned is None))
-        if planned:
-            sys.stdout.write(_lines(answer, planned, found, options))
+        sys.stdout.write(_lines(answer, planned, found, options) if planned else _alone(answer))
     if options.apply and planned:
         _apply(options, planned, found)
     return 0
+
+
+def _alone(answer: Answer) -> str:
+    """Return what the log alone says to change in the author's own Dockerfile."""
+    lines = dockerfile.suggested(answer).splitlines(keepends=True)
+    return "".join(["in the Dockerfile:\n", *(f"  {line}" for line in lines)]) if lines else ""
 
 
 def _lines(answer: Answer, planned: Planned, found: Repair, options: argparse.Namespace) -> str:

@@ -173,6 +173,35 @@ def _advice(names: Names, _: Image) -> Names:
     return {"advice": next((row["advice"] for row in rows("package_advice") if row["package"] == name), "")}
 
 
+_APACHE = re.compile(
+    r"(?P<mirror>https?://(?!archive\.)(?:(?:[\w-]+\.)*apache\.org(?:/dist)?|apache\.[\w.-]+|[\w.-]+(?:/pub)?/apache(?:/dist)?))/[a-z]"
+)
+
+
+def _mirror(names: Names, _: Image) -> Names:
+    """Name the beginning of an address at a mirror of Apache's, which keep the newest releases only."""
+    found = _APACHE.match(names.get("address", ""))
+    return {"mirror": found["mirror"]} if found else {}
+
+
+_CUDA = pattern(
+    r"^nvidia/cuda:(?P<cuda>\d{1,2}\.\d)(?:\.\d)?(?P<cudnn>-cudnn\d?)?-(?P<kind>base|runtime|devel)-ubuntu(?P<ubuntu>\d\d\.\d\d)$"
+)
+
+
+def _cuda_image(names: Names, _: Image) -> Names:
+    """Name the tag of NVIDIA that is there for the CUDA and the Ubuntu of one that is not."""
+    found = _CUDA.match(names.get("image", ""))
+    if found is None:
+        return {}
+    for row in rows("cuda_images"):
+        if row["cuda"] == found["cuda"] and ubuntus().get(found["ubuntu"]) in row["ubuntu"].split():
+            cudnn = f"-{row['cudnn']}" if found["cudnn"] else ""
+            now = f"nvidia/cuda:{row['tag']}{cudnn}-{found['kind']}-ubuntu{found['ubuntu']}"
+            return {"package": now} if now != names["image"] else {}
+    return {}
+
+
 LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "release": _release,
     "apt": _renamed,
@@ -180,10 +209,12 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "api": _api,
     "argument": _argument,
     "cmake": _library("cmake", "name"),
+    "cuda-image": _cuda_image,
     "header": _library("include", "header"),
     "hidden": _hidden,
     "include-path": _built_with,
     "link": _library("link", "library"),
+    "mirror": _mirror,
     "module": _table("imports", "module", "pip", "module"),
     "namespace": _namespace,
     "pkg-config": _library("pkg-config", "module"),

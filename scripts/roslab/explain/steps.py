@@ -95,6 +95,11 @@ _FINAL = pattern(
     r"|[Ee]rror(?: building at STEP|: error building at STEP)"
     r"|executor failed running "
 )
+_COMMAND = pattern(
+    r"(?:process \"|executor failed running \[)/bin/(?:ba|da|z)?sh (?:-[a-z]{1,6} (?:pipefail )?){0,3}-c "
+    r"(.{1,5000}?)(?:\" did not complete|\]: exit code)",
+    re.DOTALL,
+)
 _GOOD = pattern(r"Successfully (?:built [0-9a-f]{12}|tagged \S{1,200})$")
 
 
@@ -222,10 +227,12 @@ class _Reader:
             owner = at if at in failed else (failed[-1] if failed else None)
             if owner is not None and not owner.error:
                 owner.error = line.text
+        place = self._place()
         if not failed and self.errors:
             self.rest.error = self.errors[-1][0].text
             self.rest.lines += [line for line, _ in self.errors]
-        place = self._place()
+            self.rest.name = _named(self.rest.error)
+            self.rest.place = place
         if place and len(failed) == 1:
             failed[0].place = place
         return Log(steps=steps, failed=failed, rest=self.rest, lines=number, succeeded=self.good)
@@ -234,6 +241,12 @@ class _Reader:
         """Return the Dockerfile and the line that BuildKit names after the repetition."""
         found = [match for line in self.rest.lines[-200:] if (match := _PLACE.match(line.text))]
         return (found[-1][1], int(found[-1][2])) if found else None
+
+
+def _named(error: str) -> str:
+    """Return the name of the step that the builder's last words repeat, of a log that lacks all before them."""
+    found = _COMMAND.search(error)
+    return f"[failed] RUN {found[1]}".replace('\\"', '"') if found else ""
 
 
 def _is_optional(step: Step) -> bool:

@@ -14,7 +14,7 @@ from roslab.explain.answer import Answer, Explanation
 def text(answer: Answer, *, lines: bool = True) -> str:
     """Return an answer as text: for each failed step its place, line, cause and fix.
 
-    ``lines`` adds what the log alone says about roslab.yaml and about an author's own Dockerfile.
+    ``lines`` adds what the log alone says about roslab.yaml.
     """
     if not answer.explanations:
         what = "The build in this log went well." if answer.succeeded else "This log holds nothing that failed."
@@ -34,9 +34,6 @@ def _one(found: Explanation, *, lines: bool) -> str:
         likely = "" if found.certainty == "certain" else " (likely)"
         out += [f"cause{likely}: {found.cause}", f"fix:   {found.fix}"]
         out += [f"roslab.yaml: {key}: [{', '.join(values)}]" for key, values in found.repair if lines]
-        out += [
-            f"or in a Dockerfile of your own, before this step: {line}" for line in dockerfile_lines(found) if lines
-        ]
     else:
         out.append("no known cause. The lines that matter:")
         out += [f"  {line}" for line in found.lines] or ["  (none: the log is empty or cut off)"]

@@ -7,6 +7,7 @@ A repair is one table with the id of a failure (``failures_*.toml``):
                 what the failure captured
 ``way``         in place of ``value``: the way in which it is worked out from plan and log, see ``repair/ways.py``
 ``dockerfile``  instructions to insert before the failed one in an author's own Dockerfile, with ``{name}``
+``only``        regular expression, without names: these instructions are for a failed one that it matches
 ``find``        regular expression, with ``{name}``, on the failed instruction of such a Dockerfile;
                 ``replace`` is what is written in its place
 ``source``      addresses where the fact stands, ``date`` when it was read
@@ -34,6 +35,7 @@ class Repair:
     value: str = ""
     way: str = ""
     dockerfile: tuple[str, ...] = ()
+    only: str = ""
     find: str = ""
     replace: str = ""
 

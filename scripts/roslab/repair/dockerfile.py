@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import difflib
 import re
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 from roslab.evidence.lex.dockerfile import Instruction, instructions
 from roslab.explain.answer import Answer, Explanation
@@ -53,9 +55,31 @@ def edited(text: str, changes: tuple[Edit, ...]) -> str:
     return "".join(lines)
 
 
+def suggested(answer: Answer) -> str:
+    """Return the edits as far as a log alone shows the instructions, ``""`` if none: lines with ``-`` and ``+``.
+
+    Their spaces are guessed, because a log has each instruction on one line.
+    """
+    out: list[str] = []
+    for found in answer.explanations:
+        image = dict(found.names).get("image", "")
+        step = (
+            " ".join(found.step.split(None, 1)) if found.step.startswith("RUN ") else f"FROM {image}" if image else ""
+        )
+        text = re.sub(r"[ \t]{3,}", " \\\\\n    ", step) + "\n"
+        changes = edits(replace(answer, explanations=(replace(found, line=None, step=step),)), text) if step else ()
+        new = edited(text, changes)
+        lines = difflib.unified_diff(text.splitlines(), new.splitlines(), n=1, lineterm="")
+        out += [line for line in lines if not line.startswith(("---", "+++", "@@"))]
+    return "".join(f"{line}\n" for line in dict.fromkeys(out))
+
+
 def _failed(found: Explanation, text: str) -> Instruction | None:
-    """Return the instruction that failed: by the line that the builder names, else by its words."""
+    """Return the instruction that failed: by the line that the builder names, else by its words or its image."""
     known = list(instructions(text))
+    if image := dict(found.names).get("image", ""):
+        named = re.compile(rf"(?<![\w./-]){re.escape(image)}(?![\w./-])")
+        return next((one for one in known if one.name == "FROM" and named.search(one.text)), None)
     if found.line is not None:
         at_or_before = [one for one in known if one.line <= found.line]
         return at_or_before[-1] if at_or_before else None
@@ -71,17 +95,48 @@ def _edit(found: Explanation, failed: Instruction, text: str) -> Edit | None:
     lines = text.splitlines()
     end = _end(failed, text)
     old = lines[failed.line - 1 : end]
-    names = dict(found.names)
+    names = {**dict(found.names), "pip_program": _pip(failed.text)}
     known = repairs().get(found.id or "")
     before, new = dockerfile_lines(found), old
     if known is not None:
-        before = before or [filled(line, names) for line in known.dockerfile if _complete(line, names)]
-        if known.find and _complete(known.find, names) and _complete(known.replace, names):
-            pattern = _pattern(known.find, names)
-            new = pattern.sub(lambda _: filled(known.replace, names), "\n".join(old)).split("\n")
+        if not before and (not known.only or re.search(known.only, failed.text)):
+            before = [filled(line, names) for line in known.dockerfile if _complete(line, names)]
+        for each in _each(names) if known.find else ():
+            if _complete(known.find, each) and _complete(known.replace, {**each, **names}):
+                new = _pattern(known.find, each).sub(_literal(known.replace, each), "\n".join(new)).split("\n")
+    new = [line for line in new if line.strip() != "\\" or line in old]
     if not before and new == old:
         return None
     return Edit(line=failed.line, end=end, new=(*_as_root(before, failed, text), *new))
+
+
+def _pip(command: str) -> str:
+    """Return pip as an instruction calls it, or the pip of the Python that it starts."""
+    if found := re.search(r"(?:\bpython[\d.]* -m )?\bpip[\d.]*(?= install)", command):
+        return found[0]
+    python = re.search(r"\bpython[\d.]*(?= )", command)
+    return f"{python[0]} -m pip" if python else "pip"
+
+
+def _each(names: dict[str, str]) -> Iterator[dict[str, str]]:
+    """Yield the names for each of several packages; a list of fewer values gives nothing for the last packages.
+
+    ``packages`` holds names with their versions.
+    """
+    pinned = [re.split(r"(?=[=<>])", one, maxsplit=1) for one in names.get("packages", "").split(", ") if "=" in one]
+    packages = names["name"].split(", ") if "name" in names else [one[0] for one in pinned] or [""]
+    if len(packages) == 1 and "name" in names:
+        yield names
+        return
+    lists = {key: names[key].split(", ") for key in ("package", "version") if key in names}
+    lists |= {"version": [one[1] for one in pinned]} if "name" not in names and pinned else {}
+    for at, package in enumerate(packages):
+        yield {**names, "name": package, **{key: (each[at : at + 1] or [""])[0] for key, each in lists.items()}}
+
+
+def _literal(template: str, names: dict[str, str]) -> Callable[[re.Match[str]], str]:
+    new = re.sub(r"\{([a-z_]+)\}", lambda name: names.get(name[1], ""), template)
+    return lambda _: new
 
 
 def _pattern(find: str, names: dict[str, str]) -> re.Pattern[str]:

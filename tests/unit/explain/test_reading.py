@@ -358,3 +358,17 @@ def test_a_repeated_line_loses_its_seconds_and_no_other_number() -> None:
     log += b" > [2/9] RUN npm i npm@latest -g:\n3.257 %s\n------\n" % said
     (found,) = explain(io.BytesIO(log)).explanations
     assert dict(found.names)["needs"] == "^18.17.0 || >=20.5.0"
+
+
+def test_the_builder_s_last_words_name_the_step_of_a_log_without_its_beginning() -> None:
+    log = r"""9.2 ERROR: your rosdep installation has not been initialized yet.  Please run:
+------
+Dockerfile:7
+--------------------
+   7 | >>> RUN cd /ws && rosdep install --from-paths src
+--------------------
+ERROR: failed to solve: process "/bin/bash -o pipefail -c echo \"a\" && rosdep install" did not complete successfully: x
+"""
+    (found,) = explain(io.BytesIO(log.encode())).explanations
+    assert found.step == 'RUN echo "a" && rosdep install'
+    assert (found.file, found.line) == ("Dockerfile", 7)

@@ -6,7 +6,6 @@ import io
 
 from roslab.engine.docker import why
 from roslab.explain.answer import explain
-from roslab.explain.words import text
 
 MISSING = """\
 #6 [3/4] RUN make
@@ -31,11 +30,6 @@ def test_an_unknown_cause_names_the_step_and_its_first_error() -> None:
 
 def test_a_log_that_says_nothing_still_stops_the_build() -> None:
     assert why("Successfully built 0123456789ab\n")[0].message == "the build failed"
-
-
-def test_the_lines_for_an_author_s_own_dockerfile_are_shown_too() -> None:
-    said = text(explain(io.BytesIO(MISSING.encode())))
-    assert "RUN apt-get update && apt-get install -y --no-install-recommends libgoogle-glog-dev" in said
 
 
 def test_a_step_of_the_classic_builder_is_tried_in_the_image_before_it() -> None:
