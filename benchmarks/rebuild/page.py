@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from benchmarks.rebuild.builds import Figures
-from benchmarks.rebuild.ways import CASES, WAYS
+from benchmarks.rebuild.ways import CASES, FRESH, WAYS
 
 Results = dict[str, dict[str, dict[str, Figures]]]
 """By repository, case and way."""
-COLOURS = {"paper": "#b04a4a", "docker-ros": "#c9973a", "ours": "#2f6f9f", "ours-fresh-runner": "#7fb2d6"}
+COLOURS = {
+    "paper": "#b04a4a",
+    "docker-ros": "#c9973a",
+    "ours": "#2f6f9f",
+    "paper-fresh-runner": "#d99a9a",
+    "ours-fresh-runner": "#7fb2d6",
+}
 WIDTH, LEFT, BAR = 720, 130, 11
 
 
@@ -27,7 +33,7 @@ def table(results: Results) -> str:
                 found = cases.get(case, {}).get(way)
                 if not found:
                     continue
-                base = cases[case].get("paper")
+                base = cases[case].get(f"paper{FRESH}" if way.endswith(FRESH) else "paper")
                 ratio = f"{found.seconds / base.seconds:.2f}" if base and base.seconds else ""
                 cells = (case, way, f"{found.seconds:.1f}", ratio, found.steps, found.dependency_steps,
                          f"{found.bytes / 1e6:.1f}", f"{found.size / 1e6:.0f}")  # fmt: skip
@@ -55,7 +61,7 @@ def picture(cases: dict[str, dict[str, Figures]], title: str) -> str:
             top += BAR
         top += 10
     for index, way in enumerate(WAYS):
-        x = LEFT + 140 * index
+        x = LEFT + 118 * index
         parts.append(f'<rect x="{x}" y="28" width="10" height="10" fill="{COLOURS[way]}"/>')
         parts.append(f'<text x="{x + 14}" y="37">{way}</text>')
     head = (

@@ -22,7 +22,9 @@ from roslab.pipeline import plan_repository
 
 SCRIPTS = Path(__file__).resolve().parent.parent.parent / "scripts"
 CASES = ("cold", "unchanged", "edit-cpp", "edit-launch", "add-apt", "add-package-xml", "edit-readme")
-WAYS = ("paper", "docker-ros", "ours", "ours-fresh-runner")
+WAYS = ("paper", "docker-ros", "ours", "paper-fresh-runner", "ours-fresh-runner")
+FRESH = "-fresh-runner"
+"""End of a way whose every build has an empty builder, and what the registry kept."""
 IMAGE = "bench/image"
 
 # The order of the Dockerfiles in the article of 2024 (algorithms 1 and 5): the whole tree, then what it needs
@@ -80,7 +82,7 @@ def measure(
     with ExitStack() as stack:
         begin()
         pushed = stack.enter_context(registry())
-        runner = None if way == "ours-fresh-runner" else stack.enter_context(builder())
+        runner = None if way.endswith(FRESH) else stack.enter_context(builder())
         for case in cases:
             change.make(case)
             job = Job(way=way, dockerfile=_dockerfile(way, change, place), context=change.root, case=case)
@@ -99,11 +101,11 @@ def _build(runner: Builder, pushed: Registry, job: Job) -> Figures:
     words: list[str | Path] = ["--file", job.dockerfile, "--output", f"type=image,name={name},push=true"]
     if job.way == "docker-ros":
         words += ["--build-arg", f"TOKEN={secrets.token_hex(8)}"]
-    if job.way == "ours-fresh-runner":
+    if job.way.endswith(FRESH):
         cache = f"type=registry,ref={pushed.address}/{IMAGE}:buildcache"
         words += ["--cache-from", cache, "--cache-to", f"{cache},mode=max,ignore-error=true"]
     started = time.monotonic()
-    if job.way == "ours-fresh-runner":
+    if job.way == f"ours{FRESH}":
         log = _build_with_tree(runner, f"{pushed.address}/{IMAGE}:buildcache.tree", words, job)
     else:
         log = runner.build(words, job.context)
@@ -134,8 +136,7 @@ def _commit(folder: Path) -> None:
 
 def _dockerfile(way: str, change: Change, place: Path) -> Path:
     """Write the Dockerfile of a way as it is after the change, out of the repository."""
-    if way in ("paper", "docker-ros"):
-        text = {"paper": PAPER, "docker-ros": DOCKER_ROS}[way]
+    if text := {"paper": PAPER, "docker-ros": DOCKER_ROS}.get(way.removesuffix(FRESH)):
         apt = PAPER_APT.format(packages=" ".join(change.apt)) if change.apt else ""
         file = place / "Dockerfile"
         file.write_text(text.replace("{apt}", apt))
