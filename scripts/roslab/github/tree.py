@@ -23,8 +23,6 @@ from roslab.values.dataclass import dataclass
 
 LARGEST = 2_000_000_000
 """Most bytes of a tree that is kept. To fetch more takes a runner about as long as to compile it."""
-
-
 SOURCE = "org.roslab.tree.source"
 """Annotation of a kept tree: what it was compiled of."""
 
@@ -111,7 +109,9 @@ def keep(carrier: Carrier, reference: str) -> None:
             else:
                 kind = "annotation" if len(carrier.platforms) == 1 else "annotation-index"
                 named = f",{kind}.{SOURCE}={carrier.source}" if carrier.source else ""
-                carrier.build(dockerfiles.PACKED, f"type=image,name={reference},push=true,compression=zstd{named}")
+                # Docker's own media types know neither zstd nor annotations
+                form = "push=true,oci-mediatypes=true,compression=zstd"
+                carrier.build(dockerfiles.PACKED, f"type=image,name={reference},{form}{named}")
         except BuildError as error:
             workflow.say(f"the build tree is not kept: {error.problems[0].message}")
 

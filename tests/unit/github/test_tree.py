@@ -123,6 +123,7 @@ def test_only_a_new_tree_within_bounds_is_kept(
     keep(carrier(plan, tmp_path, "abc"), OWN)
     pushed = [build for build in docker.builds() if "push=true" in build]
     assert len(pushed) == kept
+    assert all("oci-mediatypes=true,compression=zstd" in build for build in pushed)
     assert all(f"name={OWN}," in build and f"annotation.{SOURCE}=abc" in build for build in pushed)
 
 
