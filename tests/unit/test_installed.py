@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 from roslab.pipeline import plan_repository
-from roslab.plan.installed import LIBRARIES_SCRIPT, PREFIXES
+from roslab.plan.installed import IMPORT_SCRIPT, LIBRARIES_SCRIPT, PREFIXES
 from roslab.plan.proof import Proof
 
 MANIFEST = (
@@ -68,3 +69,25 @@ def test_libraries(tmp_path: Path, library: bytes, code: int, told: str) -> None
         check=False,
     )
     assert (answer.returncode, told in answer.stdout) == (code, True), answer
+
+
+@pytest.mark.parametrize(
+    ("listed", "written", "failed"),
+    [
+        ("debian\nthing\n", {"thing/__init__.py": ""}, ""),
+        ("thing\nbroken\n", {"thing/__init__.py": "", "broken.py": "import no_such_module\n"}, "import broken: "),
+        ("thing\n", {}, "import thing: ModuleNotFoundError"),
+    ],
+)
+def test_what_a_package_lists_and_what_of_it_is_there(
+    tmp_path: Path, listed: str, written: dict[str, str], failed: str
+) -> None:
+    """Debian's setuptools lists a folder of its build; what every Python package of ROS 2 asks for is setuptools."""
+    metadata = {"thing.egg-info/PKG-INFO": "Metadata-Version: 2.1\nName: thing\nVersion: 1\n"}
+    for name, text in {**written, **metadata, "thing.egg-info/top_level.txt": listed}.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    words = [sys.executable, "-c", IMPORT_SCRIPT, "thing"]
+    answer = subprocess.run(words, env={"PYTHONPATH": str(tmp_path)}, capture_output=True, text=True, check=False)
+    assert (answer.returncode == 0) == (not failed), answer.stderr
+    assert failed in answer.stderr

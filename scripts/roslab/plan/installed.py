@@ -15,7 +15,7 @@ from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 
 IMPORT_SCRIPT = """\
-import importlib, os, sys
+import importlib, importlib.util, os, sys
 try:
     import importlib.metadata as metadata
 except ImportError:
@@ -29,9 +29,10 @@ for name in names:
         continue
     listed = (distribution.read_text("top_level.txt") or "").split()
     packages = {str(f).split("/")[0] for f in distribution.files or () if str(f).endswith("/__init__.py")}
-    for module in listed or sorted(packages):
-        if not module.isidentifier() or module.startswith("_") or module in ("docs", "examples", "test", "tests"):
-            continue
+    modules = [each for each in listed or sorted(packages) if each.isidentifier() and each[0] != "_"]
+    modules = [each for each in modules if each not in ("docs", "examples", "test", "tests")]
+    there = [each for each in modules if not listed or each in sys.modules or importlib.util.find_spec(each)]
+    for module in there or modules:
         try:
             importlib.import_module(module)
         except Exception as error:
@@ -39,7 +40,11 @@ for name in names:
 print("imported", len(names) - len(failed), "of", len(names), "packages")
 sys.exit("\\n".join(f"{name}: {why}" for name, why in failed.items()) or 0)
 """
-"""A package and its module may have different names (``opencv-python``, ``cv2``): the package's files tell."""
+"""A package and its module may have different names (``opencv-python``, ``cv2``): the package's files tell.
+
+A list that was made where the package was built may name folders that were never installed: the list of Debian
+12's python3-setuptools has ``debian``. A package none of whose modules is there has failed.
+"""
 
 AMENT_SCRIPT = """\
 import os, sys
