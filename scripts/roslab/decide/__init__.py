@@ -38,6 +38,7 @@ from roslab.decide.system.needs import code_needs, started
 from roslab.decide.system.packages import decide_system, without_twins
 from roslab.decide.system.recipes import recipes_for
 from roslab.errors import NothingToBuildError, Problem
+from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 
 _ROS: frozenset[Kind] = frozenset({"ros1", "ros2"})
@@ -194,6 +195,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         command_candidates=command.answer.candidates,
         test=test.answer,
         rostests=() if own.answer else rostests(evidence, kind.answer, build_tool.answer),
+        tests=() if own.answer else evidence.tests,
+        ctest=build_tool.answer == "cmake" and any(p.tests and not places.vendored(p.file) for p in evidence.cmake),
         compiles=bool(compiled(evidence)),
         platforms=platforms.answer.built,
         platforms_refused=platforms.answer.refused,

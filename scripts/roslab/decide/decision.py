@@ -8,6 +8,7 @@ from roslab.config.model import BuildTool, Kind
 from roslab.config.model import Source as SourceDependency
 from roslab.decide.python.compiling import NOTHING, Compiling
 from roslab.decide.python.pythons import ANY
+from roslab.evidence.facts import TestFile
 from roslab.values.dataclass import dataclass
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
@@ -161,6 +162,10 @@ class Decision:
     """The command that tests the image in place of the default proofs; a string runs in ``bash -c``."""
     rostests: tuple[str, ...] = ()
     """Launch files of the repository with tests that can run in the image."""
+    tests: tuple[TestFile, ...] = ()
+    """Files of tests in Python that can run in the image."""
+    ctest: bool = False
+    """The program that is compiled has tests for ctest."""
     compiles: bool = False
     """Programs are compiled, whichever tool does it."""
     platforms: tuple[str, ...] = ("linux/amd64", "linux/arm64")

@@ -47,6 +47,8 @@ class CMakeProject:
     sources: tuple[GitSource, ...] = ()
     minimum: Dependency | None = None
     """The CMake version that ``cmake_minimum_required`` asks for, as ``version``."""
+    tests: bool = False
+    """It has tests for ctest."""
     programs_in: str | None = None
     """The folder that programs are written to; ``None`` if the file names none. ``source/…`` is relative to the root of
     the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, ``build/…`` to the build folder."""
@@ -189,6 +191,19 @@ class LaunchFile:
     """Of a file with tests: package and program of what it starts that is no file of the tree."""
 
 
+Runner = Literal["pytest", "unittest", "launch_test"]
+"""What starts a file of tests; pytest starts those of unittest too."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class TestFile:
+    """A file of tests in Python."""
+
+    file: str
+    line: int
+    runner: Runner
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Program:
     """A Python program that can be started: it has a ``__main__`` guard or lies in a folder for programs."""
@@ -233,6 +248,7 @@ class Evidence:
     dockerfiles: tuple[AuthorDockerfile, ...] = ()
     launch: tuple[LaunchFile, ...] = ()
     programs: tuple[Program, ...] = ()
+    tests: tuple[TestFile, ...] = ()
     code: tuple[Dependency, ...] = ()
     """Includes and imports."""
     prose: tuple[Dependency, ...] = ()

@@ -9,7 +9,7 @@ from roslab.evidence.native import cmake, cpp
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import author_dockerfile, ci, install_scripts, readme, worked_on
 from roslab.evidence.prose.installs import merge
-from roslab.evidence.python import conda, imports, pixi, print_statement, project, removed, requirements
+from roslab.evidence.python import conda, imports, pixi, print_statement, project, removed, requirements, tests
 from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, vcs
 from roslab.repository.checkout import Repository
 
@@ -41,6 +41,7 @@ def gather(repository: Repository) -> Evidence:
         dockerfiles=author_dockerfile.read(repository),
         launch=launch.read(repository),
         programs=imports.programs(repository),
+        tests=tests.read(repository),
         code=(
             *cpp.read(repository, signs),
             *imports.read(repository),

@@ -50,7 +50,9 @@ def _commands(number: int, proofs: Sequence[Proof], seen: dict[str, Outcome]) ->
         return _untried(number)
     why = f"{short.name}: {_plain(seen[short.name])}"
     if seen[short.name].seen.code in _NO_PROGRAM and not short.required:
-        return Rung(number=number, state="unseen", said=f"{why}: the image has no {short.command[0]}", facts=facts)
+        said = re.search(r"^the image has no \w{1,40}$", seen[short.name].output, re.MULTILINE)
+        lacking = said[0] if said else f"the image has no {short.command[0]}"
+        return Rung(number=number, state="unseen", said=f"{why}: {lacking}", facts=facts)
     return Rung(number=number, state="missed", said=why, needed=f"that {short.name}", facts=facts)
 
 

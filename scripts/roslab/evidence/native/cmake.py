@@ -28,8 +28,10 @@ _EXECUTABLE = frozenset(
     ]
 )
 _LIBRARY = frozenset(["add_library", "cuda_add_library", "cs_add_library", "ament_auto_add_library"])
+_TESTS = frozenset({"add_test", "gtest_discover_tests", "catch_discover_tests"})
 _NAMES = (
     cmake_needs.CALLS
+    | _TESTS
     | cmake_needs.FETCHING
     | _EXECUTABLE
     | _LIBRARY
@@ -78,6 +80,7 @@ class _Reading:
     executables: dict[str, int] = field(default_factory=dict)
     outputs: dict[str, str] = field(default_factory=dict)
     """File names of targets that differ from the target's name."""
+    tests: bool = False
     programs_in: str | None = None
     libraries: set[str] = field(default_factory=set)
     dependencies: list[Dependency] = field(default_factory=list)
@@ -130,6 +133,7 @@ def _project(repository: Repository, file: File, added: set[str]) -> CMakeProjec
         ),
         sources=tuple(reading.sources),
         minimum=reading.minimum,
+        tests=reading.tests,
         programs_in=reading.programs_in,
     )
 
@@ -147,6 +151,8 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.languages += words[:1]
     elif name in _EXECUTABLE and words and _TARGET.match(words[0]):
         reading.executables.setdefault(words[0], call.line)
+    elif name in _TESTS:
+        reading.tests = True
     elif name in _LIBRARY:
         reading.libraries.update(words[:1])
     elif name in cmake_needs.FETCHING:
