@@ -43,6 +43,15 @@ def test_what_a_machine_can_give(
     assert gpu.usable() == expected
 
 
+def test_who_computes_on_it(machine: Path) -> None:
+    stand_in(machine, "nvidia-smi", "4711\n12")
+    assert gpu.users() == {4711, 12}
+    stand_in(machine, "nvidia-smi", "[N/A]")
+    assert gpu.users() == frozenset()
+    stand_in(machine, "nvidia-smi", "9", code=9)
+    assert gpu.users() == frozenset()
+
+
 @pytest.mark.parametrize(("example", "given"), [("cuda_saxpy", True), ("own_dockerfile", False)])
 def test_a_proof_gets_what_its_image_needs_and_the_report_says_so(
     machine: Path, examples: Path, tmp_path: Path, example: str, *, given: bool

@@ -12,6 +12,7 @@ from pathlib import Path
 from roslab.cli.planning import planned_of, warnings_of
 from roslab.cli.repairing import Repairing
 from roslab.engine import docker as engine
+from roslab.engine import gpu
 from roslab.engine.bases import Mended, mend
 from roslab.engine.secrets import of_environment
 from roslab.errors import BuildError, ConfigurationError, Problem
@@ -201,13 +202,14 @@ def prove(planned: Planned, candidate: str, platform: str, otherwise: str, scree
         limits=plan.proof_limits,
         goals=plan.proof_goals,
         screenshots=screenshots,
+        gpus=plan.run.gpu and bool(gpu.usable()),
     )
     for outcome in outcomes:
         if not outcome.passed:
             message = f"{otherwise}: on {platform}, {outcome.proof.name}: {outcome.summary}"
             hint = "its output stands above; correct it, or name another `test` in roslab.yaml"
             raise engine.FailedBuild(Problem(message=message, hint=hint), log=outcome.output)
-    ladder = climb(plan.proofs, outcomes, plan.proof_goals)
+    ladder = climb(plan.proofs, outcomes, plan.proof_goals, gpu=plan.run.gpu)
     engine.say("".join(f"[{platform}] {line}\n" for line in lines(ladder)).rstrip())
     if short := below(ladder, plan.proof_goals.rung):
         raise BuildError(Problem(message=f"{otherwise}: on {platform}, {short}", hint=LOWER))

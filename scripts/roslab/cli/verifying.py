@@ -39,7 +39,7 @@ def verify(options: argparse.Namespace) -> int:
         screenshots=Path(os.path.expanduser(cache), "roslab", "verify"),  # noqa: PTH111
         gpus=known.gpu and bool(gpu.usable()),
     )
-    seen = climb(known.proofs, outcomes, known.goals)
+    seen = climb(known.proofs, outcomes, known.goals, gpu=known.gpu)
     found = difference(recorded, seen)
     if options.format == "json":
         said = {"platform": platform, "recorded": to_data(recorded), "seen": to_data(seen), "difference": found}

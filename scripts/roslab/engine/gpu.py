@@ -9,6 +9,16 @@ from roslab.engine.docker import output
 TOOLKIT = "https://docs.nvidia.com/datacenter/cloud-native/container-toolkit/latest/install-guide.html"
 
 
+def users() -> frozenset[int]:
+    """Return the processes of this machine that compute on a GPU, by their numbers outside of containers.
+
+    https://docs.nvidia.com/deploy/nvidia-smi/index.html
+    """
+    answer = output(["nvidia-smi", "--query-compute-apps=pid", "--format=csv,noheader"], timeout=20.0)
+    said = answer.stdout.split() if answer.returncode == 0 else ()
+    return frozenset(int(word) for word in said if word.isdigit())
+
+
 def usable() -> tuple[str, ...]:
     """Return the names of NVIDIA's GPUs, none if the engine cannot give them to a container."""
     if not shutil.which("nvidia-smi"):

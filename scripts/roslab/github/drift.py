@@ -227,7 +227,7 @@ def _proved(watch: Watch, reference: str) -> Side:
         )
     failed = [outcome for outcome in outcomes if not outcome.passed]
     if not failed:
-        short = below(climb(plan.proofs, outcomes, plan.proof_goals), plan.proof_goals.rung)
+        short = below(climb(plan.proofs, outcomes, plan.proof_goals, gpu=plan.run.gpu), plan.proof_goals.rung)
         output = "".join(outcome.output for outcome in outcomes) if short else ""
         return Side(proved=not short, failure=short or "", output=output)
     return Side(proved=False, failure=f"{failed[0].proof.name}: {failed[0].summary}", output=failed[0].output)

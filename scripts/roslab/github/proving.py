@@ -78,7 +78,7 @@ def _prove_pushed(  # noqa: PLR0917 - what one platform's image is proved with
             gpus=bool(given),
         )
         engine.remove_image(reference)
-    ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals)
+    ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals, gpu=run.plan.run.gpu)
     layers = tuple(LayerSize(size=x.size, text=x.created_by, base=x.digest in base) for x in image.layers)
     folder.write_report(
         PlatformReport(
@@ -135,7 +135,7 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
             screenshots=folder.artifact,
             gpus=bool(given),
         )
-        ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals)
+        ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals, gpu=run.plan.run.gpu)
         failure = _failure(folder, run, outcomes, ladder, environment)
         platforms = build["platforms"].split(",")
         archive, remark = trial.keep(folder, run, platform, platforms, environment) if failure is None else (None, "")

@@ -16,6 +16,8 @@ from roslab.values.dataclass import dataclass
 KEY = "roslab.proof"
 """Annotation of an index and label of an image that hold the record."""
 VERSION = 1
+MACHINES = (3, 5)
+"""Rungs for which a machine needs a display or a GPU: where one has none, nothing is known of the image."""
 RESULT = "https://in-toto.io/attestation/test-result/v0.1"
 """https://github.com/in-toto/attestation/blob/main/spec/predicates/test-result.md"""
 
@@ -102,6 +104,8 @@ def difference(recorded: Ladder, seen: Ladder) -> str:
 
 
 def _difference(before: Rung, after: Rung) -> str:
+    if before.number in MACHINES and "unseen" in (before.state, after.state):
+        return ""
     if before.state != after.state:
         told = {"held": "held", "missed": "did not hold", "unseen": "was not seen"}
         return (

@@ -50,6 +50,8 @@ class Seen:
     restarted: tuple[str, ...] = ()
     written: tuple[str, ...] = ()
     """Figures and result files in the container that were not in the image."""
+    on_gpu: int | None = None
+    """How many of its processes were seen to compute on a GPU, ``None`` if it was given none."""
     bare: bool = False
     """The image's own command is a shell, which ends without a terminal: no program has started."""
 
@@ -95,7 +97,7 @@ def prove(
     fences = options(limits)
     for proof in proofs:
         tell(f"[{platform}] {proof.name}: {describe(proof)}")
-        outcome = _prove_once(reference, platform, proof, goals, [*fences, *given], screenshots)
+        outcome = _prove_once(reference, platform, proof, goals, [*fences, *given], screenshots, gpus=gpus)
         tell("".join(f"    {line}\n" for line in outcome.output.splitlines()[-40:]) + f"[{platform}] {outcome.summary}")
         if outcome.screenshot:
             tell(f"[{platform}] {outcome.screenshot}")
@@ -129,7 +131,14 @@ def _apart() -> tuple[str, ...]:
 
 
 def _prove_once(  # noqa: PLR0917 - what one proof is made of
-    reference: str, platform: str, proof: Proof, goals: ProofGoals, fences: Sequence[str], screenshots: Path
+    reference: str,
+    platform: str,
+    proof: Proof,
+    goals: ProofGoals,
+    fences: Sequence[str],
+    screenshots: Path,
+    *,
+    gpus: bool,
 ) -> Outcome:
     with ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="roslab-")))
@@ -146,7 +155,7 @@ def _prove_once(  # noqa: PLR0917 - what one proof is made of
         if not proof.entrypoint:
             words += ["--entrypoint", proof.command[0]]
             command = proof.command[1:]
-        seen, watched = _run([*words, reference, *command], log, proof, goals, camera)
+        seen, watched = _run([*words, reference, *command], log, proof, goals, camera, gpus=gpus)
         seen = replace(seen, bare=proof.rung == 1 and not proof.command and starts_shell(reference))
         seconds = time.monotonic() - start
         with log.open("rb") as stream:
@@ -183,7 +192,7 @@ def _text(data: bytes) -> str:
 
 
 def _run(
-    arguments: Sequence[str], log: Path, proof: Proof, goals: ProofGoals, camera: Camera | None
+    arguments: Sequence[str], log: Path, proof: Proof, goals: ProofGoals, camera: Camera | None, *, gpus: bool
 ) -> tuple[Seen, float]:
     """Run a container, its output to a file; return what was seen and the seconds that it was watched."""
     identity = log.with_name("container")
@@ -197,7 +206,15 @@ def _run(
         try:
             container = _wait_for_start(identity, process)
             probe = _probe(proof, goals, identity) if container else None
-            watch = Watch(process=process, container=container, proof=proof, goals=goals, camera=camera, probe=probe)
+            watch = Watch(
+                process=process,
+                container=container,
+                proof=proof,
+                goals=goals,
+                camera=camera,
+                probe=probe,
+                gpus=gpus,
+            )
             code, seconds = watch.end()
             written = results(container) if container and proof.may_run_on else ()
         finally:
@@ -210,6 +227,7 @@ def _run(
         respawned=watch.census.respawned,
         restarted=watch.census.restarted,
         written=written,
+        on_gpu=len(watch.on_gpu & watch.census.numbers) if gpus else None,
     )
     return seen, seconds
 

@@ -15,14 +15,16 @@ from roslab.prove.graph import Graph
 
 _NO_PROGRAM = (126, 127)
 """Exit codes of ``docker run`` where there is no such program: https://docs.docker.com/engine/containers/run/"""
+SHORT = 3.0
+"""Seconds in which a process may use a GPU without being seen there: one looks every second."""
 MOST = 12
 """Most topics, files or nodes that one line names."""
 
 
-def climb(proofs: Sequence[Proof], outcomes: Sequence[Outcome], goals: ProofGoals) -> Ladder:
+def climb(proofs: Sequence[Proof], outcomes: Sequence[Outcome], goals: ProofGoals, *, gpu: bool = False) -> Ladder:
     """Return the ladder of an image whose ``proofs`` had these ``outcomes``, in the same order.
 
-    The outcomes may be fewer: after a failure nothing more is tried.
+    The outcomes may be fewer: after a failure nothing more is tried. ``gpu``: the image needs a GPU.
     """
     seen = {outcome.proof.name: outcome for outcome in outcomes}
     start = next((proof for proof in proofs if proof.rung == 1), None)
@@ -33,6 +35,7 @@ def climb(proofs: Sequence[Proof], outcomes: Sequence[Outcome], goals: ProofGoal
         _talks(start, outcome, goals),
         _shows(start, outcome),
         _agrees([proof for proof in proofs if proof.rung == 4], seen),
+        _computes(outcomes) if gpu else None,
     )
     return Ladder(rungs=tuple(rung for rung in rungs if rung))
 
@@ -79,6 +82,22 @@ def _agrees(proofs: Sequence[Proof], seen: dict[str, Outcome]) -> Rung | None:
         f"{name}: {_count(count, 'test')} ran" if count else f"{name} ended with 0" for name, count in counts.items()
     ]
     return replace(found, said=_listed(told), facts=tuple(told))
+
+
+def _computes(outcomes: Sequence[Outcome]) -> Rung:
+    """Return the rung of the GPU: a process of the image was seen to compute on it, in a proof that held."""
+    given = [outcome for outcome in outcomes if outcome.seen.on_gpu is not None]
+    if not given:
+        said = "it was not tried: this machine gives containers no GPU"
+        return Rung(number=5, state="unseen", said=said, needed="a machine whose engine gives a container its GPU")
+    used = [outcome for outcome in given if outcome.seen.on_gpu and outcome.held]
+    if used:
+        facts = tuple(f"{outcome.proof.name}, on the GPU" for outcome in used)
+        return Rung(number=5, state="held", said=_listed(facts), facts=facts)
+    needed = "a process that is seen to compute on the device"
+    if max(outcome.seconds for outcome in given) < SHORT:
+        return Rung(number=5, state="unseen", said="nothing ran long enough to be seen on the device", needed=needed)
+    return Rung(number=5, state="missed", said="no process of it was seen on the device", needed=needed)
 
 
 def _starts(start: Proof | None, outcome: Outcome | None) -> Rung | None:

@@ -28,6 +28,8 @@ class Process:
 class Census:
     """What was seen of a container's processes, at one look after another."""
 
+    numbers: set[int] = field(default_factory=set, init=False)
+    """Of all processes that were seen, as this machine counts them."""
     _last: dict[int, Process] = field(default_factory=dict, init=False)
     _gone: Counter[tuple[int, str]] = field(default_factory=Counter, init=False)
     _launched: Counter[str] = field(default_factory=Counter, init=False)
@@ -48,6 +50,7 @@ class Census:
         for number, process in self._last.items():
             if number in now and now[number].command != process.command:
                 self._forget_children(number)
+        self.numbers.update(now)
         self._gone.update(_key(process) for number, process in self._last.items() if number not in now)
         for number, process in now.items():
             if number not in self._last and self._gone[_key(process)]:

@@ -8,6 +8,7 @@ from contextlib import suppress
 from dataclasses import field
 
 from roslab.config.model import ProofGoals
+from roslab.engine import gpu
 from roslab.plan.proof import Proof
 from roslab.prove.probe import Probe
 from roslab.prove.processes import Census
@@ -43,7 +44,11 @@ class Watch:
     goals: ProofGoals
     camera: Camera | None
     probe: Probe | None
+    gpus: bool = False
+    """The container was given the machine's GPUs."""
     census: Census = field(default_factory=Census)
+    on_gpu: set[int] = field(default_factory=set, init=False)
+    """Processes of this machine that were seen on a GPU."""
     _drawn: float | None = field(default=None, init=False)
     _counted: float = field(default=0.0, init=False)
 
@@ -57,7 +62,7 @@ class Watch:
             if elapsed >= end:
                 return None, elapsed
             pause = end - elapsed
-            if self.camera or self.proof.may_run_on:
+            if self.camera or self._counts:
                 pause = min(pause, 0.25 + elapsed / 10, LONGEST_PAUSE if self.camera else COUNTING_PAUSE)
             with suppress(subprocess.TimeoutExpired):
                 return self.process.wait(pause), time.monotonic() - start
@@ -69,9 +74,16 @@ class Watch:
             self.camera.look()
             if self._drawn is None and (self.camera.drawn or self.camera.blind):
                 self._drawn = time.monotonic() - start
-        if self.proof.may_run_on and time.monotonic() >= self._counted + COUNTING_PAUSE:
+        if self._counts and time.monotonic() >= self._counted + COUNTING_PAUSE:
             self.census.look(self.container)
+            if self.gpus:
+                self.on_gpu |= gpu.users()
             self._counted = time.monotonic()
+
+    @property
+    def _counts(self) -> bool:
+        """Whether its processes are of interest."""
+        return self.proof.may_run_on or self.gpus
 
     def _limit(self, elapsed: float) -> float:
         """Return the second at which the watch is over, as far as it is known now."""

@@ -179,3 +179,25 @@ def test_an_authors_image_without_the_program_that_looks() -> None:
     asked = replace(FOUND, command=("bash", "-c", "x"), required=False)
     found = rung(of(outcome(asked, "failed with exit code 127", held=False, seen=Seen(code=127))), 0)
     assert (found.state, found.said) == ("unseen", f"{FOUND.name}: failed with exit code 127: the image has no bash")
+
+
+@pytest.mark.parametrize(
+    ("on_gpu", "seconds", "state", "said"),
+    [
+        (None, 10.0, "unseen", "it was not tried: this machine gives containers no GPU"),
+        (0, 10.0, "missed", "no process of it was seen on the device"),
+        (0, 0.4, "unseen", "nothing ran long enough to be seen on the device"),
+        (1, 10.0, "held", "the default command starts, on the GPU"),
+    ],
+)
+def test_a_gpu(on_gpu: int | None, seconds: float, state: str, said: str) -> None:
+    """That a container was given a device says nothing of what its program did with it."""
+    found = replace(outcome(PLAIN, seen=Seen(code=None, on_gpu=on_gpu)), seconds=seconds)
+    assert [each.number for each in of(found).rungs] == [1]
+    rung_5 = rung(climb((PLAIN,), (found,), ProofGoals(), gpu=True), 5)
+    assert (rung_5.state, rung_5.said) == (state, said)
+
+
+def test_a_program_that_fails_on_a_gpu_has_not_run_on_it() -> None:
+    found = outcome(PLAIN, "failed with exit code 1", held=False, seen=Seen(code=1, on_gpu=1))
+    assert rung(climb((PLAIN,), (found,), ProofGoals(), gpu=True), 5).state == "missed"

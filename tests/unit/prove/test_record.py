@@ -92,3 +92,12 @@ def test_the_signed_result_names_each_rung_and_calls_none_that_is_missed_passed(
     assert made["failedTests"] == []
     assert from_json(json.dumps(made["configuration"][0]["annotations"])) == both
     assert json.loads(to_result(RECORD, url=""))["result"] == "PASSED"
+
+
+@pytest.mark.parametrize("number", [3, 5])
+def test_a_reader_without_a_display_or_a_gpu_sees_no_difference(number: int) -> None:
+    here = Ladder(rungs=(INSTALLS, Rung(number=number, state="unseen", said="x")))
+    there = Ladder(rungs=(INSTALLS, Rung(number=number, state="held", said="x", facts=("window",))))
+    assert (difference(there, here), difference(here, there)) == ("", "")
+    missed = Ladder(rungs=(INSTALLS, Rung(number=number, state="missed", said="x")))
+    assert difference(there, missed)
