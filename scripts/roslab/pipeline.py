@@ -34,6 +34,11 @@ if TYPE_CHECKING:
     from roslab.engine.preflight import Finding
 
 READMES = ("README.md", "Readme.md", "readme.md", "README.markdown", "README.rst", "README.txt", "README")
+POLICY = "EXPERIMENTAL_BUILDKIT_SOURCE_POLICY"
+"""Variable with the path of BuildKit's source policy, for which no command has an option.
+
+https://docs.docker.com/build/building/variables/#experimental_buildkit_source_policy
+"""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -234,17 +239,14 @@ def preflight(plan: Plan, platforms: Sequence[str]) -> tuple[Finding, ...]:
 
 
 def write_policy(plan: Plan, folder: Path) -> dict[str, str]:
-    """Write what pins the images and files of an author's own Dockerfile; return the variables that name it.
-
-    https://docs.docker.com/build/building/variables/#experimental_buildkit_source_policy
-    """
+    """Write what pins the images and files of an author's own Dockerfile; return the variables that name it."""
     if not (plan.author_dockerfile and plan.lock and plan.lock.materials):
         return {}
     from roslab.lock.materials import policy  # noqa: PLC0415 - few builds have one
 
     file = folder / "source-policy.json"
     file.write_text(policy(plan.lock.materials), encoding="utf-8")
-    return {"EXPERIMENTAL_BUILDKIT_SOURCE_POLICY": str(file)}
+    return {POLICY: str(file)}
 
 
 def write_plan(plan: Plan, root: Path, folder: Path) -> tuple[Path, Path]:

@@ -13,6 +13,7 @@ from roslab.errors import BuildError, Problem
 from roslab.github import disk, explaining, screen, secrets, tree, trial, workflow
 from roslab.github import run as runs
 from roslab.github.run import Folder, Run
+from roslab.pipeline import POLICY
 from roslab.plan.ladder import LOWER, Ladder, below
 from roslab.plan.proof import describe
 from roslab.prove import containers
@@ -123,8 +124,9 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
     )
     with workflow.group(f"Load and prove {platform}"):
         if not build["exporter"].startswith("type=docker,"):
-            epoch = {"SOURCE_DATE_EPOCH": build["epoch"]} if build["epoch"] else None
-            digest, _ = engine.build(job, environment=epoch)
+            epoch = {"SOURCE_DATE_EPOCH": build["epoch"]} if build["epoch"] else {}
+            policy = {POLICY: build["source-policy"]} if build["source-policy"] else {}
+            digest, _ = engine.build(job, environment=epoch | policy)
         given = _gpus(run)
         outcomes = containers.prove(
             candidate,

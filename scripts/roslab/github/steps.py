@@ -36,7 +36,7 @@ from roslab.github import run as runs
 from roslab.github import source as completion
 from roslab.github.labels import labels
 from roslab.github.run import Folder, Run, slug
-from roslab.pipeline import bases_of, plan_repository, preflight, write_bases, write_plan
+from roslab.pipeline import bases_of, plan_repository, preflight, write_bases, write_plan, write_policy
 from roslab.plan.answers import answers
 from roslab.plan.plan import to_json
 from roslab.render.markdown import prose
@@ -230,6 +230,7 @@ def dockerfile(environment: Environment) -> None:
         "cache-from": "\n".join(layers.read),
         "cache-to": "\n".join(layers.write),
         "epoch": str(seconds) if seconds is not None else "",
+        "source-policy": "".join(write_policy(run.plan, folder.dockerfile).values()),
         "provenance": ("mode=max" if what.public else "mode=min,inline-only=true") if run.push else "false",
         "sbom": builder.scanner(environment, wanted=run.push and what.public, act=what.act),
     }
