@@ -191,6 +191,8 @@ class Config:
     """Names of what single steps of the build may read; ``values.secret`` says what the known ones are for."""
     repair: bool | None = None
     """``False``: the build starts the author's own Dockerfile from the very images that it names."""
+    lock: bool | None = None
+    """``True``: each run that publishes keeps the lock of its image, as an artifact and beside the image."""
     submodules: Literal["optional", "required"] | None = None
     tags: TagParts = field(default_factory=TagParts)
     pr: PullImage | None = None

@@ -121,6 +121,7 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
         target=reading.value(root, "target", "target"),
         secrets=running.secrets(reading, root),
         repair=reading.truth(root, "repair", "repair"),
+        lock=reading.truth(root, "lock", "lock"),
         submodules=cast(Literal["optional", "required"] | None, reading.value(root, "submodules", "submodules")),
         tags=running.tag_parts(reading, root),
         pr=cast(PullImage | None, reading.value(root, "pr", "pr")),

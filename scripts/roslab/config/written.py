@@ -45,6 +45,7 @@ def written(config: Config) -> str:
         "target": config.target,
         "secrets": list(config.secrets),
         "repair": config.repair,
+        "lock": config.lock,
         "submodules": config.submodules,
         "tags": _said(config.tags, ("prefix", "suffix")),
         "pr": config.pr,

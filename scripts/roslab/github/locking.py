@@ -1,15 +1,29 @@
-"""What a run does with the lock of a repository before it builds."""
+"""What a run does with the lock of a repository before it builds, and with that of its image after its proof."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
 
-from roslab.errors import Problem
+from roslab.errors import BuildError, Problem
 from roslab.github import workflow
-from roslab.lock import check
-from roslab.plan.lock import NAME, without
+from roslab.github.labels import PREFIX
+from roslab.github.run import Folder, Run, artifact_name, slug
+from roslab.lock import check, inventory, making
+from roslab.plan.lock import NAME, digest, from_text, to_text, without
+from roslab.plan.locked import Lock
 from roslab.plan.plan import Plan
 from roslab.render.dockerfile import question
+
+ANNOTATION = f"{PREFIX}.lock"
+"""Of a published index: the digest of its lock."""
+TYPE = "https://github.com/org/repro-action/roslab.lock/v1"
+"""Of the statement about an image that holds its lock: https://github.com/in-toto/attestation/blob/main/spec/v1/predicate.md"""
+PART = "lock-{}.json"
+"""File of one platform among what a job keeps."""
+SECONDS = 60.0
+"""Longest that the package sources are asked."""
 
 
 def available(plan: Plan, platforms: Sequence[str]) -> Plan:
@@ -25,3 +39,49 @@ def available(plan: Plan, platforms: Sequence[str]) -> Plan:
             workflow.warn(Problem(message=f"{NAME}: {each}"))
         plan = without(plan, answer.missing)
     return plan
+
+
+def keep(folder: Folder, run: Run, reference: str, platform: str) -> None:
+    """Keep the lock of a proved image that the engine holds; a lock that cannot be made fails nothing and is told."""
+    if run.plan.author_dockerfile:
+        workflow.say("no lock is kept: that of an author's own Dockerfile is made by `roslab build` and `roslab lock`")
+        return
+    try:
+        image = inventory.read(reference, platform)
+        lock = making.make(run.plan, [(platform, image)], seconds=SECONDS)
+    except BuildError as error:
+        workflow.warn(Problem(message=f"{platform} gets no lock: {error.problems[0].message}"))
+        return
+    (folder.artifact / PART.format(slug(platform))).write_text(to_text(lock), encoding="utf-8")
+
+
+def gathered(folder: Path, run: Run) -> str:
+    """Return the text of the lock of all platforms, ``""`` where one of them has none.
+
+    ``folder`` holds what the jobs kept. Raises ``ConfigurationError`` for a file that is no lock.
+    """
+    parts: list[Lock] = []
+    for platform in run.plan.platforms:
+        found = sorted(folder.rglob(PART.format(slug(platform))))
+        if not found:
+            return ""
+        parts.append(from_text(found[-1].read_text(encoding="utf-8"), file=found[-1].name))
+    sources = {(each.name, each.url): each for part in parts for each in part.sources}
+    machines = tuple(machine for part in parts for machine in part.machines)
+    return to_text(replace(parts[0], sources=tuple(sources[key] for key in sorted(sources)), machines=machines))
+
+
+def kept(folder: Folder, reports: Path, environment: Mapping[str, str]) -> dict[str, str]:
+    """Output where the lock of the run's image lies, and return the annotation that names it, none without a lock.
+
+    The outputs are ``lock``, a path or ``""``, ``lock-artifact`` and ``lock-type``.
+    """
+    run = folder.run
+    text = gathered(reports, run) if run.lock else ""
+    if not text:
+        return {}
+    folder.write(NAME, text)
+    name = f"{artifact_name('lock', run)}-{environment.get('GITHUB_RUN_ATTEMPT') or 1}"
+    folder.write("lock-artifact", name)
+    workflow.outputs({"lock": str(folder.path / NAME), "lock-artifact": name, "lock-type": TYPE}, environment)
+    return {ANNOTATION: digest(text)}

@@ -10,7 +10,7 @@ from pathlib import Path
 from roslab.engine import docker as engine
 from roslab.engine import gpu, registry
 from roslab.errors import BuildError, Problem
-from roslab.github import disk, explaining, screen, secrets, tree, trial, workflow
+from roslab.github import disk, explaining, locking, screen, secrets, tree, trial, workflow
 from roslab.github import run as runs
 from roslab.github.run import Folder, Run
 from roslab.pipeline import POLICY
@@ -78,6 +78,8 @@ def _prove_pushed(  # noqa: PLR0917 - what one platform's image is proved with
             screenshots=folder.artifact,
             gpus=bool(given),
         )
+        if run.lock and all(outcome.passed for outcome in outcomes):
+            locking.keep(folder, run, reference, image.platform)
         engine.remove_image(reference)
     ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals, gpu=run.plan.run.gpu)
     layers = tuple(LayerSize(size=x.size, text=x.created_by, base=x.digest in base) for x in image.layers)

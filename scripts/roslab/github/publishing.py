@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from roslab.engine import credentials, registry
 from roslab.errors import BuildError, Problem, RefusedError
-from roslab.github import api, event, kept, rebuild, signing, tags, workflow
+from roslab.github import api, event, kept, locking, rebuild, signing, tags, workflow
 from roslab.github.event import Event
 from roslab.github.labels import PREFIX
 from roslab.github.run import Folder, Run, reports_folder
@@ -42,6 +42,7 @@ def index(environment: Mapping[str, str]) -> None:
     annotated = {name: value for name, value in said_of_it.items() if name.startswith(PREFIX)}
     made = record.record(run.plan, {each.platform: each.ladder for each in proved})
     annotated[record.KEY] = record.to_json(made)
+    annotated |= locking.kept(folder, reports_folder(folder, environment), environment)
     digest = registry.create_index(run.image, tuple(dict.fromkeys(report.source for report in proved)), own, annotated)
     digests = {report.platform: report.digest for report in proved}
     unsigned = signing.unsigned(what)

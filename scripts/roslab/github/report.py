@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from urllib.parse import quote
 
 from roslab.errors import ConfigurationError
 from roslab.github import kept
 from roslab.github.event import Event
 from roslab.github.run import Folder, Run
+from roslab.plan.lock import NAME
 from roslab.render import climbed
 from roslab.render.markdown import code
 from roslab.render.outcome import Report, platforms_of
@@ -43,7 +44,9 @@ def collect(folder: Folder, reports: Path, event: Event) -> Report:
         artifacts=(f"gh run download {event.run}", f"--repo {event.repository}"),
         verify=tuple(published.get("verify", ())),
         unsigned=published.get("unsigned", ""),
-        notes=_visibility(run, event, public=published.get("public")) if published else _origin(event),
+        notes=(*_visibility(run, event, public=published.get("public")), *_lock(folder, run, event))
+        if published
+        else _origin(event),
         badge="\n".join(filter(None, (_badge(run, event), climbed.badge(platforms, run.revision)))),
     )
 
@@ -59,6 +62,16 @@ def _visibility(run: Run, event: Event, *, public: bool | None) -> tuple[str, ..
     page = _package(run, event)
     private = "**The package is private**, so readers of the paper cannot pull it."
     return (f"{private} Open [its page]({page}), Package settings, Danger Zone, Change visibility, Public.",)
+
+
+def _lock(folder: Folder, run: Run, event: Event) -> tuple[str, ...]:
+    """Return how the lock of the image comes into the repository, if it was kept."""
+    name = folder.read("lock-artifact")
+    if not name:
+        return ()
+    where = PurePosixPath(run.path, run.config).parent
+    fetch = code(f"gh run download {event.run} --repo {event.repository} --name {name} --dir {where}")
+    return (f"{code(NAME)} of this image: {fetch}; once it is committed, the next build takes the same versions.",)
 
 
 def _origin(event: Event) -> tuple[str, ...]:

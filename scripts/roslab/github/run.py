@@ -46,6 +46,8 @@ class Run:
     """Commit of the checkout that was planned for."""
     config: str = ""
     """The roslab.yaml that was read, relative to the built folder, ``""`` if there is none."""
+    lock: bool = False
+    """Whether the lock of the published image is kept."""
     variant: str = ""
     """Text that distinguishes calls for one image: two workflows may build it for two distributions."""
 

@@ -93,6 +93,7 @@ def plan(environment: Environment) -> None:
         rebuilt=rebuilt,
         revision=revision,
         config=planned.config.file or "",
+        lock=bool(planned.config.lock) and publication.push,
         variant=asked.variant,
     )
     for warning in planned.plan.warnings:

@@ -23,16 +23,23 @@ PYTHONS = {"image": "python3", "jupyter": "/opt/jupyter/bin/python", "python2": 
 """The interpreter of each environment of an image."""
 
 
-def make(plan: Plan, images: Sequence[tuple[str, Inventory]], materials: tuple[Material, ...] = ()) -> Lock:
+def make(
+    plan: Plan,
+    images: Sequence[tuple[str, Inventory]],
+    materials: tuple[Material, ...] = (),
+    *,
+    seconds: float = online.SECONDS,
+) -> Lock:
     """Return the lock of the images of one plan, one for each platform, which the engine holds.
 
-    ``materials`` are those of an author's own Dockerfile, whose base is one of them.
+    ``materials`` are those of an author's own Dockerfile, whose base is one of them; ``seconds`` is the longest that
+    the package sources are asked for each image.
 
     Raises ``BuildError`` where the base that they were made from is no longer the one of its name.
     """
     base = plan.base_image.partition("@")[0]
     digest = "" if plan.author_dockerfile else base_digest(plan.base_image, images)
-    machines = tuple(_machine(plan, platform, image) for platform, image in images)
+    machines = tuple(_machine(plan, platform, image, seconds) for platform, image in images)
     return Lock(
         base=base,
         digest=digest,
@@ -45,9 +52,9 @@ def make(plan: Plan, images: Sequence[tuple[str, Inventory]], materials: tuple[M
     )
 
 
-def _machine(plan: Plan, platform: str, image: Inventory) -> Machine:
+def _machine(plan: Plan, platform: str, image: Inventory, seconds: float) -> Machine:
     options = [word for option in (*plan.python.options, *plan.python.pip_options) for word in option.split()]
-    origins = online.ask(image, platform, pythons=PYTHONS, options=options)
+    origins = online.ask(image, platform, pythons=PYTHONS, options=options, seconds=seconds)
     packages = tuple(
         replace(package, origin=origins.apt.get((package.name, package.version), "")) for package in image.apt
     )

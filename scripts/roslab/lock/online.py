@@ -25,7 +25,14 @@ class Origins:
     """By environment and name."""
 
 
-def ask(image: Inventory, platform: str, *, pythons: Mapping[str, str], options: Sequence[str]) -> Origins:
+def ask(
+    image: Inventory,
+    platform: str,
+    *,
+    pythons: Mapping[str, str],
+    options: Sequence[str],
+    seconds: float = SECONDS,
+) -> Origins:
     """Ask apt's sources and pip's index for what the image has; what does not answer is left out.
 
     ``pythons`` names the interpreter of each environment, ``options`` are pip's. The private index of the secret
@@ -43,7 +50,7 @@ def ask(image: Inventory, platform: str, *, pythons: Mapping[str, str], options:
     command = ["docker", "run", "--rm", "--user", "0", "--platform", platform, "--env", "PIP_EXTRA_INDEX_URL"]
     script = _SCRIPT.read_text(encoding="utf-8")
     answer = output(
-        [*command, "--entrypoint", "/bin/sh", image.reference, "-c", script, "roslab", *words], timeout=SECONDS
+        [*command, "--entrypoint", "/bin/sh", image.reference, "-c", script, "roslab", *words], timeout=seconds
     )
     if answer.returncode:
         say(f"roslab: where the packages come from is not known: {last_line(answer.stderr)}")
