@@ -10,11 +10,6 @@ from subprocess import CompletedProcess
 
 import pytest
 
-from roslab.plan.lock import to_text
-from roslab.plan.locked import Lock, Material
-
-from . import doors, registry
-from .act import run_workflow
 from .doors import write
 from .laboratory import Laboratory
 from .moving import World, moving_world
@@ -162,29 +157,3 @@ def test_an_authors_dockerfile_takes_the_same_images_and_files_again(
         assert docker(lab, "run", "--rm", f"{name}:locked", "cat", "/base", "/data") == "one\nfirst\n"
     tags = [f"{name}:first", f"{name}:locked", f"{name}:today", base, "repro-lab/authored:kept"]
     docker(lab, "image", "rm", "--force", *tags)
-
-
-def test_the_action_takes_the_images_of_an_authors_lock(lab: Laboratory, tmp_path: Path) -> None:
-    """The base of that name moved to another image; the proof looks which one the published image has."""
-    base = f"repro-lab/policed:{tmp_path.name.replace('_', '-').lower()}"
-    digests = []
-    for text in ("one", "two"):
-        files = {"Dockerfile": f"FROM ubuntu:24.04\nRUN echo {text} >/base\n"}
-        docker(lab, "build", "--tag", f"{lab.mirror}/{base}", str(write(tmp_path / text, files)))
-        docker(lab, "push", f"{lab.mirror}/{base}")
-        docker(lab, "image", "rm", f"{lab.mirror}/{base}")
-        digests.append(registry.digest(base, name=registry.MIRROR))
-    assert digests[0] != digests[1]
-    taken = Material(source=f"docker-image://docker.io/{base}", digest=digests[0])
-    lock = Lock(
-        base=base, digest="", python="system", rosdistro=None, tools=(), sources=(), machines=(), materials=(taken,)
-    )
-    files = {
-        "Dockerfile": f'FROM {base}\nCMD ["true"]\n',
-        "roslab.yaml": doors.RECIPE.replace("cat /machine", "grep one /base") + "platforms: [linux/amd64]\n",
-        "roslab.lock": to_text(lock),
-    }
-    caller = doors.through_action(tmp_path / "caller", {"registry": lab.registry, "cache": "none"}, files)
-    repository = lab.fresh_repository(f"{doors.OWNER}/robot").rpartition("/")[2]
-    ran = run_workflow(lab, caller, "push", doors.payload(repository), env=doors.builder(lab))
-    assert ran.exit_code == 0, ran.log[-8000:]
