@@ -67,7 +67,14 @@ def test_a_proof_gets_what_its_image_needs_and_the_report_says_so(
     run = Run(plan=plan, image="ghcr.io/lab/robot", username="lab", push=False, reason="why", cache="auto")
     folder.write("run", to_line(run))
     build = {"started": 0, "platforms": "linux/amd64", "labels": "", "context": ".", "dockerfile": "Dockerfile"}
-    build |= {"exporter": "type=docker,name=x", "epoch": "", "tree": "", "mounts": "", "source": "", "source-policy": ""}
+    build |= {
+        "exporter": "type=docker,name=x",
+        "epoch": "",
+        "tree": "",
+        "mounts": "",
+        "source": "",
+        "source-policy": "",
+    }
     folder.write("build.json", json.dumps(build))
     proving.prove({"ROSLAB_FOLDER": str(folder.path), "GITHUB_OUTPUT": str(tmp_path / "outputs")})
     # A script among the words of a command has lines of its own
