@@ -128,7 +128,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     taken = sources.answer.names | {plain(source.name) for source, _ in libraries}
     taken |= {plain(git.name) for git in evidence.sources if git.kind == "submodule"} | packages.names
     linked = by_hand(evidence, config, kind.answer, target=target, packages=packages, taken=taken)
-    depends = tuple(name for name in system.answer.apt if name.endswith("-dev"))
+    depends = tuple(n for n in (*system.answer.apt, *system.answer.brought) if n.endswith("-dev"))
     linked = tuple((replace(source, depends=depends), asked) for source, asked in linked)
     sources = with_recipes(sources, (*libraries, *linked))
     system = without_twins(system, frozenset(source.name for source, _ in (*libraries, *linked)))

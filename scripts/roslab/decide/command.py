@@ -53,13 +53,14 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
     for candidate in candidates_of(evidence, kind):
         by_argv.setdefault(candidate.argv, candidate)
     found = list(by_argv.values())
-    gui = config.gui if config.gui is not None else _gui(evidence)
     candidates = tuple(by_argv)[:MAX_CANDIDATES]
     if config.command is not None:
         text = config.command if isinstance(config.command, str) else shlex.join(config.command)
         said = configured(config, "command", text, "command")
+        gui = _opened(evidence, config, text)
         return Choice(answer=Command(command=config.command, candidates=candidates, gui=gui), reasons=(said,))
     command, why = _authors(evidence, dockerfile) or _obvious(evidence, found, kind, dockerfile)
+    gui = _opened(evidence, config, shlex.join(command))
     return Choice(
         answer=Command(command=command, candidates=candidates, gui=gui),
         reasons=(why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES])),
@@ -138,8 +139,14 @@ def _barest(candidates: list[Candidate]) -> list[Candidate]:
     return list(programs.values())
 
 
-def _gui(evidence: Evidence) -> bool:
-    """Tell whether a launch file starts a viewer, or the code uses a library that opens windows."""
+def _opened(evidence: Evidence, config: Config, command: str) -> bool:
+    return config.gui if config.gui is not None else _gui(evidence, command)
+
+
+def _gui(evidence: Evidence, command: str) -> bool:
+    """Tell whether a launch file starts a viewer, the code uses a library of windows, or the command's file has one."""
+    if any(d.namespace == "call" and d.file in command for d in evidence.code):
+        return True
     if any(launch.gui for launch in evidence.launch):
         return True
     asked = (d for project in evidence.cmake if not places.vendored(project.file) for d in project.dependencies)

@@ -13,8 +13,9 @@ Strength = Literal["declared", "used", "optional", "prose"]
 ``used``: the code uses it (an include, an import, a launch file's package); ``optional``: behind a condition or
 ``QUIET``; ``prose``: written for humans (README) or for another machine (an author's Dockerfile, CI).
 """
-Namespace = Literal["rosdep", "apt", "cmake", "ros", "pkg-config", "include", "import", "link"]
-"""What kind of name it is: ``ros`` is a ROS package, ``cmake`` a name given to ``find_package``."""
+Namespace = Literal["rosdep", "apt", "cmake", "ros", "pkg-config", "include", "import", "link", "call"]
+"""What kind of name it is: ``ros`` is a ROS package, ``cmake`` a name given to ``find_package``, ``call`` the
+library of a call that opens a window."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

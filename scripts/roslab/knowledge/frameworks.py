@@ -141,6 +141,12 @@ def wheels() -> dict[str, tuple[str, ...]]:
 
 
 @cache
+def older_wheels() -> dict[str, tuple[Version, tuple[str, ...]]]:
+    """Return what only the wheels from before a release need: ``{pip package: (the release, apt packages)}``."""
+    return {row["pip"]: (Version(row["before"]), tuple(row["apt"].split())) for row in rows("older_wheels")}
+
+
+@cache
 def build_needs() -> dict[str, tuple[str, ...]]:
     """Return what must be installed before a pip package can be built."""
     return {row["pip"]: tuple(row["first"].split()) for row in rows("build_needs")}

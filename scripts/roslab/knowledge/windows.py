@@ -1,4 +1,4 @@
-"""Libraries that open windows."""
+"""Libraries that open windows, and calls that do."""
 
 from __future__ import annotations
 
@@ -19,3 +19,19 @@ def _patterns() -> dict[str, tuple[re.Pattern[str], ...]]:
 def opens(where: str, name: str) -> bool:
     """Tell whether a library opens windows, by its name for ``find_package``, its header or its Python module."""
     return any(pattern.search(name) for pattern in _patterns().get(where, ()))
+
+
+@cache
+def _calls() -> tuple[tuple[str, str, re.Pattern[str]], ...]:
+    return tuple(
+        (row["library"], row["hint"], re.compile(row["pattern"], re.MULTILINE)) for row in rows("window_calls")
+    )
+
+
+def shown(text: str) -> dict[str, int]:
+    """Return the libraries by which a file of Python opens windows, each with the place of its first call."""
+    found: dict[str, int] = {}
+    for library, hint, pattern in _calls():
+        if library not in found and hint in text and (match := pattern.search(text)):
+            found[library] = match.start()
+    return found

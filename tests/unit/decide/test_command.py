@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from roslab.config.model import Config, Kind
@@ -9,6 +11,7 @@ from roslab.decide.command import decide_command
 from roslab.decide.decision import Python
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.python.installed import installed
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import (
     CMakeProject,
     CondaEnvironment,
@@ -128,3 +131,10 @@ def test_the_only_program_that_cmake_compiles() -> None:
     choice = decide_command(Evidence(cmake=(project,)), Config(), "cpp", None)
     assert choice.answer.command == ("align",)
     assert (choice.reasons[0].file, choice.reasons[0].line) == ("CMakeLists.txt", 7)
+
+
+def test_a_command_whose_file_shows_a_picture_has_a_window() -> None:
+    call = Dependency(namespace="call", name="matplotlib", strength="used", file="train.py", line=9)
+    for file, gui in (("train.py", True), ("tools/plot.py", False)):
+        evidence = Evidence(programs=(MAIN,), code=(replace(call, file=file),))
+        assert decide_command(evidence, Config(), "python", None).answer.gui is gui

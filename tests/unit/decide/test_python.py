@@ -248,6 +248,15 @@ def test_wheels_bring_their_system_packages(tmp_path: Path) -> None:
     assert "libgl1-mesa-glx" in dict(apt_for_wheels(python, everything, "xenial", evidence))
 
 
+@pytest.mark.parametrize(("asked", "needed"), [("opencv-python", False), ("opencv-python==4.1.2.30", True)])
+def test_only_older_wheels_need_what_they_were_linked_with(tmp_path: Path, asked: str, needed: bool) -> None:
+    evidence = evidence_of(tmp_path, {"requirements.txt": f"{asked}\n"})
+    python = chosen(evidence, Config(), "python")
+    found = dict(apt_for_wheels(python, installed(evidence, python), "focal", evidence))
+    assert ("libxrender1" in found) == needed
+    assert "libgl1" in found
+
+
 def test_imports_of_ros_code_come_from_apt(tmp_path: Path) -> None:
     evidence = evidence_of(tmp_path, {"n.py": "import numpy\nimport rospy\nimport ultralytics\n"})
     focal = chosen(evidence, Config(), "ros1", "focal", "noetic")

@@ -372,3 +372,30 @@ def test_a_driver_with_a_manifest_for_each_ros_is_made_a_package_of_this_one(
     )
     driver = next(source for source in cloned.source if source.name == "livox_ros_driver2")
     assert (driver.ref, driver.prepare != "") == ("1.2.4", True)
+
+
+def test_what_the_base_or_another_package_brings_is_not_named(tmp_path: Path) -> None:
+    bridge = CATKIN.replace("</package>", "<depend>cv_bridge</depend><exec_depend>tf</exec_depend></package>")
+    files = {
+        **package(xml=bridge),
+        "CMakeLists.txt": CMAKE.format(name="demo") + "find_package(OpenCV REQUIRED)\nfind_package(Eigen3 REQUIRED)\n",
+        "a.cpp": "#include <visualization_msgs/Marker.h>\n#include <pcl_ros/point_cloud.h>\n",
+        "README.md": "```\nsudo apt install ros-noetic-nav-msgs\n```\n",
+    }
+    found = decided(tmp_path, files)
+    assert {"libopencv-dev", "ros-noetic-visualization-msgs"}.isdisjoint({*found.apt, *found.apt_guessed})
+    assert "libeigen3-dev" in found.apt
+    assert {"ros-noetic-nav-msgs", "ros-noetic-pcl-ros"} <= {*found.apt_guessed}  # the author names one
+
+
+def test_a_library_built_from_source_gets_the_headers_that_a_ros_package_brings_later(tmp_path: Path) -> None:
+    files = {
+        **package(xml=CATKIN.replace("</package>", "<depend>cv_bridge</depend></package>")),
+        "CMakeLists.txt": CMAKE.format(name="demo") + "find_package(OpenCV REQUIRED)\n"
+        "find_package(odd_library REQUIRED)\n",
+        "README.md": "```\ngit clone https://github.com/someone/odd_library\ncd odd_library/build\ncmake ..\n"
+        "sudo make install\n```\n",
+    }
+    found = decided(tmp_path, files)
+    assert "libopencv-dev" not in found.apt
+    assert ["libopencv-dev" in source.depends for source in found.source if source.name == "odd_library"] == [True]

@@ -12,6 +12,7 @@ from roslab.decide.reasons import because, configured
 from roslab.decide.ros.keys import declared_keys, translate
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.carried import brought, held
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import needs
 from roslab.decide.system.wheels import apt_for_wheels
@@ -56,6 +57,8 @@ class SystemPackages:
     apt_guessed: tuple[str, ...] = ()
     recipes: tuple[tuple[str, Dependency], ...] = ()
     """``(row of the table of recipes, what asks for it)``."""
+    brought: tuple[str, ...] = ()
+    """Packages that are needed too, and that others of these depend on."""
 
 
 @dataclass
@@ -103,6 +106,8 @@ def decide_system(
         found.guessed.setdefault(apt, asked)
     refused = never()
     kept = {n: d for n, d in found.guessed.items() if n not in found.declared and not refused.match(n)}
+    variant = config.base.ros.partition("-")[2] if config.base.ros else ""
+    dropped = _drop(found, kept, target, [key.name for key in keys if key.name not in found.skip], variant)
     wanted = [name for name in _requested(config, target.ubuntu) if name not in found.declared]
     said = (configured(config, "dependencies", name, f"apt.{index}") for index, name in enumerate(config.apt))
     return Choice(
@@ -112,10 +117,33 @@ def decide_system(
             apt=tuple(found.declared),
             apt_guessed=tuple(sorted({*kept, *wanted})),
             recipes=tuple(found.recipes.items()),
+            brought=dropped,
         ),
         reasons=(*said, *_explained(found.declared, kept, keys)),
         warnings=tuple(found.warnings),
     )
+
+
+def _drop(
+    found: _Found, kept: dict[str, Dependency | Requirement], target: Target, keys: list[str], variant: str
+) -> tuple[str, ...]:
+    """Take out what the base or other packages bring and no author named; return what others bring."""
+    for name in [n for n in kept if n in held(target, variant) and not _written_down(kept[n])]:
+        del kept[name]
+    sure = (*found.declared, *map(target.ros, keys))
+    certain, likely = brought(sure, target), brought((*sure, *kept), target)
+    dropped = [n for n, asked in found.declared.items() if n in certain and asked and asked.namespace != "apt"]
+    for name in dropped:
+        del found.declared[name]
+    guessed = [n for n, asked in kept.items() if n in likely and not _written_down(asked)]
+    for name in guessed:
+        del kept[name]
+    return (*dropped, *guessed)
+
+
+def _written_down(asked: Dependency | Requirement) -> bool:
+    """Tell whether an author's install line names it."""
+    return isinstance(asked, Dependency) and asked.namespace == "apt" and asked.strength == "prose"
 
 
 def without_twins(choice: Choice[SystemPackages], built: frozenset[str]) -> Choice[SystemPackages]:

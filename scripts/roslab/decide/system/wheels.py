@@ -8,8 +8,9 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.apt_renames import name_in
 from roslab.knowledge.distros import ubuntus_with_python2
-from roslab.knowledge.frameworks import imports, wheels
+from roslab.knowledge.frameworks import imports, older_wheels, wheels
 from roslab.values.requirement import Requirement
+from roslab.values.version import version_of
 
 _TK = "python3-tk"
 """Of the distribution's Python only; conda's brings Tk itself. https://github.com/conda-forge/python-feedstock"""
@@ -21,7 +22,7 @@ def apt_for_wheels(
     """Return ``(apt name, the requirement or import that needs it)``; ``ubuntu`` is ``None`` on Debian bookworm."""
     found: dict[str, Dependency | Requirement] = {}
     for asked in installed:
-        for apt in wheels().get(asked.key, ()):
+        for apt in (*wheels().get(asked.key, ()), *_older(asked)):
             if python.manager == "conda" and apt == _TK:
                 continue
             found.setdefault(name_in(apt, ubuntu or "bookworm"), asked)
@@ -37,3 +38,10 @@ def apt_for_wheels(
             if dependency.name in {"matplotlib", "pylab"}:
                 found.setdefault("python-tk" if ubuntu in ubuntus_with_python2() else "python3-tk", dependency)
     return tuple(found.items())
+
+
+def _older(asked: Requirement) -> tuple[str, ...]:
+    """Return what wheels from before a release need, if the requirement names such a version."""
+    before, packages = older_wheels().get(asked.key, (None, ()))
+    named = (version_of(each.version.rstrip(".*")) for each in asked.specifier if each.operator not in {"!=", ">"})
+    return packages if before and any(found and found < before for found in named) else ()

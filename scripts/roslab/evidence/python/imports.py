@@ -10,6 +10,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Program
 from roslab.evidence.python import notebooks
 from roslab.knowledge.frameworks import imports as known_imports
+from roslab.knowledge.windows import shown
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -44,7 +45,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     """Return what the tree's Python files import from outside the tree and the standard library.
 
     Each name once, at its first place; ``optional`` if it is only imported inside a function or a ``try``.
-    The package of a plain ``python`` is included if the first line of a program starts that.
+    Calls that open windows are included, each library's once for a file, and the package of a plain ``python`` if the
+    first line of a program starts that.
     """
     local = _local(repository)
     found: dict[str, Dependency] = {}
@@ -54,6 +56,10 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
             found[""] = started
         if "import" not in text:
             continue
+        for library, position in shown(text).items():
+            found[f"{library} {file.path}"] = Dependency(
+                namespace="call", name=library, strength="used", file=file.path, line=text.count("\n", 0, position) + 1
+            )
         for match in _IMPORT.finditer(text):
             for top in _modules_of(match):
                 if _standard(top) or top in local or top.startswith("_"):

@@ -1,0 +1,28 @@
+"""Packages that need no naming: the base has them, or another package that is installed brings them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslab.decide.system.names import Target
+from roslab.knowledge.carried import base_holds, carried_by
+from roslab.knowledge.distros import distros
+
+
+def held(target: Target, variant: str) -> frozenset[str]:
+    """Return the apt names of the ROS packages that the base of a variant of ROS, ``ros-base`` if empty, has."""
+    if target.ros_distro is None or variant == "ros-core":
+        return frozenset()
+    return frozenset(target.ros(name) for name in base_holds(distros()[target.ros_distro].ros))
+
+
+def brought(installed: Iterable[str], target: Target) -> frozenset[str]:
+    """Return the apt names that packages, given by theirs, depend on."""
+    prefix = f"ros-{target.ros_distro}-"
+    return frozenset(
+        name
+        for package in installed
+        for name in carried_by(
+            f"ros-{package.removeprefix(prefix)}" if package.startswith(prefix) else package, target.ubuntu
+        )
+    )
