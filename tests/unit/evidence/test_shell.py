@@ -51,7 +51,7 @@ def test_apt_lines(text: str, expected: list[str]) -> None:
 
 @pytest.mark.parametrize(
     "written",
-    ["YOUR_DISTRO", "<distro>", "$ROS_DISTRO", "${ROS_DISTRO}", '"${ROS_DISTRO}"', "XXX", "[distro]",
+    ["YOUR_DISTRO", "<distro>", "$ROS_DISTRO", "${ROS_DISTRO}", '"${ROS_DISTRO}"', "XXX", "xxx", "[distro]",
      "$(rosversion -d)",
      "${{ matrix.ros_distro }}", "{distro}", "<your-ros-version>"],
 )  # fmt: skip

@@ -98,7 +98,8 @@ def fill_placeholders(text: str) -> str:
     def fill(match: re.Match[str]) -> str:
         bare = _CAPITALS.match(match[0])
         # IGNORECASE lets [A-Z] match lower case too: such a word is the name of a distro or a package.
-        return match[0] if bare and not (bare[1].isupper() or "distro" in bare[1].lower()) else "ros-{distro}-"
+        blank = bare and (bare[1].isupper() or "distro" in bare[1].lower() or set(bare[1]) == {"x"})
+        return match[0] if bare and not blank else "ros-{distro}-"
 
     return _PLACEHOLDER.sub(fill, text)
 
