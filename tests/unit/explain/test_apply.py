@@ -74,3 +74,23 @@ def test_an_image_of_the_author_s_own_dockerfile_is_repaired_there(
     assert "+RUN apt-get update && apt-get install -y --no-install-recommends libgoogle-glog-dev\n RUN make" in told.out
     assert "nothing is written: the image is built from Dockerfile" in told.err
     assert (robot / "roslab.yaml").read_text() == "format: 3\ndockerfile: Dockerfile\n"
+
+
+def test_a_log_alone_shows_what_to_change_in_a_dockerfile(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "build.log"
+    file.write_text(MISSING)
+    assert main(["explain", str(file)]) == 0
+    added = "  +RUN apt-get update && apt-get install -y --no-install-recommends libgoogle-glog-dev\n   RUN make\n"
+    assert capsys.readouterr().out.endswith(f"roslab.yaml: apt: [libgoogle-glog-dev]\nin the Dockerfile:\n{added}")
+
+
+def test_what_is_unknown_stays_short_and_can_be_tried(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    said = "".join(f"#6 {n}.0 the strange thing number {n} failed\n" for n in range(60))
+    end = '#6 ERROR: process "/bin/sh -c ./odd" did not complete successfully: exit code: 7\n'
+    file = tmp_path / "build.log"
+    file.write_text(f"#6 [3/4] RUN ./odd\n{said}{end}")
+    assert main(["explain", str(file)]) == 0
+    out = capsys.readouterr().out.splitlines()
+    assert out[:2] == ["step: RUN ./odd", "no known cause. The lines that matter:"]
+    assert 1 <= len([line for line in out if line.startswith("  ")]) <= 20
+    assert out[-1].endswith("docker buildx debug --invoke /bin/sh build .")

@@ -58,6 +58,10 @@ def test_a_failure_leaves_its_look_alike_alone(row: Failure) -> None:
     assert answer.explanations[0].id != row.id
 
 
+def test_every_failure_has_a_look_alike_of_its_own() -> None:
+    assert [row.id for row in ALL if not row.unlike.strip() or row.unlike.strip() == row.sample.strip()] == []
+
+
 @pytest.mark.parametrize("row", ALL, ids=lambda row: row.id)
 def test_a_failure_has_all_that_its_sentences_use(row: Failure) -> None:
     groups = {
