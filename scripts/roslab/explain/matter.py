@@ -39,6 +39,7 @@ _PROBE = pattern(
 _ECHO = pattern(
     r"(?:process|executor failed running|The command) .{0,4000}?((?:exit|non-zero) code: ?\d{1,3})", re.DOTALL
 )
+_CODE = pattern(r"(?:exit|non-zero) code: ?\d{1,3}$")
 _FAILED_TO = pattern(r"^(?:ERROR: )?(?:failed to (?:build|solve): ){1,3}")
 _SAYS = pattern(
     r"(?i)\b(?:error|fatal|failed|failure|cannot|can't|could not|couldn't|unable|undefined|not found"
@@ -132,7 +133,10 @@ def telling(found: list[Line], most: int = 20) -> list[Line]:
 
 
 def first_error(found: list[Line]) -> Line | None:
-    """Return the first line that reports an error, or the last line if there is none."""
+    """Return the first line that reports an error, or the last line with the exit code."""
     said = [line for line in found if _SAYS.search(line.text) and not _QUIET.search(line.text)]
     plain = [line for line in said if not _LAST.search(line.text)]
-    return next(iter([*plain, *said, *found[-1:]]), None)
+    end = found[-2:]
+    if len(end) > 1 and _CODE.match(end[1].text):
+        end = [Line(end[0].number, f"{end[0].text.strip()} ({end[1].text})")]
+    return next(iter([*plain, *said, *end[-1:]]), None)

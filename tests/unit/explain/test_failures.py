@@ -349,3 +349,11 @@ def test_a_name_that_begins_like_a_common_package_tells_nothing_of_the_lists() -
 #9 ERROR: process "/bin/sh -c apt install -y python3-catkin-tools" did not complete successfully: exit code: 100
 """
     assert [one.id for one in said(log).explanations] == ["apt-unknown"]
+
+
+def test_the_last_line_of_a_step_says_more_than_its_exit_code() -> None:
+    log = """#7 [3/4] RUN ./plan
+#7 0.3 planner: the arm has no elbow
+#7 ERROR: process "/bin/sh -c ./plan" did not complete successfully: exit code: 7
+"""
+    assert said(log).explanations[0].error == "planner: the arm has no elbow (exit code: 7)"
