@@ -99,6 +99,9 @@ def _building_commands(commands: Commands) -> None:
         metavar="DIR",
         help="folder for the screenshot of a program with windows (default: roslab/NAME in your cache folder)",
     )
+    build.add_argument(
+        "--slim", action="store_true", help="build a second image of what runs alone, too, whose name ends in -slim"
+    )
     build.add_argument("--no-cache", action="store_true", help="build every layer anew")
     build.add_argument("--no-lock", action="store_true", help="take today's versions, whatever roslab.lock says")
     build.add_argument(

@@ -7,6 +7,7 @@ import os
 import sys
 import tempfile
 import uuid
+from dataclasses import replace
 from pathlib import Path
 
 from roslab.cli.planning import planned_of, warnings_of
@@ -19,6 +20,7 @@ from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.pipeline import Planned, bases_of, preflight, write_bases, write_dockerfile, write_policy
 from roslab.plan import record
 from roslab.plan.ladder import LOWER, Ladder, below, lines
+from roslab.plan.plan import SLIM
 from roslab.repository import git as commits
 from roslab.values.origin import Option
 
@@ -79,7 +81,7 @@ def _once(
             engine.say(f"roslab: warning: {found.text}")
     engine.say(f"roslab: building {name} for {', '.join(platforms)}")
     anew = _from_nothing() if options.no_cache and not again else ()
-    candidates: list[str] = []
+    candidates: list[tuple[str, str]] = []
     helpers: list[str] = []
     labels: dict[str, str] = {}
     try:
@@ -88,12 +90,14 @@ def _once(
             for platform in platforms:
                 mended = _mended(planned, Path(folder), platform)
                 helpers += mended.images
-                candidates.append(f"{planned.plan.name}:roslab-candidate-{os.getpid()}-{platform.replace('/', '-')}")
+                candidate = f"{planned.plan.name}:roslab-candidate-{os.getpid()}-{platform.replace('/', '-')}"
+                # The engine's image store may hold only one platform per name, so each of several gets its own name
+                suffix = f"-{platform.rpartition('/')[2]}" if len(platforms) > 1 else ""
                 job = engine.Build(
                     context=context,
                     dockerfile=dockerfile,
                     platforms=(platform,),
-                    tags=(candidates[-1],),
+                    tags=(candidate,),
                     labels=engine.commit_labels(planned.repository.root),
                     contexts=mended.contexts,
                     arguments=(*(authored.args if authored else ()), *arguments, *anew),
@@ -101,20 +105,32 @@ def _once(
                     secrets=secrets,
                     extra=("--no-cache",) if anew else (),
                 )
-                engine.build(job, environment=write_policy(planned.plan, Path(folder)))
-                if not options.no_proof:
-                    ladder = prove(planned, candidates[-1], platform, f"{name} was not named", screenshots)
-                    labels[platform] = record.to_json(record.record(planned.plan, {platform: ladder}))
+                for each, ending in _images(planned, job):
+                    made = each.tags[0]
+                    candidates.append((made, name + ending + suffix))
+                    engine.build(each, environment=write_policy(planned.plan, Path(folder)))
+                    if not options.no_proof:
+                        ladder = prove(planned, made, platform, f"{name}{ending} was not named", screenshots)
+                        labels[made] = record.to_json(record.record(planned.plan, {platform: ladder}))
                 if planned.plan.lock:
-                    compared(planned, candidates[-1], platform)
-        for candidate, platform in zip(candidates, platforms, strict=True):
-            # The engine's image store may hold only one platform per name, so each of several gets its own name
-            suffix = f"-{platform.rpartition('/')[2]}" if len(platforms) > 1 else ""
-            engine.name_image(candidate, name + suffix, (record.KEY, labels[platform]) if labels else None)
-            sys.stdout.write(f"{name}{suffix}\n")
+                    compared(planned, candidate, platform)
+        for made, final in candidates:
+            engine.name_image(made, final, (record.KEY, labels[made]) if labels else None)
+            sys.stdout.write(f"{final}\n")
     finally:
-        for image in (*candidates, *helpers):
+        for image in (*(made for made, _ in candidates), *helpers):
             engine.remove_image(image)
+
+
+def _images(planned: Planned, whole: engine.Build) -> tuple[tuple[engine.Build, str], ...]:
+    """Return the builds of a platform, that of the whole image first, and what each adds to the image's name.
+
+    The slim image is made out of the whole one, whose steps are in the cache then.
+    """
+    if not planned.plan.slim:
+        return ((whole, ""),)
+    ending = f"-{SLIM}"
+    return (whole, ""), (replace(whole, tags=(whole.tags[0] + ending,), target=SLIM, extra=()), ending)
 
 
 def _mended(planned: Planned, folder: Path, platform: str) -> Mended:

@@ -21,6 +21,8 @@ def planned_of(options: argparse.Namespace, *, config_text: str | None = None) -
         for option, text in said.items()
         if text is not None
     )
+    if getattr(options, "slim", False):
+        overrides += (Override(key="slim", text="true", origin=Option(name="--slim")),)
     return plan_repository(
         options.path or ".",
         branch=options.branch,

@@ -209,6 +209,8 @@ class Config:
     platforms: tuple[str, ...] | None = None
     """``linux/amd64`` …"""
     notebook: bool | None = None
+    slim: bool | None = None
+    """A second image is built, of what runs alone."""
     matlab: Matlab | None = None
     origins: tuple[tuple[str, Origin], ...] = ()
     """Where each key was given, by dotted path (``base.ros``, ``apt.2``), for messages and reasons."""

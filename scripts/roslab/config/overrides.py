@@ -126,6 +126,8 @@ def _schema(key: str) -> Schema:
 
 
 def _node(text: str, schema: Schema, mark: Mark) -> Node:
+    if schema.get("type") == "boolean" and text in ("true", "false"):
+        return replace(_scalar(text, mark), kind="boolean")
     if not _takes_list(schema):
         return _scalar(text, mark)
     items = tuple(_scalar(part, mark) for part in _SEPARATOR.split(text) if part)

@@ -133,6 +133,7 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
         ports=reading.values(root, "ports", "ports") or (),
         platforms=reading.values(root, "platforms", "platforms"),
         notebook=True if notebook is None and old else notebook,
+        slim=reading.truth(root, "slim", "slim"),
         matlab=running.matlab(reading, root),
         origins=tuple(reading.origins.items()),
         warnings=tuple(reading.warnings),

@@ -56,6 +56,7 @@ def written(config: Config) -> str:
         "ports": list(config.ports),
         "platforms": _files(config.platforms),
         "notebook": config.notebook,
+        "slim": config.slim,
         "matlab": _said(config.matlab, ("host_path", "mac_address")) if config.matlab else None,
     }
     kept = {key: value for key, value in said.items() if value is False or value not in (None, "", {}, [])}

@@ -39,6 +39,8 @@ from roslab.values.dataclass import dataclass
 
 VERSION = 1
 """Version of the plan's JSON; a reader refuses any other."""
+SLIM = "slim"
+"""The stage of the slim image, and what the names of its tags end in."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -119,6 +121,8 @@ class Plan:
     custom: Custom | None
     env: tuple[tuple[str, str], ...]
     notebook: bool
+    slim: bool
+    """The Dockerfile has a target ``slim`` too: an image of what runs, without what only building needs."""
     icub: bool
     cmake_update: str | None
     run: Run
@@ -238,6 +242,7 @@ def make_plan(
         custom=custom(config, place),
         env=config.env,
         notebook=bool(config.notebook),
+        slim=_slim(decision, config),
         icub=config.base.icub,
         cmake_update=config.base.cmake_update,
         run=run,
@@ -259,6 +264,15 @@ def make_plan(
             bases=author_dockerfile.bases if author_dockerfile else (),
         ),
     )
+
+
+def _slim(decision: Decision, config: Config) -> bool:
+    """Tell whether a slim image is wanted. Raises ``ConfigurationError`` where the author's Dockerfile is built."""
+    if config.slim and decision.dockerfile:
+        message = f"`slim` is made of a generated Dockerfile, and {decision.dockerfile} is built here"
+        hint = "leave `slim` out, or name no `dockerfile`"
+        raise ConfigurationError(Problem(message=message, hint=hint, origin=config.origin("slim")))
+    return bool(config.slim)
 
 
 def to_json(plan: Plan) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import apart, base, final, locks, manifests, python, scripts, shell, system, workspace
+from roslab.render.layers import apart, base, final, locks, manifests, python, scripts, shell, slim, system, workspace
 from roslab.render.output import Beside
 from roslab.values.dataclass import dataclass
 from roslab.values.secret import SSH
@@ -113,6 +113,8 @@ def dockerfile(plan: Plan) -> str:
     """Return the text of the Dockerfile for a plan without a Dockerfile of the author's."""
     order = OLD_FORMATS if plan.compatible else TODAY
     stages = [_without_repetition(stage) for stage in _stages(order, plan)]
+    if plan.slim:
+        stages += slim.stages(plan, stages)
     carried = scripts.stage("\n".join(stages))
     return _header(plan) + "\n" + "\n\n\n".join((carried, *stages)) + "\n"
 
@@ -137,9 +139,12 @@ def _stages(order: Order, plan: Plan) -> list[str]:
     first = _join(order.base, plan)
     between = [text for block in order.stages if (text := block(plan))]
     before = f"{start} AS base\n{first}"
+    whole = f" AS {slim.IMAGE}" if plan.slim else ""
     if not plan.compiled_apart:
         image = _join((*order.image, *order.source), plan)
-        return [before, *between, f"FROM base\n{image}"] if between else [f"{start}\n{first}\n\n{image}"]
+        if between:
+            return [before, *between, f"FROM base{whole}\n{image}"]
+        return [f"{start}{whole}\n{first}\n\n{image}"]
     dependencies = _join((*order.image, final.environment), plan)
     if between:
         between = [before, *between, f"FROM base AS {apart.DEPENDENCIES}\n{dependencies}"]
@@ -149,7 +154,7 @@ def _stages(order: Order, plan: Plan) -> list[str]:
         apart.source_stage(plan),
         *between,
         f"FROM {apart.DEPENDENCIES} AS {apart.COMPILED}\n{apart.compiled(plan)}",
-        f"FROM {apart.DEPENDENCIES}\n{_join((apart.results, final.start), plan)}",
+        f"FROM {apart.DEPENDENCIES}{whole}\n{_join((apart.results, final.start), plan)}",
     ]
 
 

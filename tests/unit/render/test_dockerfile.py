@@ -230,6 +230,41 @@ def test_a_command_given_as_text_runs_in_bash() -> None:
     assert dockerfile(plan(command="cd x && ./run")).endswith('CMD ["bash", "-c", "cd x && ./run"]\n')
 
 
+@pytest.mark.parametrize("changes", [{}, {"apt": ("git",), "source": (CERES,)}, {"kind": "python", "packages": ()}])
+def test_the_slim_image_is_made_of_the_whole_one_and_starts_as_it_does(changes: dict[str, Any]) -> None:
+    config = Config(slim=True, env=(("DEPTH", "3"),), skip_keys=("gazebo",))
+    text = written(plan(config, **changes))
+    image, pruned, slim, whole = (text.index(f"\nFROM {each}") for each in _slim_stages(text))
+    assert image < pruned < slim < whole
+    assert text[slim:].startswith("\nFROM scratch AS slim\nCOPY --from=pruned / /\n")
+    assert text.endswith("\nFROM image\n"), "a build without a target makes the whole image"
+    variables = re.compile(r"^ENV (?:.*\\\n)*.*$", re.MULTILINE)
+    assert set(variables.findall(text[:pruned])) <= set(variables.findall(text[slim:whole]))
+    assert "ENV ROS_DISTRO=noetic" in text[slim:whole]
+    assert len(started := re.findall(r"^(?:CMD|WORKDIR|USER) .*$", text[slim:whole], re.MULTILINE)) == 3
+    assert all(line in text[image:pruned] for line in started)
+    assert 'ENTRYPOINT ["roslab-entrypoint"]' in text[slim:whole]
+
+
+def _slim_stages(text: str) -> tuple[str, str, str, str]:
+    image = re.search(r"\nFROM (\S+ AS image\n)", text)
+    assert image
+    return image[1], "image AS pruned\n", "scratch AS slim\n", "image\n"
+
+
+def test_of_the_manifests_a_slim_image_keeps_what_running_needs() -> None:
+    found = written(make_plan(decision(skip_keys=("gazebo",)), Config(slim=True), folder_name="Paper"))
+    assert "RUN keep-what-runs --skip gazebo /tmp/manifests\n" in found
+    assert "AS slim" not in written(plan())
+
+
+def test_an_authors_dockerfile_has_no_slim_image() -> None:
+    with pytest.raises(
+        ConfigurationError, match="`slim` is made of a generated Dockerfile, and docker/Dockerfile is built"
+    ):
+        plan(Config(slim=True), dockerfile="docker/Dockerfile")
+
+
 def test_the_papers_custom_runs_one_by_one_as_the_user_at_home() -> None:
     custom = Custom(commands=("make a", "make b"), as_root=False, chained=False, workdir="home")
     text = dockerfile(plan(Config(file="roslab.yaml", generation="paper", compatible="paper", name="x", custom=custom)))

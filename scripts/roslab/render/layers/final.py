@@ -51,7 +51,7 @@ def environment(plan: Plan) -> str:
 
 def start(plan: Plan) -> str:
     """Set what a container starts with: its variables, user and folder, the entry point and the default command."""
-    return f"{_variables(plan)}\n{_command(plan)}"
+    return f"{_variables(plan)}\n{command(plan, entry_point=bool(setups(plan)))}"
 
 
 def _variables(plan: Plan) -> str:
@@ -73,10 +73,10 @@ def _variables(plan: Plan) -> str:
     return f"{home}\nENV {body}" if pairs else home
 
 
-def _command(plan: Plan) -> str:
+def command(plan: Plan, *, entry_point: bool) -> str:
     """Set the user, the folder it starts in, the entry point and the default command."""
     lines = ["USER ${NB_USER}", f"WORKDIR {quote.docker_path(source_folder(plan))}"]
-    if setups(plan):
+    if entry_point:
         lines.append(f"ENTRYPOINT {quote.json_form([ENTRY_POINT])}")
     argv = ["bash", "-c", plan.run.command] if isinstance(plan.run.command, str) else list(plan.run.command)
     lines.append(f"CMD {quote.json_form(argv)}")

@@ -62,19 +62,23 @@ def rosdep(plan: Plan) -> str:
         return ""
     files = manifests.of_rosdep(plan)
     tag, skip = plan.rosdep.rosdistro_tag, " ".join(plan.rosdep.skip_keys)
-    folders = [manifests.FOLDER] if files else []
-    cloned = [f"{WS}/src"] if plan.workspace.sources else []
-    folders += cloned or ([source_folder(plan)] if plan.workspace.submodules else [])
     return shell.call(
         "install-rosdep-keys",
         (f" --tables {quote.shell(tag)}" if tag else "")
         + (f" --skip {quote.shell(skip)}" if skip else "")
-        + "".join(f" {folder}" for folder in folders),
+        + "".join(f" {folder}" for folder in rosdep_folders(plan)),
         comment="What the package.xml files name; keys that rosdep does not know stop nothing and are told",
         before=manifests.copy(plan, files),
         secrets=secrets.for_both(plan),
         around=locks.apt(plan, "rosdep") + locks.constraints(plan),
     )
+
+
+def rosdep_folders(plan: Plan) -> list[str]:
+    """Return the folders of the image whose package.xml files name what is installed."""
+    folders = [manifests.FOLDER] if manifests.of_rosdep(plan) else []
+    cloned = [f"{WS}/src"] if plan.workspace.sources else []
+    return folders + (cloned or ([source_folder(plan)] if plan.workspace.submodules else []))
 
 
 def copy_source(plan: Plan) -> str:
