@@ -94,7 +94,8 @@ awk -F '\t' -v wanted="${work}/wanted" -v linked="${work}/linked" '
     for (at = 1; at <= last; at++) keep_dependencies(queue[at])
     for (p in section) if (!(p in kept)) print p
   }' "${work}/packages" | sort >"${work}/unneeded"
-DEBIAN_FRONTEND=noninteractive xargs --no-run-if-empty dpkg --purge --force-depends <"${work}/unneeded" >/dev/null 2>"${work}/log" ||
+DEBIAN_FRONTEND=noninteractive xargs --no-run-if-empty \
+  dpkg --purge --force-depends --force-unsafe-io <"${work}/unneeded" >/dev/null 2>"${work}/log" ||
   { cat "${work}/log" && exit 1; }
 
 rm -rf /usr/include /usr/local/include /opt/ros/*/include /usr/share/{info,locale,man,gtk-doc,help,lintian} \
