@@ -1,8 +1,9 @@
 """Sizes of images: the 2024 paper's way, the whole image, the slim one; and what images on one base share.
 
 ``python -m benchmarks.size`` builds examples in the lab, which must be up (``python3 tests/lab up``), each the ways
-beside each other, a few minutes an example. Sizes are those of the compressed layers, as a registry keeps them. What was measured
-is merged into benchmarks/results/size.json. ``--shared 20`` builds as many made-up repositories on one base.
+beside each other, a few minutes an example. Sizes are those of the compressed layers, as a registry keeps them. What
+was measured is merged into benchmarks/results/size.json. ``--shared 20`` builds as many made-up repositories on one
+base.
 """
 
 from __future__ import annotations

@@ -28,6 +28,30 @@ HEAVY = pattern(r"(?:torch|tensorflow|jax|paddlepaddle|mxnet|tensorrt|nvidia-\w+
 LARGER = "take a larger runner (the input runners), or a smaller base (base.image in roslab.yaml)"
 
 
+LARGEST_LAYER = 10 * GB
+"""Compressed bytes of a layer that ghcr.io takes at most.
+https://docs.github.com/en/packages/working-with-a-github-packages-registry/working-with-the-container-registry"""
+NEAR = 0.8
+"""Part of that from which on a layer is told."""
+
+
+def large_layers(name: str, layers: Sequence[tuple[int, str]]) -> tuple[Problem, ...]:
+    """Return a problem for each layer of an image of ghcr.io that is nearly too large for it.
+
+    ``layers`` are compressed bytes and what made each.
+    """
+    if not name.startswith("ghcr.io/"):
+        return ()
+    hint = "spread what it installs over several steps: keys of roslab.yaml, or RUN of a Dockerfile"
+    return tuple(
+        Problem(
+            message=f"a layer of {_gb(size)} is near the {_gb(LARGEST_LAYER)} that ghcr.io takes: {made}", hint=hint
+        )
+        for size, made in layers
+        if size > NEAR * LARGEST_LAYER
+    )
+
+
 def before_build(run: Run, platforms: Sequence[str], environment: Mapping[str, str]) -> None:
     """Print how much disk space is free and needed, and free some on GitHub's own runners.
 

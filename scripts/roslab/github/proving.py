@@ -82,6 +82,8 @@ def _prove_pushed(  # noqa: PLR0917 - what one platform's image is proved with
             locking.keep(folder, run, reference, image.platform)
         engine.remove_image(reference)
     ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals, gpu=run.plan.run.gpu)
+    for problem in disk.large_layers(run.image, [(layer.size, layer.created_by) for layer in image.layers]):
+        workflow.warn(problem)
     layers = tuple(LayerSize(size=x.size, text=x.created_by, base=x.digest in base) for x in image.layers)
     folder.write_report(
         PlatformReport(

@@ -53,3 +53,10 @@ def test_nothing_is_removed_that_an_image_or_a_step_needs() -> None:
     for path, _ in runner_weight():
         assert path.count("/") >= 2
         assert not path.startswith(("/opt/hostedtoolcache/Python", "/usr/bin", "/usr/lib", "/home", "/var"))
+
+
+def test_a_layer_that_is_nearly_too_large_for_ghcr_is_told_before_it_is() -> None:
+    layers = [(7_900_000_000, "RUN small"), (8_400_000_000, "RUN pip install torch")]
+    (problem,) = disk.large_layers("ghcr.io/somebody/paper", layers)
+    assert "a layer of 8.4 GB is near the 10.0 GB that ghcr.io takes: RUN pip install torch" in problem.message
+    assert disk.large_layers("registry.example.org/somebody/paper", layers) == ()
