@@ -125,6 +125,16 @@ def distro(name: str | None) -> Distro | None:
     return distros().get(name or "")
 
 
+def successor(name: str) -> Distro | None:
+    """Return the first distribution with an image after one that never had any, ``None`` for other names."""
+    listed = rows("distros")
+    lacking = next((number for number, row in enumerate(listed) if row["name"] == name and row["image"] != "yes"), None)
+    if lacking is None:
+        return None
+    ros = listed[lacking]["ros"]
+    return next((distro(row["name"]) for row in listed[lacking:] if row["image"] == "yes" and row["ros"] == ros), None)
+
+
 def default_distro(ros: Literal[1, 2]) -> Distro:
     """Return the distribution of a ROS version that is used when nothing names one."""
     return next(found for found in distros().values() if found.ros == ros and found.default)

@@ -36,7 +36,7 @@ def inspection(decision: Decision, plan: Plan) -> dict[str, Any]:
         "command_candidates": [list(candidate) for candidate in decision.command_candidates],
         "platforms": list(decision.platforms),
         "platforms_refused": dict(decision.platforms_refused),
-        "warnings": [{"message": w.message, "file": w.file, "line": w.line} for w in decision.warnings],
+        "warnings": [{"message": w.message, "file": w.file, "line": w.line} for w in plan.warnings],
         "evidence": [
             {"question": r.question, "answer": r.answer, "file": r.file, "line": r.line, "reason": r.reason}
             for r in decision.reasons
@@ -85,7 +85,7 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
     others = (said for c in decision.command_candidates if (said := shlex.join(c)) != command)
     lines += _section("other commands", others, rows=True)
     lines += _section("not built for", (f"{name}: {why}" for name, why in decision.platforms_refused), rows=True)
-    lines += _section("warnings", (_placed(w.message, w.file, w.line) for w in decision.warnings), rows=True)
+    lines += _section("warnings", (_placed(w.message, w.file, w.line) for w in plan.warnings), rows=True)
     questions = ", ".join(sorted({reason.question for reason in decision.reasons}))
     lines += [
         "",

@@ -11,6 +11,7 @@ from roslab.errors import ConfigurationError
 from roslab.pipeline import plan_repository
 from roslab.plan.plan import Plan, from_json, to_json
 from roslab.render.dockerfile import dockerfile
+from roslab.render.report import inspection_json, inspection_text
 
 PACKAGE = """\
 <package format="2">
@@ -121,6 +122,25 @@ def test_ci_that_was_left_behind_tells_nothing_of_a_later_day(tmp_path: Path, da
 def test_a_distribution_that_is_newer_than_the_day_is_named(tmp_path: Path) -> None:
     found = plan(tmp_path, ROS1, "date: 2019-01-01\nbase: {ros: dashing}\nkind: ros2\n")
     assert any("ROS dashing was released on 2019-05-31" in warning.message for warning in found.warnings)
+
+
+def test_a_distribution_of_which_nothing_is_left_is_named(tmp_path: Path) -> None:
+    manifest = PACKAGE.replace("catkin", "ament_cmake").replace("roscpp", "rclcpp")
+    found = plan(tmp_path, {**ROS1, "package.xml": manifest}, "date: 2019-01-15\nbase: {ros: crystal}\nkind: ros2\n")
+    assert found.ros_distro == "dashing"
+    said = [warning.message for warning in found.warnings]
+    assert "ROS crystal has no official image and no snapshot of its packages: dashing, the next one, is used" in said
+    assert any("ROS dashing was released on 2019-05-31" in message for message in said)
+
+
+def test_inspect_names_what_is_not_of_the_day(tmp_path: Path) -> None:
+    plan(tmp_path, PYTHON, "date: 2019-05-20\n")
+    planned = plan_repository(tmp_path)
+    for said in (inspection_text(planned.decision, planned.plan), inspection_json(planned.decision, planned.plan)):
+        assert "the image is to be of 2019-05-20: the base" in said
+    files = {"Dockerfile": "FROM ros:melodic\n", "CMakeLists.txt": "project(x)\n"}
+    found = plan(tmp_path, files, "dockerfile: Dockerfile\ndate: 2019-05-20\n")
+    assert any("Dockerfile is built with the packages of today" in warning.message for warning in found.warnings)
 
 
 @pytest.mark.parametrize("day", ["2019-02-30", "19-05-20", "yesterday", "2019"])

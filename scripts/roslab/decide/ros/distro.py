@@ -15,7 +15,7 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.code_fits import misfits
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.ros.conditions import holds
-from roslab.knowledge.distros import Distro, default_distro, distro, distros, distros_of
+from roslab.knowledge.distros import Distro, default_distro, distro, distros, distros_of, successor
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
 
@@ -25,6 +25,13 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     if config.base.ros and (known := distro(config.base.ros.partition("-")[0])):
         said = configured(config, "ros_distro", known.name, "base.ros")
         return Choice(answer=known, reasons=ranked([said, *reasons_for(evidence, known.ros)], known.name))
+    if config.base.ros and (later := successor(asked := config.base.ros.partition("-")[0])):
+        said = configured(config, "ros_distro", later.name, "base.ros")
+        told = f"ROS {asked} has no official image and no snapshot of its packages: {later.name}, the next one, is used"
+        warnings = (warn(told, config.origin("base.ros")),)
+        return Choice(
+            answer=later, reasons=ranked([said, *reasons_for(evidence, later.ros)], later.name), warnings=warnings
+        )
     if kind not in {"ros1", "ros2"}:
         return Choice(answer=None)
     ros = 1 if kind == "ros1" else 2
