@@ -66,6 +66,7 @@ def test_what_shows_what_names_only_what_exists() -> None:
             assert f"def {test}" in tests[file], f"{what}: {file} has no {test}"
         assert "`" in named or shown_live, f"nothing shows: {what}"
         jobs |= set(re.findall(r"`([a-z][a-z-]*)`", shown_live)) - {"dry-run"}
+    assert {path.name for path in (ROOT / "tests/lab").glob("test_*.py")} <= set(re.findall(r"test_\w+\.py", page))
     assert jobs == set(live["jobs"]) - {"table"}
     assert set(live["jobs"]["table"]["needs"]) == jobs
     by_hand = {name.replace(" ", "-") for name in re.findall(r"^- \*\*(.+?)\*\*", page, flags=re.MULTILINE)}
