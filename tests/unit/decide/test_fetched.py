@@ -55,7 +55,7 @@ def test_the_folders_are_taken_out_of_the_file_before_conda_reads_it(tmp_path: P
     (tmp_path / "run.py").write_text("import torch\n", encoding="utf-8")
     text = dockerfile(plan_repository(tmp_path).plan)
     command = next(line for line in text.splitlines() if "sed --in-place --regexp-extended" in line and "pip:" in line)
-    command = command.removeprefix("RUN ").removesuffix(" \\").replace("/tmp/manifests", str(tmp_path))
+    command = command.strip().removeprefix("&& ").removesuffix(" \\").replace("/tmp/manifests", str(tmp_path))
     subprocess.run(["bash", "-c", command], check=True)
     left = (tmp_path / "environment.yml").read_text(encoding="utf-8")
     assert left == "name: a\ndependencies:\n  - python=3.8\n  - pytorch=1.12.1\n"
