@@ -45,6 +45,7 @@ from roslab.repository import git as commits
 from roslab.values.origin import Place
 
 Environment = Mapping[str, str]
+NO_SLIM = "the whole image alone is published: `roslab build --slim` makes the slim one"
 
 
 def source(environment: Environment) -> None:
@@ -100,8 +101,8 @@ def plan(environment: Environment) -> None:
         file = posixpath.join(asked.path, warning.file) if warning.file else None
         origin = Place(file=file, line=warning.line) if file else None
         workflow.warn(Problem(message=warning.message, origin=origin))
-    if publication.warning:
-        workflow.warn(Problem(message=publication.warning))
+    for told in filter(None, (publication.warning, NO_SLIM if run.plan.slim else "")):
+        workflow.warn(Problem(message=told))
     folder = Folder.new(environment)
     line = runs.to_line(run)
     folder.write("run", line)

@@ -269,9 +269,8 @@ def make_plan(
 def _slim(decision: Decision, config: Config) -> bool:
     """Tell whether a slim image is wanted. Raises ``ConfigurationError`` where the author's Dockerfile is built."""
     if config.slim and decision.dockerfile:
-        message = f"`slim` is made of a generated Dockerfile, and {decision.dockerfile} is built here"
-        hint = "leave `slim` out, or name no `dockerfile`"
-        raise ConfigurationError(Problem(message=message, hint=hint, origin=config.origin("slim")))
+        wrong = f"`slim` is made of a generated Dockerfile, and {decision.dockerfile} is built here"
+        raise ConfigurationError(Problem(message=wrong, hint="leave `slim` out", origin=config.origin("slim")))
     return bool(config.slim)
 
 
@@ -289,13 +288,11 @@ def from_json(text: str) -> Plan:
         data: Any = json.loads(text)
         if not isinstance(data, dict) or data.get("version") != VERSION:
             found = data.get("version") if isinstance(data, dict) else type(data).__name__
-            raise ConfigurationError(
-                Problem(message=f"the plan has version {found!r}, but this program reads version {VERSION}")
-            )
+            message = f"the plan has version {found!r}, but this program reads version {VERSION}"
+            raise ConfigurationError(Problem(message=message))
         converter = Converter(forbid_extra_keys=True)
         converter.register_structure_hook(
-            tuple[str, ...] | str,
-            lambda value, _: value if isinstance(value, str) else tuple(map(str, value)),
+            tuple[str, ...] | str, lambda value, _: value if isinstance(value, str) else tuple(map(str, value))
         )
         return converter.structure(data, Plan)
     except (ValueError, RecursionError, BaseValidationError) as error:
