@@ -56,10 +56,12 @@ class Ladder:
         return next((rung for rung in self.rungs if rung.state != "held"), None)
 
     def __str__(self) -> str:
-        """Return how far it got, ``rung 2, talks``, and what the next rung would have needed."""
+        """Return how far it got, ``rung 2, talks``, and what the next rung would need."""
         told = title(self.reached)
-        missing = self.next
-        return f"{told}; rung {missing.number}, {missing.name}: {missing.needed or missing.said}" if missing else told
+        if (missing := self.next) is None:
+            return told
+        why = f", would need {missing.needed}" if missing.needed else f": {missing.said}"
+        return f"{told}; rung {missing.number}, {missing.name}{why}"
 
 
 def title(reached: int | None) -> str:

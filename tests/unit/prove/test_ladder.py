@@ -147,7 +147,7 @@ def test_after_a_failure_the_rest_was_not_tried() -> None:
     ladder = climb([FOUND, START, TEST], [outcome(FOUND, "failed with exit code 1", held=False)], NONE)
     assert [each.state for each in ladder.rungs] == ["missed", "unseen", "unseen", "unseen"]
     assert ladder.reached is None
-    assert str(ladder) == "no rung; rung 0, installs: that the workspace's packages are found"
+    assert str(ladder) == "no rung; rung 0, installs, would need that the workspace's packages are found"
 
 
 def test_what_is_asked_for() -> None:
