@@ -41,8 +41,10 @@ def _only_compiled(evidence: Evidence) -> bool:
 
 def _launched(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     """Yield the launch files of the repository's packages that are for its version of ROS."""
+    tests = {test.file for test in evidence.tests} | {launch.file for launch in evidence.launch if launch.tests}
     for launch in evidence.launch:
-        if launch.package and not places.test(launch.file) and kind == f"ros{launch.ros}":
+        aside = launch.file in tests or places.test(launch.file)
+        if launch.package and not aside and kind == f"ros{launch.ros}":
             start = ("roslaunch",) if launch.ros == 1 else ("ros2", "launch")
             argv = (*start, launch.package, launch.file.rpartition("/")[2])
             yield Candidate(argv=argv, why="a launch file", file=launch.file, line=launch.line, strong=False)

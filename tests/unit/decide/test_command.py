@@ -11,6 +11,7 @@ from roslab.decide.command import decide_command
 from roslab.decide.decision import Python
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.python.installed import installed
+from roslab.evidence import facts
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import (
     CMakeProject,
@@ -44,6 +45,14 @@ def test_the_one_obvious_program() -> None:
     assert choice.answer.command == ("python3", "train.py")
     choice = decide_command(Evidence(launch=(LAUNCH,)), Config(), "ros1", None)
     assert (choice.answer.command, choice.answer.gui) == (("roslaunch", "me", "a.launch"), True)
+
+
+def test_a_launch_file_of_tests_starts_nothing() -> None:
+    tests = replace(LAUNCH, file="launch/b.test", tests=2)
+    named = replace(LAUNCH, file="launch/talker_launch_test.py")
+    found = (facts.TestFile(file=named.file, line=1, runner="launch_test"),)
+    choice = decide_command(Evidence(launch=(LAUNCH, tests, named), tests=found), Config(), "ros1", None)
+    assert choice.answer.candidates == (("roslaunch", "me", "a.launch"),)
 
 
 @pytest.mark.parametrize(
