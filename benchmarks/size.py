@@ -20,7 +20,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from benchmarks.rebuild.repositories import CMAKE, EXAMPLES, FILTER, HEADER, LAUNCH, MANIFEST, NODE
+from benchmarks.rebuild.repositories import EXAMPLES, MANIFEST, package
 
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "benchmarks" / "results" / "size.json"
@@ -161,18 +161,7 @@ def _article(root: Path, index: int) -> None:
     name = f"article_{index:02}"
     needs = ("tf2_ros", "sensor_msgs", "nav_msgs", "python3-yaml", "python3-scipy")
     manifest = MANIFEST.replace("</package>", f"  <exec_depend>{needs[index % len(needs)]}</exec_depend>\n</package>")
-    files = {
-        "package.xml": manifest,
-        "CMakeLists.txt": CMAKE,
-        "src/node.cpp": NODE,
-        "src/filter.cpp": FILTER,
-        f"include/{name}/filter.hpp": HEADER,
-        "launch/start.launch": LAUNCH,
-    }
-    for path, text in files.items():
-        file = root / path
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text.format(name=name, index=index))
+    package(root, name, index, manifest)
 
 
 def table(results: dict[str, Any]) -> str:

@@ -104,22 +104,27 @@ def example(folder: Path) -> None:
     shutil.copytree(EXAMPLES / "ros1_talker", folder)
 
 
+def package(folder: Path, name: str, index: int, manifest: str = MANIFEST) -> None:
+    """Write a ROS 1 package with a node, a library and a launch file, whose code is unlike that of another index."""
+    files = {
+        "package.xml": manifest,
+        "CMakeLists.txt": CMAKE,
+        "src/node.cpp": NODE,
+        "src/filter.cpp": FILTER,
+        f"include/{name}/filter.hpp": HEADER,
+        "launch/start.launch": LAUNCH,
+    }
+    for path, text in files.items():
+        file = folder / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text.format(name=name, index=index))
+
+
 def workspace(folder: Path) -> None:
     """Write a workspace of thirty packages, the same bytes every time."""
     for index in range(PACKAGES):
         name = f"package_{index:02}"
-        files = {
-            "package.xml": MANIFEST,
-            "CMakeLists.txt": CMAKE,
-            "src/node.cpp": NODE,
-            "src/filter.cpp": FILTER,
-            f"include/{name}/filter.hpp": HEADER,
-            "launch/start.launch": LAUNCH,
-        }
-        for path, text in files.items():
-            file = folder / name / path
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(text.format(name=name, index=index))
+        package(folder / name, name, index)
     (folder / "README.md").write_text(README)
     (folder / "roslab.yaml").write_text(CONFIG)
 
