@@ -30,6 +30,8 @@ class Job:
     failures: tuple[str, ...] = ()
     repairs: tuple[Repair, ...] = ()
     reports: tuple[PlatformReport, ...] = ()
+    folder: Path | None = None
+    """Where the attempt was read from, with whatever else it kept."""
 
 
 def begin(folder: Path, *, platform: str, attempt: int) -> None:
@@ -89,7 +91,9 @@ def _job(file: Path) -> Job:
     strange = [report.platform for report in found if platform and report.platform != platform]
     if not known or strange:
         raise ConfigurationError(Problem(message=f"{file.parent.name} is no report of a job for {platform}"))
-    return Job(platform=platform, attempt=attempt, failures=tuple(failures), repairs=repairs, reports=found)
+    return Job(
+        platform=platform, attempt=attempt, failures=tuple(failures), repairs=repairs, reports=found, folder=file.parent
+    )
 
 
 def _reports(folder: Path) -> Iterator[PlatformReport]:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from roslab.errors import BuildError, Problem
+from roslab.github import kept as attempts
 from roslab.github import workflow
 from roslab.github.labels import PREFIX
 from roslab.github.run import Folder, Run, artifact_name, slug
@@ -58,11 +59,13 @@ def keep(folder: Folder, run: Run, reference: str, platform: str) -> None:
 def gathered(folder: Path, run: Run) -> str:
     """Return the text of the lock of all platforms, ``""`` where one of them has none.
 
-    ``folder`` holds what the jobs kept. Raises ``ConfigurationError`` for a file that is no lock.
+    ``folder`` holds what the jobs kept; of a job that ran again its newest attempt counts.
+    Raises ``ConfigurationError`` for a file that is no lock.
     """
+    newest = attempts.gather(folder)
     parts: list[Lock] = []
     for platform in run.plan.platforms:
-        found = sorted(folder.rglob(PART.format(slug(platform))))
+        found = [file for job in newest if job.folder and (file := job.folder / PART.format(slug(platform))).is_file()]
         if not found:
             return ""
         parts.append(from_text(found[-1].read_text(encoding="utf-8"), file=found[-1].name))

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from roslab.errors import ConfigurationError
-from roslab.github import locking
+from roslab.github import kept, locking
 from roslab.github.run import Folder, Run, slug, to_line
 from roslab.pipeline import plan_repository
 from roslab.plan.lock import digest, from_text, to_text
@@ -42,9 +42,9 @@ def part(platform: str, *names: str) -> str:
     )
 
 
-def write(folder: Folder, platform: str, text: str) -> None:
-    place = folder.artifact / f"image-{slug(platform)}-1"
-    place.mkdir()
+def write(folder: Folder, platform: str, text: str, attempt: int = 1) -> None:
+    place = folder.artifact / f"image-{slug(platform)}-{attempt}"
+    kept.begin(place, platform=platform, attempt=attempt)
     (place / f"lock-{slug(platform)}.json").write_text(text)
 
 
@@ -83,3 +83,11 @@ def test_a_file_that_is_no_lock_is_refused(folder: Folder) -> None:
         write(folder, platform, '{"version": 1, "base": "$(reboot)"}')
     with pytest.raises(ConfigurationError):
         locking.kept(folder, folder.artifact, {})
+
+
+def test_of_a_platform_that_was_run_again_the_newest_attempt_counts(folder: Folder) -> None:
+    for attempt, name in ((9, "old"), (10, "new")):
+        write(folder, PLATFORMS[0], part(PLATFORMS[0], name), attempt)
+    write(folder, PLATFORMS[1], part(PLATFORMS[1]))
+    text = locking.gathered(folder.artifact, folder.run)
+    assert [each.name for each in from_text(text).sources] == ["new"]
