@@ -34,6 +34,13 @@ Debian packages no rclcpp, so the stand-ins for ROS 2 have ament, the message ge
 packages ros-jazzy-* for Debian 12 are at hand, ros-jazzy-ros-base among them, name their folder once; they are kept:
 
   REPRO_LAB_ROS2=FOLDER python3 tests/lab up
+
+No code host is in reach either. Where copies of repositories are at hand (bare, with their work tree, or as links),
+put them into a folder as github.com/OWNER/NAME, and name it each time: what a build, or git on this machine, clones
+from github.com, gitlab.com, bitbucket.org or codeberg.org, a server on the engine's bridge then answers from there.
+The Dockerfile stays as it is; builds without the variable are as before. It is for the engine's own builder:
+
+  export REPRO_LAB_GIT=FOLDER; python3 tests/lab up; eval "$(python3 tests/lab env)"; roslab build REPOSITORY
 """
 
 

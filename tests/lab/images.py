@@ -76,6 +76,12 @@ def needed(images: Sequence[Image], names: Sequence[str]) -> tuple[Image, ...]:
     return tuple(image for image in images if image.id in found)
 
 
+def references(images: Sequence[Image]) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Return the lab's own name of each of these stand-ins, with its real names."""
+    by_id = {image.id: image for image in images}
+    return tuple((_reference(image, by_id), image.names) for image in images)
+
+
 def _contexts(row: dict[str, Any]) -> tuple[tuple[str, Path], ...]:
     """Return the folders that an image takes beside its recipe: other recipes, and a distribution's own packages."""
     beside = tuple((name, RECIPES / recipe) for name, recipe in sorted(row.get("contexts", {}).items()))

@@ -12,7 +12,19 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from . import buildkit, emulation, engine, images, network, packages_folder, processes, registry, rootfs, tools
+from . import (
+    buildkit,
+    emulation,
+    engine,
+    git_hosts,
+    images,
+    network,
+    packages_folder,
+    processes,
+    registry,
+    rootfs,
+    tools,
+)
 from .command import LabError
 from .home import folder, lock
 from .steps import step
@@ -98,6 +110,11 @@ def _images(*, emulated: bool, everything: bool, bases: Sequence[str] | None) ->
     for image in wanted if bases is None else images.needed(wanted, bases):
         with step(f"stand-in {image.names[0] if image.names else image.id}") as told:
             told.note = images.make(image, wanted, env)
+    if git_hosts.given():
+        with step("git server") as told:
+            told.note = git_hosts.up(env)
+        with step("stand-ins that ask it") as told:
+            told.note = git_hosts.make(images.references(wanted), env)
     if everything:
         kept.touch()
 
@@ -112,6 +129,7 @@ def down() -> None:
     """End what the lab started, the last first, and take back what it mounted or registered."""
     with lock(sys.stderr):
         for title, end in (
+            ("git server", git_hosts.down),
             ("buildkitd", buildkit.down),
             ("mirror", lambda: registry.down(registry.MIRROR)),
             ("registry", lambda: registry.down(registry.PROTECTED)),
@@ -145,6 +163,8 @@ def current() -> Laboratory:
     missing = [name for name, state in status().items() if state in {"none", "down", "not decided yet"}]
     if not missing and _packages_without_image():
         missing = ["ros:jazzy-ros-base of the packages that it was given"]
+    if not missing and git_hosts.given() and not processes.running(git_hosts.NAME):
+        missing = ["the git server of the folder that it was given"]
     if missing:
         raise LabError(f"the lab is not up ({', '.join(missing)}): run `python3 tests/lab up` first")
     username, password = registry.credentials()
@@ -182,12 +202,13 @@ def shell_exports() -> str:
     """Return the lines that a shell evaluates to reach the lab."""
     names = ("DOCKER_HOST", "DOCKER_CONFIG", "BUILDX_CONFIG", "BUILDKIT_HOST", "PATH")
     environment = _environment()
-    return "\n".join(f"export {name}='{environment[name]}'" for name in names if name in environment)
+    wanted = [name for name in names if name in environment] + list(git_hosts.environment())
+    return "\n".join(f"export {name}='{environment[name]}'" for name in wanted)
 
 
 def _environment() -> dict[str, str]:
     lab = {"PATH": tools.path("node", "lint"), "BUILDKIT_HOST": buildkit.address()}
-    return {**os.environ, **_docker_environment(), **lab}
+    return {**os.environ, **_docker_environment(), **git_hosts.environment(), **lab}
 
 
 def _docker_environment() -> dict[str, str]:
