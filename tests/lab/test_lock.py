@@ -4,13 +4,20 @@ from __future__ import annotations
 
 import json
 import subprocess
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from subprocess import CompletedProcess
+from typing import Any
 
 import pytest
 
+from roslab.github import locking
+from roslab.plan.lock import digest
+
+from . import doors, registry
+from .act import Result, run_workflow
 from .doors import write
+from .kept_artifacts import artifacts
 from .laboratory import Laboratory
 from .moving import World, moving_world
 from .old_world import serving
@@ -157,3 +164,49 @@ def test_an_authors_dockerfile_takes_the_same_images_and_files_again(
         assert docker(lab, "run", "--rm", f"{name}:locked", "cat", "/base", "/data") == "one\nfirst\n"
     tags = [f"{name}:first", f"{name}:locked", f"{name}:today", base, "repro-lab/authored:kept"]
     docker(lab, "image", "rm", "--force", *tags)
+
+
+DOORS = pytest.mark.parametrize("door", [doors.through_action, doors.through_workflow], ids=["action", "image"])
+GENERATED = {
+    "roslab.yaml": "format: 3\nkind: python\nlock: true\ntest: python3 main.py\n",
+    "requirements.txt": "",
+    "main.py": "print('hello')\n",
+}
+OWN = {**doors.FILES, "roslab.yaml": f"{doors.RECIPE}lock: true\n"}
+
+
+@DOORS
+def test_a_run_keeps_the_lock_of_its_image_and_offers_it(
+    lab: Laboratory, tmp_path: Path, door: Callable[..., Path]
+) -> None:
+    """Of a generated Dockerfile and of an author's own; with the lock in the repository nothing is offered again."""
+    own = door is doors.through_workflow
+    name = lab.fresh_repository(f"{doors.OWNER}/robot").rpartition("/")[2]
+    github: dict[str, Any] = {"proposed": [], "contents": {}}
+
+    def push(folder: str, files: Mapping[str, str]) -> tuple[Result, dict[str, bytes]]:
+        given = {"files": {**OWN, **files}} if own else {"base": {**GENERATED, **files}}
+        caller = door(tmp_path / f"{folder}-caller", {"registry": lab.registry, "platforms": "linux/amd64"}, **given)
+        environment = {**doors.builder(lab), "ACTIONS_ID_TOKEN_REQUEST_URL": "http://127.0.0.1:9/"}
+        place = tmp_path / folder
+        ran = run_workflow(lab, caller, "push", doors.payload(name), env=environment, place=place, github=github)
+        assert ran.exit_code == 0, ran.log
+        return ran, artifacts(place)
+
+    first, kept = push("first", {})
+    (text,) = [data.decode() for file, data in kept.items() if file.endswith("/roslab.lock")]
+    lock = json.loads(text)
+    index, _ = registry.manifest(f"{doors.OWNER}/{name}:main")
+    assert index["annotations"][locking.ANNOTATION] == digest(text)
+    assert "Main Attach the lock to the image" in first.log
+    assert list(lock["platforms"]) == ["linux/amd64"]
+    assert bool(lock.get("materials")) == own
+    assert github["contents"] == {"roslab.lock": text}
+    (pull,) = github["proposed"]
+    assert (pull["base"], pull["head"]) == ("main", {"ref": "roslab/lock"})
+
+    second, _ = push("second", {"roslab.lock": text})
+    assert "roslab.lock holds what was published" in second.log
+    assert len(github["proposed"]) == 1
+    used = json.loads(text)["materials"][0]["digest"] if own else lock["base"]["digest"]
+    assert used in second.log

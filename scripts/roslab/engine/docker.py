@@ -133,10 +133,20 @@ def materials(job: Build, *, environment: Mapping[str, str] | None = None) -> li
         metadata = Path(folder) / "metadata.json"
         extra = (*job.extra, "--provenance=mode=min", "--metadata-file", str(metadata))
         build(replace(job, output="type=cacheonly", tags=(), extra=extra), environment=environment)
-        record = json.loads(metadata.read_text(encoding="utf-8")) if metadata.exists() else {}
-    found = record.get("buildx.build.provenance", {})
-    statement = found.get("buildDefinition", {}).get("resolvedDependencies") or found.get("materials")
-    return [each for each in statement or () if isinstance(each, dict)]
+        return materials_of(metadata.read_text(encoding="utf-8")) if metadata.exists() else []
+
+
+def materials_of(metadata: str) -> list[dict[str, object]]:
+    """Return what the builds of a metadata file took from elsewhere; of several platforms each has its provenance.
+
+    https://docs.docker.com/reference/cli/docker/buildx/build/#metadata-file
+    """
+    found: list[dict[str, object]] = []
+    for name, said in json.loads(metadata).items():
+        if name.partition("/")[0] == "buildx.build.provenance" and isinstance(said, dict):
+            listed = said.get("buildDefinition", {}).get("resolvedDependencies") or said.get("materials")
+            found += [each for each in listed or () if isinstance(each, dict)]
+    return found
 
 
 def _stream(command: Sequence[str], environment: Mapping[str, str] | None) -> str:

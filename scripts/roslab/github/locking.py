@@ -9,15 +9,15 @@ from pathlib import Path
 from roslab.errors import BuildError, Problem
 from roslab.github import kept as attempts
 from roslab.github import workflow
-from roslab.github.labels import PREFIX
 from roslab.github.run import Folder, Run, artifact_name, slug
 from roslab.lock import check, inventory, making
+from roslab.lock.materials import of_metadata
 from roslab.plan.lock import NAME, digest, from_text, to_text, without
 from roslab.plan.locked import Lock
 from roslab.plan.plan import Plan
 from roslab.render.dockerfile import question
 
-ANNOTATION = f"{PREFIX}.lock"
+ANNOTATION = "roslab.lock"
 """Of a published index: the digest of its lock."""
 TYPE = "https://github.com/org/repro-action/roslab.lock/v1"
 """Of the statement about an image that holds its lock: https://github.com/in-toto/attestation/blob/main/spec/v1/predicate.md"""
@@ -42,14 +42,15 @@ def available(plan: Plan, platforms: Sequence[str]) -> Plan:
     return plan
 
 
-def keep(folder: Folder, run: Run, reference: str, platform: str) -> None:
-    """Keep the lock of a proved image that the engine holds; a lock that cannot be made fails nothing and is told."""
-    if run.plan.author_dockerfile:
-        workflow.say("no lock is kept: that of an author's own Dockerfile is made by `roslab build` and `roslab lock`")
-        return
+def keep(folder: Folder, run: Run, reference: str, platform: str, metadata: str) -> None:
+    """Keep the lock of a proved image that the engine holds; a lock that cannot be made fails nothing and is told.
+
+    ``metadata`` is what buildx says of the build, with the images that an author's own Dockerfile started from.
+    """
     try:
+        taken = of_metadata(metadata) if run.plan.author_dockerfile else ()
         image = inventory.read(reference, platform)
-        lock = making.make(run.plan, [(platform, image)], seconds=SECONDS)
+        lock = making.make(run.plan, [(platform, image)], taken, seconds=SECONDS)
     except BuildError as error:
         workflow.warn(Problem(message=f"{platform} gets no lock: {error.problems[0].message}"))
         return
@@ -70,8 +71,14 @@ def gathered(folder: Path, run: Run) -> str:
             return ""
         parts.append(from_text(found[-1].read_text(encoding="utf-8"), file=found[-1].name))
     sources = {(each.name, each.url): each for part in parts for each in part.sources}
-    machines = tuple(machine for part in parts for machine in part.machines)
-    return to_text(replace(parts[0], sources=tuple(sources[key] for key in sorted(sources)), machines=machines))
+    taken = {each.source: each for part in parts for each in part.materials}
+    merged = replace(
+        parts[0],
+        sources=tuple(sources[key] for key in sorted(sources)),
+        machines=tuple(machine for part in parts for machine in part.machines),
+        materials=tuple(taken[key] for key in sorted(taken)),
+    )
+    return to_text(merged)
 
 
 def kept(folder: Folder, reports: Path, environment: Mapping[str, str]) -> dict[str, str]:

@@ -79,7 +79,7 @@ def _prove_pushed(  # noqa: PLR0917 - what one platform's image is proved with
             gpus=bool(given),
         )
         if run.lock and all(outcome.passed for outcome in outcomes):
-            locking.keep(folder, run, reference, image.platform)
+            locking.keep(folder, run, reference, image.platform, environment.get("ROSLAB_METADATA", ""))
         engine.remove_image(reference)
     ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals, gpu=run.plan.run.gpu)
     for problem in disk.large_layers(run.image, [(layer.size, layer.created_by) for layer in image.layers]):

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from roslab.engine import credentials, registry
 from roslab.errors import BuildError, Problem, RefusedError
-from roslab.github import api, event, kept, locking, rebuild, signing, tags, workflow
+from roslab.github import api, event, kept, locking, offering, rebuild, signing, tags, workflow
 from roslab.github.event import Event
 from roslab.github.labels import PREFIX
 from roslab.github.run import Folder, Run, reports_folder
@@ -121,3 +121,5 @@ def tag(environment: Mapping[str, str]) -> None:
     digests = json.dumps(made["digests"], separators=(",", ":"))
     workflow.outputs({"digest": digest, "digests": digests, "tags": "\n".join(names)}, environment)
     workflow.notice(f"{names[-1]} is {digest}")
+    if run.rebuilt is None:
+        offering.offer(folder, run, what, digest, environment)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Literal
 
 from roslab.lock.inventory import Inventory
-from roslab.plan.locked import Machine
+from roslab.plan.locked import Lock, Machine
 from roslab.values.dataclass import dataclass
 
 Kind = Literal["base", "apt", "pip", "conda", "source", "env"]
@@ -115,3 +116,27 @@ def compare(old: Contents, new: Contents, *, sizes: tuple[int, int] = (0, 0)) ->
             if before.get(name) != after.get(name)
         ]
     return Comparison(changes=tuple(changes), packages=packages, sizes=sizes)
+
+
+def of_locks(old: Lock | None, new: Lock) -> Comparison:
+    """Return what one lock has otherwise than another, on all its platforms: each name is that of its platform, too."""
+    found = [_compared(old, new, machine) for machine in new.machines]
+    return Comparison(
+        changes=tuple(dict.fromkeys(change for each in found for change in each.changes)),
+        packages=sum(each.packages for each in found),
+        sizes=(0, 0),
+    )
+
+
+def _compared(old: Lock | None, new: Lock, machine: Machine) -> Comparison:
+    before = old.machine(machine.platform) if old else None
+    known = _of_lock(old, before) if old and before else {kind: {} for kind in KINDS}
+    found = compare(known, _of_lock(new, machine))
+    named = (replace(each, name=f"{each.name} on {machine.platform}") for each in found.changes)
+    return replace(found, changes=tuple(named))
+
+
+def _of_lock(lock: Lock, machine: Machine) -> Contents:
+    base = {lock.base: lock.digest} if lock.digest else {}
+    taken = {material.source: material.digest for material in lock.materials}
+    return {**locked(machine), "base": base | taken, "source": {each.name: each.commit for each in lock.sources}}

@@ -9,7 +9,8 @@ import json
 from collections.abc import Iterable, Sequence
 from urllib.parse import unquote
 
-from roslab.engine.docker import Build, materials
+from roslab.engine.docker import Build, materials, materials_of
+from roslab.errors import BuildError, Problem
 from roslab.plan.locked import Material
 
 DOCKER_HUB = "docker.io"
@@ -17,7 +18,24 @@ DOCKER_HUB = "docker.io"
 
 def of_build(job: Build) -> tuple[Material, ...]:
     """Return the images and files that a build took, by building again what the cache has. Raises ``FailedBuild``."""
-    found = {material for each in materials(job) if (material := _material(each))}
+    return _named(materials(job))
+
+
+def of_metadata(text: str) -> tuple[Material, ...]:
+    """Return the images and files that a build took, from the metadata that buildx wrote of it.
+
+    Raises ``BuildError`` where it says nothing of them.
+    """
+    try:
+        return _named(materials_of(text))
+    except (ValueError, AttributeError, TypeError):
+        message = "the build does not say which images it took"
+        hint = "docker/build-push-action puts it out as `metadata`, unless BUILDX_METADATA_PROVENANCE is disabled"
+        raise BuildError(Problem(message=message, hint=hint)) from None
+
+
+def _named(listed: Iterable[dict[str, object]]) -> tuple[Material, ...]:
+    found = {material for each in listed if (material := _material(each))}
     return tuple(sorted(found, key=lambda material: material.source))
 
 

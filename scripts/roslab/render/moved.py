@@ -6,7 +6,10 @@ import dataclasses
 import json
 
 from roslab.lock.comparison import KINDS, Change, Comparison
+from roslab.render.markdown import block, code, folded
 
+MOST = 200
+"""Most lines of a proposal."""
 TITLES = {
     "base": "the base",
     "apt": "packages of apt",
@@ -49,3 +52,17 @@ def to_json(found: Comparison) -> str:
         "changes": [dataclasses.asdict(change) for change in found.changes],
     }
     return json.dumps(data, indent=2) + "\n"
+
+
+def proposal(found: Comparison, image: str, page: str) -> str:
+    """Return the text of a pull request with a new lock; ``page`` is that of the run that published the image."""
+    lines = [line(change) for change in found.changes]
+    more = [f"and {len(lines) - MOST} more"] if len(lines) > MOST else []
+    counted = f"{len(found.moved)} of {found.packages} packages are not as the lock has them"
+    parts = [
+        f"What {code(image)} was made of. It was built and proved by [this run]({page}).\n",
+        f"{counted}. Once this is merged, each build takes these versions, until `roslab lock` or the next proposal.\n",
+        folded("What is new", block("\n".join((*lines[:MOST], *more)))),
+        "GitHub starts no workflow for a pull request of a workflow: close and open it again to have it checked.\n",
+    ]
+    return "\n".join(parts)

@@ -6,7 +6,8 @@ import json
 
 import pytest
 
-from roslab.lock.materials import _material, policy
+from roslab.errors import BuildError
+from roslab.lock.materials import _material, of_metadata, policy
 from roslab.plan.locked import Material
 
 SUM = "1" * 64
@@ -37,3 +38,24 @@ def test_the_policy_names_every_image_by_its_digest_and_every_file_by_its_sum() 
     assert [rule["selector"]["identifier"] for rule in rules] == [image, file]
     assert rules[0]["updates"] == {"identifier": f"{image}@{digest}"}
     assert rules[1]["updates"] == {"identifier": file, "attrs": {"http.checksum": digest}}
+
+
+def test_what_buildx_says_of_a_build_of_several_platforms_is_read() -> None:
+    def taken(*names: str) -> dict[str, object]:
+        return {"materials": [{"uri": f"pkg:docker/{name}", "digest": {"sha256": SUM}} for name in names]}
+
+    said = {
+        "buildx.build.provenance/linux/amd64": taken("ubuntu@24.04", "alpine@3"),
+        "buildx.build.provenance/linux/arm64": taken("ubuntu@24.04"),
+        "containerimage.digest": "sha256:1",
+    }
+    assert [each.source for each in of_metadata(json.dumps(said))] == [
+        "docker-image://docker.io/library/alpine:3",
+        "docker-image://docker.io/library/ubuntu:24.04",
+    ]
+
+
+@pytest.mark.parametrize("text", ["", "[]", "null", '{"buildx.build.provenance": {"buildDefinition": 1}}'])
+def test_a_build_that_says_nothing_is_named(text: str) -> None:
+    with pytest.raises(BuildError, match="does not say which images"):
+        of_metadata(text)
