@@ -191,6 +191,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         bases=mended.answer,
         day=day.answer,
         command=command.answer.command,
+        command_given=command.answer.given,
+        command_through_entrypoint=command.answer.entrypoint,
         command_named=config.command is not None,
         command_candidates=command.answer.candidates,
         test=test.answer,

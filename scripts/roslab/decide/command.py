@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import posixpath
 import shlex
+from dataclasses import replace
 
 from roslab.config.model import Config, Kind
+from roslab.decide.author_command import entry_point, startable, started
 from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
@@ -13,7 +15,7 @@ from roslab.decide.first_command import first_of, named_like_it, serves
 from roslab.decide.reasons import because, configured
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.windows import opens
 from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
@@ -42,6 +44,10 @@ class Command:
     command: tuple[str, ...] | str = ("bash",)
     candidates: tuple[tuple[str, ...], ...] = ()
     gui: bool = False
+    given: bool = False
+    """A container of the author's image has to be given it, as the image does not start it by itself."""
+    entrypoint: bool = True
+    """It is given through the entry point of that image."""
 
 
 def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: str | None) -> Choice[Command]:
@@ -49,6 +55,7 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
 
     ``dockerfile`` is the author's own that is built, if any.
     """
+    authored = next((each for each in evidence.dockerfiles if each.file == dockerfile), None)
     by_argv: dict[tuple[str, ...], Candidate] = {}
     for candidate in candidates_of(evidence, kind):
         by_argv.setdefault(candidate.argv, candidate)
@@ -58,35 +65,49 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
         text = config.command if isinstance(config.command, str) else shlex.join(config.command)
         said = configured(config, "command", text, "command")
         gui = _opened(evidence, config, text)
-        return Choice(answer=Command(command=config.command, candidates=candidates, gui=gui), reasons=(said,))
-    command, why = _authors(evidence, dockerfile) or _obvious(evidence, found, kind, dockerfile)
+        chosen = Command(command=config.command, candidates=candidates, gui=gui)
+        return Choice(answer=_given(chosen, dockerfile, authored), reasons=(said,))
+    command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = _opened(evidence, config, shlex.join(command))
-    return Choice(
-        answer=Command(command=command, candidates=candidates, gui=gui),
-        reasons=(why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES])),
-    )
+    chosen = Command(command=command, candidates=candidates, gui=gui)
+    if not (authored and started(authored)) and command != ("bash",):
+        chosen = _given(chosen, dockerfile, authored)
+    return Choice(answer=chosen, reasons=(why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES])))
 
 
-def _authors(evidence: Evidence, dockerfile: str | None) -> tuple[tuple[str, ...], Reason] | None:
-    """Return the command of the author's Dockerfile, if that is built and has one."""
-    authored = next((each for each in evidence.dockerfiles if each.file == dockerfile and each.command), None)
-    if authored is None:
+def _given(chosen: Command, dockerfile: str | None, authored: AuthorDockerfile | None) -> Command:
+    """Return a command as containers of the author's image, if that is built, are given it.
+
+    One that the author set in roslab.yaml replaces an entry point that is a program, or a shell.
+    """
+    through = authored is None or entry_point(authored.entrypoint) in {"none", "wrapper"}
+    return replace(chosen, given=True, entrypoint=through) if dockerfile else chosen
+
+
+def _authors(authored: AuthorDockerfile) -> tuple[tuple[str, ...], Reason] | None:
+    """Return what the author's Dockerfile starts, ``None`` for a shell."""
+    if not (argv := started(authored)):
         return None
     place = Place(file=authored.file, line=authored.command_line or authored.line)
     why = "the author's Dockerfile starts it"
-    return authored.command, because("command", shlex.join(authored.command), why, place, weight=Weight.AUTHORS_IMAGE)
+    return argv, because("command", shlex.join(argv), why, place, weight=Weight.AUTHORS_IMAGE)
 
 
 def _obvious(
-    evidence: Evidence, found: list[Candidate], kind: Kind, dockerfile: str | None
+    evidence: Evidence, found: list[Candidate], kind: Kind, dockerfile: str | None, authored: AuthorDockerfile | None
 ) -> tuple[tuple[str, ...], Reason]:
-    """Return the program that the README runs first, or the one obvious program, else a shell."""
+    """Return the program that the README runs first, or the one obvious program, else a shell.
+
+    Of the programs, only those that a container of the author's image can be given, if that is built.
+    """
     ours = [c for c in found if _own(c.argv, evidence)]
-    if not dockerfile and (first := first_of(ours)):
+    if dockerfile:
+        ours = [c for c in ours if authored and startable(c, authored)]
+    if first := first_of(ours):
         others = len({program_of(c.argv) for c in ours if c.strong}) - 1
         why = f"{first.why}, before {others} other{'s' * (others > 1)}" if others else f"the only one: {first.why}"
         return first.argv, because("command", shlex.join(first.argv), why, first, weight=Weight.FIRST)
-    if kind in {"ros1", "ros2", "cpp"} and not dockerfile and (named := named_like_it(ours)):
+    if kind in {"ros1", "ros2", "cpp"} and (named := named_like_it(ours)):
         why = f"{named.why}, named like its package or like a demonstration"
         return named.argv, because("command", shlex.join(named.argv), why, named, weight=Weight.ONLY_ONE)
     ours = [c for c in ours if not (c.strong and serves(c))]

@@ -155,6 +155,10 @@ class Decision:
     context: str | None = None
     """Build context of the author's Dockerfile, relative to the root."""
     command: tuple[str, ...] | str = ("bash",)
+    command_given: bool = False
+    """A container of the author's image has to be given the command, as the image does not start it by itself."""
+    command_through_entrypoint: bool = True
+    """It is given through the entry point of that image."""
     command_named: bool = False
     """roslab.yaml, an input or an option names the command: it must start."""
     command_candidates: tuple[tuple[str, ...], ...] = ()

@@ -18,7 +18,7 @@ from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
 _PLACEHOLDER = re.compile(
-    r"YOUR|your[_-]|path[/_-]to|/path|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
+    r"YOUR|your[_-]|path[/_-]to|/path|/where/|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
     r"(?-i:/[A-Z_]{5,}(?:\.\w+)?$)",
     re.IGNORECASE,
 )
@@ -112,10 +112,11 @@ def _filled(command: str) -> tuple[tuple[str, ...], bool]:
         value = bool(kept) and kept[-1].startswith("-") and not word.startswith("-")
         if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
             kept.append(word)
-        elif ":=" not in word:
+            continue
+        if value and (":=" not in word or kept[-1] in {"-p", "-r"}):
+            kept.pop()  # the option goes with it: ``-p map:=PATH``
+        if ":=" not in word:
             gap = True
-            if value:
-                kept.pop()
             positional = positional or not (value or word.startswith("-"))
     return tuple(kept), gap
 

@@ -124,13 +124,18 @@ class AuthorDockerfile:
     """What it installs with apt."""
     requirements: tuple[Requirement, ...]
     command: tuple[str, ...]
+    """Its CMD; ``()`` for that of its base."""
     purpose: Literal["project", "documentation", "vendored", "ci", "deploy", "broken"]
     """What it seems to be for; ``broken`` if it does not parse."""
     problem: str | None = None
     context: str | None = None
     """Build context that its COPY lines fit, relative to the root; ``None`` if nothing is copied."""
     command_line: int | None = None
-    """The line of ``command``."""
+    """The line of ``command``, else of ``entrypoint``."""
+    entrypoint: tuple[str, ...] = ()
+    """Its ENTRYPOINT; ``()`` for that of its base."""
+    starts_in_source: bool = False
+    """A container starts in the folder that the whole build context was copied to."""
     updates_rosdep: int | None = None
     """The line of a ``rosdep update`` that skips distributions that have ended."""
     secrets: tuple[tuple[str, int], ...] = ()

@@ -10,6 +10,7 @@ from packaging.version import Version
 from roslab.decide.decision import Decision
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.plan.proof import Proof
+from roslab.plan.run import WORKSPACES
 from roslab.plan.workspace import ROS_TOOLS, Workspace
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
@@ -80,12 +81,6 @@ exit $failed
 """``ldd`` only asks the loader, and starts none of them; libraries may be plug-ins, whose programs find theirs."""
 PREFIXES = "IFS=:; set -f; set -- $CMAKE_PREFIX_PATH $AMENT_PREFIX_PATH; unset IFS; set +f\n"
 """Where the workspaces that the environment knows have their programs."""
-WORKSPACES = """\
-for setup in /opt/ros/*/setup.bash \
-  $(find / -xdev -maxdepth 6 \\( -path '*/devel/setup.bash' -o -path '*/install/setup.bash' \\) 2>/dev/null)
-do . "$setup" --extend; done
-"""
-"""An author's Dockerfile may leave it to its command, or to .bashrc, to make its workspace known."""
 
 
 def installed(decision: Decision, place: Workspace) -> list[Proof]:

@@ -14,12 +14,10 @@ from roslab.config.model import (
     Custom,
     Generation,
     Kind,
-    Matlab,
     ProofGoals,
     ProofLimits,
     Source,
     TagParts,
-    Volume,
 )
 from roslab.decide.decision import Decision, Reason, Warning_
 from roslab.errors import ConfigurationError, Problem
@@ -32,6 +30,7 @@ from roslab.plan.packages import image_packages
 from roslab.plan.proof import Proof
 from roslab.plan.proofs import proofs
 from roslab.plan.python import PythonPlan, python_plan
+from roslab.plan.run import Run, given
 from roslab.plan.upstreams import Upstream, upstreams
 from roslab.plan.version import SourceVersion
 from roslab.plan.workspace import Workspace, custom, library, workspace
@@ -66,19 +65,6 @@ class Rosdep:
     skip_keys: tuple[str, ...]
     rosdistro_tag: str | None
     """Tag of ros/rosdistro whose tables still have this distribution's Ubuntu; ``None`` if the newest have it."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Run:
-    """What a container of the image needs to start."""
-
-    command: tuple[str, ...] | str
-    candidates: tuple[tuple[str, ...], ...]
-    gui: bool
-    gpu: bool
-    volumes: tuple[Volume, ...]
-    ports: tuple[str, ...]
-    matlab: Matlab | None
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -207,6 +193,7 @@ def make_plan(
         volumes=config.volume,
         ports=config.ports,
         matlab=config.matlab,
+        given=given(decision),
     )
     sources = package_sources(decision)
     tools = python_tools(decision.python.version, decision.ubuntu)

@@ -8,6 +8,7 @@ from roslab.decide.decision import Decision
 from roslab.plan.found_tests import found_tests
 from roslab.plan.installed import installed
 from roslab.plan.proof import Proof
+from roslab.plan.run import given
 from roslab.plan.workspace import Workspace
 
 
@@ -26,10 +27,12 @@ def proofs(decision: Decision, place: Workspace) -> tuple[Proof, ...]:
 
 
 def _start(decision: Decision) -> Proof:
+    told = given(decision)
     # The author's Dockerfile has a CMD of its own, which an empty command runs.
-    start: tuple[str, ...] | str = () if decision.dockerfile else decision.command
+    start: tuple[str, ...] | str = told.command if told else () if decision.dockerfile else decision.command
     argv = ("bash", "-c", start) if isinstance(start, str) else start
-    said = bool(decision.dockerfile or decision.command_named) or argv[:1] == ("bash",)
+    its_own = not told and (decision.dockerfile or argv[:1] == ("bash",))
+    said = bool(its_own or decision.command_named)
     name = "the default command starts"
     shell = argv == ("bash",)  # without a terminal it ends at once: no program of the repository has started
     return Proof(
@@ -40,5 +43,6 @@ def _start(decision: Decision) -> Proof:
         may_run_on=True,
         display=decision.gui and not shell,
         rung=None if shell else 1,
+        entrypoint=told is None or told.entrypoint,
         graph=None if shell or decision.kind not in ("ros1", "ros2") else decision.kind,
     )

@@ -7,6 +7,10 @@ set -euo pipefail
 image=example
 context=.
 default_command=bash
+# What a container is given without COMMAND; empty where the image starts it by itself
+given=()
+# Whether that goes through the image's entry point, or the first word takes its place
+own_entrypoint=yes
 # The number of the container's user; empty where only the image knows it
 image_user=1000
 # Whether it opens windows, computes on the graphics card, has JupyterLab
@@ -369,6 +373,15 @@ case "${mode}" in
   shell)
     if ((${#command[@]})); then fail 2 "--shell takes no command"; fi
     command=(bash)
+    ;;
+  *)
+    if ((${#command[@]} == 0 && ${#given[@]})); then
+      command=("${given[@]}")
+      if [[ "${own_entrypoint}" == no ]]; then
+        arguments+=(--entrypoint "${given[0]}")
+        command=("${given[@]:1}")
+      fi
+    fi
     ;;
 esac
 

@@ -33,12 +33,15 @@ def run_script(plan: Plan, *, context: str) -> str:
     command = run.command if isinstance(run.command, str) else quote.words(run.command)
     if plan.author_dockerfile:
         command = command or "(the command of its Dockerfile)"
+    given = run.given
     return script(
         "docker_run.sh",
         {
             "image": plan.name,
             "context": context,
             "default_command": command,
+            "given": [list(given.command)] if given else [],
+            "own_entrypoint": _word(not given or given.entrypoint),
             "image_user": "" if plan.author_dockerfile else IMAGE_USER,  # the author's Dockerfile sets its own user
             "gui": _word(run.gui),
             "gpu": _word(run.gpu),

@@ -108,7 +108,10 @@ def _running(plan: Plan, reference: str) -> list[str]:
     groups += [["-p", port] for port in run.ports]
     if run.gui:
         groups += [["-e", "DISPLAY"], ["-v", "/tmp/.X11-unix:/tmp/.X11-unix"]]  # noqa: S108 - where X keeps its sockets
-    return [shlex.join(group) for group in (*groups, [reference])]
+    command = list(run.given.command) if run.given else []
+    if run.given and not run.given.entrypoint:
+        groups.append(["--entrypoint", command.pop(0)])
+    return [shlex.join(group) for group in (*groups, [reference], *([command] if command else []))]
 
 
 def _lines(words: Sequence[str]) -> str:

@@ -348,6 +348,15 @@ case "${mode}" in
     if ((${#command[@]})); then fail 2 "--shell takes no command"; fi
     command=(bash)
     ;;
+  *)
+    if ((${#command[@]} == 0 && ${#given[@]})); then
+      command=("${given[@]}")
+      if [[ "${own_entrypoint}" == no ]]; then
+        arguments+=(--entrypoint "${given[0]}")
+        command=("${given[@]:1}")
+      fi
+    fi
+    ;;
 esac
 
 # Older shells take an empty list for a missing one: hence the form with +

@@ -7,6 +7,10 @@ set -euo pipefail
 image=own_dockerfile
 context=.
 default_command='python3 pose_chain.py'
+# What a container is given without COMMAND; empty where the image starts it by itself
+given=()
+# Whether that goes through the image's entry point, or the first word takes its place
+own_entrypoint=yes
 # The number of the container's user; empty where only the image knows it
 image_user=''
 # Whether it opens windows, computes on the graphics card, has JupyterLab

@@ -109,3 +109,22 @@ def test_private_tokens_are_noticed(tmp_path: Path) -> None:
 
 def test_an_argument_without_default_stays(tmp_path: Path) -> None:
     assert read(tmp_path, {"Dockerfile": "ARG D\nFROM ros:${D}-ros-core\n"})["Dockerfile"].base == "ros:${D}-ros-core"
+
+
+def test_what_a_container_starts_with_is_that_of_its_last_stage(tmp_path: Path) -> None:
+    text = """\
+FROM ubuntu:22.04 AS first
+WORKDIR /code
+COPY . /code/
+ENTRYPOINT ["/ros_entrypoint.sh"]
+CMD ["./serve"]
+FROM first AS second
+WORKDIR build
+FROM first
+CMD ["bash"]
+"""
+    authored = read(tmp_path, {"Dockerfile": text, "a.py": ""})["Dockerfile"]
+    assert (authored.entrypoint, authored.command, authored.command_line) == (("/ros_entrypoint.sh",), ("bash",), 9)
+    assert authored.starts_in_source
+    other = read(tmp_path, {"Dockerfile": text.replace("FROM first\n", "FROM ubuntu:22.04\nCOPY . /x\n")})["Dockerfile"]
+    assert (other.entrypoint, other.command, other.starts_in_source) == ((), ("bash",), False)

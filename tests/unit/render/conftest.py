@@ -14,8 +14,9 @@ import pytest
 
 from roslab.config.model import Config
 from roslab.decide.decision import Decision, Python
-from roslab.plan.plan import Plan, Run, make_plan
+from roslab.plan.plan import Plan, make_plan
 from roslab.plan.python import PythonPlan
+from roslab.plan.run import Run
 from roslab.plan.workspace import Workspace
 
 

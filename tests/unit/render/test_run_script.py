@@ -16,6 +16,7 @@ import pytest
 from roslab.config.model import Matlab, Volume
 from roslab.errors import ConfigurationError
 from roslab.plan.plan import AuthorDockerfile, Plan
+from roslab.plan.run import Given
 from roslab.render.run_script import run_script
 
 Plans = Callable[..., Plan]
@@ -321,6 +322,21 @@ def test_an_image_without_jupyterlab_says_so(plan: Plans, call: Call) -> None:
     assert call(run_script(plan(author_dockerfile=authored), context="."), "--notebook").status == 0, (
         "of the author's nothing is known"
     )
+
+
+def test_a_container_that_starts_a_shell_is_given_the_command(plan: Plans, call: Call) -> None:
+    authored = AuthorDockerfile(dockerfile="Dockerfile", context=".")
+    words = ("bash", "-c", 'exec "$@"', "start", "roslaunch", "demo", "demo.launch")
+    given = plan(author_dockerfile=authored, given=Given(command=words, entrypoint=True))
+    called = call(run_script(given, context="."))
+    assert called.arguments[-8:] == ["filter", *words]
+    assert "--entrypoint" not in called.arguments
+    assert call(run_script(given, context="."), "ls", "-l").arguments[-3:] == ["filter", "ls", "-l"]
+    assert call(run_script(given, context="."), "--shell").arguments[-2:] == ["filter", "bash"]
+    instead = plan(author_dockerfile=authored, given=Given(command=words, entrypoint=False))
+    called = call(run_script(instead, context="."))
+    assert called.values("--entrypoint") == ["bash"]
+    assert called.arguments[-7:] == ["filter", *words[1:]]
 
 
 # ---- screen and graphics card ----

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from roslab.evidence import places
@@ -87,18 +87,30 @@ def _built(text: str, path: str) -> tuple[Mention, ...]:
 
 
 @dataclass
+class _Start:
+    """What a container of a stage starts with; a stage that is made from another one begins with its values."""
+
+    entrypoint: tuple[str, ...] = ()
+    command: tuple[str, ...] = ()
+    line: int | None = None
+    workdir: str = "/"
+    source: str | None = None
+    """The folder that the whole context is copied to."""
+
+
+@dataclass
 class _Reading:
     """What has been read of one Dockerfile so far."""
 
     collector: Collector
     known: dict[str, str]
     stages: dict[str, str] = field(default_factory=dict)
+    start: _Start = field(default_factory=_Start)
+    starts: dict[str, _Start] = field(default_factory=dict)
     base: str | None = None
     base_line: int = 1
     bases: list[tuple[str, int]] = field(default_factory=list)
     copied: list[tuple[str, int]] = field(default_factory=list)
-    command: tuple[str, ...] = ()
-    command_line: int | None = None
     problem: str | None = None
     """Why it does not parse."""
     updates_rosdep: int | None = None
@@ -126,17 +138,35 @@ class _Reading:
             if not mounts and _PRIVATE.search(body):
                 self.needs = self.needs or f"line {line} needs a private key or token"
         elif name in {"COPY", "ADD"}:
-            self.copied += [(source, line) for source in sources(body)]
-        elif name == "CMD" or (name == "ENTRYPOINT" and not self.command):
-            self.command, self.command_line = argv(body), line
+            self._copy(body, line)
+        else:
+            self._start(name, body, line)
+
+    def _start(self, name: str, body: str, line: int) -> None:
+        start = self.start
+        if name == "WORKDIR":
+            start.workdir = posixpath.join(start.workdir, expand(body.strip().strip("\"'"), self.known))
+        elif name == "ENTRYPOINT":
+            start.entrypoint, start.line = argv(body), start.line or line
+        elif name == "CMD":
+            start.command, start.line = argv(body), line
+
+    def _copy(self, body: str, line: int) -> None:
+        copied = sources(body)
+        self.copied += [(source, line) for source in copied]
+        words = [word for word in body.split() if not word.startswith("--")]
+        if copied in ([""], ["."]) and len(words) == 2:
+            self.start.source = posixpath.normpath(posixpath.join(self.start.workdir, expand(words[1], self.known)))
 
     def _from(self, body: str, line: int) -> None:
         if match := _FROM.match(expand(body.strip(), self.known)):
             if match[1].lower() not in self.stages and match[1] != "scratch":
                 self.bases.append((match[1], line))
             self.base, self.base_line = self.stages.get(match[1].lower(), match[1]), line
+            self.start = replace(self.starts.get(match[1].lower(), _Start()))
             if match[2]:
                 self.stages[match[2].lower()] = self.base
+                self.starts[match[2].lower()] = self.start
 
     def _set(self, name: str, body: str) -> None:
         if name == "ARG":
@@ -156,7 +186,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         reading.take(instruction)
     problem = reading.problem or ("no FROM" if reading.base is None else None)
     copies, context, missing = _context(repository, file, reading.copied)
-    collector = reading.collector
+    collector, start = reading.collector, reading.start
     clones = tuple(collector.sources)
     itself = any(_itself(repository, clone) for clone in clones)
     return AuthorDockerfile(
@@ -169,8 +199,10 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         clones=clones,
         dependencies=tuple(dict.fromkeys(collector.dependencies)),
         requirements=tuple(dict.fromkeys(collector.requirements)),
-        command=reading.command,
-        command_line=reading.command_line,
+        command=start.command,
+        command_line=start.line,
+        entrypoint=start.entrypoint,
+        starts_in_source=start.source is not None and start.source == posixpath.normpath(start.workdir),
         purpose=_purpose(file.path, reading.base or "", problem),
         problem=problem or reading.needs or missing,
         context=context,

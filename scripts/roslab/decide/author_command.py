@@ -1,0 +1,86 @@
+"""What a container of an author's own image starts by itself, and what it can be given where that is a shell."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from typing import Literal
+
+from roslab.decide.candidate import Candidate
+from roslab.evidence.facts import AuthorDockerfile
+from roslab.values.pattern import pattern
+
+EntryPoint = Literal["none", "wrapper", "shell", "program"]
+"""A ``wrapper`` sets something up and starts what it is given."""
+_SHELLS = frozenset({"bash", "sh", "zsh", "dash", "fish"})
+_WAITS = frozenset({"tail", "sleep", "tmux", "screen", "terminator", "xterm", "byobu"})
+"""Programs that keep a container open for a person."""
+_INITS = frozenset({"tini", "dumb-init", "docker-init", "env", "gosu"})
+_RUNNERS = frozenset({"conda", "mamba", "micromamba"})
+_WRAPPER = pattern(r"entry[-_]?point|^ros_entry", re.IGNORECASE)
+_LAST = pattern(r"&&|\|\||;|\n")
+
+
+def started(authored: AuthorDockerfile) -> tuple[str, ...]:
+    """Return the program that a container starts by itself, ``()`` for a shell."""
+    entry = authored.entrypoint
+    if entry_point(entry) == "program":
+        return entry if entry[1:2] == ("-c",) or idle(authored.command) else (*entry, *authored.command)
+    return () if idle(authored.command) else authored.command
+
+
+def startable(candidate: Candidate, authored: AuthorDockerfile) -> bool:
+    """Tell whether a container that only starts a shell can be given a command.
+
+    A program of ROS is found by its package, a compiled one by its name; a file of the tree only where containers start
+    in the folder that the tree was copied to.
+    """
+    if entry_point(authored.entrypoint) == "program" or started(authored):
+        return False
+    in_tree = candidate.argv[0].startswith("python") or candidate.argv[0] in _SHELLS
+    return not in_tree or (authored.starts_in_source and not authored.context)
+
+
+def entry_point(argv: tuple[str, ...]) -> EntryPoint:
+    """Return what an ENTRYPOINT does with the command that it is given."""
+    if not argv:
+        return "none"
+    name = _name(argv[0])
+    rest = tuple(word for word in argv[1:] if not word.startswith("-"))
+    if name in _INITS:
+        return entry_point(rest) if rest else "wrapper"
+    if name in _RUNNERS and rest[:1] == ("run",):
+        return "wrapper"
+    if name in _SHELLS and argv[1:2] == ("-c",) and "$@" in " ".join(argv[2:]):
+        return "wrapper"
+    if idle(argv):
+        return "shell"
+    script = rest[0] if name in _SHELLS and rest else argv[0]
+    return "wrapper" if _WRAPPER.search(_name(script)) else "program"
+
+
+def idle(argv: tuple[str, ...]) -> bool:
+    """Tell whether a command is a shell or waits for one; ``bash -c "source setup.bash && bash"`` is."""
+    if not argv:
+        return True
+    name = _name(argv[0])
+    if name in _SHELLS and (text := next((argv[i + 1 :][0] for i, w in enumerate(argv[:-1]) if _runs(w)), "")):
+        last = [part for part in _LAST.split(text) if part.strip()]
+        try:
+            words = shlex.split(last[-1]) if last else []
+        except ValueError:
+            return False
+        words = words[1:] if words[:1] == ["exec"] else words
+        return not words or (words[0] != "source" and words[0] != "." and idle(tuple(words)))
+    if name in _WAITS:
+        return True
+    return name in _SHELLS and all(word.startswith("-") for word in argv[1:])
+
+
+def _runs(word: str) -> bool:
+    """Tell whether a word is the option of a shell that a text follows: ``-c``, ``-lc``."""
+    return word.startswith("-") and not word.startswith("--") and word.endswith("c")
+
+
+def _name(path: str) -> str:
+    return path.rpartition("/")[2]

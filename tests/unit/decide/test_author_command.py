@@ -1,0 +1,152 @@
+"""What a container of the author's image starts, and what it is given where that is a shell."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.author_command import entry_point, idle
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.plan.plan import Plan
+
+Tree = Callable[[dict[str, str]], Decision]
+RUN = "## Usage\n\n```\n{}\n```\n"
+ROS = {
+    "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\nadd_executable(node a.cpp)\n",
+    "launch/demo.launch": "<launch/>",
+    "launch/other.launch": "<launch/>",
+    "README.md": RUN.format("roslaunch demo demo.launch"),
+}
+IMAGE = "FROM ros:noetic\nCOPY . /ws/src/demo\nRUN cd /ws && catkin_make\n"
+
+
+@pytest.mark.parametrize(
+    "argv",
+    [(), ("bash",), ("/bin/bash", "-l"), ("bash", "-c", "source /ws/devel/setup.bash && exec bash"),
+     ("bash", "-c", "/bin/zsh"), ("tail", "-f", "/dev/null"), ("sleep", "infinity"), ("bash", "-c", "sleep infinity")],
+)  # fmt: skip
+def test_a_shell_and_what_waits_for_one(argv: tuple[str, ...]) -> None:
+    assert idle(argv)
+
+
+@pytest.mark.parametrize(
+    "argv",
+    [("python3", "a.py"), ("bash", "run.sh"), ("bash", "-c", "roslaunch a b"), ("bash", "-c", "bash run.sh"),
+     ("bash", "-c", "echo 'no end")],
+)  # fmt: skip
+def test_a_program_is_no_shell(argv: tuple[str, ...]) -> None:
+    assert not idle(argv)
+
+
+@pytest.mark.parametrize(
+    ("argv", "kind"),
+    [
+        ((), "none"),
+        (("/ros_entrypoint.sh",), "wrapper"),
+        (("bash", "/docker/entrypoint.bash"), "wrapper"),
+        (("/tini", "--"), "wrapper"),
+        (("tini", "--", "python3", "a.py"), "program"),
+        (("conda", "run", "--no-capture-output", "-n", "x"), "wrapper"),
+        (("bash", "-c", 'source a; exec "$@"', "--"), "wrapper"),
+        (("/bin/bash",), "shell"),
+        (("python3", "a.py"), "program"),
+    ],
+)
+def test_what_an_entry_point_does_with_a_command(argv: tuple[str, ...], kind: str) -> None:
+    assert entry_point(argv) == kind
+
+
+@pytest.mark.parametrize("end", ["", 'CMD ["bash"]\n', 'ENTRYPOINT ["/ros_entrypoint.sh"]\nCMD ["/bin/bash"]\n'])
+def test_the_readme_names_what_an_image_that_ends_in_a_shell_is_given(tree: Tree, end: str) -> None:
+    decision = tree(ROS | {"Dockerfile": IMAGE + end})
+    assert decision.dockerfile == "Dockerfile"
+    assert decision.command == ("roslaunch", "demo", "demo.launch")
+    assert (decision.command_given, decision.command_through_entrypoint) == (True, True)
+
+
+def test_a_shell_as_the_entry_point_is_replaced(tree: Tree) -> None:
+    decision = tree(ROS | {"Dockerfile": IMAGE + 'ENTRYPOINT ["/bin/bash"]\n'})
+    assert (decision.command_given, decision.command_through_entrypoint) == (True, False)
+
+
+@pytest.mark.parametrize(
+    ("end", "command"),
+    [
+        ('CMD ["roslaunch", "demo", "other.launch"]\n', ("roslaunch", "demo", "other.launch")),
+        ('ENTRYPOINT ["roslaunch", "demo"]\nCMD ["other.launch"]\n', ("roslaunch", "demo", "other.launch")),
+        ('ENTRYPOINT ["/run"]\n', ("/run",)),
+    ],
+)
+def test_what_an_image_starts_by_itself_is_not_given(tree: Tree, end: str, command: tuple[str, ...]) -> None:
+    decision = tree(ROS | {"Dockerfile": IMAGE + end})
+    assert (decision.command, decision.command_given) == (command, False)
+
+
+@pytest.mark.parametrize(
+    ("folders", "command"),
+    [
+        ("WORKDIR /app\nCOPY . .\n", ("python", "demo.py")),
+        ("COPY . /app\nWORKDIR /app/\n", ("python", "demo.py")),
+        ("COPY . /app\nWORKDIR /\n", ("bash",)),
+    ],
+)
+def test_a_file_is_run_where_containers_start_beside_it(tree: Tree, folders: str, command: tuple[str, ...]) -> None:
+    page = RUN.format("python demo.py")
+    decision = tree({"demo.py": "print(1)\n", "README.md": page, "Dockerfile": f"FROM python:3.9\n{folders}"})
+    assert (decision.dockerfile, decision.command) == ("Dockerfile", command)
+    assert decision.command_given == (command != ("bash",))
+
+
+def planned(folder: Path, files: dict[str, str]) -> Plan:
+    for path, text in files.items():
+        target = folder / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    return plan_repository(folder).plan
+
+
+def test_a_program_of_ros_is_given_with_the_workspaces(tmp_path: Path) -> None:
+    plan = planned(tmp_path, ROS | {"Dockerfile": IMAGE})
+    assert plan.run.given
+    start = plan.proofs[-1]
+    assert start.command == plan.run.given.command
+    assert start.command[:2] == ("bash", "-c")
+    assert start.command[3:] == ("start", "roslaunch", "demo", "demo.launch")
+    assert (start.required, start.guessed, start.rung) == (False, True, 1)
+
+
+@pytest.mark.parametrize("text", ["command: roslaunch demo other.launch", "command: [roslaunch, demo, other.launch]"])
+def test_the_command_of_roslab_yaml_runs_beside_an_own_dockerfile(tmp_path: Path, text: str) -> None:
+    said = f"format: 3\ndockerfile: Dockerfile\n{text}\n"
+    plan = planned(
+        tmp_path, ROS | {"Dockerfile": IMAGE + 'CMD ["roslaunch", "demo", "demo.launch"]\n', "roslab.yaml": said}
+    )
+    assert plan.run.given
+    assert "other.launch" in " ".join(plan.run.given.command)
+    assert (plan.proofs[-1].command, plan.proofs[-1].required) == (plan.run.given.command, True)
+
+
+def test_a_compiled_program_is_found_where_it_was_compiled(tmp_path: Path) -> None:
+    cmake = "cmake_minimum_required(VERSION 3.10)\nproject(demo)\nadd_executable(demo_of_it a.cpp)\n"
+    files = {"CMakeLists.txt": cmake, "a.cpp": "int main() {}\n", "README.md": RUN.format("./build/demo_of_it x")}
+    plan = planned(tmp_path, files | {"Dockerfile": "FROM ubuntu:22.04\nCOPY . /a\nRUN cd /a && cmake . && make\n"})
+    assert plan.run.given
+    assert plan.run.given.command[3:] == ("start", "demo_of_it", "x")
+
+
+def test_the_workspaces_of_an_image_are_sourced(tmp_path: Path) -> None:
+    plan = planned(tmp_path, ROS | {"Dockerfile": IMAGE})
+    assert plan.run.given
+    made = tmp_path / "ws/devel"
+    made.mkdir(parents=True)
+    (made / "setup.bash").write_text("export MADE=here\n", encoding="utf-8")
+    script = plan.run.given.command[2].replace("find / -xdev", f"find {tmp_path} -xdev")
+    done = subprocess.run(
+        ["bash", "-c", script, "start", "sh", "-c", "echo $MADE"], capture_output=True, text=True, check=True
+    )
+    assert done.stdout == "here\n"
