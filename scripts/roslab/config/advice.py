@@ -7,8 +7,9 @@ import re
 from roslab.config import vocabulary
 from roslab.config.document import shown
 from roslab.knowledge.distros import releases_of
+from roslab.values.pattern import pattern
 
-_TREE = re.compile(r"(https?://[^/\s]+/[^/\s]+/[^/\s]+?)(?:\.git)?/(?:-/)?(?:tree|blob)/([^/\s]+)(?:/(\S+))?")
+_TREE = pattern(r"(https?://[^/\s]+/[^/\s]+/[^/\s]+?)(?:\.git)?/(?:-/)?(?:tree|blob)/([^/\s]+)(?:/(\S+))?")
 
 
 def advice(title: str, text: str) -> str | None:

@@ -6,7 +6,6 @@ and reason can name the input or option that it is about.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence as Several
 from dataclasses import fields, replace
 from typing import Any
@@ -22,8 +21,9 @@ from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.distros import releases_of
 from roslab.values.dataclass import dataclass
 from roslab.values.origin import Input, Option, Origin
+from roslab.values.pattern import pattern
 
-_SEPARATOR = re.compile(r"[\s,]+")
+_SEPARATOR = pattern(r"[\s,]+")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

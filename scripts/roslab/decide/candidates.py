@@ -13,8 +13,9 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.decide.written_commands import written
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.values.pattern import pattern
 
-_TEST = re.compile(r"(?:^|[_-])(?:g?tests?|unittests?)(?:[_-]|$)", re.IGNORECASE)
+_TEST = pattern(r"(?:^|[_-])(?:g?tests?|unittests?)(?:[_-]|$)", re.IGNORECASE)
 
 
 def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from roslab.decide.candidate import Candidate, program_of
 from roslab.values.pattern import pattern
 
-_USAGE = re.compile(
+_USAGE = pattern(
     r"\b(?:run(?:ning)?|usage|use|using|launch(?:ing)?|start(?:ing|ed)?|demos?|examples?|quick\w*|play|simulat\w*|execut\w*|"
     r"try|tutorials?|how to|hello)\b",
     re.IGNORECASE,

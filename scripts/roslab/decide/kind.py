@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import cast
 
 from roslab.config.model import Config, Kind
@@ -13,12 +12,13 @@ from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.knowledge.distros import distro, distros
+from roslab.values.pattern import pattern
 
 SMALL_WRAPPER = 3
 """A Python program with at most this many ROS packages below its root only has a ROS wrapper."""
 
 
-_ROS_NAME = re.compile(r"(?:^|[-_.])ros[12]?(?:[-_.]|$)")
+_ROS_NAME = pattern(r"(?:^|[-_.])ros[12]?(?:[-_.]|$)")
 """A repository of this name is for ROS, and its packages wrap nothing."""
 
 

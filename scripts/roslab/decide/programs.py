@@ -12,7 +12,7 @@ from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-_NAME = re.compile(r"[A-Za-z0-9_.+-]+")
+_NAME = pattern(r"[A-Za-z0-9_.+-]+")
 _FOLDER = pattern(r"[A-Za-z0-9_.+/-]+")
 _TEST = pattern(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
 

@@ -17,7 +17,7 @@ from roslab.evidence.facts import Evidence, Mention
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-_PLACEHOLDER = re.compile(
+_PLACEHOLDER = pattern(
     r"YOUR|your[_-]|path[/_-]to|/path|/where/|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
     r"(?-i:/[A-Z_]{5,}(?:\.\w+)?$)",
     re.IGNORECASE,

@@ -14,8 +14,9 @@ from typing import Any
 from roslab.engine.docker import last_line, output
 from roslab.errors import BuildError, Problem
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
-TRANSIENT = re.compile(
+TRANSIENT = pattern(
     r"\b(429|50[0234])\b|too ?many ?requests|service unavailable|bad gateway|gateway time-?out|timed? ?out"
     r"|deadline exceeded|connection (reset|refused|closed)|broken pipe|\bEOF\b|TLS handshake"
     r"|temporary failure|try again",

@@ -6,7 +6,7 @@ import re
 
 from roslab.values.pattern import pattern
 
-_VENDORED = re.compile(
+_VENDORED = pattern(
     r"(?:^|/)(?:third[_-]?part(?:y|ies)|3rd(?:[_-]?party)?|thirdparty|vendor(?:ed)?|externals?|extern|ext|deps|"
     r"submodules?|_deps|site-packages|node_modules|"
     r"pybind11|googletest|gtest|contrib|attic|deprecated|archived?|old|legacy)(?:/|$)",

@@ -120,7 +120,7 @@ def _symbol(names: Names, _: Image) -> Names:
     return {}
 
 
-_INCLUDED = re.compile(r"/(?:include|site-packages|dist-packages|pkg/mod/[\w.]{1,60})/([\w.+-]{2,60})/")
+_INCLUDED = pattern(r"/(?:include|site-packages|dist-packages|pkg/mod/[\w.]{1,60})/([\w.+-]{2,60})/")
 _FOLDERS = pattern(r"(?:\bcd |/)((?:/?[\w.$-]{1,60}/){1,8}[\w.-]{1,60})")
 
 
@@ -133,11 +133,11 @@ def _built_with(names: Names, where: Image) -> Names:
     return {"library": f"what it is built against (in {folder[1]})" if folder else "what it is built against"}
 
 
-_SECRET = re.compile(r"(?i)key|token|licen[cs]e|secret|pass|user|auth|credential")
+_SECRET = pattern(r"(?i)key|token|licen[cs]e|secret|pass|user|auth|credential")
 _VARIABLE = pattern(r"\$\{?([A-Za-z_]\w{1,60})")
 
 
-_ADDRESS = re.compile(r"(?:https?|ftp)://[^\s'\"]{1,300}")
+_ADDRESS = pattern(r"(?:https?|ftp)://[^\s'\"]{1,300}")
 
 
 def _argument(names: Names, where: Image) -> Names:
@@ -173,7 +173,7 @@ def _advice(names: Names, _: Image) -> Names:
     return {"advice": next((row["advice"] for row in rows("package_advice") if row["package"] == name), "")}
 
 
-_APACHE = re.compile(
+_APACHE = pattern(
     r"(?P<mirror>https?://(?!archive\.)(?:(?:[\w-]+\.)*apache\.org(?:/dist)?|apache\.[\w.-]+|[\w.-]+(?:/pub)?/apache(?:/dist)?))/[a-z]"
 )
 

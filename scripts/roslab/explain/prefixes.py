@@ -12,17 +12,17 @@ _SAMPLE = 400
 """Number of lines that are examined to find the prefix of all lines."""
 _PREFIXES: dict[str, re.Pattern[str]] = {
     # gh run view --log: job, step and time, with tabs between; https://cli.github.com/manual/gh_run_view
-    "gh": re.compile(r"[^\t\n]{1,200}\t[^\t\n]{1,200}\t\ufeff?\d{4}-\d\d-\d\dT[\d:.]{8,20}Z ?"),
+    "gh": pattern(r"[^\t\n]{1,200}\t[^\t\n]{1,200}\t\ufeff?\d{4}-\d\d-\d\dT[\d:.]{8,20}Z ?"),
     # GitHub's raw logs; GitLab's with the number of the stream: https://docs.gitlab.com/ci/jobs/job_logs/
-    "time": re.compile(r"\ufeff?\d{4}-\d\d-\d\dT[\d:.]{8,20}Z (?:\d\d[OE][+ ]?)?"),
+    "time": pattern(r"\ufeff?\d{4}-\d\d-\d\dT[\d:.]{8,20}Z (?:\d\d[OE][+ ]?)?"),
     # a part of what BuildKit repeats: the seconds that each line took
-    "seconds": re.compile(r"\d{1,5}\.\d{2,3}(?: |$)"),
+    "seconds": pattern(r"\d{1,5}\.\d{2,3}(?: |$)"),
     # docker compose: the service and a bar
-    "compose": re.compile(r"[a-zA-Z][\w.-]{0,60}[_-]\d{1,3} {1,20}\| "),
+    "compose": pattern(r"[a-zA-Z][\w.-]{0,60}[_-]\d{1,3} {1,20}\| "),
     # docker compose and Jenkins
-    "clock": re.compile(r"\[?\d{4}-\d\d-\d\d[T ]\d\d:\d\d:\d\d(?:[.,]\d{1,9})?(?:Z|[+-]\d\d:?\d\d)?\]? "),
+    "clock": pattern(r"\[?\d{4}-\d\d-\d\d[T ]\d\d:\d\d:\d\d(?:[.,]\d{1,9})?(?:Z|[+-]\d\d:?\d\d)?\]? "),
     # act: [workflow/job], and a bar before what a step printed; a clock in brackets would be taken for it
-    "act": re.compile(r"\[[^\]\n]{1,200}\] {1,3}(?:\| ?)?"),
+    "act": pattern(r"\[[^\]\n]{1,200}\] {1,3}(?:\| ?)?"),
 }
 _SECTION = pattern(r"^section_(?:start|end):\d{1,12}:[\w.-]{1,100}(?:\[[^\]\n]{0,100}\])?\s?", re.MULTILINE)
 

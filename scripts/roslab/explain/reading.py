@@ -27,7 +27,7 @@ class Line(NamedTuple):
     text: str
 
 
-_COLOUR = re.compile(
+_COLOUR = pattern(
     r"\x1b\[[0-?]{0,40}[ -/]{0,4}[@-~]"  # colours and cursor movements
     r"|\x1b\][^\x07\x1b]{0,300}(?:\x07|\x1b\\)"  # titles and links
     r"|\x1b[()][0-9A-Z]|\x1b[@-Z\\-_=>]"

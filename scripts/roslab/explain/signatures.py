@@ -17,7 +17,7 @@ from roslab.knowledge.failures import Failure, compiled, failures
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-_ERRORS = re.compile(r"CMake Error|(?i:\berror\b)|\*\*\*|Configuring incomplete")
+_ERRORS = pattern(r"CMake Error|(?i:\berror\b)|\*\*\*|Configuring incomplete")
 _GUESSED = 8
 """From this rank on, a failure only tells how a step ended, which outweighs nothing that is known."""
 _WENT_ON = pattern(r"^(?:Complete!$|Successfully (?:installed|built) |OK: \d{1,6} MiB in )", re.MULTILINE)

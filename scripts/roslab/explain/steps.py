@@ -18,7 +18,7 @@ _new = tuple.__new__
 """Makes a ``Line`` in a third of the time, for logs of a million lines."""
 _HEAD, _TAIL, _SAID = 400, 4000, 4000
 
-_SMALL = re.compile(r"^(?i:run|copy|add|from|env|arg|user|workdir|label|cmd|entrypoint|shell|volume|expose)\b(?= )")
+_SMALL = pattern(r"^(?i:run|copy|add|from|env|arg|user|workdir|label|cmd|entrypoint|shell|volume|expose)\b(?= )")
 """The first word of an instruction, which a Dockerfile may write in small letters."""
 
 
@@ -83,7 +83,7 @@ class Log:
             yield from reversed(self.steps[: self.steps.index(step)])
 
 
-_VERTEX = re.compile(r"#(\d{1,6}) (\d{1,7}\.\d{1,3} ?)?")
+_VERTEX = pattern(r"#(\d{1,6}) (\d{1,7}\.\d{1,3} ?)?")
 _NAMED = pattern(r"(?:\[|importing cache|exporting |resolve image|sha256:|pushing|merging|copy |local:)")
 _CLASSIC = pattern(r"(?:Step|STEP) \d{1,4}(?:/\d{1,4})? ?: ?")
 _REPEATED = pattern(r" > (.{1,2000}?):?$")

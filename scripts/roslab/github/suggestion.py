@@ -6,7 +6,6 @@ Nothing here fails the run. https://docs.github.com/en/rest/pulls/comments
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -18,8 +17,9 @@ from roslab.render.markdown import block, prose
 from roslab.render.outcome import Repair
 from roslab.render.summary import pasted
 from roslab.repair.hunk import Hunk
+from roslab.values.pattern import pattern
 
-_HUNK = re.compile(r"@@ -\d+(?:,\d+)? \+(\d+)(?:,\d+)? @@")
+_HUNK = pattern(r"@@ -\d+(?:,\d+)? \+(\d+)(?:,\d+)? @@")
 
 
 def suggest(

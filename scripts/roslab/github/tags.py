@@ -11,7 +11,7 @@ from roslab.github.event import Event
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-OWN = re.compile(r"sha-[0-9a-f]{7,40}")
+OWN = pattern(r"sha-[0-9a-f]{7,40}")
 """The tag of one commit in the form of docker/metadata-action."""
 RESERVED = pattern(
     r"latest|nightly|v?\d+|(?:v\d+|\d+\.\d+|v\d+\.\d+|v?\d+\.\d+\.\d+)(?:[-+].*)?|sha-[0-9a-f]{7,40}|buildcache-.*|pr-\d+"

@@ -13,7 +13,7 @@ from roslab.github.tags import OWN, RESERVED, cleaned
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-CACHE = re.compile(r"buildcache-(?P<branch>.+)-[0-9a-f]{8}-(?:all|linux)(?:-[a-z0-9-]+)?(?P<tree>\.tree)?")
+CACHE = pattern(r"buildcache-(?P<branch>.+)-[0-9a-f]{8}-(?:all|linux)(?:-[a-z0-9-]+)?(?P<tree>\.tree)?")
 """A tag of cached layers or of a build tree, as ``cache`` forms it."""
 ATTESTED = pattern(r"sha256-(?P<hex>[0-9a-f]{64})(?:\..+)?")
 """The tag under which a registry without referrers stores attestations and signatures of a digest.

@@ -6,8 +6,9 @@ import re
 from collections.abc import Iterator
 
 from roslab.knowledge.table import rows
+from roslab.values.pattern import pattern
 
-_COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+_COLOUR = pattern(r"\x1b\[[0-9;]*m")
 
 
 def dead_nodes(log: str) -> tuple[str, ...]:

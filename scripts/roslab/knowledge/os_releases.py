@@ -12,7 +12,7 @@ from roslab.knowledge.distros import distro, ubuntus
 from roslab.knowledge.table import rows
 from roslab.values.pattern import pattern
 
-_REGISTRY = re.compile(r"^(?:docker\.io/)?(?:library/)?")
+_REGISTRY = pattern(r"^(?:docker\.io/)?(?:library/)?")
 _ROS = pattern(r"(?:^|/)ros:([a-z]+)")
 _UBUNTU = pattern(r"ubuntu[:_-]?(\d\d\.\d\d)")
 _DEBIAN = pattern(r"^debian:(\d+)")

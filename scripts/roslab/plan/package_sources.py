@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from roslab.decide.decision import Decision
 from roslab.knowledge.days import last_sync
 from roslab.knowledge.distros import Distro, distro
@@ -12,7 +10,7 @@ from roslab.knowledge.ros_packages import last_snapshot, ros_packages, snapshot
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-_OFFICIAL = re.compile(r"(?:docker\.io/(?:library/)?)?ros:")
+_OFFICIAL = pattern(r"(?:docker\.io/(?:library/)?)?ros:")
 _WITH_ROS = pattern(r"(?:[^/]+/)*ros:")
 
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from dataclasses import field
 
 from roslab.engine.docker import output
 from roslab.knowledge.launches import launches
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
-_NAME = re.compile(r"\b(?:__name|__node):=(\S+)")
+_NAME = pattern(r"\b(?:__name|__node):=(\S+)")
 LONGEST = 80
 """Most characters of a command that are told."""
 

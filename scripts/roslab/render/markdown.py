@@ -7,8 +7,9 @@ import re
 from collections.abc import Iterable, Sequence
 
 from roslab.repository.checkout import printable
+from roslab.values.pattern import pattern
 
-_TERMINAL = re.compile(r"\x1b\[[0-?]*[ -/]*[@-~]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)")
+_TERMINAL = pattern(r"\x1b\[[0-?]*[ -/]*[@-~]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)")
 """ECMA-48, 5.4 and 5.6: https://ecma-international.org/publications-and-standards/standards/ecma-48/"""
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import re
 from collections.abc import Iterable
 from dataclasses import field
 
@@ -12,8 +11,9 @@ from roslab.plan.ladder import Ladder
 from roslab.plan.plan import Plan
 from roslab.render.sizes import LayerSize
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
-DIGEST = re.compile(r"sha256:[0-9a-f]{64}")
+DIGEST = pattern(r"sha256:[0-9a-f]{64}")
 """https://github.com/opencontainers/image-spec/blob/main/descriptor.md#digests"""
 
 
@@ -33,7 +33,7 @@ class ProofReport:
     """A note that nothing was drawn, or why there is no screenshot."""
 
 
-ARCHIVE = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.:-]{0,500}")
+ARCHIVE = pattern(r"[A-Za-z0-9][A-Za-z0-9_.:-]{0,500}")
 """A name of an archive, which the summary shows in a command."""
 
 

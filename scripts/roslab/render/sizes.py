@@ -8,6 +8,7 @@ from collections.abc import Iterable
 
 from roslab.render.markdown import block
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 BASE = "base image"
 SMALLEST = 0.02
@@ -15,16 +16,16 @@ SMALLEST = 0.02
 COLOURS = ("#57606a", "#0969da", "#1a7f37", "#bc4c00", "#8250df", "#bf3989", "#9a6700", "#1b7c83", "#cf222e")
 """Colours of the slices, dark enough for white numbers and light enough for a dark page, unlike Mermaid's own."""
 PARTS: tuple[tuple[str, re.Pattern[str]], ...] = (
-    ("Ubuntu", re.compile(r"^(?:ADD|COPY) \S+ (?:in )?/$")),
-    ("files", re.compile(r"^(?:ADD|COPY)\b")),
-    ("rosdep", re.compile(r"\brosdep install\b|\binstall-rosdep-keys\b")),
-    ("conda", re.compile(r"\b(?:conda|mamba|micromamba)\s+(?:install|create|env)\b")),
+    ("Ubuntu", pattern(r"^(?:ADD|COPY) \S+ (?:in )?/$")),
+    ("files", pattern(r"^(?:ADD|COPY)\b")),
+    ("rosdep", pattern(r"\brosdep install\b|\binstall-rosdep-keys\b")),
+    ("conda", pattern(r"\b(?:conda|mamba|micromamba)\s+(?:install|create|env)\b")),
     (
         "pip",
         re.compile(r"\b(?:pip[\d.]*|poetry|pdm|pipenv|uv)\s+(?:install|sync)\b|-m venv\b|\binstall-optional-pip\b"),
     ),
-    ("apt", re.compile(r"\bapt(?:-get)?\s+(?:-\S+\s+)*install\b|\binstall-(?:optional-apt|icub)\b")),
-    ("compiled", re.compile(r"\b(?:colcon|catkin_make\w*|catkin|cmake|make|ninja|nvcc|cargo)\b")),
+    ("apt", pattern(r"\bapt(?:-get)?\s+(?:-\S+\s+)*install\b|\binstall-(?:optional-apt|icub)\b")),
+    ("compiled", pattern(r"\b(?:colcon|catkin_make\w*|catkin|cmake|make|ninja|nvcc|cargo)\b")),
 )
 """What made a layer, by its instruction; the first match counts. https://docs.docker.com/reference/dockerfile/"""
 

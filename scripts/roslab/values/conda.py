@@ -6,10 +6,11 @@ No library parses these without conda itself.
 
 from __future__ import annotations
 
-import re
 from typing import NamedTuple
 
-_MATCH = re.compile(
+from roslab.values.pattern import pattern
+
+_MATCH = pattern(
     r"(?:[^\s:]+::)?(?P<name>\w[\w.-]*)(?:\s*(?P<sign>[=<>~!]*)\s*(?P<version>\d[\w.+-]*)(?P<build>=[\w.]+$)?)?"
     r"(?:[\s=<>~!,.*|\[].*)?"
 )

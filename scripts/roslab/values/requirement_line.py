@@ -15,7 +15,7 @@ from roslab.values.requirement import FREE, Requirement, RequirementOrigin, Role
 from roslab.values.specifier import specifiers
 from roslab.values.wheel import wheel_of
 
-_EDITABLE = re.compile(r"^(?:-e|--editable)[ =]*(\S.*)$")
+_EDITABLE = pattern(r"^(?:-e|--editable)[ =]*(\S.*)$")
 _PER_LINE = pattern(r"\s+--(?:hash|global-option|install-option|config-settings)[ =]\S+")
 _URL = pattern(r"^(?:(?:git|hg|svn|bzr)\+\S+|https?://\S+|file:\S+|git://\S+|git@\S+)$")
 _PATH = pattern(r"[\w./-]+(?:\[.*\])?")

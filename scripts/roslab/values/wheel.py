@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from functools import cache
 from typing import NamedTuple
 from urllib.parse import unquote
@@ -11,7 +10,9 @@ from packaging.tags import Tag
 from packaging.utils import InvalidWheelFilename, parse_wheel_filename
 from packaging.version import Version
 
-_CPYTHON = re.compile(r"cp(\d)(\d{1,2})")
+from roslab.values.pattern import pattern
+
+_CPYTHON = pattern(r"cp(\d)(\d{1,2})")
 
 
 class Wheel(NamedTuple):

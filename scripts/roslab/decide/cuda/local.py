@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
+from roslab.values.pattern import pattern
 
-_LOCAL = re.compile(r"\+cu(\d{2,3})\b|/cu(\d{2,3})\b|[-_]cu(?:da)?(\d{2,3})\b")
+_LOCAL = pattern(r"\+cu(\d{2,3})\b|/cu(\d{2,3})\b|[-_]cu(?:da)?(\d{2,3})\b")
 
 
 def cuda_of(text: str) -> str | None:

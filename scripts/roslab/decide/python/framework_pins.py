@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
 from packaging.version import Version
@@ -14,10 +13,11 @@ from roslab.decide.python.pins import Pin
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.knowledge.frameworks import framework
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
-_BUILD = re.compile(r"(.+)-cu(\d{2,3})")
+_BUILD = pattern(r"(.+)-cu(\d{2,3})")
 _LEADING = {"torch": "torch", "tensorflow": "tensorflow", "jax": "jax"}
 _BESIDE = {"torch": ("torchvision", "torchaudio"), "jax": ("jaxlib",), "tensorflow": ()}
 """Released together with the framework: their pins count if they are in the same file."""

@@ -13,12 +13,11 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.guesses import same_module, tooling
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
-_FOR_DEVELOPERS = re.compile(
-    r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|(?:bitbucket|azure)-pipelines\.|docs?\d?/)"
-)
+_FOR_DEVELOPERS = pattern(r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|(?:bitbucket|azure)-pipelines\.|docs?\d?/)")
 _FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
 MAX_GUESSES = 40
 

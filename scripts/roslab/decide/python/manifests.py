@@ -16,7 +16,7 @@ from roslab.knowledge.tools import PIXI
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
-_VARIANT = re.compile(
+_VARIANT = pattern(
     r"(?:^|[-_.])(?:frozen|freeze|lock|locked|full|all|extra|extras|optional|mac|macos|osx|darwin|windows|win|"
     r"cpu|gpu|cuda|rocm|tpu|jetson|arm|colab|"
     r"notebooks?|examples?|demo|eval|train|py2|python2|py27|min|minimum|old|backup|hpc|cluster|benchmark|ros|"

@@ -23,7 +23,7 @@ from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 from roslab.values.secret import SSH
 
-_EXTRA = re.compile(
+_EXTRA = pattern(
     r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
 )
 _CLONED = pattern(r"https?://")

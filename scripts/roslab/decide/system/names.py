@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from roslab.evidence.dependency import Dependency
 from roslab.knowledge.distros import ever
 from roslab.knowledge.libraries import Library, header, library
@@ -11,7 +9,7 @@ from roslab.knowledge.released import released
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-APT_NAME = re.compile(r"^[a-z0-9][a-z0-9.+-]+$")
+APT_NAME = pattern(r"^[a-z0-9][a-z0-9.+-]+$")
 _PLACEHOLDER = pattern(r"^ros-(\{distro\}|[a-z]+)-(.+)$")
 
 

@@ -14,7 +14,7 @@ from functools import cache
 
 from roslab.values.pattern import pattern
 
-_BRACKET_COMMENT = re.compile(r"#\[(=*)\[.*?\]\1\]", re.DOTALL)
+_BRACKET_COMMENT = pattern(r"#\[(=*)\[.*?\]\1\]", re.DOTALL)
 _TOKEN = pattern(r"#[^\n]*|\"((?:[^\"\\]|\\.)*)\"|\[(=*)\[(.*?)\]\2\]|([()])|((?:[^\s()#\"\\]|\\.)+)", re.DOTALL)
 _VARIABLE = pattern(r"\$\{(\w+)\}")
 _OPENERS = frozenset({"if", "while", "function", "macro", "foreach", "block"})

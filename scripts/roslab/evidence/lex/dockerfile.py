@@ -14,7 +14,7 @@ from typing import NamedTuple
 from roslab.evidence.lex.shell import logical_lines
 from roslab.values.pattern import pattern
 
-_INSTRUCTION = re.compile(r"^\s*([A-Za-z]+)\s+(.*)$", re.DOTALL)
+_INSTRUCTION = pattern(r"^\s*([A-Za-z]+)\s+(.*)$", re.DOTALL)
 _KNOWN = frozenset(
     {
         "ADD", "ARG", "CMD", "COPY", "ENTRYPOINT", "ENV", "EXPOSE", "FROM", "HEALTHCHECK",

@@ -214,7 +214,7 @@ def _value(kind: str, token: str, known: Mapping[str, str]) -> str:
     return token
 
 
-_REFERENCE = re.compile(r"\$\{(\w+)(?::?[-=]([^}]*))?[^}]*\}|\$(\w+)|\$\([^)]*\)|`[^`]*`")
+_REFERENCE = pattern(r"\$\{(\w+)(?::?[-=]([^}]*))?[^}]*\}|\$(\w+)|\$\([^)]*\)|`[^`]*`")
 
 
 def _expand(text: str, known: Mapping[str, str]) -> str:

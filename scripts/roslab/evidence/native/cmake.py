@@ -52,14 +52,14 @@ _NAMES = (
 )
 _LANGUAGES = frozenset({"C", "CXX", "CUDA", "Fortran"})
 _FAMILIES = (
-    ("cuda", re.compile(r"cuda_add")),
-    ("rosbuild", re.compile(r"rosbuild_")),
-    ("ament", re.compile(r"ament_(?!target_dependencies)|autoware_package|rosidl_generate_interfaces")),
-    ("catkin", re.compile(r"catkin_package|catkin_simple|cs_")),
+    ("cuda", pattern(r"cuda_add")),
+    ("rosbuild", pattern(r"rosbuild_")),
+    ("ament", pattern(r"ament_(?!target_dependencies)|autoware_package|rosidl_generate_interfaces")),
+    ("catkin", pattern(r"catkin_package|catkin_simple|cs_")),
 )
 _FOUND = (
-    ("catkin", re.compile(r"catkin(?:_simple)?$")),
-    ("ament", re.compile(r"ament_|autoware_cmake$")),
+    ("catkin", pattern(r"catkin(?:_simple)?$")),
+    ("ament", pattern(r"ament_|autoware_cmake$")),
 )
 _CUDA = pattern(r"(?:CUDA|CUDAToolkit|CUDNN|TensorRT)$")
 _PROGRAMS_IN = frozenset({"CMAKE_RUNTIME_OUTPUT_DIRECTORY", "EXECUTABLE_OUTPUT_PATH"})

@@ -10,8 +10,9 @@ from roslab.evidence import places
 from roslab.evidence.facts import CodeLimit
 from roslab.knowledge.code_limits import Limit, limits
 from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
 
-_STANDARD = re.compile(
+_STANDARD = pattern(
     r"^[^#\n]*?(?:\bCMAKE_CXX_STANDARD[ \t]+|-std=(?:c|gnu)\+\+|\bcxx_std_|\bCXX_STANDARD[ \t]+)(\d\w)\b", re.MULTILINE
 )
 _GUARDS = ("__has_include", "CV_VERSION", "CV_MAJOR_VERSION", "CERES_VERSION", "imgproc/types_c.h", "constants_c.h")

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.lex.shell import Command
+from roslab.values.pattern import pattern
 
-_ARCHIVE = re.compile(
-    r"(https://github\.com/[\w-]+/([\w.-]+))/archive/(?:refs/tags/)?([\w.+-]+?)\.(?:zip|tar\.gz|tgz)$"
-)
+_ARCHIVE = pattern(r"(https://github\.com/[\w-]+/([\w.-]+))/archive/(?:refs/tags/)?([\w.+-]+?)\.(?:zip|tar\.gz|tgz)$")
 
 
 def archives(command: Command, file: str) -> Iterator[GitSource]:

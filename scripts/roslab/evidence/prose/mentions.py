@@ -61,7 +61,7 @@ def _goes_on() -> dict[str, tuple[re.Pattern[str], re.Pattern[str]]]:
     }
 
 
-_TRACEBACK = re.compile(r"File \"[^\"\n]{0,200}\Z")
+_TRACEBACK = pattern(r"File \"[^\"\n]{0,200}\Z")
 """A line of a traceback before a Python version: it is about somebody's own machine."""
 _CONTEXT = pattern(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
-
 from roslab.evidence.lex.shell import Command
+from roslab.values.pattern import pattern
 
-_PYTHON = re.compile(r"^i?python\d?(?:\.\d+)?$")
+_PYTHON = pattern(r"^i?python\d?(?:\.\d+)?$")
 _RUNNERS = frozenset({"uv", "poetry", "pipenv", "pdm", "pixi", "rye", "hatch"})
 """Managers of environments: the image is the environment."""
 _WRAPPERS = frozenset({"xvfb-run", "mpirun", "mpiexec", "torchrun", "nohup", "time"})

@@ -13,7 +13,7 @@ from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import requirement
 from roslab.values.version import minor_of
 
-_NAME = re.compile(
+_NAME = pattern(
     r"^(?:.*[-_.])?(?:conda|env|environment|mamba|robostack)(?:[-_.\d].*)?\.ya?ml$|^conda.*\.ya?ml$|^env\w*\.ya?ml$"
 )
 _SHAPE = pattern(r"^dependencies:", re.MULTILINE)

@@ -9,7 +9,7 @@ from roslab.evidence.python.imports import MAX_READ, modules
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
-_STATEMENT = re.compile(r"^[ \t]*print[ \t]+[\"'][^\n]*$", re.MULTILINE)
+_STATEMENT = pattern(r"^[ \t]*print[ \t]+[\"'][^\n]*$", re.MULTILINE)
 """``print`` with a string after it, which prose in a docstring hardly ever has."""
 _CALL = pattern(r"^[ \t]*print[ \t]*\(", re.MULTILINE)
 LEAST = 2

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from roslab.values.pattern import pattern
 
-_FILE = re.compile(r"^[\w./-]*(?:require|dep)[\w./-]*\.(?:txt|in)$", re.IGNORECASE)
+_FILE = pattern(r"^[\w./-]*(?:require|dep)[\w./-]*\.(?:txt|in)$", re.IGNORECASE)
 _KEYS = {"install_requires": "", "requires": "", "tests_require": "test"}
 _STRINGS = pattern(r"[\"']([A-Za-z][^\"'\n]*)[\"']")
 MAX_DEPTH = 12

@@ -5,10 +5,11 @@ catkin_pkg has a parser for them, but it needs pyparsing, raises at the first od
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
-_TOKEN = re.compile(r"\s*(\(|\)|==|!=|<=|>=|<|>|\band\b|\bor\b|\$\w+|\"[^\"]*\"|'[^']*'|[\w.+-]+)")
+from roslab.values.pattern import pattern
+
+_TOKEN = pattern(r"\s*(\(|\)|==|!=|<=|>=|<|>|\band\b|\bor\b|\$\w+|\"[^\"]*\"|'[^']*'|[\w.+-]+)")
 MAX_TOKENS = 60
 MAX_LENGTH = 1_000
 _COMPARE = {"==": str.__eq__, "!=": str.__ne__, "<": str.__lt__, ">": str.__gt__, "<=": str.__le__, ">=": str.__ge__}

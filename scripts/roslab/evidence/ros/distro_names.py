@@ -11,7 +11,7 @@ from roslab.knowledge.distros import distros
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
-_WORD = re.compile(r"[a-z]+[0-9]*|[0-9.]+")
+_WORD = pattern(r"[a-z]+[0-9]*|[0-9.]+")
 _FILES = pattern(
     r"dockerfile|containerfile|\.repos$|\.rosinstall$|\.repos\.ya?ml$|docker-compose|\.ya?ml$|\.sh$", re.IGNORECASE
 )

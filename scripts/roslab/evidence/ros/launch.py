@@ -41,7 +41,7 @@ _PARAM_PLUGIN = pattern(rf"name=\"base_(?:local|global)_planner\"\s+value=\"({_P
 _NEW = pattern(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node")
 """Words that only ROS 2 uses in XML launch files."""
 _GUI = pattern(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
-_COMMENT = {"xml": re.compile(r"<!--.*?-->", re.DOTALL), "hash": re.compile(r"^[ \t]*#.*$", re.MULTILINE)}
+_COMMENT = {"xml": pattern(r"<!--.*?-->", re.DOTALL), "hash": pattern(r"^[ \t]*#.*$", re.MULTILINE)}
 _NAME = pattern(r"<name>\s*([\w-]+)\s*</name>")
 NEAR = 300
 """Most characters between a package's name and the end of the call or element that it belongs to."""
