@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
-import shutil
-import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 from roslab.cli.planning import named, planned_of, warnings_of
 from roslab.config import locate
 from roslab.config.generation import NAMES
-from roslab.errors import BuildError, ConfigurationError, Problem
+from roslab.errors import ConfigurationError, Problem
 
 
 def inspect(options: argparse.Namespace) -> int:
@@ -96,27 +92,3 @@ def create(options: argparse.Namespace) -> int:
         sys.stdout.write(f"{entry}\n")
     sys.stderr.write(warnings_of(planned))
     return 0
-
-
-def run(options: argparse.Namespace) -> int:
-    """Run the image with the same script that ``create`` writes as docker_run.sh."""
-    from roslab.pipeline import rendered  # noqa: PLC0415
-
-    planned = planned_of(options)
-    if not shutil.which("docker"):
-        raise BuildError(Problem(message="docker is not installed", hint="https://docs.docker.com/engine/install/"))
-    with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
-        script = Path(folder) / "docker_run.sh"
-        text = next(file.text for file in rendered(planned, Path(folder)) if file.path == "docker_run.sh")
-        script.write_text(text, encoding="utf-8")
-        arguments = ["--notebook"] if options.notebook else []
-        environment = {
-            **os.environ,
-            "ROSLAB_IMAGE": os.environ.get("ROSLAB_IMAGE", f"{planned.plan.name}:{options.tag}"),
-        }
-        return subprocess.run(
-            ["bash", str(script), *arguments, *options.arguments],
-            env=environment,
-            cwd=planned.repository.root,
-            check=False,
-        ).returncode

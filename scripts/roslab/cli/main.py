@@ -17,6 +17,7 @@ MODULES = {
     "explain": "explaining",
     "lock": "locking",
     "diff": "locking",
+    "run": "running",
     "verify": "verifying",
 }
 """Modules of the commands that are not in ``commands``."""

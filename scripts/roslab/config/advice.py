@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from roslab.config import vocabulary
-from roslab.config.document import shown
+from roslab.config.cited import shown
 from roslab.knowledge.distros import releases_of
 from roslab.values.pattern import pattern
 

@@ -11,23 +11,19 @@ from typing import Any
 
 import yaml
 
+from roslab.config.cited import FORBIDDEN, MAX_PROBLEMS, shown
 from roslab.config.node import Mapping, Mark, Node, Scalar, ScalarKind, Sequence, in_file
 from roslab.errors import ConfigurationError, Problem
-from roslab.repository.checkout import printable
 from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
-from roslab.values.pattern import pattern
 
 MAX_CHARACTERS = 64 * 1024
 """The longest real file of this program has 2,200 characters, that of another program 17,000."""
 MAX_DEPTH = 32
 MAX_NODES = 20_000
 """Most values in a file, counted with every alias expanded."""
-MAX_PROBLEMS = 50
 
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-FORBIDDEN = pattern("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
-"""Characters that YAML does not allow: controls, surrogates and noncharacters."""
 _TAG = "tag:yaml.org,2002:"
 _KINDS: dict[str, ScalarKind] = {
     "str": "string",
@@ -48,7 +44,6 @@ _HINTS = (
     ("undefined alias", "write the value out"),
 )
 _MERGE = "<<"
-_PASSWORD = pattern(r"//[^/\s]*@")
 
 
 @dataclass(kw_only=True, slots=True)
@@ -204,13 +199,6 @@ def parse(text: str | bytes, *, file: str) -> Document:
         raise ConfigurationError(*document.problems) from None
     del document.problems[MAX_PROBLEMS:]
     return document
-
-
-def shown(text: str, limit: int = 60) -> str:
-    """Return a text in a form suitable for messages: printable, on one line, shortened, without a password."""
-    text = _PASSWORD.sub("//…@", text)
-    text = text if len(text) <= limit else text[: limit - 1] + "…"
-    return printable(text)
 
 
 def _mark(mark: Any) -> Mark:  # the C parser has its own class of marks

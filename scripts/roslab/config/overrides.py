@@ -11,7 +11,7 @@ from dataclasses import fields, replace
 from typing import Any
 
 from roslab.config import reader, vocabulary
-from roslab.config.document import FORBIDDEN
+from roslab.config.cited import FORBIDDEN
 from roslab.config.model import Base, Config, TagParts
 from roslab.config.node import Mapping, Mark, Node, Scalar, Sequence
 from roslab.config.reading import Reading

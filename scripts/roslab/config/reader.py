@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Literal, cast
+from typing import TYPE_CHECKING, Literal, cast
 
 from roslab.config import base as bases
 from roslab.config import generation as generations
 from roslab.config import packages, running, vocabulary
-from roslab.config.document import Document, parse
 from roslab.config.model import Base, BuildTool, Compatible, Config, Generation, Kind, PullImage
 from roslab.config.node import Mapping, Scalar, Sequence, in_file
 from roslab.config.reading import Reading
@@ -15,6 +14,9 @@ from roslab.config.shape import Shape
 from roslab.config.source import OLD_TOOLS, sources
 from roslab.errors import ConfigurationError, Problem
 from roslab.values.origin import Place
+
+if TYPE_CHECKING:
+    from roslab.config.document import Document
 
 _KEYS: dict[Generation, dict[str, str]] = {
     "paper": {"repo": "repos", "apt": "packages", "pip": "python-packages"},
@@ -30,6 +32,8 @@ def read(text: str | bytes, *, file: str = "roslab.yaml") -> Config:
 
     Raises ``ConfigurationError`` with every problem found, in the order of the lines.
     """
+    from roslab.config.document import parse  # noqa: PLC0415 - it loads YAML's parser, for those who wrote a file
+
     document = parse(text, file=file)
     root = mapping_of(document)
     generation = generations.tell(root, file=file)

@@ -13,7 +13,7 @@ from dataclasses import field, replace
 
 from roslab.config import vocabulary
 from roslab.config.advice import advice
-from roslab.config.document import MAX_PROBLEMS, shown
+from roslab.config.cited import MAX_PROBLEMS, shown
 from roslab.config.node import Mapping, Mark, Node, Scalar, Sequence, Where, kind
 from roslab.config.vocabulary import Schema
 from roslab.errors import Problem

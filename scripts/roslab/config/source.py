@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal, cast
 
 from roslab.config import packages
-from roslab.config.document import shown
+from roslab.config.cited import shown
 from roslab.config.model import Source
 from roslab.config.node import Mapping, Scalar, Sequence
 from roslab.config.reading import Reading, Text

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from functools import cache
 
-from packaging.utils import canonicalize_name
-
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
+from roslab.values.name import canonicalize_name
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -11,6 +11,7 @@ from roslab.engine.docker import last_line, output
 from roslab.errors import BuildError, Problem
 from roslab.plan.locked import Distribution, LockedSource, Package
 from roslab.values.dataclass import dataclass
+from roslab.values.name import canonicalize_name
 
 SECONDS = 600.0
 _SCRIPT = Path(__file__).with_name("inventory.sh")
@@ -109,21 +110,15 @@ def _lines(text: str) -> list[tuple[str, ...]]:
 def _python(found: Sequence[tuple[str, ...]]) -> Iterator[Installed]:
     seen = set()
     for kind, environment, name, version, installer, direct in found:
-        key = (environment, _canonical(name))
+        key = (environment, canonicalize_name(name))
         if kind != "python" or not name or not version or installer == "conda" or key in seen:
             continue
         seen.add(key)  # the first on the path is the one that is imported
         url, hashes = _from(direct)
         if url.startswith("file:"):
             continue  # the repository's own, or a library of the image's
-        package = Distribution(name=_canonical(name), version=version, hashes=hashes, url=url)
+        package = Distribution(name=canonicalize_name(name), version=version, hashes=hashes, url=url)
         yield Installed(environment=environment, package=package)
-
-
-def _canonical(name: str) -> str:
-    from packaging.utils import canonicalize_name  # noqa: PLC0415 - slow to import
-
-    return canonicalize_name(name)
 
 
 def _from(text: str) -> tuple[str, tuple[str, ...]]:

@@ -9,6 +9,7 @@ from pathlib import Path
 from roslab.engine.docker import last_line, output, say
 from roslab.lock.inventory import Inventory
 from roslab.values.dataclass import dataclass
+from roslab.values.name import canonicalize_name
 
 SECONDS = 3600.0
 NETWORK = "bridge"
@@ -65,7 +66,7 @@ def ask(
         elif kind == "report" and len(fields) == 2:
             hashes |= _reported(fields[0], fields[1])
         elif kind == "file" and len(fields) == 3:
-            hashes[fields[0], _canonical(fields[1])] = (f"sha256:{fields[2]}",)
+            hashes[fields[0], canonicalize_name(fields[1])] = (f"sha256:{fields[2]}",)
     return Origins(apt=apt, hashes=hashes)
 
 
@@ -75,11 +76,5 @@ def _reported(environment: str, text: str) -> dict[tuple[str, str], tuple[str, .
     for entry in json.loads(text).get("install", ()):
         digest = (entry.get("download_info", {}).get("archive_info", {}).get("hashes") or {}).get("sha256")
         if digest:
-            found[environment, _canonical(entry["metadata"]["name"])] = (f"sha256:{digest}",)
+            found[environment, canonicalize_name(entry["metadata"]["name"])] = (f"sha256:{digest}",)
     return found
-
-
-def _canonical(name: str) -> str:
-    from packaging.utils import canonicalize_name  # noqa: PLC0415 - slow to import
-
-    return canonicalize_name(name)

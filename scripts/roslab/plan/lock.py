@@ -6,7 +6,6 @@ because people read its differences.
 
 from __future__ import annotations
 
-import hashlib
 import json
 import re
 from collections.abc import Callable, Iterable, Mapping
@@ -72,6 +71,8 @@ def to_text(lock: Lock) -> str:
 
 def digest(text: str) -> str:
     """Return the digest by which an image names a lock."""
+    import hashlib  # noqa: PLC0415 - few repositories have a lock
+
     return f"sha256:{hashlib.sha256(text.encode()).hexdigest()}"
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import subprocess
 from pathlib import Path
 
 SECONDS = 30.0
@@ -51,6 +50,8 @@ def is_tag(root: Path, name: str) -> bool:
 
 def _read(root: Path, *command: str) -> str:
     """Return git's output for a checkout, ``""`` if it failed."""
+    import subprocess  # noqa: PLC0415 - slow to import, and most plans need nothing of git's
+
     settings = [word for setting in (f"safe.directory={_top(root)}", *_SETTINGS) for word in ("-c", setting)]
     try:
         answer = subprocess.run(

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cache
-
-from packaging.markers import Marker, UndefinedComparison
+from typing import TYPE_CHECKING
 
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 from roslab.values.specifier import NEWEST_PATCH
+
+if TYPE_CHECKING:
+    from packaging.markers import Marker
 
 _MACHINES = {"linux/amd64": "x86_64", "linux/arm64": "aarch64", "linux/arm/v7": "armv7l", "linux/386": "i686"}
 """``uname -m`` on each platform; for others it is the last part of the platform's name.
@@ -47,6 +49,8 @@ class Interpreter:
 @cache
 def _holds(marker: Marker, python: str, platform: str) -> bool | None:
     """Evaluate a marker; ``None`` if it depends on the machine that the image will run on."""
+    from packaging.markers import UndefinedComparison  # noqa: PLC0415 - its marker has imported it
+
     if any(name in str(marker) for name in _UNKNOWN):
         return None
     full = f"{python}.{NEWEST_PATCH}"

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import Literal
+from dataclasses import field, replace
+from functools import cache
+from typing import TYPE_CHECKING, Literal
 
-from packaging.markers import InvalidMarker, Marker
-from packaging.specifiers import SpecifierSet
-from packaging.utils import canonicalize_name
 from packaging.version import Version
 
 from roslab.values.dataclass import dataclass
+from roslab.values.name import canonicalize_name
 from roslab.values.version import version_of
 from roslab.values.wheel import Wheel, wheel_of
+
+if TYPE_CHECKING:
+    from packaging.markers import Marker
+    from packaging.specifiers import SpecifierSet
 
 RequirementOrigin = Literal["manifest", "conda", "prose", "import", "build", "configuration", "table"]
 """Who asks: a file made for pip, a conda environment, an install line for humans or for another machine, the code, the
@@ -40,8 +43,14 @@ requirements file, a conda environment's file, an option of pip's."""
 _NO_PACKAGE = frozenset({"project", "file", "option", "environment"})
 _EXACT = frozenset({"==", "===", "~="})
 _UPPER = frozenset({"<", "<="})
-FREE = SpecifierSet()
-"""Every version."""
+
+
+@cache
+def free() -> SpecifierSet:
+    """Return the specifier that every version fulfils."""
+    from packaging.specifiers import SpecifierSet  # noqa: PLC0415 - slow to import
+
+    return SpecifierSet()
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -52,7 +61,7 @@ class Requirement:
     """As it is spelled; for a bare URL, what its end suggests; ``""`` if unknown."""
     written: str
     """As pip is given it, without its marker: ``PyYAML>=5``, ``name @ URL``, a bare URL, a path, an option."""
-    specifier: SpecifierSet = FREE
+    specifier: SpecifierSet = field(default_factory=free)
     """Empty if it is not pinned, or if the version follows no standard (then only ``written`` has it)."""
     extras: tuple[str, ...] = ()
     url: str = ""
@@ -116,6 +125,8 @@ class Requirement:
 
     def only_if(self, condition: str) -> Requirement:
         """Return it with an additional marker; one that pip cannot read is ignored."""
+        from packaging.markers import InvalidMarker, Marker  # noqa: PLC0415 - slow to import
+
         try:
             more = Marker(condition) if condition.strip() else None
         except InvalidMarker:
@@ -126,7 +137,7 @@ class Requirement:
 
     def fetched_from(self, url: str) -> Requirement:
         """Return it with the URL that uv fetches it from."""
-        return replace(self, written=f"{self.key} @ {url}", url=url, specifier=FREE, role="source")
+        return replace(self, written=f"{self.key} @ {url}", url=url, specifier=free(), role="source")
 
     @property
     def limited(self) -> bool:

@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from functools import cache, partial
-
-from packaging.markers import InvalidMarker, Marker
-from packaging.requirements import InvalidRequirement
-from packaging.requirements import Requirement as Parsed
+from typing import TYPE_CHECKING
 
 from roslab.values.pattern import pattern
-from roslab.values.requirement import FREE, Requirement, RequirementOrigin, Role
+from roslab.values.requirement import Requirement, RequirementOrigin, Role, free
 from roslab.values.specifier import specifiers
 from roslab.values.wheel import wheel_of
+
+if TYPE_CHECKING:
+    from packaging.markers import Marker
+    from packaging.requirements import Requirement as Parsed
 
 _EDITABLE = pattern(r"^(?:-e|--editable)[ =]*(\S.*)$")
 _PER_LINE = pattern(r"\s+--(?:hash|global-option|install-option|config-settings)[ =]\S+")
@@ -61,6 +62,9 @@ def stated(
 @cache
 def _read(text: str) -> Requirement | None:
     """Parse a line without its place: by the standard, else as a URL or a path, else after repairs."""
+    from packaging.requirements import InvalidRequirement  # noqa: PLC0415 - slow to import
+    from packaging.requirements import Requirement as Parsed  # noqa: PLC0415
+
     editable = _EDITABLE.match(text)
     role: Role = "editable" if editable else ""
     text = _PER_LINE.sub("", editable[1] if editable else text).strip()
@@ -105,6 +109,8 @@ def _standard(parsed: Parsed, text: str, role: Role) -> Requirement:
 
 def _marked(text: str) -> tuple[str, Marker | None, bool]:
     """Split a line at its marker (a semicolon in a URL is no marker) and tell whether pip can read the marker."""
+    from packaging.markers import InvalidMarker, Marker  # noqa: PLC0415 - slow to import
+
     before = text.partition(" ;")[0].strip()
     requirement, _, condition = text.partition(" ;" if _URL.match(before) else ";")
     try:
@@ -128,10 +134,12 @@ def _repaired(text: str) -> Requirement | None:
         allowed = specifiers(rest)
         written = re.sub(r"[\s()]+", "", rest) if allowed is None else str(allowed)
         role: Role = "repaired" if allowed else ""
-        return _NOWHERE(name=name, written=name + listed + written, specifier=allowed or FREE, extras=extras, role=role)
+        return _NOWHERE(
+            name=name, written=name + listed + written, specifier=allowed or free(), extras=extras, role=role
+        )
     if exported := _EXPORTED.fullmatch(rest):  # conda list --export: name=version=build
         pinned = specifiers(f"=={exported[1]}")
-        return _NOWHERE(name=name, written=f"{name}=={exported[1]}", specifier=pinned or FREE, role="repaired")
+        return _NOWHERE(name=name, written=f"{name}=={exported[1]}", specifier=pinned or free(), role="repaired")
     return None
 
 

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import TYPE_CHECKING
 
-from packaging.specifiers import InvalidSpecifier, Specifier, SpecifierSet
 from packaging.version import Version
 
 from roslab.values.pattern import pattern
+
+if TYPE_CHECKING:
+    from packaging.specifiers import SpecifierSet
 
 NEWEST_PATCH = 99
 """Above every patch release of a Python: 3.8 ended at 3.8.20, 3.9 at 3.9.25. https://www.python.org/downloads/."""
@@ -21,6 +24,8 @@ def specifiers(text: str) -> SpecifierSet | None:
     (``>=3.6.*``, which pip took until version 24.1), and Poetry's ``^3.8`` and ``~3.8``.
     https://python-poetry.org/docs/dependency-specification/.
     """
+    from packaging.specifiers import InvalidSpecifier, SpecifierSet  # noqa: PLC0415 - slow to import
+
     try:
         return SpecifierSet(text)
     except InvalidSpecifier:
@@ -38,6 +43,8 @@ def _repaired(part: str) -> str:
 
 
 def _valid(specifier: str) -> bool:
+    from packaging.specifiers import InvalidSpecifier, Specifier  # noqa: PLC0415
+
     try:
         Specifier(specifier)
     except InvalidSpecifier:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import NamedTuple
-from urllib.parse import unquote
-
-from packaging.tags import Tag
-from packaging.utils import InvalidWheelFilename, parse_wheel_filename
-from packaging.version import Version
+from typing import TYPE_CHECKING, NamedTuple
 
 from roslab.values.pattern import pattern
+
+if TYPE_CHECKING:
+    from packaging.tags import Tag
+    from packaging.version import Version
 
 _CPYTHON = pattern(r"cp(\d)(\d{1,2})")
 
@@ -37,11 +36,15 @@ class Wheel(NamedTuple):
 @cache
 def wheel_of(url: str) -> Wheel | None:
     """Return the wheel that a URL names; ``None`` if its end is no wheel's file name."""
-    file = unquote(url.partition("#")[0].partition("?")[0].rpartition("/")[2])
-    if not file.endswith(".whl"):
+    ending = url.partition("#")[0].partition("?")[0].rpartition("/")[2]
+    if not ending.endswith(".whl"):
         return None
+    from urllib.parse import unquote  # noqa: PLC0415 - few addresses end so
+
+    from packaging.utils import InvalidWheelFilename, parse_wheel_filename  # noqa: PLC0415
+
     try:
-        name, version, _, tags = parse_wheel_filename(file)
+        name, version, _, tags = parse_wheel_filename(unquote(ending))
     except InvalidWheelFilename:
         return None
     return Wheel(name, version, tags)

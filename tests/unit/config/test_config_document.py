@@ -3,7 +3,8 @@
 import pytest
 
 from hanging import ends
-from roslab.config.document import MAX_CHARACTERS, parse, shown
+from roslab.config.cited import shown
+from roslab.config.document import MAX_CHARACTERS, parse
 from roslab.config.node import Mapping, Scalar
 from roslab.config.reader import read
 from roslab.errors import ConfigurationError

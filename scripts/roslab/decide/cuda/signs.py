@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from packaging.utils import canonicalize_name
-
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.accelerated import accelerated
 from roslab.values.dataclass import dataclass
+from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 
 

@@ -18,6 +18,8 @@ def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choi
     """Return constraints for the packages in ``asked`` that have no upper bound from the author."""
     limited = {each.key: each.limited for each in asked if each.name}
     chosen = [use for use in uses if limited.get(use.bound.key) is False]
+    if not chosen:
+        return Choice(answer=(), reasons=())
     beside = {removal.bound: removal.beside for removal in removals()}
     bounds: dict[Requirement, Reason] = {}
     for use in chosen:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from packaging.utils import canonicalize_name
 from packaging.version import Version
 
 from roslab.config.model import Config, Kind
@@ -29,6 +28,7 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.frameworks import kept_for_build_types
 from roslab.values.interpreter import Interpreter
+from roslab.values.name import canonicalize_name
 from roslab.values.origin import Place
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-from packaging.utils import canonicalize_name
-
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pythons import ANY
@@ -13,6 +11,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.guesses import same_module, tooling
+from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated

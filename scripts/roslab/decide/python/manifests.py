@@ -6,13 +6,12 @@ import posixpath
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from packaging.utils import canonicalize_name
-
 from roslab.config.model import Config, Kind
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence, PythonProject, RequirementFile
 from roslab.knowledge.tools import PIXI
+from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from packaging.utils import canonicalize_name
-
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence
 from roslab.knowledge.frameworks import conda_names, imports
 from roslab.values.conda import CondaPackage
+from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated

@@ -5,9 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from packaging.specifiers import SpecifierSet
-from packaging.utils import canonicalize_name
-
 from roslab.decide.decision import Warning_
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.pythons import ANY
@@ -15,7 +12,8 @@ from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.not_on_index import NotOnIndex, not_on_index
 from roslab.values.dataclass import dataclass
-from roslab.values.requirement import Requirement
+from roslab.values.name import canonicalize_name
+from roslab.values.requirement import Requirement, free
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -46,7 +44,7 @@ def right(requirements: Iterable[Requirement]) -> Iterator[Requirement]:
         if row is None:
             yield asked
         elif row.instead:
-            yield replace(asked, name=row.instead, written=row.instead, specifier=SpecifierSet())
+            yield replace(asked, name=row.instead, written=row.instead, specifier=free())
 
 
 def repair(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
-
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
@@ -84,4 +82,6 @@ def _hint(name: str, target: Target, *, cloned: bool, submodules: tuple[str, ...
 def _nearest(name: str, known: frozenset[str]) -> str | None:
     """Return the known name that differs by a letter or two; only names with the same first letters are compared."""
     alike = sorted(each for each in known if each[:4] == name[:4] and abs(len(each) - len(name)) <= 1)
+    from difflib import get_close_matches  # noqa: PLC0415 - for a key that nobody knows
+
     return next(iter(get_close_matches(name, alike, n=1, cutoff=0.92)), None)

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import configparser
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
-from packaging.utils import canonicalize_name
-
 from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import poetry, requirements, setup_py
 from roslab.repository.checkout import Repository
 from roslab.values import toml
+from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement, Role
 from roslab.values.requirement_line import requirement
@@ -152,6 +150,8 @@ def _imported(repository: Repository, folder: str, modules: tuple[str, ...]) -> 
 
 
 def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> PythonProject | None:
+    import configparser  # noqa: PLC0415 - few projects have a setup.cfg
+
     parser = configparser.ConfigParser(interpolation=None, strict=False)
     try:
         parser.read_string(text)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-
-from lxml import etree
+from typing import TYPE_CHECKING
 
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import PackageManifest
 from roslab.repository.checkout import File, Repository
+
+if TYPE_CHECKING:
+    from lxml import etree
 
 IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 """Markers that keep a folder from being a package: catkin_pkg and colcon-ros obey all three."""
@@ -39,6 +41,8 @@ def read(repository: Repository) -> tuple[PackageManifest, ...]:
 
 
 def _manifest(repository: Repository, file: File, ignored: frozenset[str]) -> PackageManifest | None:
+    from lxml import etree  # noqa: PLC0415 - slow to import, and only ROS packages have a manifest
+
     text = repository.read(file)
     # No entities, no DTD, no network, no huge trees: a manifest needs none of them
     problem: str | None

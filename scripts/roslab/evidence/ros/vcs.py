@@ -5,7 +5,6 @@ https://github.com/dirk-thomas/vcstool (``repositories:``), https://docs.ros.org
 
 from __future__ import annotations
 
-import configparser
 import re
 from collections.abc import Iterator
 from dataclasses import replace
@@ -152,6 +151,8 @@ def _submodules(repository: Repository, file: File) -> Iterator[GitSource]:
     if file.path != ".gitmodules":
         return
     text = repository.read(file)
+    import configparser  # noqa: PLC0415 - few repositories have submodules
+
     parser = configparser.ConfigParser(strict=False, interpolation=None, allow_no_value=True)
     try:
         parser.read_string("\n".join(line.strip() for line in text.split("\n")))
