@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 from roslab import __version__
@@ -32,10 +32,10 @@ MOST_ROUNDS = 20
 Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 
-def parser(*, github: bool = False) -> argparse.ArgumentParser:
-    """Return the whole command line.
+def parser(command: str | None = None) -> argparse.ArgumentParser:
+    """Return the whole command line, or what ``command`` alone needs of it.
 
-    ``github`` adds the steps of a workflow; other callers do not need them and save loading their modules.
+    ``github``, the steps of a workflow, is for workflows: no help shows it.
     """
     top = argparse.ArgumentParser(
         prog="roslab",
@@ -45,16 +45,18 @@ def parser(*, github: bool = False) -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"roslab {__version__}", help="print the version and exit")
     commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    _reading_commands(commands)
-    _building_commands(commands)
-    if github:
+    if command == "github":
         from roslab.github.commands import add_parser  # noqa: PLC0415
 
         add_parser(commands)
+        return top
+    for name, add in _COMMANDS.items():
+        if command == name or command not in _COMMANDS:
+            add(commands)
     return top
 
 
-def _reading_commands(commands: Commands) -> None:
+def _inspect(commands: Commands) -> None:
     inspect = _command(commands, "inspect", "Show what was found in a repository and what follows from it.")
     _repository(inspect, *OVERRIDING)
     _format(inspect)
@@ -63,20 +65,35 @@ def _reading_commands(commands: Commands) -> None:
         metavar="QUESTION",
         help="show all evidence for and against one answer: kind, ros_distro, base_image …",
     )
+
+
+def _plan(commands: Commands) -> None:
     plan = _command(commands, "plan", "Print the plan of the image as JSON, for workflows.")
     _repository(plan, *OVERRIDING)
+
+
+def _check(commands: Commands) -> None:
     check = _command(commands, "check", "Validate roslab.yaml and say which format it has.")
     _repository(check, *OVERRIDING)
     _format(check)
+
+
+def _migrate(commands: Commands) -> None:
     migrate = _command(commands, "migrate", "Print today's form of an old roslab.yaml, with a line per change.")
     _repository(migrate)
     migrate.add_argument("--write", action="store_true", help="replace the file; the old one is kept as FILE.old")
+
+
+def _create(commands: Commands) -> None:
     create = _command(commands, "create", "Write Dockerfile, docker_build.sh, docker_run.sh and README.ipynb.")
     _repository(create, *OVERRIDING)
     create.add_argument("--output", metavar="DIR", help="folder to write to (default: the repository)")
     create.add_argument(
         "--force", action="store_true", help="replace files that roslab wrote before; never one of yours"
     )
+
+
+def _explain(commands: Commands) -> None:
     explain = _command(commands, "explain", "Say in plain words why a build failed.")
     log = "the log of a failed build, saved by `docker build . > LOG 2>&1`, act, GitHub or GitLab; - for standard input"
     explain.add_argument("log", metavar="LOG", help=log)
@@ -89,7 +106,7 @@ def _reading_commands(commands: Commands) -> None:
     )
 
 
-def _building_commands(commands: Commands) -> None:
+def _build(commands: Commands) -> None:
     build = _command(commands, "build", "Build the image, run it once, and only then give it its name.")
     _repository(build, *OVERRIDING)
     _tag(build)
@@ -126,22 +143,34 @@ def _building_commands(commands: Commands) -> None:
         metavar="NAME=VALUE",
         help="pass a build argument; may be repeated",
     )
+
+
+def _lock(commands: Commands) -> None:
     lock = _command(commands, "lock", "Prove the image that `roslab build` made, and write its versions.")
     _repository(lock, *OVERRIDING)
     _tag(lock)
     lock.add_argument(
         "--check", action="store_true", help="write nothing: say what of roslab.lock could no longer be had"
     )
+
+
+def _diff(commands: Commands) -> None:
     diff = _command(commands, "diff", "Say what moved from one image to another: packages, sources, base, variables.")
     diff.add_argument("old", metavar="IMAGE", help="an image; one that the engine has not is pulled")
     diff.add_argument("new", metavar="IMAGE", help="the other one")
     diff.add_argument("--platform", metavar="PLATFORM", help="the platform to compare (default: the engine's own)")
     _format(diff)
+
+
+def _run(commands: Commands) -> None:
     run = _command(commands, "run", "Run the image that `roslab build` made, with its volumes, ports, display and GPU.")
     _repository(run, "--name")
     run.add_argument("--notebook", action="store_true", help="open JupyterLab instead of the default command")
     _tag(run)
     run.add_argument("arguments", nargs="*", metavar="-- COMMAND", help="a command to run instead of the default one")
+
+
+def _verify(commands: Commands) -> None:
     verify = _command(commands, "verify", "Prove a published image again, here, and compare with what it carries.")
     verify.add_argument("image", metavar="IMAGE", help="the image, such as ghcr.io/OWNER/NAME:TAG")
     verify.add_argument(
@@ -198,3 +227,18 @@ def _format(command: argparse.ArgumentParser) -> None:
 
 def _tag(command: argparse.ArgumentParser) -> None:
     command.add_argument("--tag", metavar="TAG", default="latest", help="tag of the image (default: latest)")
+
+
+_COMMANDS: dict[str, Callable[[Commands], None]] = {
+    "inspect": _inspect,
+    "plan": _plan,
+    "check": _check,
+    "migrate": _migrate,
+    "create": _create,
+    "explain": _explain,
+    "build": _build,
+    "lock": _lock,
+    "diff": _diff,
+    "run": _run,
+    "verify": _verify,
+}

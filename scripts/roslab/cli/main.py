@@ -29,7 +29,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that `finally` runs and nothing half-built remains
     debug = os.environ.get("ROSLAB_DEBUG") == "1"
     try:
-        options = parser(github=arguments[:1] == ["github"]).parse_args(completed(arguments))
+        options = parser(next(iter(arguments), None)).parse_args(completed(arguments))
         return _handler(options)(options)
     except RoslabError as error:
         _report(error)
