@@ -8,6 +8,7 @@ from typing import IO
 from roslab.explain import matter, names, signatures, steps
 from roslab.explain.reading import Line, lines
 from roslab.explain.steps import Log, Step
+from roslab.knowledge.repairs import complete, repairs
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
@@ -41,6 +42,8 @@ class Explanation:
     """The lines that matter, if no known failure was found."""
     reproduce: str = ""
     """The command that starts a shell where the step failed."""
+    base: str = ""
+    """The FROM instruction that the step builds on: ``FROM golang:1.13 AS builder``; ``""`` if the log has none."""
     log: str = field(default="", repr=False)
     """The end of the step's lines, for repairs that need more than the captured names."""
 
@@ -87,6 +90,7 @@ def _step(log: Log, step: Step, image: names.Image) -> Explanation:
             error_line=first.number if first else 0,
             lines=tuple(_short(one) for one in matter.telling(said)),
             reproduce=reproduce(log, step),
+            base=log.base(step),
             log=_kept(step),
         )
     return Explanation(
@@ -103,6 +107,7 @@ def _step(log: Log, step: Step, image: names.Image) -> Explanation:
         certainty=found.failure.certainty,
         repair=_repair(found),
         reproduce=reproduce(log, step),
+        base=log.base(step),
         log=_kept(step),
     )
 
@@ -117,7 +122,12 @@ def _repair(found: signatures.Match) -> tuple[tuple[str, tuple[str, ...]], ...]:
         return ((key, tuple(fixed.split())),)
     if key == "build_args":
         return ((key, ("-j1",)),)
-    return ((key, tuple(found.names["package"].replace(",", " ").split())),) if key and found.known else ()
+    if key:
+        return ((key, tuple(found.names["package"].replace(",", " ").split())),) if found.known else ()
+    known = repairs().get(found.failure.id)
+    if known is None or not known.value or not complete(known.value, found.names):
+        return ()
+    return ((known.key, (signatures.filled(known.value, found.names),)),)
 
 
 def reproduce(log: Log, step: Step) -> str:

@@ -112,11 +112,19 @@ def _namespace(names: Names, where: Image) -> Names:
     return {"library": space} if space != "std" else _built_with(names, where)
 
 
+_OF_CLASS = pattern(r"^(?:typeinfo|vtable|VTT|non-virtual thunk) (?:for|to) ")
+
+
 def _symbol(names: Names, _: Image) -> Names:
-    """Name the library of the first symbol that is missing, if a table has its namespace or prefix."""
-    for row in rows("symbols"):
-        if compiled(row["pattern"]).match(names.get("symbol", "")):
-            return {"library": row["library"], "how": row["how"]}
+    """Name the library of the first symbol that is missing, if a table has its namespace or prefix.
+
+    Of ``typeinfo for`` a class, the class decides, and only that of no known library is the project's own.
+    """
+    symbol = names.get("symbol", "")
+    for said in (_OF_CLASS.sub("", symbol), symbol):
+        for row in rows("symbols"):
+            if compiled(row["pattern"]).match(said):
+                return {"library": row["library"], "how": row["how"]}
     return {}
 
 

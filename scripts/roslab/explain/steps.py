@@ -82,6 +82,30 @@ class Log:
         if step in self.steps:
             yield from reversed(self.steps[: self.steps.index(step)])
 
+    def base(self, step: Step) -> str:
+        """Return the FROM instruction of a step's stage as a Dockerfile has it, ``""`` if the log does not show it."""
+        stage = _stage(step)
+        for earlier in self.before(step):
+            if not earlier.command.startswith("FROM ") or _stage(earlier) != stage:
+                continue
+            words = _DIGEST.sub("", _HUB.sub("", earlier.command)).split()
+            named = stage.split()[-1:]
+            if named and "/" not in named[0] and not named[0].startswith("stage-"):
+                words += ["AS", named[0]]
+            return " ".join(words)
+        return ""
+
+
+_HUB = pattern(r"(?<=\s)docker\.io/(?:library/)?")
+_DIGEST = pattern(r"@sha256:[0-9a-f]{1,64}")
+_STAGE = pattern(r"^\[((?:[\w./-]{1,100} ){0,2})\d{1,3}/\d{1,3}\]")
+
+
+def _stage(step: Step) -> str:
+    """Return what a step's name says before its number: BuildKit names the platform and the stage, Docker nothing."""
+    found = _STAGE.match(step.name)
+    return found[1].strip() if found else ""
+
 
 _VERTEX = pattern(r"#(\d{1,6}) (\d{1,7}\.\d{1,3} ?)?")
 _NAMED = pattern(r"(?:\[|importing cache|exporting |resolve image|sha256:|pushing|merging|copy |local:)")

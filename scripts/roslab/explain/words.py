@@ -33,13 +33,21 @@ def _one(found: Explanation, *, lines: bool) -> str:
         out.append(f"error: {found.error}{number}")
         likely = "" if found.certainty == "certain" else " (likely)"
         out += [f"cause{likely}: {found.cause}", f"fix:   {found.fix}"]
-        out += [f"roslab.yaml: {key}: [{', '.join(values)}]" for key, values in found.repair if lines]
+        out += [f"roslab.yaml: {_line(key, values)}" for key, values in found.repair if lines]
     else:
         out.append("no known cause. The lines that matter:")
         out += [f"  {line}" for line in found.lines] or ["  (none: the log is empty or cut off)"]
         if found.reproduce:
             out.append(f"To try this step in a shell: {found.reproduce}")
     return "\n".join(out) + "\n"
+
+
+LISTS = ("apt", "pip", "skip_keys", "build_args")
+"""The keys of roslab.yaml that hold lists; the others have one value each."""
+
+
+def _line(key: str, values: tuple[str, ...]) -> str:
+    return f"{key}: [{', '.join(values)}]" if key in LISTS else f"{key}: {' '.join(values)}"
 
 
 def dockerfile_lines(found: Explanation) -> list[str]:
@@ -73,7 +81,7 @@ def _problem(found: Explanation, *, lines: bool) -> Problem:
 
 def _lines(found: Explanation) -> str:
     """Return the lines for roslab.yaml, as a sentence."""
-    lines = "; ".join(f"{key}: [{', '.join(values)}]" for key, values in found.repair)
+    lines = "; ".join(_line(key, values) for key, values in found.repair)
     return f" In roslab.yaml: `{lines}`." if lines else ""
 
 

@@ -10,6 +10,8 @@ A repair is one table with the id of a failure (``failures_*.toml``):
 ``only``        regular expression, without names: these instructions are for a failed one that it matches
 ``find``        regular expression, with ``{name}``, on the failed instruction of such a Dockerfile;
                 ``replace`` is what is written in its place
+``image``       official images of a language or a system: where the failed step builds on one, FROM gets the
+                oldest of its tags (``language_images.csv``) that ``tag`` allows: limits with ``{name}``, or ``newer``
 ``source``      addresses where the fact stands, ``date`` when it was read
 ==============  ========================================================================================
 
@@ -18,6 +20,8 @@ The packages that a failure's own ``lookup`` names need no table here.
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
@@ -38,6 +42,8 @@ class Repair:
     only: str = ""
     find: str = ""
     replace: str = ""
+    image: str = ""
+    tag: str = ""
 
 
 @cache
@@ -45,3 +51,9 @@ def repairs() -> dict[str, Repair]:
     """Return the repair of each failure that has one, by the failure's id."""
     found = toml.parsed(Path(__file__).with_name("repairs.toml").read_text(encoding="utf-8"))
     return {name: Repair(**{**row, "dockerfile": tuple(row.get("dockerfile", ()))}) for name, row in found.items()}
+
+
+def complete(template: str, names: Mapping[str, str]) -> bool:
+    """Return whether every name that a template uses was captured; regular expressions have braces of their own."""
+    wanted = re.findall(r"\{([a-z_]+)\}", template)
+    return all(names.get(name) for name in wanted)

@@ -11,7 +11,8 @@ from roslab.evidence.lex.dockerfile import Instruction, instructions
 from roslab.explain.answer import Answer, Explanation
 from roslab.explain.signatures import filled
 from roslab.explain.words import dockerfile_lines
-from roslab.knowledge.repairs import repairs
+from roslab.knowledge.repairs import complete, repairs
+from roslab.repair import base_image
 from roslab.values.dataclass import dataclass
 
 
@@ -24,17 +25,18 @@ class Edit:
     new: tuple[str, ...]
 
 
-def edits(answer: Answer, text: str) -> tuple[Edit, ...]:
+def edits(answer: Answer, text: str, *, likely: bool = False) -> tuple[Edit, ...]:
     """Return what repairs the failed steps of a log, for the text of the Dockerfile that was built.
 
-    A step that failed on several platforms is repaired once; causes that are only likely are left out.
+    A step that failed on several platforms is repaired once; causes that are only likely are left out without
+    ``likely``.
     """
     found: dict[int, Edit] = {}
     for explanation in answer.explanations:
         instruction = _failed(explanation, text)
-        if instruction is None or explanation.certainty != "certain":
+        if instruction is None or (explanation.certainty != "certain" and not likely):
             continue
-        edit = _edit(explanation, instruction, text)
+        edit = _edit(explanation, instruction, text) or _other_base(explanation, instruction, text)
         if edit is not None:
             found.setdefault(edit.line, edit)
     return tuple(found[line] for line in sorted(found))
@@ -66,8 +68,12 @@ def suggested(answer: Answer) -> str:
         step = (
             " ".join(found.step.split(None, 1)) if found.step.startswith("RUN ") else f"FROM {image}" if image else ""
         )
-        text = re.sub(r"[ \t]{3,}", " \\\\\n    ", step) + "\n"
-        changes = edits(replace(answer, explanations=(replace(found, line=None, step=step),)), text) if step else ()
+        if not step:
+            out += [f"+{line}" for line in _before(found, "", dict(found.names))]
+            continue
+        text = re.sub(r"[ \t]{3,}", " \\\n    ", step) + "\n"
+        text = f"{found.base}\n{text}" if found.base and step.startswith("RUN ") else text
+        changes = edits(replace(answer, explanations=(replace(found, line=None, step=step),)), text, likely=True)
         new = edited(text, changes)
         lines = difflib.unified_diff(text.splitlines(), new.splitlines(), n=1, lineterm="")
         out += [line for line in lines if not line.startswith(("---", "+++", "@@"))]
@@ -97,17 +103,38 @@ def _edit(found: Explanation, failed: Instruction, text: str) -> Edit | None:
     old = lines[failed.line - 1 : end]
     names = {**dict(found.names), "pip_program": _pip(failed.text)}
     known = repairs().get(found.id or "")
-    before, new = dockerfile_lines(found), old
+    before, new = _before(found, failed.text, names), old
     if known is not None:
-        if not before and (not known.only or re.search(known.only, failed.text)):
-            before = [filled(line, names) for line in known.dockerfile if _complete(line, names)]
         for each in _each(names) if known.find else ():
-            if _complete(known.find, each) and _complete(known.replace, {**each, **names}):
+            if complete(known.find, each) and complete(known.replace, {**each, **names}):
                 new = _pattern(known.find, each).sub(_literal(known.replace, each), "\n".join(new)).split("\n")
     new = [line for line in new if line.strip() != "\\" or line in old]
     if not before and new == old:
         return None
     return Edit(line=failed.line, end=end, new=(*_as_root(before, failed, text), *new))
+
+
+def _other_base(found: Explanation, failed: Instruction, text: str) -> Edit | None:
+    """Return the edit that takes another tag in the FROM which the failed instruction builds on, if that repairs it."""
+    above = [one for one in instructions(text) if one.name == "FROM" and one.line < failed.line]
+    if not above:
+        return None
+    end = _end(above[-1], text)
+    old = text.splitlines()[above[-1].line - 1 : end]
+    image = next((word for word in above[-1].text.split() if not word.startswith("--")), "")
+    other = base_image.fitting(found, image)
+    if not other:
+        return None
+    return Edit(line=above[-1].line, end=end, new=tuple(line.replace(image, other, 1) for line in old))
+
+
+def _before(found: Explanation, command: str, names: dict[str, str]) -> list[str]:
+    """Return the instructions to insert before the failed one, whose text is ``command``."""
+    known = repairs().get(found.id or "")
+    if known is not None and known.dockerfile:
+        fits = not known.only or re.search(known.only, command)
+        return [filled(line, names) for line in known.dockerfile if fits and complete(line, names)]
+    return dockerfile_lines(found)
 
 
 def _pip(command: str) -> str:
@@ -143,12 +170,6 @@ def _pattern(find: str, names: dict[str, str]) -> re.Pattern[str]:
     for name, value in names.items():
         find = find.replace(f"{{{name}}}", re.escape(value))
     return re.compile(find)
-
-
-def _complete(template: str, names: dict[str, str]) -> bool:
-    """Return whether every name that a template uses was captured; regular expressions have braces of their own."""
-    wanted = re.findall(r"\{([a-z_]+)\}", template)
-    return all(names.get(name) for name in wanted)
 
 
 def _end(failed: Instruction, text: str) -> int:

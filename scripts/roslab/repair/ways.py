@@ -46,7 +46,7 @@ def python(found: Explanation, given: Given) -> Worked:
     names = dict(found.names)
     if given.plan.ros_distro:
         return Worked(why=f"the Python of ROS {given.plan.ros_distro} cannot be exchanged: take another release of it")
-    needs = names.get("needs", "") or _required(names, found.log)
+    needs = names.get("needs", "") or required(names, found.log)
     needs = f">={needs}" if needs[:1].isdigit() else needs
     allowed = specifiers(needs) if needs else None
     if allowed is None:
@@ -62,7 +62,7 @@ def _is(version: str, python: str) -> bool:
     return f"{version}.".startswith(f"{python}.")
 
 
-def _required(names: Mapping[str, str], log: str) -> str:
+def required(names: Mapping[str, str], log: str) -> str:
     """Return the Pythons of the pinned release among those that pip ignored."""
     pin = _PIN.search(names.get("version", ""))
     if pin is None:

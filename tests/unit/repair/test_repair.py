@@ -345,7 +345,69 @@ def test_a_repair_belongs_to_a_failure_and_says_how(name: str) -> None:
     assert name in {failure.id for failure in failures()}
     assert bool(row.value) + bool(row.way) == bool(row.key)
     assert row.way in {"", *WAYS}
-    assert row.key or row.dockerfile or row.find
+    assert row.key or row.dockerfile or row.find or row.image
+    assert bool(row.image) == bool(row.tag)
     assert row.find or not row.replace
     assert row.source
     assert row.date
+
+
+def _shown(*lines: str) -> str:
+    return "".join(f"{line}\n" for line in lines)
+
+
+NODE = 'error tar@6.0.2: The engine "node" is incompatible with this module. Expected version ">= 10". Got "6.17.1"'
+RUST = "error: package `clap v4.5` cannot be built because it requires rustc 1.74 or newer, while the current is 1.60"
+PYTHON_REFUSED = "ERROR: Package 'example' requires a different Python: 3.6.15 not in '>=3.8,<3.12'"
+
+
+@pytest.mark.parametrize(
+    ("base", "error", "wanted"),
+    [
+        ("node:6.17-alpine3.9", NODE, "node:10-alpine"),
+        ("rust:1.60-slim-buster", RUST, "rust:1.74-slim"),
+        ("python:3.6", PYTHON_REFUSED, "python:3.8"),
+        ("python:3.7", f"{IGNORED}\n#6 1.2 ERROR: No matching distribution found for example==2.6.0", ""),
+        ("python:3.9", f"{IGNORED}\n#6 1.2 ERROR: No matching distribution found for example==2.6.0", "python:3.6"),
+        ("ubuntu:xenial", "a.cpp:1:10: fatal error: filesystem: No such file or directory", "ubuntu:22.04"),
+        ("ubuntu:18.04", PYTHON_REFUSED, ""),
+    ],
+)
+def test_the_log_shows_the_base_image_that_fits(base: str, error: str, wanted: str) -> None:
+    command = {"node": "yarn add tar", "rust": "cargo build", "pyth": "pip install example"}.get(base[:4], "make")
+    hub = "docker.io/library/"
+    text = _shown(
+        f"#5 [builder 1/2] FROM {hub}{base}@sha256:{'0a' * 32}",
+        "#5 DONE 1.0s",
+        f"#6 [builder 2/2] RUN {command}",
+        f"#6 1.2 {error}",
+        f'#6 ERROR: process "/bin/sh -c {command}" did not complete: exit code: 1',
+    )
+    answer = explain(io.BytesIO(text.encode()))
+    assert [found.base for found in answer.explanations] == [f"FROM {base} AS builder"]
+    said = dockerfile.suggested(answer)
+    assert (f"-FROM {base} AS builder\n+FROM {wanted} AS builder\n" in said) == bool(wanted)
+    own = f"FROM {base} AS builder\nRUN {command}\n"
+    changed = dockerfile.edited(own, dockerfile.edits(answer, own))
+    assert changed == own.replace(base, wanted or base)
+
+
+def test_the_base_image_is_that_of_the_failed_stage() -> None:
+    text = _shown(
+        "Step 1/4 : FROM golang:1.13 AS tools",
+        " ---> 0123456789ab",
+        "Step 2/4 : FROM node:6",
+        " ---> 0123456789ac",
+        "Step 3/4 : RUN yarn",
+        " ---> Running in 0123456789ad",
+        NODE,
+        "The command '/bin/sh -c yarn' returned a non-zero code: 1",
+    )
+    assert dockerfile.suggested(explain(io.BytesIO(text.encode()))) == "-FROM node:6\n+FROM node:10\n RUN yarn\n"
+
+
+def test_a_log_without_steps_has_the_instructions_to_insert() -> None:
+    text = "LibMambaUnsatisfiableError: Encountered problems while solving:\n"
+    text += "  - package python-3.7.13-haa1d7c7_1 is excluded by strict repo priority\n"
+    said = dockerfile.suggested(explain(io.BytesIO(text.encode())))
+    assert said == "+RUN conda config --set channel_priority flexible\n"
