@@ -1,0 +1,1 @@
+"""Repositories that nobody prepared: each planned, built, proved and run, and why not."""

@@ -1,0 +1,181 @@
+"""Whose a failure is, by a rule on its log: ours or the code's, the stand-in's, or what a program was not given."""
+
+from __future__ import annotations
+
+import io
+import re
+import subprocess
+import sys
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import yaml
+from benchmarks.running.rows import Whose
+
+from roslab.explain.answer import Explanation, explain
+from roslab.knowledge.code_limits import version_of
+from roslab.knowledge.distros import cmake_of_ubuntu, python_of_ubuntu
+from roslab.values.version import version_of as parsed
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+HERE = Path(__file__).resolve().parent
+LABEL = "org.repro-action.stand-in"
+"""The label by which an image says that it stands in for another."""
+ASKED = re.compile(
+    r"""package(?:s|\ configuration\ file\ provided\ by)?\ ['"\[]([a-z]\w+)
+    |node\ of\ type\ \[([a-z]\w+)/ | [ ]([a-z]\w+)/\w+\.h(?:pp)?:\ No\ such\ file
+    |No\ module\ named\ '([a-z]\w+) | Resource\ not\ found:\ ([a-z]\w+)""",
+    re.VERBOSE,
+)
+"""Names of ROS packages in what catkin, the compiler, Python and roslaunch say of one that is not there."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Base:
+    """What a plan's base image is, and what really was below its name."""
+
+    name: str
+    ubuntu: str | None
+    """Code name of the Ubuntu that the plan takes."""
+    python: str | None
+    """The plan's Python."""
+    stand_in: str = ""
+    """``Debian 12``; ``""`` if it is the real image."""
+    lacking: frozenset[str] = frozenset()
+    """ROS packages and keys of rosdep that the world has and the stand-in does not."""
+
+
+@cache
+def facts() -> dict[str, Any]:
+    """Return what the stand-ins are known to lack."""
+    return tomllib.loads((HERE / "standins.toml").read_text(encoding="utf-8"))
+
+
+def of_build(log: str, base: Base) -> tuple[Whose, str, str]:
+    """Return whose the failure of a build is, its id and why in one line."""
+    found = explain(io.BytesIO(log.encode("utf-8", errors="replace"))).explanations
+    if not found:
+        return "unclear", "", "the build failed without a step that failed"
+    first = found[0]
+    return _whose(first, log, base), first.id or "", _why(first)
+
+
+def of_run(output: str, base: Base) -> tuple[Whose, str, str]:
+    """Return why a command that was built did not run on, from what it printed."""
+    found = explain(io.BytesIO(output.encode("utf-8", errors="replace"))).explanations
+    first = found[0] if found else Explanation(step="")
+    said = _why(first) if first.id else _last(output)
+    whose = _whose(first, output, base)
+    if whose == "stand-in":
+        return whose, first.id or "", said
+    for row in facts()["needs"]:
+        if asked := re.search(row["pattern"], output):
+            line = output[output.rfind("\n", 0, asked.start()) + 1 :].partition("\n")[0].strip()
+            return "needs", first.id or "", f"it was given no {row['what'].removeprefix('a ')}: {line[:200]}"
+    return whose, first.id or "", said
+
+
+def is_base(cause: str) -> bool:
+    """Tell whether a known failure means that an image is out of reach."""
+    return cause in facts()["base"]["ids"]
+
+
+def _whose(found: Explanation, log: str, base: Base) -> Whose:
+    """Return whose a failure is; every rule of the stand-in needs a stand-in."""
+    if base.stand_in:
+        known = facts()
+        if found.id in known["network"]["ids"] or ("cuda" in base.name and found.id in known["cuda"]["ids"]):
+            return "stand-in"
+        said = "\n".join((found.error, *found.lines)) or log[-4000:]
+        asked = {name for match in ASKED.finditer(said) for name in match.groups() if name}
+        if (asked | {value for _, value in found.names}) & base.lacking:
+            return "stand-in"
+        if found.id in known["python"]["ids"] and _python_is_another(base):
+            return "stand-in"
+        told = "\n".join((said, found.log))
+        if any(_between(row, base) and re.search(row["pattern"], told) for row in known["change"]):
+            return "stand-in"
+    return "ours or the code's" if found.id or found.error else "unclear"
+
+
+def _python_is_another(base: Base) -> bool:
+    return base.python is not None and not facts()["versions"][base.stand_in]["python"].startswith(base.python)
+
+
+def _between(change: Mapping[str, str], base: Base) -> bool:
+    """Tell whether a library changed between the plan's release of it and the stand-in's."""
+    there = facts()["versions"].get(base.stand_in, {}).get(change["library"])
+    named = _of_plan(change["library"], base)
+    real, now, since = (parsed(text) if text else None for text in (named, there, change["since"]))
+    return bool(real and now and since and real < since <= now)
+
+
+def _of_plan(library: str, base: Base) -> str | None:
+    if base.ubuntu is None:
+        return base.python if library == "python" else None
+    if library == "python":
+        # Nodes of ROS 1 before noetic run with Python 2, whatever else is there
+        old = base.name.startswith("ros:") and base.ubuntu in ("trusty", "xenial", "bionic")
+        return "2.7" if old else base.python or python_of_ubuntu().get(base.ubuntu)
+    if library == "cmake":
+        return cmake_of_ubuntu().get(base.ubuntu)
+    if older := facts()["older"].get(library):
+        found: str | None = older.get(base.ubuntu)
+        return found
+    return version_of(library, base.ubuntu, ros=base.name.startswith("ros:"))
+
+
+def _why(found: Explanation) -> str:
+    said = found.cause or found.error or (found.lines[-1] if found.lines else "no known cause")
+    return f"{said}: {found.error}"[:300] if found.cause and found.error else said[:300]
+
+
+def _last(output: str) -> str:
+    return next((line.strip()[:300] for line in reversed(output.splitlines()) if line.strip()), "it said nothing")
+
+
+def stand_in(image: str) -> str:
+    """Return what stands in for an image of the engine, ``""`` if it is the real one."""
+    said = _output("docker", "image", "inspect", "--format", f'{{{{index .Config.Labels "{LABEL}"}}}}', image)
+    return said.partition(" in the place")[0].strip()
+
+
+def lacking(image: str, distro: str | None, rosdistro: Path | None) -> frozenset[str]:
+    """Return the ROS packages and keys of rosdep that the world has and this stand-in's tables do not.
+
+    ``rosdistro`` is a folder with ros/rosdistro's files, anywhere below; without it nothing is known to lack.
+    """
+    if not (rosdistro and distro):
+        return frozenset()
+    there = {name for text in _tables(image, distro) for name in _names(text)}
+    files = [rosdistro.rglob(name) for name in ("base.yaml", "python.yaml", f"{distro}.yaml", "distribution.yaml")]
+    wanted = [
+        file for found in files for file in found if file.name != "distribution.yaml" or file.parent.name == distro
+    ]
+    world = {name for file in wanted for name in _names(file.read_text(encoding="utf-8"))}
+    return frozenset(world - there)
+
+
+def _tables(image: str, distro: str) -> Iterable[str]:
+    for name in ("stand-in", distro):
+        yield _output("docker", "run", "--rm", "--entrypoint", "cat", image, f"/etc/ros/rosdep/{name}.yaml")
+
+
+def _names(text: str) -> set[str]:
+    """Return the keys of a table of rosdep, or the packages of a distribution file, with their repositories."""
+    data = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)) if text else {}
+    if "repositories" not in data:
+        return set(data)
+    released = {name: each.get("release", {}) for name, each in data["repositories"].items()}
+    return {package for name, each in released.items() if each for package in each.get("packages") or (name,)}
+
+
+def _output(*words: str) -> str:
+    return subprocess.run(words, capture_output=True, text=True, timeout=120, check=False).stdout
