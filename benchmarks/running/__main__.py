@@ -1,7 +1,7 @@
 """Does it work? Plans, builds, proves and runs every repository of a list, and says why not.
 
-``python -m benchmarks.running LIST --trees FOLDER`` takes a list of this folder and a folder with a clone of each of its
-repositories, named OWNER__NAME. The lab must be up (``python3 tests/lab up``). A row is written as soon as it is
+``python -m benchmarks.running LIST --trees FOLDER`` takes a list of this folder and a folder with a clone of each
+repository of it, named OWNER__NAME. The lab must be up (``python3 tests/lab up``). A row is written as soon as it is
 measured, into OUTPUT/LIST-READING.json, and one that is there is kept, so that it can be interrupted. Afterwards the
 pages of all readings in OUTPUT are written anew: ``running.md`` and ``running.html``.
 """
@@ -66,7 +66,8 @@ def main() -> int:
         way = Way(limit=options.limit, rosdistro=options.rosdistro, logs=options.logs, make_base=make_base)
         lines = list(enumerate(chosen(listed(options.list), options.trees), 1))
         wanted = [
-            each for each in lines
+            each
+            for each in lines
             if (each[1][0].repository in options.only if options.only else each[1][0].repository not in rows)
         ]
         for number, (line, tree) in wanted[: options.most]:

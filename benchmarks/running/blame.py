@@ -99,7 +99,7 @@ def _whose(found: Explanation, log: str, base: Base) -> Whose:
             return "stand-in"
         if found.id in known["python"]["ids"] and _python_is_another(base):
             return "stand-in"
-        told = "\n".join((said, found.log))
+        told = f"{said}\n{found.log}"
         if any(_between(row, base) and re.search(row["pattern"], told) for row in known["change"]):
             return "stand-in"
     return "ours or the code's" if found.id or found.error else "unclear"

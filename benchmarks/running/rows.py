@@ -126,5 +126,7 @@ def write(file: Path, rows: dict[str, Row]) -> None:
 
 def dump(rows: dict[str, Row]) -> str:
     """Return the rows as JSON, one line each, without what says nothing."""
-    told = (json.dumps({k: v for k, v in dataclasses.asdict(row).items() if v not in (None, "")}) for row in rows.values())
+    told = (
+        json.dumps({k: v for k, v in dataclasses.asdict(row).items() if v not in (None, "")}) for row in rows.values()
+    )
     return "[\n" + ",\n".join(told) + "\n]\n"

@@ -15,6 +15,8 @@ on the loopback, a buildkitd, emulation of arm64, stand-in base images under the
 
   up [--all] [--native]   make and start what is missing; what is there stays. --all: also the images that take
                           minutes under emulation; --native: nothing of arm64
+  up --base NAME          the stand-in of this image alone, also where it is made only on request (ros:indigo-ros-base,
+                          nvidia/cuda:… without its toolkit)
   up --lint               the linters alone; needs no engine
   down                    end what `up` started; what it made stays in the cache
   status                  say what runs
@@ -52,6 +54,7 @@ def main(argv: list[str]) -> int:
     up = commands.add_parser("up", help="make and start what is missing")
     up.add_argument("--all", action="store_true", help="also the images that take minutes under emulation")
     up.add_argument("--native", action="store_true", help="nothing of arm64")
+    up.add_argument("--base", action="append", metavar="NAME", help="the stand-in of this image alone")
     up.add_argument("--lint", action="store_true", help="the linters alone")
     for name in ("down", "status", "env", "path", "real"):
         commands.add_parser(name)
@@ -60,7 +63,7 @@ def main(argv: list[str]) -> int:
         if options.command == "up" and options.lint:
             laboratory.lint()
         elif options.command == "up":
-            laboratory.up(emulated=not options.native, everything=options.all)
+            laboratory.up(emulated=not options.native, everything=options.all, bases=options.base)
         elif options.command == "down":
             laboratory.down()
         elif options.command == "status":

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,10 @@ class Image:
     architectures: tuple[str, ...]
     contexts: tuple[tuple[str, Path], ...] = ()
     """Folders beside the recipe's, by the names of the stages that they replace."""
+    patterns: tuple[str, ...] = ()
+    """Further names, which it gets when somebody asks for one of them."""
+    on_request: bool = False
+    """It is made only when somebody asks for one of its names."""
 
 
 def wanted(architectures: Sequence[str], *, everything: bool = False) -> tuple[Image, ...]:
@@ -50,6 +55,8 @@ def wanted(architectures: Sequence[str], *, everything: bool = False) -> tuple[I
             args=tuple(sorted(row.get("args", {}).items())),
             names=tuple(names[row["id"]]),
             contexts=_contexts(row),
+            patterns=tuple(row.get("patterns", ())),
+            on_request=row.get("on_request", False),
             architectures=tuple(
                 a for a in architectures if a in row["platforms"] and (everything or a not in row.get("slow", ()))
             ),
@@ -65,15 +72,20 @@ def needed(images: Sequence[Image], names: Sequence[str]) -> tuple[Image, ...]:
     Raises LabError for a name that no stand-in has.
     """
     by_id = {image.id: image for image in images}
-    found: set[str] = set()
+    found: dict[str, Image] = {}
     for name in names:
-        image = next((image for image in images if name in image.names), None)
+        image = next((image for image in images if name in image.names or _matches(image, name)), None)
         if image is None:
             raise LabError(f"there is no stand-in for {name}, and the real one is out of reach")
         while image is not None:
-            found.add(image.id)
+            known = found.get(image.id, image)
+            found[image.id] = replace(known, names=(*known.names, name)) if _matches(image, name) else known
             image = by_id[image.base] if image.base else None
-    return tuple(image for image in images if image.id in found)
+    return tuple(found[image.id] for image in images if image.id in found)
+
+
+def _matches(image: Image, name: str) -> bool:
+    return any(fnmatchcase(name, pattern) for pattern in image.patterns)
 
 
 def references(images: Sequence[Image]) -> tuple[tuple[str, tuple[str, ...]], ...]:
@@ -135,7 +147,8 @@ def _tag(image: Image, reference: str, digest: str, env: dict[str, str]) -> int:
 
 def _publish(image: Image, digest: str, env: dict[str, str]) -> int:
     """Put the image into the mirror under its real names: one push, the other names by the manifest alone."""
-    stale = [name for name in image.names if registry.digest(f"library/{name}", name=registry.MIRROR) != digest]
+    official = [name for name in image.names if "/" not in name]
+    stale = [name for name in official if registry.digest(f"library/{name}", name=registry.MIRROR) != digest]
     pushed: dict[str, str] = {}
     for name in stale:
         repository = f"library/{name.partition(':')[0]}"

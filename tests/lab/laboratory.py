@@ -107,7 +107,8 @@ def _images(*, emulated: bool, everything: bool, bases: Sequence[str] | None) ->
             told.note = rootfs.make(architecture).name
     rootfs.machine(folder("rootfs", "machine"))
     wanted = images.wanted(architectures, everything=everything)
-    for image in wanted if bases is None else images.needed(wanted, bases):
+    standing = tuple(image for image in wanted if not image.on_request)
+    for image in standing if bases is None else images.needed(wanted, bases):
         with step(f"stand-in {image.names[0] if image.names else image.id}") as told:
             told.note = images.make(image, wanted, env)
     if git_hosts.given():

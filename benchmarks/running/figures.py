@@ -1,0 +1,53 @@
+"""What a reading amounts to, in sentences that both pages carry."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from benchmarks.running.rows import BUILT, Row
+
+INTRODUCTION = """\
+Public repositories that nobody prepared, chosen by name before anybody looked at them: what `roslab build`
+makes of each from nothing but its tree, whether what it declares imports and finds its libraries, and whether
+its command runs for a minute beside a display. Written by `python -m benchmarks.running`; no row was corrected
+by hand.
+
+Whose a failure is, is decided by a rule on its log (`benchmarks/running/standins.toml`), not by reading it: the
+stand-in's are packages that only it lacks, clones where no code host is in reach, and libraries that changed
+between the release that the plan names and the Debian below that name. What no rule knows counts as ours.
+"""
+"""Two paragraphs of Markdown."""
+
+
+def sums(rows: Sequence[Row]) -> list[str]:
+    """Return the figures of a reading, a sentence each."""
+    outside = [row for row in rows if row.outcome == "base missing" or (row.built is False and row.whose == "stand-in")]
+    able = [row for row in rows if row not in outside]
+    built = [row for row in able if row.outcome in BUILT]
+    commands = [row for row in built if row.command]
+    able_to_run = [row for row in commands if row.whose != "stand-in"]
+    runs = [row for row in commands if row.outcome == "runs"]
+    needs = [row for row in commands if row.whose == "needs"]
+    shells = [row for row in built if row.outcome == "shell"]
+    built_here = f"Built: {_share(sum(row.outcome in BUILT for row in rows), len(rows))}; "
+    ran = f"The command ran for a minute, or ended with 0: {_share(len(runs), len(commands))} of those that have one; "
+    ran += f"without the {len(commands) - len(able_to_run)} that the stand-ins stop, "
+    return [
+        f"{built_here}without the {len(outside)} that the stand-ins prevent, {_share(len(built), len(able))}.",
+        f"{ran}{_share(len(runs), len(able_to_run))}. {len(needs)} said that they lacked a device, data or arguments.",
+        f"A shell in the place of a command, as a library has: {_share(len(shells), len(built))} of the images.",
+    ]
+
+
+def when(rows: Sequence[Row]) -> str:
+    """Return when a reading was made, and on what."""
+    days = sorted({row.date for row in rows})
+    below = sorted({row.stand_in for row in rows if row.stand_in})
+    made = f"Measured on {' and '.join(days)}, {len(rows)} repositories."
+    if below:
+        made += f" The base images were stand-ins: below their names was {' or '.join(below)}, not Ubuntu."
+    return made
+
+
+def _share(part: int, whole: int) -> str:
+    return f"{part} of {whole} ({part / whole:.0%})" if whole else "0 of 0"

@@ -1,0 +1,124 @@
+"""The benchmark of repositories that nobody prepared: whose a failure is, what is measured, what its pages say."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from benchmarks.running import blame, page
+from benchmarks.running.figures import sums
+from benchmarks.running.rows import OUTCOMES, Row, chosen, listed, read, write
+
+FOCAL = blame.Base(
+    name="ros:noetic-ros-base",
+    ubuntu="focal",
+    python="3.8",
+    stand_in="Debian 12",
+    lacking=frozenset({"nmea_msgs", "rviz", "velodyne_msgs"}),
+)
+REAL = replace(FOCAL, stand_in="", lacking=frozenset())
+BOOST = "/ws/src/a.cpp:8:30: error: '_1' was not declared in this scope"
+LOG = """\
+#9 [5/5] RUN catkin_make
+#9 1.0 {error}
+#9 ERROR: process "/bin/sh -c catkin_make" did not complete successfully: exit code: 1
+------
+ > [5/5] RUN catkin_make:
+------
+ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete successfully: exit code: 1
+"""
+
+
+@pytest.mark.parametrize(
+    ("error", "base", "whose"),
+    [
+        (BOOST, FOCAL, "stand-in"),
+        (BOOST, REAL, "ours or the code's"),
+        (BOOST, replace(FOCAL, ubuntu="noble", python="3.12"), "ours or the code's"),
+        ("/usr/include/pcl/pcl_config.h:7:4: error: #error PCL requires C++14 or above", FOCAL, "ours or the code's"),
+        ("/usr/include/pcl/pcl_config.h:7:4: error: #error PCL requires C++14 or above",
+         replace(FOCAL, ubuntu="bionic"), "stand-in"),
+        ("a.cpp:1:10: fatal error: nmea_msgs/Sentence.h: No such file or directory", FOCAL, "stand-in"),
+        ("a.cpp:1:10: fatal error: sensor_msgs/Imu.h: No such file or directory", FOCAL, "ours or the code's"),
+        ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", FOCAL, "stand-in"),
+        ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", REAL,
+         "ours or the code's"),
+    ],
+)  # fmt: skip
+def test_whose_a_failed_build_is(error: str, base: blame.Base, whose: str) -> None:
+    assert blame.of_build(LOG.format(error=error), base)[0] == whose
+
+
+@pytest.mark.parametrize(
+    ("output", "base", "whose"),
+    [
+        ("usage: demo.py [-h] bag\ndemo.py: error: the following arguments are required: bag", FOCAL, "needs"),
+        ("[ERROR] unable to open port /dev/ttyUSB0", FOCAL, "needs"),
+        ("ERROR: cannot launch node of type [rviz/rviz]: rviz", FOCAL, "stand-in"),
+        ("ERROR: cannot launch node of type [own/own]: own", FOCAL, "ours or the code's"),
+        ("  print 'x'\nSyntaxError: Missing parentheses in call to 'print'. Did you mean print(...)?",
+         replace(FOCAL, ubuntu="bionic", name="ros:melodic-ros-base"), "stand-in"),
+        ("Segmentation fault (core dumped)", FOCAL, "ours or the code's"),
+        ("", FOCAL, "unclear"),
+    ],
+)  # fmt: skip
+def test_why_a_command_does_not_run_on(output: str, base: blame.Base, whose: str) -> None:
+    assert blame.of_run(output, base)[0] == whose
+
+
+def test_every_pattern_is_one_and_has_its_library() -> None:
+    facts = blame.facts()
+    for row in (*facts["change"], *facts["needs"]):
+        re.compile(row["pattern"])
+    known = {name for versions in facts["versions"].values() for name in versions}
+    assert {row["library"] for row in facts["change"]} <= known
+
+
+def test_a_reserve_takes_the_place_of_what_is_not_there(tmp_path: Path) -> None:
+    file = tmp_path / "some.csv"
+    file.write_text("# chosen\nkind,repository,field\nros1,a/one,x\ncpp,a/two,y\nreserve cpp,b/three,z\n")
+    for name in ("a__one", "b__three"):
+        (tmp_path / name).mkdir()
+    found = [(line.repository, tree.name) for line, tree in chosen(listed(file), tmp_path)]
+    assert found == [("a/one", "a__one"), ("b/three", "b__three")]
+
+
+ROWS = (
+    Row(repository="a/one", commit="1234567", date="2026-11-22", kind="ros1", base="ros:noetic-ros-base",
+        stand_in="Debian 12", planned=True, built=True, imports=True, command="roslaunch a a.launch", started=True,
+        alive=True, drawn=False, rung=1, outcome="runs", seconds=12.5),
+    Row(repository="a/two", commit="1234567", date="2026-11-22", kind="cpp", planned=True, built=False,
+        outcome="unbuilt", whose="stand-in", cause="api-known", why="<script>alert('|')</script>"),
+    Row(repository="a/three", commit="1234567", date="2026-11-22", kind="cpp", planned=True, built=False,
+        outcome="unbuilt", whose="ours or the code's", why="no `header`"),
+)  # fmt: skip
+
+
+def test_rows_are_kept_as_they_are(tmp_path: Path) -> None:
+    rows = {row.repository: row for row in ROWS}
+    write(tmp_path / "some-first.json", rows)
+    assert read(tmp_path / "some-first.json") == rows
+
+
+def test_what_only_the_stand_in_lacks_is_counted_apart() -> None:
+    first, second, _ = sums(ROWS)
+    assert "1 of 3 (33%)" in first
+    assert "without the 1 that the stand-ins prevent, 1 of 2 (50%)" in first
+    assert "1 of 1 (100%)" in second
+
+
+def test_both_pages_say_what_was_below_the_names_and_run_nothing_of_a_log(tmp_path: Path) -> None:
+    write(tmp_path / "some-first.json", {row.repository: row for row in ROWS})
+    page.write(tmp_path)
+    markdown, browser = ((tmp_path / f"running.{suffix}").read_text() for suffix in ("md", "html"))
+    for text in (markdown, browser):
+        assert "2026-11-22" in text
+        assert "Debian 12" in text
+        assert "<script>alert" not in text
+    assert browser.count("<script") == 1
+    assert not re.search(r"""(?:src|href)=["'](?!https://github\.com/a/)""", browser), "the page loads something"
+    for outcome in ("runs", "unbuilt"):
+        assert OUTCOMES[outcome] in browser
+    assert OUTCOMES["late"] not in browser
