@@ -12,6 +12,8 @@ GOLDEN = Path(__file__).resolve().parent / "golden"
 EXAMPLES = GOLDEN.parent.parent / "examples"
 CONSTANT = "_constant"
 DISTROS = "_distros"
+CASES = GOLDEN.parent / "cases"
+CASES_GOLDEN = GOLDEN / "_cases"
 MARK = re.compile(rf"^@@ {CONSTANT}/(\S+) @@\n", re.MULTILINE)
 _CARRIED = re.compile(r"(^COPY (?:--chmod=755 )?<<'EOF' /([\w.-]+)\n)(.*?)(?=^EOF$)", re.MULTILINE | re.DOTALL)
 _BODY = re.compile(r"(^# ---- the same for every repository[^\n]*\n)(.*)", re.MULTILINE | re.DOTALL)

@@ -11,7 +11,7 @@ from subprocess import CompletedProcess
 
 import pytest
 
-from golden_files import CONSTANT, DISTROS, EXAMPLES, GOLDEN, MARK, contents, names, refresh, whole
+from golden_files import CASES_GOLDEN, CONSTANT, DISTROS, EXAMPLES, GOLDEN, MARK, contents, names, refresh, whole
 
 NAMES = names()
 
@@ -40,13 +40,21 @@ def test_files(roslab: Callable[..., CompletedProcess[str]], name: str, tmp_path
 
 
 def test_no_golden_files_without_their_example() -> None:
-    folders = {path.name for path in GOLDEN.iterdir() if path.is_dir()} - {"__pycache__", CONSTANT, DISTROS}
+    folders = {path.name for path in GOLDEN.iterdir() if path.is_dir()} - {
+        "__pycache__",
+        CONSTANT,
+        DISTROS,
+        CASES_GOLDEN.name,
+    }
     assert sorted(folders) == NAMES
 
 
 def test_no_constant_part_that_no_example_has() -> None:
     marked = {
-        mark for name in (*NAMES, DISTROS) for text in contents(GOLDEN / name).values() for mark in MARK.findall(text)
+        mark
+        for name in (*NAMES, DISTROS, CASES_GOLDEN.name)
+        for text in contents(GOLDEN / name).values()
+        for mark in MARK.findall(text)
     }
     assert sorted(contents(GOLDEN / CONSTANT)) == sorted(marked)
 

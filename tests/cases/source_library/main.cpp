@@ -1,0 +1,8 @@
+#include <pangolin/pangolin.h>
+
+int main()
+{
+  pangolin::CreateWindowAndBind("path", 640, 480);
+  while (!pangolin::ShouldQuit())
+    pangolin::FinishFrame();
+}
