@@ -11,6 +11,7 @@ NAMES = ("installs", "starts", "talks", "shows", "agrees", "runs on a GPU")
 """What holds on each rung, in their order."""
 LOWER = "correct the code, or ask for a lower `rung` under `proof` in roslab.yaml"
 """What to do where an image is not as high as it should be."""
+COMMAND = "a program in the place of the shell: name it as `command` in roslab.yaml"
 State = Literal["held", "missed", "unseen"]
 """``unseen``: it could not be looked at here, which is no failure of the image."""
 
@@ -55,13 +56,21 @@ class Ladder:
         """The lowest rung that does not hold."""
         return next((rung for rung in self.rungs if rung.state != "held"), None)
 
+    @property
+    def beyond(self) -> str:
+        """What the next rung would need, or why that is not known, as a clause; ``""`` where nothing is above.
+
+        Where the command is a shell, an image has no rung 1, though its repository could have one.
+        """
+        if (missing := self.next) is None:
+            shell = self.reached == 0 and all(rung.number != 1 for rung in self.rungs)
+            return f"{title(1)}, would need {COMMAND}" if shell else ""
+        why = f", would need {missing.needed}" if missing.needed else f": {missing.said}"
+        return f"{title(missing.number)}{why}"
+
     def __str__(self) -> str:
         """Return how far it got, ``rung 2, talks``, and what the next rung would need."""
-        told = title(self.reached)
-        if (missing := self.next) is None:
-            return told
-        why = f", would need {missing.needed}" if missing.needed else f": {missing.said}"
-        return f"{told}; rung {missing.number}, {missing.name}{why}"
+        return f"{title(self.reached)}; {self.beyond}" if self.beyond else title(self.reached)
 
 
 def title(reached: int | None) -> str:

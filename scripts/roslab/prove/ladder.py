@@ -56,7 +56,8 @@ def _commands(number: int, proofs: Sequence[Proof], seen: dict[str, Outcome]) ->
         said = re.search(r"^the image has no \w{1,40}$", seen[short.name].output, re.MULTILINE)
         lacking = said[0] if said else f"the image has no {short.command[0]}"
         return Rung(number=number, state="unseen", said=f"{why}: {lacking}", facts=facts)
-    return Rung(number=number, state="missed", said=why, needed=f"that {short.name}", facts=facts)
+    needed = f"that {short.name}" if number == 0 else f"{short.name} to pass"
+    return Rung(number=number, state="missed", said=why, needed=needed, facts=facts)
 
 
 def _looked_at(outcome: Outcome) -> str:
@@ -153,7 +154,7 @@ def _missing(graph: Graph, goals: ProofGoals) -> str:
     if talking or (graph.services and graph.answered and not graph.topics):
         return ""
     if graph.topics:
-        return "a message on one of its topics"
+        return "a message on " + " or ".join(topic.name for topic in graph.topics[:MOST])
     return "a node that publishes, or serves and answers"
 
 

@@ -22,9 +22,8 @@ def sections(platforms: Sequence[PlatformReport]) -> str:
     for entry in platforms:
         if entry.ladder.rungs:
             body = "".join(_rung(rung) for rung in entry.ladder.rungs)
-            if missing := entry.ladder.next:
-                needed = missing.needed or missing.said
-                body += f"\nRung {missing.number} would have needed {prose(needed)}.\n"
+            if beyond := entry.ladder.beyond:
+                body += f"\nThe next: {prose(beyond)}.\n"
             parts.append(
                 folded(f"How far it got on {_html(entry.platform)}: {_html(title(entry.ladder.reached))}", body)
             )

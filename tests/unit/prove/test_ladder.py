@@ -22,6 +22,7 @@ SHELL = replace(PLAIN, rung=None)
 TEST = Proof(name="the repository's test", command=("y",), rung=4)
 CHATTER = Topic(name="/chatter", type="std_msgs/String", messages=7)
 SILENT = replace(CHATTER, name="/scan", messages=0)
+ODOM = replace(SILENT, name="/odom")
 TALK = Graph(nodes=("/talker",), answered=("/talker",), topics=(CHATTER,), seconds=9.6)
 NONE = ProofGoals()
 
@@ -98,7 +99,7 @@ def test_a_launch_with_a_dead_node_says_which() -> None:
     [
         (TALK, NONE, ""),
         (replace(TALK, topics=(CHATTER, SILENT)), NONE, ""),
-        (replace(TALK, topics=(SILENT,)), NONE, "a message on one of its topics"),
+        (replace(TALK, topics=(SILENT,)), NONE, "a message on /scan"),
         (replace(TALK, topics=()), NONE, "a node that publishes, or serves and answers"),
         (replace(TALK, topics=(), services=("/add",)), NONE, ""),
         (
@@ -106,7 +107,7 @@ def test_a_launch_with_a_dead_node_says_which() -> None:
             NONE,
             "a node that publishes, or serves and answers",
         ),
-        (replace(TALK, topics=(SILENT,), services=("/add",)), NONE, "a message on one of its topics"),
+        (replace(TALK, topics=(SILENT, ODOM), services=("/add",)), NONE, "a message on /scan or /odom"),
         (TALK, ProofGoals(topics=("/scan", "/chatter")), "a message on /scan"),
         (Graph(), NONE, "a node in the graph that is not hidden"),
     ],
@@ -150,10 +151,21 @@ def test_after_a_failure_the_rest_was_not_tried() -> None:
     assert str(ladder) == "no rung; rung 0, installs, would need that the workspace's packages are found"
 
 
+def test_a_test_that_fails() -> None:
+    ladder = climb((FOUND, TEST), (outcome(FOUND), outcome(TEST, "failed with exit code 1", held=False)), NONE)
+    assert str(ladder) == "rung 0, installs; rung 4, agrees, would need the repository's test to pass"
+
+
+def test_a_shell_has_no_more_than_rung_0() -> None:
+    ladder = of(outcome(FOUND))
+    assert str(ladder).startswith("rung 0, installs; rung 1, starts, would need a program in the place of the shell")
+    assert not of(outcome(FOUND), outcome(TEST)).beyond
+
+
 def test_what_is_asked_for() -> None:
     ladder = of(outcome(FOUND), outcome(START, seen=Seen(code=None, graph=replace(TALK, topics=(SILENT,)))))
     assert below(ladder, None) == below(ladder, 0) == below(ladder, 1) == ""
-    assert below(ladder, 2).endswith("and rung 2, talks, does not hold: a message on one of its topics")
+    assert below(ladder, 2).endswith("and rung 2, talks, does not hold: a message on /scan")
     assert "which this image cannot have" in below(of(outcome(PLAIN)), 3)
 
 
