@@ -24,7 +24,7 @@ from roslab.knowledge.keys import expires
 from roslab.plan import lock as locks
 from roslab.plan.plan import Plan, make_plan
 from roslab.plan.version import SourceVersion, of_projects, source_version
-from roslab.render import FILES, OutputFile, bases, render_all
+from roslab.render import FILES, OutputFile, render_all
 from roslab.repository import git as commits
 from roslab.repository.checkout import Repository, printable
 from roslab.values.dataclass import dataclass
@@ -211,6 +211,8 @@ def write_dockerfile(planned: Planned, folder: Path) -> tuple[Path, Path]:
 
 def bases_of(plan: Plan) -> tuple[tuple[str, str], ...]:
     """Return ``(stage, name in FROM)`` of the images of the author's Dockerfile that its build replaces."""
+    from roslab.render import bases  # noqa: PLC0415 - only a build asks
+
     found = plan.author_dockerfile.bases if plan.author_dockerfile else ()
     return tuple((bases.stage_name(number), base.name) for number, base in enumerate(found, 1))
 
@@ -219,6 +221,8 @@ def write_bases(plan: Plan, folder: Path) -> Path | None:
     """Write the Dockerfile of these images to a folder and return it, ``None`` if there are none."""
     if not bases_of(plan):
         return None
+    from roslab.render import bases  # noqa: PLC0415 - as above
+
     file = folder / bases.FILE
     file.write_text(bases.bases(plan.author_dockerfile.bases if plan.author_dockerfile else ()), encoding="utf-8")
     return file

@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import cache
 
 from roslab.knowledge.distros import distros
-from roslab.knowledge.table import rows
+from roslab.knowledge.table import row
 
 
 @cache
@@ -17,11 +17,10 @@ def released(distro: str) -> frozenset[str]:
 
     A short-lived or very new one without a row of its own has those of the distribution before it.
     """
-    known = {row["distro"]: row["packages"] for row in rows("released")}
+    if found := row("released", distro):
+        return frozenset(found["packages"].split())
     this = distros().get(distro)
-    if distro in known or this is None:
-        return frozenset(known.get(distro, "").split())
-    older = [d for d in distros().values() if d.ros == this.ros and d.released < this.released and d.name in known]
+    older = [d for d in distros().values() if this and d.ros == this.ros and d.released < this.released]
     return released(max(older, key=lambda d: d.released).name) if older else frozenset()
 
 

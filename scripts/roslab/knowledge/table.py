@@ -13,4 +13,17 @@ _FOLDER = Path(__file__).parent
 def rows(name: str) -> tuple[dict[str, str], ...]:
     """Return the rows of ``NAME.csv``; each has a ``source`` and the ``date`` on which it was read."""
     with (_FOLDER / f"{name}.csv").open(encoding="utf-8", newline="") as stream:
-        return tuple(csv.DictReader(stream))
+        lines = csv.reader(stream)
+        head = next(lines)
+        return tuple(dict(zip(head, line, strict=True)) for line in lines)
+
+
+def row(name: str, key: str) -> dict[str, str] | None:
+    """Return the row of a large ``NAME.csv`` whose first column is ``key``, ``None`` if there is none.
+
+    The other rows are not parsed; in such a table each stands on a line of its own.
+    """
+    with (_FOLDER / f"{name}.csv").open(encoding="utf-8", newline="") as stream:
+        head = next(stream)
+        found = next((line for line in stream if line.startswith(f"{key},")), None)
+    return next(csv.DictReader([head, found])) if found else None

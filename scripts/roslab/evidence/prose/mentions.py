@@ -27,26 +27,30 @@ _MORE = pattern(r"(?:[\s,/|&-]{0,4}(?:or|and|to)?\s{0,3}(?:python)?\s{0,2}[23]\.
 _LIST = r"([\w-][\w.-]{0,60}\.(?:repos|rosinstall))\b"
 
 
-def _word(pattern: str) -> re.Pattern[str]:
-    return re.compile(rf"(?<![A-Za-z])(?:{pattern})", re.IGNORECASE)
+def _word(source: str) -> re.Pattern[str]:
+    return pattern(rf"(?<![A-Za-z])(?:{source})", re.IGNORECASE)
 
 
 Topic = Literal["distro", "ubuntu", "cuda", "cudnn", "python", "vcs_file"]
 
 
 @cache
-def _patterns() -> tuple[tuple[Topic, re.Pattern[str]], ...]:
-    """Return the pattern of each topic, with the names and numbers of releases from the tables."""
+def _patterns() -> tuple[tuple[Topic, tuple[str, ...], re.Pattern[str]], ...]:
+    """Return each topic with texts, of which every match contains one, and its pattern, made from the tables' names."""
     numbers = "|".join(map(re.escape, ubuntus()))
     codenames = "|".join(name + _NO_UBUNTU.get(name, "") for name in ubuntus().values())
     return (
-        ("distro", _word(rf"({'|'.join(releases_of())})(?![A-Za-z])")),
-        ("ubuntu", _word(rf"(?:ubuntu[\s:_-]{{0,3}}(?:lts\s{{0,2}})?({numbers})|({codenames}))(?![A-Za-z])")),
-        ("cuda", _word(_CUDA)),
-        ("cuda", _LOCAL),
-        ("cudnn", _word(_CUDNN)),
-        ("python", _word(_PYTHON)),
-        ("vcs_file", _word(_LIST)),
+        ("distro", tuple(releases_of()), _word(rf"({'|'.join(releases_of())})(?![A-Za-z])")),
+        (
+            "ubuntu",
+            ("ubuntu", *ubuntus().values()),
+            _word(rf"(?:ubuntu[\s:_-]{{0,3}}(?:lts\s{{0,2}})?({numbers})|({codenames}))(?![A-Za-z])"),
+        ),
+        ("cuda", ("cuda",), _word(_CUDA)),
+        ("cuda", ("+cu", "/cu"), _LOCAL),
+        ("cudnn", ("cudnn",), _word(_CUDNN)),
+        ("python", ("python",), _word(_PYTHON)),
+        ("vcs_file", (".repos", ".rosinstall"), _word(_LIST)),
     )
 
 
@@ -70,7 +74,10 @@ def read(
     text: str, file: str, source: Literal["dockerfile", "ci", "readme", "script"], first: int = 1
 ) -> Iterator[Mention]:
     """Yield the versions that a text names, with the line each stands on; ``first`` is the number of its first line."""
-    for topic, each in _patterns():
+    lowered = text.lower()
+    for topic, words, each in _patterns():
+        if not any(word in lowered for word in words):
+            continue  # most texts name few of them, and each pattern has to be compiled
         position, line, found = 0, first, 0
         for match in each.finditer(text):
             start = max(text.rfind("\n", max(0, match.start() - 200), match.start()) + 1, match.start() - 90)
