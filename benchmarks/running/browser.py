@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
-from benchmarks.running.figures import INTRODUCTION, sums, when
+from benchmarks.running.figures import INTRODUCTION, sums, title, when
 from benchmarks.running.rows import OUTCOMES, WHOSE, Outcome, Row
 
 TEMPLATE = Path(__file__).resolve().parent / "page.html"
@@ -30,7 +30,7 @@ def _section(name: str, rows: Sequence[Row]) -> str:
     options = "".join(f"<option>{html.escape(kind)}</option>" for kind in kinds)
     return "\n".join(
         (
-            f"<section><h2>{html.escape(name)}</h2>",
+            f"<section><h2>{html.escape(title(name))}</h2>",
             f'<p class="when">{html.escape(when(rows))}</p>',
             f'<ul class="sums">{"".join(f"<li>{html.escape(sentence)}</li>" for sentence in sums(rows))}</ul>',
             f'<div class="bars">{"".join(_bar(each, rows) for each in OUTCOMES)}</div>',
@@ -66,12 +66,12 @@ def _bar(outcome: Outcome, rows: Sequence[Row]) -> str:
 def _row(row: Row) -> str:
     address = html.escape(f"https://github.com/{row.repository}/tree/{row.commit}")
     seen = (
-        ("imports", row.imports),
-        ("started", row.started),
-        ("alive", row.alive),
-        ("drew a window", row.drawn),
+        (row.imports, "imports", "imports fail"),
+        (row.started, "started", "did not start"),
+        (row.alive, "ran on", "ended with an error"),
+        (row.drawn, "drew a window", "no window"),
     )
-    marks = [f"{'' if value else 'not '}{name}" for name, value in seen if value is not None]
+    marks = [yes if value else no for value, yes, no in seen if value is not None]
     marks += [f"rung {row.rung}"] if row.rung is not None else []
     base = f"<small>in truth {html.escape(row.stand_in)}</small>" if row.stand_in else ""
     why = f"{html.escape(row.why)}<small>{WHOSE[row.whose]}</small>" if row.why else ""

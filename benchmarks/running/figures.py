@@ -34,9 +34,15 @@ def sums(rows: Sequence[Row]) -> list[str]:
     ran += f"without the {len(commands) - len(able_to_run)} that the stand-ins stop, "
     return [
         f"{built_here}without the {len(outside)} that the stand-ins prevent, {_share(len(built), len(able))}.",
-        f"{ran}{_share(len(runs), len(able_to_run))}. {len(needs)} said that they lacked a device, data or arguments.",
+        f"{ran}{_share(len(runs), len(able_to_run))}. {len(needs)} of the others said what they were not given.",
         f"A shell in the place of a command, as a library has: {_share(len(shells), len(built))} of the images.",
     ]
+
+
+def title(name: str) -> str:
+    """Return the heading of a reading, ``LIST-READING``."""
+    of, _, reading = name.rpartition("-")
+    return f"{of}.csv, {reading} reading"
 
 
 def when(rows: Sequence[Row]) -> str:
