@@ -52,7 +52,6 @@ def main() -> int:
     parser.add_argument("--only", action="append", metavar="OWNER/NAME", help="measure these alone, again if need be")
     parser.add_argument("--reading", default="first", metavar="NAME", help="default: first")
     parser.add_argument("--limit", type=int, default=900, metavar="SECONDS", help="for one repository; default: 900")
-    parser.add_argument("--rosdistro", type=Path, metavar="FOLDER", help="ros/rosdistro, which tells what a base lacks")
     parser.add_argument("--logs", type=Path, metavar="FOLDER", help="keep logs and screenshots")
     parser.add_argument("--most", type=int, metavar="NUMBER", help="measure so many and end: for a shared machine")
     parser.add_argument("--format", choices=("table", "json"), default="table")
@@ -63,7 +62,7 @@ def main() -> int:
     rows = read(file)
     if options.trees:
         os.environ.update(laboratory.current().environment)
-        way = Way(limit=options.limit, rosdistro=options.rosdistro, logs=options.logs, make_base=make_base)
+        way = Way(limit=options.limit, logs=options.logs, make_base=make_base)
         lines = list(enumerate(chosen(listed(options.list), options.trees), 1))
         wanted = [
             each

@@ -18,6 +18,7 @@ from benchmarks.running.rows import Whose
 from roslab.explain.answer import Explanation, explain
 from roslab.knowledge.code_limits import version_of
 from roslab.knowledge.distros import cmake_of_ubuntu, python_of_ubuntu
+from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.version import version_of as parsed
 
 if sys.version_info >= (3, 11):
@@ -147,20 +148,11 @@ def stand_in(image: str) -> str:
     return said.partition(" in the place")[0].strip()
 
 
-def lacking(image: str, distro: str | None, rosdistro: Path | None) -> frozenset[str]:
-    """Return the ROS packages and keys of rosdep that the world has and this stand-in's tables do not.
-
-    ``rosdistro`` is a folder with ros/rosdistro's files, anywhere below; without it nothing is known to lack.
-    """
-    if not (rosdistro and distro):
+def lacking(image: str, distro: str | None) -> frozenset[str]:
+    """Return the ROS packages and keys of rosdep that the world has and this stand-in's tables do not."""
+    if not distro:
         return frozenset()
-    there = {name for text in _tables(image, distro) for name in _names(text)}
-    files = [rosdistro.rglob(name) for name in ("base.yaml", "python.yaml", f"{distro}.yaml", "distribution.yaml")]
-    wanted = [
-        file for found in files for file in found if file.name != "distribution.yaml" or file.parent.name == distro
-    ]
-    world = {name for file in wanted for name in _names(file.read_text(encoding="utf-8"))}
-    return frozenset(world - there)
+    return (released(distro) | rosdep_keys()) - {name for text in _tables(image, distro) for name in _names(text)}
 
 
 def _tables(image: str, distro: str) -> Iterable[str]:

@@ -46,7 +46,6 @@ class Way:
 
     limit: int
     """Seconds that one may take, all together."""
-    rosdistro: Path | None
     logs: Path | None
     """Folder for the logs and screenshots, ``None`` to keep none."""
     make_base: Callable[[str], bool]
@@ -82,7 +81,7 @@ def _measured(listed: Listed, root: Path, way: Way, told: dict[str, Any]) -> dic
         ubuntu=plan.ubuntu,
         python=_python(plan),
         stand_in=blame.stand_in(plan.base_image),
-        lacking=blame.lacking(plan.base_image, plan.ros_distro, way.rosdistro),
+        lacking=blame.lacking(plan.base_image, plan.ros_distro),
     )
     told["stand_in"] = base.stand_in
     image = f"roslab-running:{listed.repository.replace('/', '-').lower()}"
