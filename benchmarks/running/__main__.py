@@ -15,7 +15,7 @@ from pathlib import Path
 
 from benchmarks.running import page
 from benchmarks.running.measure import Way, measure
-from benchmarks.running.rows import chosen, dump, listed, read, write
+from benchmarks.running.rows import chosen, due, dump, listed, read, write
 
 from roslab.engine.docker import output, say
 
@@ -63,16 +63,11 @@ def main() -> int:
     if options.trees:
         os.environ.update(laboratory.current().environment)
         way = Way(limit=options.limit, logs=options.logs, make_base=make_base)
-        lines = list(enumerate(chosen(listed(options.list), options.trees), 1))
-        wanted = [
-            each
-            for each in lines
-            if (each[1][0].repository in options.only if options.only else each[1][0].repository not in rows)
-        ]
-        for number, (line, tree) in wanted[: options.most]:
-            say(f"{number} of {len(lines)}: {line.repository}")
+        lines = list(chosen(listed(options.list), options.trees))
+        for line, tree in due(lines, rows, options.only)[: options.most]:
+            say(f"{line.repository}: {len(rows)} of {len(lines)} were measured")
             row = measure(line, tree, way)
-            say(f"{number} of {len(lines)}: {line.repository}: {row.outcome} {row.why}")
+            say(f"{line.repository}: {row.outcome} {row.why}")
             rows[line.repository] = row
             write(file, rows)
     page.write(options.output)

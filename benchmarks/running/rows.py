@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import dataclasses
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -110,6 +110,22 @@ def chosen(lines: tuple[Listed, ...], trees: Path) -> Iterator[tuple[Listed, Pat
             reserves.remove(instead)
             found = instead
         yield found, tree(trees, found.repository)
+
+
+def due(
+    lines: Sequence[tuple[Listed, Path]], rows: Mapping[str, Row], only: Sequence[str] | None
+) -> list[tuple[Listed, Path]]:
+    """Return what is to be measured: ``only``, else what has no row, then what was late.
+
+    The builder has kept the steps that came to their end before the time was over.
+    """
+    if only:
+        return [line for line in lines if line[0].repository in only]
+    late = {name for name, row in rows.items() if row.outcome == "late"}
+    return sorted(
+        (line for line in lines if line[0].repository not in rows or line[0].repository in late),
+        key=lambda line: line[0].repository in late,
+    )
 
 
 def read(file: Path) -> dict[str, Row]:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from benchmarks.running import blame, page
 from benchmarks.running.figures import sums
-from benchmarks.running.rows import OUTCOMES, Row, chosen, listed, read, write
+from benchmarks.running.rows import OUTCOMES, Listed, Row, chosen, due, listed, read, write
 
 FOCAL = blame.Base(
     name="ros:noetic-ros-base",
@@ -83,6 +83,14 @@ def test_a_reserve_takes_the_place_of_what_is_not_there(tmp_path: Path) -> None:
         (tmp_path / name).mkdir()
     found = [(line.repository, tree.name) for line, tree in chosen(listed(file), tmp_path)]
     assert found == [("a/one", "a__one"), ("b/three", "b__three")]
+
+
+def test_what_was_late_is_measured_again_after_what_was_not_measured(tmp_path: Path) -> None:
+    lines = [(Listed(repository=name, kind="cpp", reserve=False), tmp_path) for name in ("a/late", "a/done", "a/new")]
+    row = Row(repository="a/done", commit="", date="2026-11-22", kind="cpp", outcome="runs")
+    rows = {"a/done": row, "a/late": replace(row, repository="a/late", outcome="late")}
+    assert [line.repository for line, _ in due(lines, rows, None)] == ["a/new", "a/late"]
+    assert [line.repository for line, _ in due(lines, rows, ["a/done"])] == ["a/done"]
 
 
 ROWS = (
