@@ -48,7 +48,8 @@ def keep(folder: Folder, run: Run, reference: str, platform: str, metadata: str)
     ``metadata`` is what buildx says of the build, with the images that an author's own Dockerfile started from.
     """
     try:
-        taken = of_metadata(metadata) if run.plan.author_dockerfile else ()
+        known = run.plan.lock.materials if run.plan.lock else ()
+        taken = of_metadata(metadata, known) if run.plan.author_dockerfile else ()
         image = inventory.read(reference, platform)
         lock = making.make(run.plan, [(platform, image)], taken, seconds=SECONDS)
     except BuildError as error:

@@ -21,13 +21,17 @@ def of_build(job: Build) -> tuple[Material, ...]:
     return _named(materials(job))
 
 
-def of_metadata(text: str) -> tuple[Material, ...]:
+def of_metadata(text: str, known: Iterable[Material] = ()) -> tuple[Material, ...]:
     """Return the images and files that a build took, from the metadata that buildx wrote of it.
 
-    Raises ``BuildError`` where it says nothing of them.
+    ``known`` are those that its policy named: BuildKit tells of these by their digest alone. Raises ``BuildError``
+    where nothing is said of them.
     """
     try:
-        return _named(materials_of(text))
+        listed = materials_of(text)
+        digests = {f"sha256:{(each.get('digest') or {}).get('sha256')}" for each in listed}  # type: ignore[attr-defined]
+        found = {each.source: each for each in (*(k for k in known if k.digest in digests), *_named(listed))}
+        return tuple(found[source] for source in sorted(found))
     except (ValueError, AttributeError, TypeError):
         message = "the build does not say which images it took"
         hint = "docker/build-push-action puts it out as `metadata`, unless BUILDX_METADATA_PROVENANCE is disabled"

@@ -59,3 +59,12 @@ def test_what_buildx_says_of_a_build_of_several_platforms_is_read() -> None:
 def test_a_build_that_says_nothing_is_named(text: str) -> None:
     with pytest.raises(BuildError, match="does not say which images"):
         of_metadata(text)
+
+
+def test_what_the_policy_took_again_is_known_by_its_digest() -> None:
+    known = Material(source="docker-image://docker.io/library/ubuntu:24.04", digest=f"sha256:{SUM}")
+    other = Material(source="docker-image://docker.io/library/alpine:3", digest="sha256:" + "2" * 64)
+    uri = f"pkg:docker/ubuntu@24.04?digest=sha256:{SUM}&platform=linux%2Famd64"
+    said = json.dumps({"buildx.build.provenance": {"materials": [{"uri": uri, "digest": {"sha256": SUM}}]}})
+    assert of_metadata(said, [known, other]) == (known,)
+    assert of_metadata(said) == ()
