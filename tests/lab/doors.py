@@ -80,10 +80,11 @@ def through_workflow(
     inputs: Mapping[str, str],
     files: Mapping[str, str] | None = None,
     *,
+    base: Mapping[str, str] = FILES,
     door: str = "image",
     secret: str | None = SECRET,
 ) -> Path:
-    """Write a repository whose one job calls a workflow, as a researcher would; ``secret`` as for the action."""
+    """Write a repository whose one job calls a workflow, as a researcher would; the rest as for the action."""
     lines = settings(inputs).replace("          ", "      ")
     if secret:
         lines += f"    secrets:\n      registry-token: ${{{{ secrets.{secret} }}}}\n"
@@ -96,7 +97,7 @@ jobs:
     with:
 {lines}
 """
-    return write(folder, {**FILES, **(files or {}), ".github/workflows/caller.yml": workflow})
+    return write(folder, {**base, **(files or {}), ".github/workflows/caller.yml": workflow})
 
 
 def payload(name: str, *, ref: str = "refs/heads/main", head: str | None = None) -> dict[str, Any]:
