@@ -210,6 +210,38 @@ def _cuda_image(names: Names, _: Image) -> Names:
     return {}
 
 
+def _moved_image(names: Names, _: Image) -> Names:
+    """Name the image that took the place of one which its maker moved; its tag stays only where the name changes."""
+    said = names.get("image", "").removeprefix("docker.io/").removeprefix("library/").removesuffix(":latest")
+    name, _colon, tag = said.partition(":")
+    for row in rows("moved_images"):
+        if name == row["image"] or (row["image"].endswith("/") and name.startswith(row["image"])):
+            now = name.replace(row["image"], row["now"], 1)
+            return {"image": said, "package": f"{now}:{tag}" if tag else now}
+    return {}
+
+
+def _apk(names: Names, _: Image) -> Names:
+    """Name what the packages of Alpine are called today, if the table has all of them."""
+    table = {row["name"]: row["now"] for row in rows("apk_names")}
+    wanted = [name for name in names.get("name", "").split(", ") if name]
+    return {"package": ", ".join(table[name] for name in wanted)} if wanted and table.keys() >= set(wanted) else {}
+
+
+def _cuda_architecture(names: Names, _: Image) -> Names:
+    """Name the first CUDA of the table that knows an architecture, and what the ones before it can compile for."""
+    said = names.get("architecture", "").rstrip("af")
+    older = ""
+    for row in rows("cuda_architectures") if said else ():
+        known = [int(each.replace(".", "")) for each in row["architectures"].removesuffix("+PTX").split(";")]
+        if int(said) < known[0]:
+            return {}  # an old one, which was taken out of CUDA
+        if int(said) <= known[-1]:
+            return {"since": f"known since CUDA {row['cuda']}", "architectures": older}
+        older = row["architectures"]
+    return {}
+
+
 LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "release": _release,
     "apt": _renamed,
@@ -217,7 +249,10 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "api": _api,
     "argument": _argument,
     "cmake": _library("cmake", "name"),
+    "apk": _apk,
+    "cuda-architecture": _cuda_architecture,
     "cuda-image": _cuda_image,
+    "image-moved": _moved_image,
     "header": _library("include", "header"),
     "hidden": _hidden,
     "include-path": _built_with,

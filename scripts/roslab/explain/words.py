@@ -71,7 +71,8 @@ def _problem(found: Explanation, *, lines: bool) -> Problem:
     platform = f" on {found.platform}" if found.platform else ""
     if found.id is not None:
         hint = f"{found.fix}{_lines(found)}" if lines else found.fix
-        return Problem(message=f"{found.cause.rstrip('.')}{platform}: {found.error}", hint=hint)
+        said = found.error.replace("`", "'")
+        return Problem(message=f"{found.cause.rstrip('.')}{platform}: `{said}`", hint=hint)
     step = f" in `{_flat(found.step, 120)}`" if found.step else ""
     return Problem(
         message=f"the build failed{platform}{step}: {found.error or 'its log does not say why'}",

@@ -1,4 +1,4 @@
-"""What repairs a known failure, in roslab.yaml and in an author's own Dockerfile: ``repairs.toml``.
+r"""What repairs a known failure, in roslab.yaml and in an author's own Dockerfile: ``repairs.toml``.
 
 A repair is one table with the id of a failure (``failures_*.toml``):
 
@@ -9,9 +9,10 @@ A repair is one table with the id of a failure (``failures_*.toml``):
 ``dockerfile``  instructions to insert before the failed one in an author's own Dockerfile, with ``{name}``
 ``only``        regular expression, without names: these instructions are for a failed one that it matches
 ``find``        regular expression, with ``{name}``, on the failed instruction of such a Dockerfile;
-                ``replace`` is what is written in its place
+                ``replace`` is what is written in its place, with ``\1`` for a group of it
 ``image``       official images of a language or a system: where the failed step builds on one, FROM gets the
-                oldest of its tags (``language_images.csv``) that ``tag`` allows: limits with ``{name}``, or ``newer``
+                oldest of its tags (``language_images.csv``) that ``tag`` allows: limits with ``{name}``, ``newer``, or
+                ``devel`` for the same tag with its compiler
 ``source``      addresses where the fact stands, ``date`` when it was read
 ==============  ========================================================================================
 

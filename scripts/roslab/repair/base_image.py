@@ -15,6 +15,9 @@ _TAG = pattern(r"^(?P<version>\d{1,3}(?:\.\d{1,3}){0,2}|latest)?(?P<variant>(?:-
 _LIMIT = pattern(r"(?P<sign>[<>=!]=|~>|[<>^~=])?\s{0,3}v?(?P<version>\d{1,3}(?:\.\d{1,4}){0,3})(?:\.[x*])?")
 _NEWER = "newer"
 """The next version after that of the image; there is none for an image without a number."""
+_DEVEL = "devel"
+"""The same version with its compiler, for images that have both."""
+_WITHOUT_COMPILER = pattern(r"-(?:base|runtime)(?=-|$)")
 _BELOW = ("<", "<=", "!=")
 
 
@@ -30,6 +33,9 @@ def fitting(found: Explanation, image: str) -> str:
     names |= {"required": required(names, found.log)}
     if known is None or name not in known.image.split() or not complete(known.tag, names):
         return ""
+    if known.tag == _DEVEL:
+        other = _WITHOUT_COMPILER.sub("-devel", tag)
+        return f"{name}:{other}" if other != tag else ""
     said = _TAG.match(tag)
     now, variant = ((said["version"] or ""), said["variant"]) if said else ("", "")
     now = now or next((version for version, codename in ubuntus().items() if codename == tag), "")
@@ -47,6 +53,8 @@ def _version(name: str, needs: str, now: str) -> str:
     limits = [(found["sign"] or "", found["version"]) for found in _LIMIT.finditer(needs.partition("||")[0])]
     if row is None or not limits:
         return ""
+    if name == "ruby" and not limits[0][0] and limits[0][1].count(".") == 2:
+        return limits[0][1]  # a Gemfile that names one release takes no other
     allowed = specifiers(",".join(_pep440(sign, version) for sign, version in limits))
     admitted = [each for each in row["versions"].split() if allowed is not None and admits(allowed, each)]
     if any(f"{now}.".startswith(f"{each}.") for each in admitted):

@@ -162,8 +162,9 @@ def _each(names: dict[str, str]) -> Iterator[dict[str, str]]:
 
 
 def _literal(template: str, names: dict[str, str]) -> Callable[[re.Match[str]], str]:
+    r"""Return what replaces a match: the template with its names, and with ``\1`` for a group of the match."""
     new = re.sub(r"\{([a-z_]+)\}", lambda name: names.get(name[1], ""), template)
-    return lambda _: new
+    return lambda found: re.sub(r"\\(\d)", lambda group: found[int(group[1])] or "", new)
 
 
 def _pattern(find: str, names: dict[str, str]) -> re.Pattern[str]:

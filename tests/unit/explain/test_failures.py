@@ -33,6 +33,7 @@ LOOKED_UP = {
     "hint",
     "before_step",
     "how",
+    "since",
 }
 
 

@@ -411,3 +411,76 @@ def test_a_log_without_steps_has_the_instructions_to_insert() -> None:
     text += "  - package python-3.7.13-haa1d7c7_1 is excluded by strict repo priority\n"
     said = dockerfile.suggested(explain(io.BytesIO(text.encode())))
     assert said == "+RUN conda config --set channel_priority flexible\n"
+
+
+@pytest.mark.parametrize(
+    ("command", "error", "wanted"),
+    [
+        (
+            "bower install",
+            "bower  ECONFLICT Unable to find suitable version for angular",
+            "+RUN bower install --force-latest",
+        ),
+        ("npm i", "npm ERR! code ERESOLVE", "+RUN npm i --legacy-peer-deps"),
+        (
+            "go get github.com/a/b && b",
+            "go: 'go get' is no longer supported outside a module",
+            "+RUN go install github.com/a/b@latest && b",
+        ),
+        (
+            "gpg --keyserver ha.pool.sks-keyservers.net --recv-keys A",
+            "gpg: keyserver receive failed: No name",
+            "+RUN gpg --keyserver hkp://keyserver.ubuntu.com:80 --recv-keys A",
+        ),
+        (
+            "make",
+            "nvcc fatal   : Unsupported gpu architecture 'compute_86'",
+            '+ENV TORCH_CUDA_ARCH_LIST="6.1;7.0;7.5;8.0+PTX"',
+        ),
+        ("make", "nvcc fatal   : Unsupported gpu architecture 'compute_20'", ""),
+        (
+            "apk add python py-pip",
+            "  py-pip (no such package):\n#6 1.2 ERROR: unable to select packages:",
+            "+RUN apk add python py3-pip",
+        ),
+        (
+            "apk add py-pip robot",
+            "  py-pip (missing):\n#6 1.2   robot (missing):\n#6 1.2 ERROR: unable to select packages:",
+            "",
+        ),
+    ],
+)
+def test_a_step_is_shown_as_it_should_be(command: str, error: str, wanted: str) -> None:
+    said = dockerfile.suggested(explain(io.BytesIO(log(command, *error.split("\n#6 1.2 ")).encode())))
+    assert wanted in said.splitlines() if wanted else not said
+
+
+@pytest.mark.parametrize(
+    ("image", "wanted"),
+    [
+        ("vault:1.13", "hashicorp/vault:1.13"),
+        ("vault", "hashicorp/vault"),
+        ("bitnami/spark:3.5", "bitnamilegacy/spark:3.5"),
+        ("example/vault:1.13", ""),
+    ],
+)
+def test_an_image_that_moved_is_named_anew(image: str, wanted: str) -> None:
+    tagged = image if ":" in image else f"{image}:latest"
+    text = (
+        f"#2 [internal] load metadata for docker.io/library/{tagged}\n#2 ERROR: docker.io/library/{tagged}: not found\n"
+    )
+    answer = explain(
+        io.BytesIO(text.replace("library/bitnami", "bitnami").replace("library/example", "example").encode())
+    )
+    own = f"FROM {image}\nRUN true\n"
+    changed = dockerfile.edited(own, dockerfile.edits(answer, own, likely=True))
+    assert changed == own.replace(image, wanted or image)
+
+
+def test_an_image_with_a_compiler_is_taken_where_one_is_wanted() -> None:
+    text = log("pip install flash-attn", "OSError: CUDA_HOME environment variable is not set.").replace(
+        "#6 [3/4]", "#6 [2/2]"
+    )
+    base = "#5 [1/2] FROM docker.io/nvidia/cuda:12.2.0-runtime-ubuntu22.04\n#5 DONE 0.1s\n"
+    said = dockerfile.suggested(explain(io.BytesIO((base + text).encode())))
+    assert "+FROM nvidia/cuda:12.2.0-devel-ubuntu22.04" in said.splitlines()
