@@ -10,6 +10,7 @@ from packaging.version import Version
 
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 Sign = Literal["include", "name", "standard"]
 """A header, a name in the code, a C++ standard that CMake asks for."""
@@ -36,7 +37,7 @@ def limits() -> tuple[Limit, ...]:
     return tuple(
         Limit(
             where=cast("Sign", row["where"]),
-            pattern=re.compile(row["pattern"]),
+            pattern=pattern(row["pattern"]),
             library=row["library"],
             at_least=row["at_least"] or None,
             below=row["below"] or None,

@@ -6,13 +6,14 @@ import re
 from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.pattern import pattern
 
 
 def belongs(ros: str, part: str, name: str) -> bool:
     """Tell whether a ``node``, ``topic``, ``service`` or ``player`` of ``ros1`` or ``ros2`` is ROS's own."""
-    return any(pattern.search(name) for pattern in _patterns(ros, part))
+    return any(each.search(name) for each in _patterns(ros, part))
 
 
 @cache
 def _patterns(ros: str, part: str) -> tuple[re.Pattern[str], ...]:
-    return tuple(re.compile(row["pattern"]) for row in rows("graphs") if (row["ros"], row["part"]) == (ros, part))
+    return tuple(pattern(row["pattern"]) for row in rows("graphs") if (row["ros"], row["part"]) == (ros, part))

@@ -7,6 +7,7 @@ from functools import cache
 
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
@@ -16,16 +17,26 @@ class Removal:
     """One removed name of one package."""
 
     package: str
-    bound: Requirement
+    having: str
     """The versions that still have it, ``matplotlib<3.5``."""
-    beside: Requirement | None
-    """A bound that these versions need on another package: code compiled against NumPy 1 does not load with NumPy 2
-    (https://numpy.org/doc/stable/numpy_2_0_migration_guide.html)."""
+    with_it: str
+    """A bound that these versions need on another package, ``""`` for none: code compiled against NumPy 1 does not load
+    with NumPy 2 (https://numpy.org/doc/stable/numpy_2_0_migration_guide.html)."""
     hint: str
     """A literal that every match contains: files without it are not searched."""
     pattern: re.Pattern[str]
     what: str
     source: str
+
+    @property
+    def bound(self) -> Requirement:
+        """What ``having`` asks for."""
+        return stated(self.having)
+
+    @property
+    def beside(self) -> Requirement | None:
+        """What ``with_it`` asks for."""
+        return stated(self.with_it) if self.with_it else None
 
 
 @cache
@@ -34,10 +45,10 @@ def removals() -> tuple[Removal, ...]:
     return tuple(
         Removal(
             package=row["package"],
-            bound=stated(row["bound"]),
-            beside=stated(row["beside"]) if row["beside"] else None,
+            having=row["bound"],
+            with_it=row["beside"],
             hint=row["hint"],
-            pattern=re.compile(row["pattern"]),
+            pattern=pattern(row["pattern"]),
             what=row["what"],
             source=row["source"],
         )

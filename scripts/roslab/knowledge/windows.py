@@ -6,32 +6,29 @@ import re
 from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.pattern import pattern
 
 
 @cache
 def _patterns() -> dict[str, tuple[re.Pattern[str], ...]]:
     kinds = dict.fromkeys(row["where"] for row in rows("windows"))
-    return {
-        kind: tuple(re.compile(row["pattern"]) for row in rows("windows") if row["where"] == kind) for kind in kinds
-    }
+    return {kind: tuple(pattern(row["pattern"]) for row in rows("windows") if row["where"] == kind) for kind in kinds}
 
 
 def opens(where: str, name: str) -> bool:
     """Tell whether a library opens windows, by its name for ``find_package``, its header or its Python module."""
-    return any(pattern.search(name) for pattern in _patterns().get(where, ()))
+    return any(each.search(name) for each in _patterns().get(where, ()))
 
 
 @cache
 def _calls() -> tuple[tuple[str, str, re.Pattern[str]], ...]:
-    return tuple(
-        (row["library"], row["hint"], re.compile(row["pattern"], re.MULTILINE)) for row in rows("window_calls")
-    )
+    return tuple((row["library"], row["hint"], pattern(row["pattern"], re.MULTILINE)) for row in rows("window_calls"))
 
 
 def shown(text: str) -> dict[str, int]:
     """Return the libraries by which a file of Python opens windows, each with the place of its first call."""
     found: dict[str, int] = {}
-    for library, hint, pattern in _calls():
-        if library not in found and hint in text and (match := pattern.search(text)):
+    for library, hint, each in _calls():
+        if library not in found and hint in text and (match := each.search(text)):
             found[library] = match.start()
     return found

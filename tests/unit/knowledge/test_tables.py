@@ -132,3 +132,12 @@ def test_a_package_has_its_name_of_each_release() -> None:
     assert [name_in("libgl1", release) for release in ("xenial", "noble")] == ["libgl1-mesa-glx", "libgl1"]
     assert [name_in("libgl1-mesa-glx", release) for release in ("focal", "noble")] == ["libgl1-mesa-glx", "libgl1"]
     assert name_in("libgl1-mesa-glx", "bookworm") == "libgl1"
+
+
+def test_every_pattern_can_be_compiled() -> None:
+    """The program compiles each at its first use."""
+    tables = [name for name in TABLES if "pattern" in rows(name)[0]]
+    assert len(tables) > 3
+    for name in tables:
+        for row in rows(name):
+            re.compile(row["pattern"])
