@@ -50,16 +50,24 @@ else
   if ! ls "${sources}"/*.list >/dev/null 2>&1; then rosdep init; fi
   update
 fi
-# rosdep tells of one unknown key a package at a time: ask until there is none that was not told before
-before=''
-while unknown="$(unknown_keys)" && [ "${unknown}" != "${before}" ]; do
-  before="${unknown}"
-  for key in ${unknown}; do
-    echo "rosdep ${key}" >>"${left_out}"
-    skip="${skip} ${key}"
+# Nothing is installed where rosdep does not know a key, and that is the time to ask which: it tells of one a package at
+# a time, so until there is none that was not told before
+said=/tmp/rosdep-install
+if install_keys --default-yes 2>"${said}"; then
+  cat "${said}" >&2
+else
+  before='' asked="${skip}"
+  while unknown="$(unknown_keys)" && [ "${unknown}" != "${before}" ]; do
+    before="${unknown}"
+    for key in ${unknown}; do
+      echo "rosdep ${key}" >>"${left_out}"
+      skip="${skip} ${key}"
+    done
   done
-done
-if [ -s "${left_out}" ]; then sed 's/^/roslab: left out: /' "${left_out}"; fi
-install_keys --default-yes
+  if [ "${skip}" = "${asked}" ]; then cat "${said}" >&2 && exit 1; fi
+  sed 's/^/roslab: left out: /' "${left_out}"
+  install_keys --default-yes
+fi
+rm "${said}"
 rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
 find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
