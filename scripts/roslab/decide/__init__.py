@@ -36,7 +36,7 @@ from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, started
 from roslab.decide.system.packages import decide_system, without_twins
-from roslab.decide.system.recipes import recipes_for
+from roslab.decide.system.recipes import of_another_release, recipes_for
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
@@ -124,7 +124,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     if config.compatible:
         everything = installed(evidence, python.answer)
     recipes = (*sources.answer.libraries, *system.answer.recipes)
-    libraries = as_written(recipes_for(recipes, base.answer.ubuntu), evidence)
+    older = of_another_release(evidence, system.answer.apt_guessed)
+    libraries = as_written(recipes_for((*recipes, *older), base.answer.ubuntu, evidence.limits), evidence)
     taken = sources.answer.names | {plain(source.name) for source, _ in libraries}
     taken |= {plain(git.name) for git in evidence.sources if git.kind == "submodule"} | packages.names
     linked = by_hand(evidence, config, kind.answer, target=target, packages=packages, taken=taken)

@@ -10,7 +10,7 @@ from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
 from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence, PackageManifest
+from roslab.evidence.facts import Evidence, Mention, PackageManifest
 from roslab.knowledge.distros import distro, distros
 from roslab.values.pattern import pattern
 
@@ -29,6 +29,7 @@ class Weight:
     """
 
     PACKAGES = 500  # only ROS's tools build them
+    BUILT = 460  # a C++ project that its page builds with CMake, and never with pip
     BINDINGS = 450  # a C++ project whose setup.py only wraps it: wins over that setup.py
     INSTALLABLE = 400  # pip installs the repository itself
     CONDA = 380  # it fits this code, but perhaps only its development
@@ -228,9 +229,25 @@ def _cpp(evidence: Evidence) -> list[Reason]:
     bindings = any(not project.folder and "cmake" in project.extensions for project in evidence.python)
     if root and bindings and _mostly_cpp(evidence):
         return [because("kind", answer, "a CMake project with Python bindings", top, weight=Weight.BINDINGS)]
+    if root and (said := _built_by_page(evidence)) and _mostly_cpp(evidence):
+        return [
+            because(
+                "kind", answer, "a CMake project, which the README builds with CMake alone", said, weight=Weight.BUILT
+            )
+        ]
     below = Weight.CMAKE_BELOW if _mostly_cpp(evidence) else Weight.CMAKE_PART
     weight = Weight.CMAKE if root else below
     return [because("kind", answer, "a CMake project", top, weight=weight)]
+
+
+def _built_by_page(evidence: Evidence) -> Mention | None:
+    """Return where the page at the root runs CMake, ``None`` if it does not, or has pip install the repository."""
+    names = {project.name for project in evidence.python if not project.folder}
+    for asked in evidence.prose_pip:
+        if asked.role == "project" or (asked.name and asked.name in names):
+            return None
+    said = (m for m in evidence.mentions if m.topic == "build_tool" and m.value == "cmake" and m.source == "readme")
+    return next((mention for mention in said if "/" not in mention.file), None)
 
 
 def _mostly_cpp(evidence: Evidence) -> bool:

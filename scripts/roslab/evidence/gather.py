@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 
 from roslab.evidence.facts import Evidence, PackageManifest
-from roslab.evidence.native import cmake, cpp
+from roslab.evidence.native import cmake, cpp, cpu
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import author_dockerfile, ci, install_scripts, readme, worked_on
 from roslab.evidence.prose.installs import merge
-from roslab.evidence.python import conda, imports, pixi, print_statement, project, removed, requirements, tests
+from roslab.evidence.python import conda, imports, limits, pixi, print_statement, project, removed, requirements, tests
 from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, vcs
 from roslab.repository.checkout import Repository
 
@@ -59,9 +59,14 @@ def gather(repository: Repository) -> Evidence:
         ),
         worked_on=worked_on.read(repository),
         bounds=removed.read(repository),
-        limits=signs.all(repository),
+        limits=(*signs.all(repository), *limits.read(repository)),
         cuda_files=cpp.cuda_files(repository),
-        problems=(*repository.problems, *(_malformed(m) for m in manifests if m.malformed), *vcs.absent(repository)),
+        problems=(
+            *repository.problems,
+            *(_malformed(m) for m in manifests if m.malformed),
+            *vcs.absent(repository),
+            *cpu.read(repository),
+        ),
     )
 
 

@@ -12,8 +12,8 @@ from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-Sign = Literal["include", "name", "standard"]
-"""A header, a name in the code, a C++ standard that CMake asks for."""
+Sign = Literal["include", "name", "standard", "python", "launch"]
+"""A header, a name in C++, a C++ standard that CMake asks for, what Python code or a launch file in Python has."""
 _OWN = frozenset({"library", "same_major", "source", "date"})
 
 

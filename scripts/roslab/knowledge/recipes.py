@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
+
+from packaging.version import Version
 
 from roslab.values import toml
 from roslab.values.dataclass import dataclass
+
+Bound = tuple[str | None, str | None]
+"""The oldest version that fits, and the first that does not."""
+NO_BOUNDS: Mapping[str, tuple[Bound, ...]] = MappingProxyType({})
 
 
 @cache
@@ -28,8 +36,11 @@ class Recipe:
     options: tuple[str, ...]
 
 
-def recipe(name: str, ubuntu: str | None) -> tuple[Recipe, ...]:
-    """Return what to build for a library, its own needs first; empty if the table does not have it."""
+def recipe(name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]] = NO_BOUNDS) -> tuple[Recipe, ...]:
+    """Return what to build for a library, its own needs first; empty if the table does not have it.
+
+    ``bounds``: of libraries, the versions that the code compiles with.
+    """
     found = _table().get(name)
     if not isinstance(found, dict):
         return ()
@@ -37,8 +48,26 @@ def recipe(name: str, ubuntu: str | None) -> tuple[Recipe, ...]:
     own = Recipe(
         name=name,
         repo=found["repo"],
-        ref=found.get("ref_on", {}).get(ubuntu or "", found["ref"]),
+        ref=_fitting(found, found.get("ref_on", {}).get(ubuntu or "", found["ref"]), bounds.get(name, ())),
         depends=depends,
         options=tuple(found.get("options", ())),
     )
-    return (*(first for needed in found.get("after", ()) for first in recipe(needed, ubuntu)), own)
+    return (*(first for needed in found.get("after", ()) for first in recipe(needed, ubuntu, bounds)), own)
+
+
+def _fitting(found: dict[str, Any], usual: str, bounds: tuple[Bound, ...]) -> str:
+    """Return the ref of the usual release, or of the nearest one that the code compiles with if the usual does not."""
+    refs: dict[str, str] = found.get("releases", {})
+    fit = [
+        release
+        for release in refs
+        if all(
+            (first is None or Version(release) >= Version(first)) and (end is None or Version(release) < Version(end))
+            for first, end in bounds
+        )
+    ]
+    if not fit or usual in {refs[release] for release in fit}:
+        return usual
+    known = next((Version(release) for release, ref in refs.items() if ref == usual), Version("0"))
+    newer = [release for release in fit if Version(release) > known]
+    return refs[min(newer, key=Version) if newer else max(fit, key=Version)]

@@ -43,6 +43,11 @@ def ranges(evidence: Evidence, pins: Iterable[Pin], aside: set[str]) -> Iterator
     for pin in pins:
         if pin.requirement.file not in aside:
             yield from _pinned(pin)
+    for limit in evidence.limits:
+        if limit.library == "Python" and limit.at_least:
+            why = f"the code has {limit.what}"
+            reason = because("python", f"≥ {limit.at_least}", why, limit, weight=Weight.USED)
+            yield Range(_between(Version(limit.at_least), _ANY), reason)
 
 
 def ranges_by_use(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Range]:

@@ -12,7 +12,7 @@ from roslab.decide.ros.distro_dates import dated, of_its_time
 from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
-from roslab.decide.system.code_fits import misfits
+from roslab.decide.system.code_fits import misfits, unlaunchable
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import Distro, default_distro, distro, distros, distros_of, successor
@@ -37,8 +37,12 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     ros = 1 if kind == "ros1" else 2
     unknown = _unknown_keys(evidence, ros)
     lacking = misfits(evidence)
+    unlaunched = unlaunchable(evidence)
+    unknown = {name: missing | unlaunched.get(name, frozenset()) for name, missing in unknown.items()}
     unknown = {name: missing for name, missing in unknown.items() if existed(evidence, name)} or unknown
     named = [reason for reason in there(evidence, reasons_for(evidence, ros)) if not stale(reason, evidence.day)]
+    if dated(evidence) and all(reason.weight <= Weight.EXAMPLE for reason in named):
+        named = []
     reasons = [_compiling(_fitted(reason, unknown), lacking) for reason in named]
     if config.base.ubuntu and (fitting := distros_of(config.base.ubuntu, 1 if ros == 1 else 2)):
         inside = [reason for reason in reasons if reason.answer in fitting]

@@ -36,6 +36,8 @@ _FOR = pattern(
     re.IGNORECASE,
 )
 """The sentence tells what to install or use."""
+_EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)(?!\w)", re.IGNORECASE)
+"""The sentence only shows how a name is written."""
 _RECOMMENDED = pattern(r"\brecommend", re.IGNORECASE)
 _LIST = (".repos", ".rosinstall")
 _SENTENCE = pattern(r"(?<=[.;!?])\s+|\s*\|\s*")
@@ -71,6 +73,7 @@ class Weight:
     LIST = 390  # a list of repositories for one distribution has what that one lacks; others may need no list
     UBUNTU: ClassVar = {"dockerfile": 260, "ci": 240, "readme": 230}  # an Ubuntu that has only this distribution
     HAS_EVERY_KEY = 100  # nothing names it, but it fits
+    EXAMPLE = 30  # it stands for whatever the reader has; the date of the last commit tells more
     VENDORED = 20  # in a file copied from another project
     DEFAULT = 1
     LACKS_A_KEY = 400  # subtracted if it lacks a declared key: an outdated Dockerfile then counts less than a page
@@ -181,6 +184,8 @@ def _sentences(text: str, value: str) -> list[str]:
 
 def _spoken(sentence: str) -> int:
     weight = Weight.TELLS_TO_HAVE if _FOR.search(sentence) else Weight.SPEAKS_OF_IT
+    if _EXAMPLE.search(sentence):
+        return Weight.EXAMPLE
     weight = Weight.RECOMMENDED if _RECOMMENDED.search(sentence) else weight
     return weight - (Weight.AGAINST if _AGAINST.search(sentence) else 0)
 

@@ -11,7 +11,7 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.knowledge.code_limits import fits, satisfies
-from roslab.knowledge.distros import cmake_of_ubuntu, ubuntus
+from roslab.knowledge.distros import cmake_of_ubuntu, distro, distros, ubuntus
 
 TOO_OLD_FOR_PIP = frozenset({"trusty"})
 """Here pip cannot install a newer CMake: its own version does not know today's wheels.
@@ -24,6 +24,8 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     found: dict[str, dict[str, None]] = {ubuntu: {} for ubuntu in ubuntus().values()}
     for ubuntu, lacks in found.items():
         for limit in evidence.limits:
+            if limit.at_least and _brought(limit.library, evidence):
+                continue
             if not fits(limit.library, ubuntu, at_least=limit.at_least, below=limit.below, ros=ros):
                 wanted = f"{limit.at_least} or newer" if limit.at_least else f"older than {limit.below}"
                 lacks[f"{limit.library} {wanted} ({limit.what}, {limit.file}:{limit.line})"] = None
@@ -34,6 +36,25 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
             if not satisfies(name, ubuntu, version, ros=ros):
                 lacks[f"{name} {version} ({place})"] = None
     return {ubuntu: tuple(lacks) for ubuntu, lacks in found.items() if lacks}
+
+
+def _brought(library: str, evidence: Evidence) -> bool:
+    """Tell whether the repository builds a library from its source, in a version that no Ubuntu may have."""
+    name = library.lower().rstrip("3")
+    return any(git.kind != "link" and git.name.lower().startswith(name) for git in evidence.sources)
+
+
+def unlaunchable(evidence: Evidence) -> dict[str, frozenset[str]]:
+    """Return, for each distribution of ROS 2, what launch files have that it does not know: ``executable=``."""
+    found: dict[str, frozenset[str]] = {}
+    for limit in evidence.limits:
+        for name, release in distros().items() if limit.library == "launch_ros" else ():
+            oldest, first_without = distro(limit.at_least or ""), distro(limit.below or "")
+            old = oldest is not None and release.released < oldest.released
+            new = first_without is not None and release.released >= first_without.released
+            if release.ros == 2 and (old or new):
+                found[name] = found.get(name, frozenset()) | {limit.what}
+    return found
 
 
 def _asked(evidence: Evidence) -> Iterator[tuple[str, str, str]]:

@@ -6,14 +6,24 @@ from collections.abc import Iterable
 
 from roslab.config.model import Source
 from roslab.evidence.dependency import Dependency
-from roslab.knowledge.recipes import Recipe, recipe
+from roslab.evidence.facts import CodeLimit, Evidence
+from roslab.knowledge.recipes import Bound, Recipe, recipe
 
 
-def recipes_for(wanted: Iterable[tuple[str, Dependency]], ubuntu: str | None) -> tuple[tuple[Source, Dependency], ...]:
-    """Return the sources of libraries, each once with what asked for it, in the order to build them."""
+def recipes_for(
+    wanted: Iterable[tuple[str, Dependency]], ubuntu: str | None, limits: Iterable[CodeLimit] = ()
+) -> tuple[tuple[Source, Dependency], ...]:
+    """Return the sources of libraries, each once with what asked for it, in the order to build them.
+
+    ``limits`` are the signs of versions in the code, which choose the release.
+    """
+    bounds: dict[str, tuple[Bound, ...]] = {}
+    for limit in limits:
+        name = limit.library.lower()
+        bounds[name] = (*bounds.get(name, ()), (limit.at_least, limit.below))
     found: dict[str, tuple[Source, Dependency]] = {}
     for name, dependency in wanted:
-        for built in recipe(name, ubuntu):
+        for built in recipe(name, ubuntu, bounds):
             found.setdefault(built.name, (_source(built), dependency))
     return tuple(found.values())
 
@@ -26,4 +36,17 @@ def _source(built: Recipe) -> Source:
         depends=built.depends,
         build="cmake",
         cmake_options=" ".join(built.options),
+    )
+
+
+def of_another_release(evidence: Evidence, apt: Iterable[str]) -> tuple[tuple[str, Dependency], ...]:
+    """Return the libraries that a package of ROS would bring in a release that the code does not compile with.
+
+    Which one it brings no table says: of those that changed, ROS has the newer.
+    """
+    brought = {name.partition("-")[2].partition("-")[2] for name in apt if name.startswith("ros-")}
+    return tuple(
+        (name, Dependency(namespace="include", name=limit.what, strength="used", file=limit.file, line=limit.line))
+        for limit in evidence.limits
+        if limit.below and (name := limit.library.lower()) in brought and recipe(name, None)
     )

@@ -29,6 +29,11 @@ def _signs(where: str, value: str) -> tuple[Limit, ...]:
     return tuple(limit for limit in limits() if limit.where == where and limit.pattern.search(value))
 
 
+@cache
+def _names() -> tuple[Limit, ...]:
+    return tuple(limit for limit in limits() if limit.where == "name")
+
+
 @dataclass
 class Signs:
     """The signs that were found so far, each with its places."""
@@ -42,7 +47,7 @@ class Signs:
     def source(self, path: str, text: str) -> None:
         """Read a C++ file."""
         self.guarded = self.guarded or any(word in text for word in _GUARDS)
-        for limit in limits():
+        for limit in _names():
             if not any(hint in text for hint in limit.hints):
                 continue
             if (match := limit.pattern.search(text)) and not _comment(text, match.start()):

@@ -10,6 +10,7 @@ from typing import Literal
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import AuthorDockerfile, Mention, Prose
+from roslab.evidence.lex.balance import unbalanced
 from roslab.evidence.lex.dockerfile import Instruction, argv, instructions, sources
 from roslab.evidence.lex.shell import expand
 from roslab.evidence.prose import mentions
@@ -47,6 +48,8 @@ _PRIVATE = pattern(
     re.IGNORECASE,
 )
 _MOUNT = pattern(r"--mount=(\S*\btype=(?:ssh|secret)\b\S*)")
+_OPTIONS = pattern(r"^(?:--\S+\s+)+")
+"""Options of RUN."""
 _REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
 
 
@@ -131,6 +134,8 @@ class _Reading:
             self._set(name, body)
         elif name == "RUN":
             _collect(self.collector, instruction)
+            if wrong := "" if instruction.script else unbalanced(_OPTIONS.sub("", body)):
+                self.problem = self.problem or f"line {line} is nothing that a shell reads: {wrong}"
             if _UPDATE.search(body):
                 self.updates_rosdep = self.updates_rosdep or line
             mounts = _MOUNT.findall(body)
@@ -213,7 +218,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
 
 
 def _collect(collector: Collector, instruction: Instruction) -> None:
-    text = re.sub(r"^(?:--\S+\s+)+", "", instruction.text)
+    text = _OPTIONS.sub("", instruction.text)
     if instruction.script:
         collector.text(text, instruction.line)
     else:

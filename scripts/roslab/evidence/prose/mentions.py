@@ -67,6 +67,8 @@ def _goes_on() -> dict[str, tuple[re.Pattern[str], re.Pattern[str]]]:
 
 _TRACEBACK = pattern(r"File \"[^\"\n]{0,200}\Z")
 """A line of a traceback before a Python version: it is about somebody's own machine."""
+_EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)[^\n]*:\W*(?:<br ?/?>)?\W*\Z", re.IGNORECASE)
+"""A line that an example follows, which then stands in a block of its own."""
 _CONTEXT = pattern(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
 
 
@@ -88,6 +90,8 @@ def read(
                 continue  # it only counts with ROS, a branch or an Ubuntu near it
             if topic == "python" and _TRACEBACK.search(text, max(0, start), match.start()):
                 continue
+            if topic == "distro" and source == "readme":
+                context = _introduced(text, start, context)
             if each is _LOCAL:
                 value = f"{value[:-1]}.{value[-1]}"
             line += text.count("\n", position, match.start())
@@ -98,6 +102,12 @@ def read(
             found += 1
             if found >= MAX_MENTIONS:
                 break
+
+
+def _introduced(text: str, start: int, context: str) -> str:
+    """Return a line with the one above it, if that introduces an example: ``For example, on kinetic:``."""
+    above = text[max(0, start - 400) : max(0, start)].rstrip("`~ \t\r\nabhs").rpartition("\n")[2]
+    return f"{above.strip()} {context}" if _EXAMPLE.search(above) else context
 
 
 def _further(topic: str, text: str, end: int) -> list[str]:

@@ -1,0 +1,30 @@
+"""Compiler options for the processor of the machine that builds, with which programs stop on other machines."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslab.evidence import places
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+MAX_FILES = 300
+"""Most CMake files that are searched, those nearest to the root first."""
+MAX_SIZE = 64 * 1024
+_NATIVE = pattern(r"^[^#\n]*?(-m(?:arch|cpu)=native)\b", re.MULTILINE)
+
+
+def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
+    """Yield what the author should know of the first such option: the message, the file and the line."""
+    files = [*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake")]
+    kept = (f for f in files if f.size <= MAX_SIZE and not places.test(f.path) and not places.example(f.path))
+    for file in sorted(kept, key=lambda f: (places.vendored(f.path), f.path.count("/"), f.path))[:MAX_FILES]:
+        text = repository.read(file)
+        if "=native" in text and (match := _NATIVE.search(text)):
+            message = (
+                f"{match[1]} compiles for the processor of the machine that builds the image: on another one its "
+                "programs may stop with an illegal instruction; take it out, or name an older processor"
+            )
+            yield message, file.path, text.count("\n", 0, match.start(1)) + 1
+            return

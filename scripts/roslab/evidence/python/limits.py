@@ -1,0 +1,51 @@
+"""Signs in Python code of the oldest Python that reads it, and in launch files of the ROS 2 that starts them."""
+
+from __future__ import annotations
+
+from roslab.evidence import places
+from roslab.evidence.facts import CodeLimit
+from roslab.evidence.python.imports import MAX_READ, modules
+from roslab.knowledge.code_limits import Limit, limits
+from roslab.repository.checkout import Repository
+
+NODES = "Python of nodes"
+"""The library of a sign in the code of a node of ROS, which runs with the Python of the Ubuntu."""
+
+
+def read(repository: Repository) -> tuple[CodeLimit, ...]:
+    """Return each sign at its first place; of nodes and of other code apart.
+
+    Tests and examples tell nothing, nor do launch files that are written for two versions.
+    """
+    signs = [limit for limit in limits() if limit.where in {"python", "launch"}]
+    found: dict[tuple[str, str], CodeLimit] = {}
+    for file in modules(repository):
+        if places.test(file.path) or places.example(file.path):
+            continue
+        text = repository.read(file, limit=MAX_READ)
+        launch, node = "LaunchDescription" in text, "rospy" in text or "rclpy" in text
+        for sign in signs:
+            if (sign.where == "launch") != launch or not any(hint in text for hint in sign.hints):
+                continue
+            library = NODES if node else sign.library
+            if (library, sign.what) not in found and (place := _first(sign, text)):
+                line = text.count("\n", 0, place) + 1
+                found[library, sign.what] = CodeLimit(
+                    library=library,
+                    at_least=sign.at_least,
+                    below=sign.below,
+                    what=sign.what,
+                    file=file.path,
+                    line=line,
+                )
+    all_found = tuple(found.values())
+    both = {limit.library for limit in all_found if limit.below} & {each.library for each in all_found if each.at_least}
+    return tuple(limit for limit in all_found if limit.library not in both)
+
+
+def _first(sign: Limit, text: str) -> int | None:
+    """Return the position of a sign that is in no comment, ``None`` where there is none; 0 is no position of one."""
+    for match in sign.pattern.finditer(text):
+        if not text[text.rfind("\n", 0, match.start()) + 1 : match.start() + 1].lstrip().startswith("#"):
+            return match.start() or 1
+    return None

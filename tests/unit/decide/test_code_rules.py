@@ -1,0 +1,217 @@
+"""What the code itself tells of the versions that it is for, whatever a page says."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.facts import Mention
+from roslab.evidence.gather import gather
+from roslab.evidence.lex.balance import unbalanced
+from roslab.repository.checkout import Repository
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = "<package><name>demo</name><buildtool_depend>{}</buildtool_depend></package>"
+CMAKE = "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package({} REQUIRED)\n{}add_executable(a a.cpp)\n"
+
+
+def ros1(page: str, code: str = "", cmake: str = "") -> dict[str, str]:
+    return {
+        "package.xml": PACKAGE.format("catkin"),
+        "CMakeLists.txt": CMAKE.format("catkin", cmake),
+        "a.cpp": f"{code}\nint main() {{}}\n",
+        "README.md": page,
+    }
+
+
+@pytest.mark.parametrize(
+    ("code", "distro"),
+    [
+        ("", "melodic"),
+        ("#include <boost/beast.hpp>", "noetic"),
+        ("#include <boost/process.hpp>", "melodic"),
+        ("Eigen::Vector<double, 3> v;", "melodic"),  # no Ubuntu of ROS 1 has it
+    ],
+)
+def test_the_code_excludes_what_it_does_not_compile_with(tree: Tree, code: str, distro: str) -> None:
+    assert tree(ros1("ROS Melodic\n", code)).ros_distro == distro
+
+
+def test_a_library_that_the_tree_builds_excludes_nothing(tree: Tree) -> None:
+    page = "ROS Melodic\n```\ngit clone https://github.com/boostorg/boost.git\ncd boost\nmake install\n```\n"
+    assert tree(ros1(page, "#include <boost/beast.hpp>")).ros_distro == "melodic"
+
+
+@pytest.mark.parametrize(
+    ("header", "ref"),
+    [
+        ("sophus/se3.h", "a621ff2e56c56c839a6c40418d42c3c254424b5c"),
+        ("sophus/se3.hpp", "1.22.10"),
+    ],
+)
+def test_the_release_of_a_library_is_the_one_that_the_code_includes(tree: Tree, header: str, ref: str) -> None:
+    cmake = (
+        "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package(Sophus REQUIRED)\nadd_executable(a a.cpp)\n"
+    )
+    decision = tree({"CMakeLists.txt": cmake, "a.cpp": f"#include <{header}>\nint main() {{}}\n"})
+    assert [(source.name, source.ref) for source in decision.source] == [("sophus", ref)]
+
+
+def test_ros_has_the_newer_sophus(tree: Tree) -> None:
+    decision = tree(ros1("ROS Noetic\n", "#include <sophus/se3.h>", "find_package(Sophus REQUIRED)\n"))
+    assert [source.name for source in decision.source] == ["sophus"]
+    assert "ros-noetic-sophus" not in decision.apt_guessed
+    decision = tree(ros1("ROS Noetic\n", "#include <sophus/se3.hpp>", "find_package(Sophus REQUIRED)\n"))
+    assert "ros-noetic-sophus" in decision.apt_guessed
+
+
+@pytest.mark.parametrize(
+    ("header", "ref"), [("gtsam/base/Vector.h", "4.0.3"), ("gtsam/nonlinear/GncOptimizer.h", "4.1.1")]
+)
+def test_gtsam_is_new_enough_for_the_code(tree: Tree, header: str, ref: str) -> None:
+    decision = tree(ros1("ROS Noetic\n", f"#include <{header}>", "find_package(GTSAM REQUIRED)\n"))
+    assert [(source.name, source.ref) for source in decision.source] == [("gtsam", ref)]
+
+
+LAUNCH = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package="demo", {}="a")])
+"""
+
+
+@pytest.mark.parametrize(
+    ("page", "word", "distro"),
+    [
+        ("ROS 2 Eloquent\n", "executable", "jazzy"),
+        ("ROS 2 Eloquent\n", "node_executable", "eloquent"),
+        ("ROS 2 Foxy\n", "executable", "foxy"),
+        ("ROS 2 Foxy\n", "node_executable", "foxy"),
+    ],
+)
+def test_the_words_of_a_launch_file(tree: Tree, page: str, word: str, distro: str) -> None:
+    decision = tree(
+        {
+            "package.xml": PACKAGE.format("ament_cmake"),
+            "CMakeLists.txt": CMAKE.format("ament_cmake", ""),
+            "launch/a.launch.py": LAUNCH.format(word),
+            "README.md": page,
+        }
+    )
+    assert decision.ros_distro == distro
+
+
+@pytest.mark.parametrize(
+    ("code", "distro"),
+    [
+        ("print(f'{1}')", "melodic"),
+        ("if (n := 1):\n    print(n)", "noetic"),
+        ("# if (n := 1):", "melodic"),
+        ("print('if (n := 1)')", "melodic"),
+    ],
+)
+def test_the_syntax_of_nodes_excludes_an_older_ubuntu(tree: Tree, code: str, distro: str) -> None:
+    files = ros1("ROS Melodic\n")
+    assert tree(files | {"node.py": f"{code}\n"}).ros_distro == "melodic"
+    assert tree(files | {"node.py": f"import rospy\n{code}\n"}).ros_distro == distro
+
+
+def test_the_syntax_of_the_code_bounds_its_python(tree: Tree) -> None:
+    match = "def f(a):\n    match a:\n        case 1:\n            return 2\n"
+    files = {"requirements.txt": "numpy==1.22.0\n", "main.py": "import numpy\n"}
+    older = tree(files).python.version
+    newer = tree(files | {"main.py": f"import numpy\n{match}"}).python.version
+    assert older
+    assert newer
+    assert tuple(map(int, newer.split("."))) >= (3, 10)
+
+
+EXAMPLE = """\
+Install ROS. Replace XXX by your distribution, for example, if you use ROS-kinetic, the command is:<br>
+```
+sudo apt-get install ros-kinetic-cv-bridge
+```
+"""
+
+
+@pytest.mark.parametrize(
+    ("page", "distro"),
+    [("ROS Kinetic\n", "kinetic"), (EXAMPLE, "noetic"), (EXAMPLE + "Tested on ROS melodic.\n", "melodic")],
+)
+def test_an_example_in_a_sentence_names_no_target(tmp_path: Path, page: str, distro: str) -> None:
+    for path, text in ros1(page).items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    evidence = gather(Repository.open(tmp_path))
+    date = Mention(topic="date", value="2024-01-25", source="commit", file=".git/HEAD", line=1, text="2024-01-25")
+    dated = replace(evidence, mentions=(*evidence.mentions, date))
+    assert decide(dated, Config(), folder_name="demo").ros_distro == distro
+
+
+@pytest.mark.parametrize(
+    ("text", "wrong"),
+    [
+        ("cd a && {curl -O x; cd -; }", True),
+        ("cd a && { curl -O x; cd -; }", False),
+        ("if [ -f a ]; then b; fi", False),
+        ("b; fi", True),
+        ("for i in 1 2; do echo $i; done", False),
+        ("for i in 1 2\ndo\n  if a; then { b; }; fi\ndone | c", False),
+        ("case $x in\n  a) b ;;\n  *) c ;;\nesac", False),
+        ("echo done fi }", False),
+        ("find . -exec rm {} \\; && awk '{print}' x", False),
+        ("f() { a; }; f", False),
+    ],
+)
+def test_what_no_shell_reads(text: str, wrong: bool) -> None:
+    assert bool(unbalanced(text)) is wrong
+
+
+def test_a_dockerfile_with_a_step_that_no_shell_reads_is_not_built(tree: Tree) -> None:
+    files = {"main.py": "print(1)\n", "requirements.txt": "numpy\n"}
+    good = "FROM python:3.9\nCOPY . /app\nRUN --network=none cd /app && { pip install numpy; cd -; }\n"
+    assert tree(files | {"Dockerfile": good}).dockerfile == "Dockerfile"
+    assert tree(files | {"Dockerfile": good.replace("{ pip", "{pip")}).dockerfile is None
+
+
+CPP = {
+    "CMakeLists.txt": "cmake_minimum_required(VERSION 3.5)\nproject(demo CXX)\nadd_executable(a a.cpp)\n",
+    "a.cpp": "#include <Eigen/Core>\nint main() {}\n",
+    "setup.py": "from setuptools import setup\nsetup(name='demo')\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("page", "kind"),
+    [
+        ("```\nmkdir build\ncd build\ncmake ..\nmake\n```\n", "cpp"),
+        ("```\nmkdir build\ncd build\ncmake ..\n```\nor\n```\npip install .\n```\n", "python"),
+        ("```\nmkdir build\ncd build\ncmake ..\n```\nor\n```\npython setup.py install\n```\n", "python"),
+        ("```\nmkdir build\ncd build\ncmake ..\n```\nor\n```\npip install demo\n```\n", "python"),
+        ("", "python"),
+    ],
+)
+def test_a_page_that_builds_with_cmake_beside_a_setup_py(tree: Tree, page: str, kind: str) -> None:
+    assert tree(CPP | {"README.md": page}).kind == kind
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ('set(CMAKE_CXX_FLAGS "-O3 -march=native")', True),
+        ("# set(CMAKE_CXX_FLAGS -march=native)", False),
+        ('set(CMAKE_CXX_FLAGS "-march=x86-64")', False),
+    ],
+)
+def test_an_option_for_the_processor_of_one_machine_is_told(tree: Tree, line: str, told: bool) -> None:
+    files = {"CMakeLists.txt": f"project(demo CXX)\n{line}\nadd_executable(a a.cpp)\n", "a.cpp": "int main() {}\n"}
+    found = [(w.file, w.line) for w in tree(files).warnings if "-march=native" in w.message]
+    assert found == ([("CMakeLists.txt", 2)] if told else [])
