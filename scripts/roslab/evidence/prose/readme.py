@@ -41,6 +41,8 @@ _START = pattern(
 _NAMED = pattern(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
 """A sentence that runs a program by its name."""
 MAX_LINKS = 100
+MAX_DEPTH = 3
+"""Of a page whose links count: that of a package may name the library that it alone needs."""
 _LINK = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?!\.?[\w/-])")
 """A page of a repository itself, not of a file in it."""
 _NAMED_PYTHON = pattern(
@@ -121,7 +123,7 @@ def _read(text: str, file: File) -> Prose:
 def _links(text: str, file: File) -> list[GitSource]:
     """Return the repositories that a page links to: one of them may be a library that CMake asks for by its name."""
     found: dict[str, GitSource] = {}
-    for match in _LINK.finditer(text) if file.path.count("/") <= 1 else ():
+    for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
         url, name = match[0].removesuffix(".git"), match[1].removesuffix(".git").rstrip(".")
         line = text.count("\n", 0, match.start()) + 1
         found.setdefault(
