@@ -33,6 +33,7 @@ from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.workspace import Packages, packages_of
 from roslab.decide.system.by_hand import as_written, by_hand
 from roslab.decide.system.inside import compiled_inside
+from roslab.decide.system.missing import decide_missing
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, started
 from roslab.decide.system.packages import decide_system, without_twins
@@ -143,6 +144,22 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cuda.answer.version,
     )
     command = decide_command(evidence, config, kind.answer, own.answer.file if own.answer else None)
+    missing = decide_missing(
+        evidence,
+        kind.answer,
+        build_tool.answer,
+        target=target,
+        packages=packages,
+        provided=(
+            *(*system.answer.apt, *system.answer.apt_guessed, *system.answer.rosdep, *system.answer.brought),
+            *(source.name for source in (*sources.answer.sources, *sources.answer.submodules)),
+            *(git.name for git in evidence.sources if git.kind != "link"),
+            *(each.name for each in evidence.prose),
+            *(each.key for each in everything if each.name),
+        ),
+        command=command.answer.command,
+    )
+    left_out = () if own.answer else missing.answer
     test = decide_test(config)
     platforms = decide_platforms(
         evidence, config, kind.answer, base.answer.image, distro, cuda.answer.version, python.answer, everything
@@ -164,6 +181,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         sources,
         system,
         inside,
+        *(() if own.answer else (missing,)),
     )
     return Decision(
         kind=kind.answer,
@@ -182,8 +200,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         vcs=sources.answer.vcs,
         submodules=() if own.answer else sources.answer.submodules,
         inside=inside.answer,
-        packages=tuple(manifest.file for manifest in packages.built) if kind.answer in _ROS else (),
-        package_names=_names(packages, kind.answer),
+        packages=tuple(m.file for m in packages.built if m.name not in left_out) if kind.answer in _ROS else (),
+        package_names=tuple(name for name in _names(packages, kind.answer) if name not in left_out),
+        left_out=left_out,
         workspace=layout.answer.workspace,
         cmake_folder=layout.answer.cmake_folder,
         program_folders=layout.answer.program_folders,

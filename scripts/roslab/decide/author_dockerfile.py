@@ -10,6 +10,7 @@ from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.ended_bases import ended
 from roslab.knowledge.frameworks import cuda_image
+from roslab.knowledge.official_images import published
 from roslab.knowledge.os_releases import has_ended, release_of
 from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
@@ -113,6 +114,8 @@ def doubt(  # noqa: PLR0911 - one doubt a line
         return f"it builds {authored.context}, not the whole repository"
     if authored.base is None or "$" in authored.base:
         return f"its base is not known: {authored.base or 'no FROM'}"
+    if not published(authored.base):
+        return f"its base {authored.base} is built on the author's machine first: Docker Hub has no image of that name"
     against = _base_doubt(authored.base, kind, ros_distro, mended=mended)
     return against or (None if mended else _tables_doubt(authored))
 

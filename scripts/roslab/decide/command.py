@@ -166,7 +166,8 @@ def _opened(evidence: Evidence, config: Config, command: str) -> bool:
 
 def _gui(evidence: Evidence, command: str) -> bool:
     """Tell whether a launch file starts a viewer, the code uses a library of windows, or the command's file has one."""
-    if any(d.namespace == "call" and d.file in command for d in evidence.code):
+    calls = (d for d in evidence.code if d.namespace == "call")
+    if any(d.file in command or d.role == "build" for d in calls):  # a compiled program is not named like its file
         return True
     if any(launch.gui for launch in evidence.launch):
         return True

@@ -142,6 +142,8 @@ class Decision:
     """Paths of the package.xml files that are built (neither ignored nor an asset)."""
     package_names: tuple[str, ...] = ()
     """Names of those packages, sorted; without metapackages of ROS 1."""
+    left_out: tuple[str, ...] = ()
+    """Packages that are not built, because nothing brings what they require and no other one needs them."""
     workspace: Literal["none", "overlay", "root"] = "none"
     """``overlay``: the repository is a folder of ``ws/src``; ``root``: the repository itself is the workspace."""
     cmake_folder: str = ""

@@ -265,6 +265,8 @@ class Evidence:
     bounds: tuple[Removed, ...] = ()
     """Upper bounds of Python packages, from removed names that the code uses."""
     limits: tuple[CodeLimit, ...] = ()
+    cmake_modules: frozenset[str] = frozenset()
+    """Names that a file of the tree finds for CMake: ``FindNAME.cmake``, ``NAMEConfig.cmake``."""
     """Versions of compilers and libraries that the C++ code compiles with."""
     cuda_files: tuple[str, ...] = ()
     worked_on: tuple[Mention, ...] = ()

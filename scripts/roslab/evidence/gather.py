@@ -60,6 +60,7 @@ def gather(repository: Repository) -> Evidence:
         worked_on=worked_on.read(repository),
         bounds=removed.read(repository),
         limits=(*signs.all(repository), *limits.read(repository)),
+        cmake_modules=cmake.modules(repository),
         cuda_files=cpp.cuda_files(repository),
         problems=(
             *repository.problems,

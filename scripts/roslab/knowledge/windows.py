@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from typing import Literal
 
 from roslab.knowledge.table import rows
 from roslab.values.pattern import pattern
@@ -21,14 +22,18 @@ def opens(where: str, name: str) -> bool:
 
 
 @cache
-def _calls() -> tuple[tuple[str, str, re.Pattern[str]], ...]:
-    return tuple((row["library"], row["hint"], pattern(row["pattern"], re.MULTILINE)) for row in rows("window_calls"))
+def _calls(language: str) -> tuple[tuple[str, str, re.Pattern[str]], ...]:
+    return tuple(
+        (row["library"], row["hint"], pattern(row["pattern"], re.MULTILINE))
+        for row in rows("window_calls")
+        if row["language"] == language
+    )
 
 
-def shown(text: str) -> dict[str, int]:
-    """Return the libraries by which a file of Python opens windows, each with the place of its first call."""
+def shown(text: str, language: Literal["python", "c++"] = "python") -> dict[str, int]:
+    """Return the libraries by which a file opens windows, each with the place of its first call."""
     found: dict[str, int] = {}
-    for library, hint, each in _calls():
+    for library, hint, each in _calls(language):
         if library not in found and hint in text and (match := each.search(text)):
             found[library] = match.start()
     return found

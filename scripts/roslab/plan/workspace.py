@@ -8,6 +8,7 @@ from typing import Literal, get_args
 
 from roslab.config.model import Config, Custom, Source
 from roslab.decide.decision import Decision
+from roslab.decide.system.missing import skipping
 from roslab.values.dataclass import dataclass
 
 RosTool = Literal["catkin_make", "catkin_tools", "colcon"]
@@ -129,7 +130,7 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
     of_sisters = dict.fromkeys(word for source in sisters for word in shlex.split(source.cmake_options))
     return RosBuild(
         tool=tool,
-        arguments=config.build_args if own else (),
+        arguments=(*config.build_args, *skipping(tool, decision.left_out)) if own else (),
         cmake_options=(*(_cmake_options(config) if own else ()), *of_sisters),
         setup=f"{WORKSPACE}/{'install' if tool == 'colcon' else 'devel'}/setup.bash",
     )

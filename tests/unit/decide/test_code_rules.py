@@ -215,3 +215,24 @@ def test_an_option_for_the_processor_of_one_machine_is_told(tree: Tree, line: st
     files = {"CMakeLists.txt": f"project(demo CXX)\n{line}\nadd_executable(a a.cpp)\n", "a.cpp": "int main() {}\n"}
     found = [(w.file, w.line) for w in tree(files).warnings if "-march=native" in w.message]
     assert found == ([("CMakeLists.txt", 2)] if told else [])
+
+
+@pytest.mark.parametrize(
+    ("code", "gui"),
+    [('cv::imshow("a", b);', True), ('  imshow("a", b);', True), ('// cv::imshow("a", b);', False), ("read();", False)],
+)
+def test_a_call_that_opens_a_window(tree: Tree, code: str, gui: bool) -> None:
+    made = "project(demo CXX)\nadd_executable(a a.cpp)\n"
+    assert tree({"CMakeLists.txt": made, "a.cpp": f"int main() {{\n{code}\n}}\n"}).gui is gui
+
+
+@pytest.mark.parametrize(
+    ("base", "built"),
+    [("python:3.9", True), ("lab/base:1", True), ("demo_base", False), ("demo_base:latest", False)],
+)
+def test_a_base_that_only_the_author_has(tree: Tree, base: str, built: bool) -> None:
+    files = {"main.py": "print(1)\n", "requirements.txt": "numpy\n"}
+    decision = tree(files | {"Dockerfile": f"FROM {base}\nCOPY . /app\nRUN pip install numpy\n"})
+    assert (decision.dockerfile == "Dockerfile") is built
+    if not built:
+        assert any(f"its base {base} is built on the author's machine" in r.reason for r in decision.reasons)

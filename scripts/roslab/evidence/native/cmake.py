@@ -66,6 +66,7 @@ _PROGRAMS_IN = frozenset({"CMAKE_RUNTIME_OUTPUT_DIRECTORY", "EXECUTABLE_OUTPUT_P
 _OUTPUT = pattern(
     r"^(?:\$\{((?:CMAKE|PROJECT|CMAKE_CURRENT)_(?:SOURCE|BINARY)_DIR)\})?((?:/|(?<!\})(?=[\w.]))[\w./-]*|)$"
 )
+_MODULE = pattern(r"^(?:Find([\w.+-]+)|([\w.+-]+?)-?[cC]onfig)\.cmake(?:\.in)?$")
 _TARGET = pattern(r"[A-Za-z][\w.+-]*$")
 
 
@@ -94,6 +95,12 @@ def read(repository: Repository) -> tuple[CMakeProject, ...]:
     found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
     kept = (p for p in found if p.name or p.dependencies or p.executables or p.macros)
     return tuple(sorted(kept, key=lambda project: project.file))
+
+
+def modules(repository: Repository) -> frozenset[str]:
+    """Return the names that a file of the tree finds for CMake: ``FindNAME.cmake``, ``NAMEConfig.cmake``."""
+    found = (_MODULE.match(file.name) for file in repository.suffixed(".cmake", ".in"))
+    return frozenset(match[1] or match[2] for match in found if match)
 
 
 def fetching(repository: Repository) -> tuple[Dependency, ...]:

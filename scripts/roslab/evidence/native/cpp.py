@@ -8,6 +8,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.native.limits import Signs
 from roslab.knowledge.libraries import library
+from roslab.knowledge.windows import shown as shown_by
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -26,14 +27,21 @@ _STANDARD = pattern(
 def read(repository: Repository, signs: Signs | None = None) -> tuple[Dependency, ...]:
     """Return the included headers that neither the tree nor the compiler has, each once, at its first place.
 
+    After them come the libraries that open windows by a call.
+
     ``signs`` is shown every file, so that each is read once.
     """
     found: dict[str, Dependency] = {}
+    opened: dict[str, Dependency] = {}
     for file in _sources(repository):
         text = repository.read_bytes(file, limit=MAX_READ).decode("utf-8", errors="replace")
         shown = signs if not file.name.endswith((".cu", ".cuh")) else None  # compiled where there is CUDA only
         if shown:
             shown.source(file.path, text)
+        for opener, place in shown_by(text, "c++").items() if not places.example(file.path) else ():
+            at = text.count("\n", 0, place) + 1
+            said = Dependency(namespace="call", name=opener, strength="used", file=file.path, line=at, role="build")
+            opened.setdefault(opener, said)
         position, line = 0, 1
         for match in _INCLUDE.finditer(text):
             name = match[1]
@@ -45,7 +53,7 @@ def read(repository: Repository, signs: Signs | None = None) -> tuple[Dependency
             line += text.count("\n", position, match.start(1))
             position = match.start(1)
             found[key] = Dependency(namespace="include", name=name, strength="used", file=file.path, line=line)
-    return tuple(found.values())
+    return (*found.values(), *opened.values())
 
 
 def cuda_files(repository: Repository) -> tuple[str, ...]:

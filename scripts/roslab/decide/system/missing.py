@@ -1,0 +1,78 @@
+"""Packages that CMake requires and that nothing in the image will have: what the build does about them."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Iterable, Iterator
+
+from roslab.config.model import BuildTool, Kind
+from roslab.decide.decision import Choice, Warning_
+from roslab.decide.reasons import warn
+from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.names import Target, resolve
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+
+_SKIP: dict[BuildTool, str] = {"colcon": "--packages-skip", "catkin_make": "-DCATKIN_BLACKLIST_PACKAGES="}
+"""How a build tool leaves packages out. https://colcon.readthedocs.io/en/released/reference/package-selection-arguments.html
+https://docs.ros.org/en/api/catkin/html/dev_guide/generated_cmake_api.html"""
+
+
+def decide_missing(
+    evidence: Evidence,
+    kind: Kind,
+    build_tool: BuildTool,
+    *,
+    target: Target,
+    packages: Packages,
+    provided: Iterable[str],
+    command: tuple[str, ...] | str,
+) -> Choice[tuple[str, ...]]:
+    """Return the packages to leave out of the build because of what they lack, none of which another one needs.
+
+    ``provided``: names of everything that is installed, built or cloned; a similar one is taken for the package. What
+    cannot be left out is told, for there the build stops.
+    """
+    if kind not in {"ros1", "ros2"}:
+        return Choice(answer=())
+    names = {plain(name) for name in provided}
+    lacking = {
+        package: asked
+        for package, asked in _required(evidence, packages)
+        if not resolve(asked, target).known and not any(plain(asked.name) in name for name in names)
+    }
+    needed = {d.name for m in packages.built if m.name not in lacking for d in m.dependencies if d.role != "test"}
+    started = command if isinstance(command, str) else shlex.join(command)
+    skipped: list[str] = []
+    warnings: list[Warning_] = []
+    for package, asked in lacking.items():
+        free = package not in needed and package not in started.split() and len(lacking) < len(packages.built)
+        if free and build_tool in _SKIP:
+            skipped.append(package)
+            then = f"{package} is left out of the build, which no other package needs"
+        else:
+            then = f"{build_tool} will stop at {package}"
+        hint = "give its repository under `source` in roslab.yaml"
+        warnings.append(warn(f"nothing is known that brings {asked.name}, which CMake requires: {then}; {hint}", asked))
+    return Choice(answer=tuple(sorted(skipped)), warnings=tuple(warnings))
+
+
+def skipping(build_tool: BuildTool, packages: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the arguments with which a build tool leaves packages out."""
+    if not packages or build_tool not in _SKIP:
+        return ()
+    option = _SKIP[build_tool]
+    return (option + ";".join(packages),) if option.endswith("=") else (option, *packages)
+
+
+def _required(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
+    """Yield each package with what its own CMakeLists.txt requires and no file of the tree finds."""
+    named = {manifest.file.rpartition("/")[0]: manifest.name for manifest in packages.built}
+    inside = packages.names | {project.name for project in evidence.cmake} | evidence.cmake_modules
+    for project in evidence.cmake:
+        package = named.get(project.file.rpartition("/")[0]) if "/" in project.file else named.get("")
+        for asked in project.dependencies if package else ():
+            required = asked.namespace == "cmake" and asked.strength == "declared" and asked.role != "test"
+            if package and required and asked.name not in inside:
+                yield package, asked

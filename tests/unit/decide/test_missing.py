@@ -1,0 +1,87 @@
+"""What CMake requires and nothing brings: the package is left out where the others do without, else it is told."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.plan.plan import Plan
+
+Tree = Callable[[dict[str, str]], Decision]
+
+
+def package(name: str, cmake: str = "", needs: str = "", tool: str = "ament_cmake") -> dict[str, str]:
+    depends = f"<depend>{needs}</depend>" if needs else ""
+    xml = f"<package format='3'><name>{name}</name><buildtool_depend>{tool}</buildtool_depend>{depends}</package>"
+    made = f"cmake_minimum_required(VERSION 3.8)\nproject({name})\nfind_package({tool} REQUIRED)\n{cmake}"
+    return {f"{name}/package.xml": xml, f"{name}/CMakeLists.txt": made}
+
+
+SDK = "find_package(acme_robot_sdk REQUIRED)\n"
+ROBOT = package("driver", SDK) | package("planner")
+
+
+def test_a_package_that_no_other_needs_is_left_out(tree: Tree) -> None:
+    decision = tree(ROBOT)
+    assert decision.left_out == ("driver",)
+    assert decision.package_names == ("planner",)
+    assert decision.packages == ("planner/package.xml",)
+    told = next(warning for warning in decision.warnings if "acme_robot_sdk" in warning.message)
+    assert "driver is left out of the build" in told.message
+    assert (told.file, told.line) == ("driver/CMakeLists.txt", 4)
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        package("driver", SDK),
+        ROBOT | package("planner", needs="driver"),
+        ROBOT | {"README.md": "```\nros2 run driver node\n```\n"},
+    ],
+)
+def test_a_package_that_is_needed_is_told(tree: Tree, files: dict[str, str]) -> None:
+    decision = tree(files)
+    assert decision.left_out == ()
+    assert any("colcon will stop at driver" in warning.message for warning in decision.warnings)
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"driver/cmake/Findacme_robot_sdk.cmake": ""},
+        {"driver/acme_robot_sdkConfig.cmake.in": ""},
+        {"README.md": "```\nsudo apt install libacme-robot-sdk-dev\n```\n"},
+        {"README.md": "It links to [the SDK](https://github.com/acme/acme_robot_sdk).\n"},
+        {"driver/README.md": "It links to [the SDK](https://github.com/acme/acme_robot_sdk).\n"},
+        {
+            "a.repos": "repositories:\n  acme_robot_sdk:\n    type: git\n    url: https://github.com/acme/acme_robot_sdk\n"
+        },
+        package("driver", "find_package(acme_robot_sdk)\n"),
+    ],
+)
+def test_what_may_come_from_somewhere_is_built(tree: Tree, more: dict[str, str]) -> None:
+    decision = tree(ROBOT | more)
+    assert decision.left_out == ()
+    assert not any("acme_robot_sdk, which CMake requires" in warning.message for warning in decision.warnings)
+
+
+def planned(folder: Path, files: dict[str, str]) -> Plan:
+    for path, text in files.items():
+        target = folder / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    return plan_repository(folder).plan
+
+
+@pytest.mark.parametrize(
+    ("tool", "arguments"),
+    [("ament_cmake", ("--packages-skip", "driver")), ("catkin", ("-DCATKIN_BLACKLIST_PACKAGES=driver",))],
+)
+def test_how_the_build_tool_is_told(tmp_path: Path, tool: str, arguments: tuple[str, ...]) -> None:
+    plan = planned(tmp_path, package("driver", SDK, tool=tool) | package("planner", tool=tool))
+    assert plan.workspace.ros
+    assert plan.workspace.ros.arguments == arguments
