@@ -37,7 +37,7 @@ def limits() -> tuple[Limit, ...]:
     return tuple(
         Limit(
             where=cast("Sign", row["where"]),
-            pattern=pattern(row["pattern"]),
+            pattern=pattern(row["pattern"], re.MULTILINE),
             library=row["library"],
             at_least=row["at_least"] or None,
             below=row["below"] or None,

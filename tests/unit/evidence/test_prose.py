@@ -243,3 +243,27 @@ def test_what_only_a_shell_knows_stays_unknown_in_a_command(tmp_path: Path, subs
     assert [mention.value for mention in prose.mentions if mention.topic == "command"] == [
         "ros2 run thing load …/lib/libtalker.so --once"
     ]
+
+
+SCRIPT = """\
+#!/bin/bash
+case $CUDA in
+  10.2)
+    pip install torch==1.8.0 spconv-cu102 ;;
+  *) pip install torch==1.10.0 spconv-cu111
+     pip install torchvision==0.11.1 ;;
+esac
+if [ -n "$GPU" ]; then
+  pip install tensorflow-gpu==1.15
+else
+  pip install tensorflow==1.15 numpy==1.18
+fi
+if true; then pip install numpy==1.19; fi
+"""
+
+
+def test_the_branches_of_a_script_are_alternatives(tmp_path: Path) -> None:
+    (tmp_path / "install.sh").write_text(SCRIPT)
+    written = [asked.written for asked in scripts.read(Repository.open(tmp_path)).requirements]
+    assert [each for each in written if each.startswith("torch")] == ["torch==1.8.0", "torchvision==0.11.1"]
+    assert [each for each in written if each.startswith("numpy")] == ["numpy==1.18", "numpy==1.19"]

@@ -43,6 +43,10 @@ def ranges(evidence: Evidence, pins: Iterable[Pin], aside: set[str]) -> Iterator
     for pin in pins:
         if pin.requirement.file not in aside:
             yield from _pinned(pin)
+
+
+def ranges_by_syntax(evidence: Evidence) -> Iterator[Range]:
+    """Yield the Pythons that can read the code."""
     for limit in evidence.limits:
         if limit.library == "Python" and limit.at_least:
             why = f"the code has {limit.what}"

@@ -12,7 +12,7 @@ from roslab.config.model import Config
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pythons import PREFERRED
-from roslab.decide.python.ranges import Range, ranges, ranges_by_use
+from roslab.decide.python.ranges import Range, ranges, ranges_by_syntax, ranges_by_use
 from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because, configured, outweighed
 from roslab.evidence import places
@@ -38,6 +38,9 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
         said = configured(config, "python", config.base.python, "base.python")
         return Choice(answer=config.base.python, reasons=(said,))
     known = tuple(ranges(evidence, pins, _telling(evidence)))
+    if known:  # syntax alone tells nothing of the version that is meant
+        usual = {*_fitting(known)}
+        known = (*known, *(each for each in ranges_by_syntax(evidence) if not usual <= each.pythons))
     named = sorted(_named(evidence, pins), key=_order)
     fitting = [python for python in _fitting(known) if evidence.day is None or existed(python, evidence.day)]
     chosen = next((reason for reason in named if reason.answer in fitting or reason.weight >= Weight.BELIEVED), None)

@@ -6,10 +6,12 @@ import re
 
 from roslab.evidence import places
 from roslab.evidence.facts import Prose
+from roslab.evidence.lex.branches import branches
 from roslab.evidence.lex.shell import fill_placeholders
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
+from roslab.values.requirement import Requirement
 
 MAX_SIZE = 128 * 1024
 MAX_SCRIPTS = 400
@@ -44,6 +46,7 @@ def read(repository: Repository) -> Prose:
             _assignments(text, collector)
             collector.text(text)
             found = collector.prose()
+            found = found._replace(requirements=_of_one_branch(found.requirements, text))
             parts.append(found._replace(mentions=tuple(m for m in found.mentions if m.topic == "compiled")))
     lists = (
         file
@@ -55,6 +58,20 @@ def read(repository: Repository) -> Prose:
     )
     parts += (_listed(repository.read(file), file.path) for file in lists)
     return merge(parts)
+
+
+def _of_one_branch(asked: tuple[Requirement, ...], text: str) -> tuple[Requirement, ...]:
+    """Keep of the branches of one ``if`` or ``case`` the first that installs a package: they are alternatives."""
+    if len({each.key for each in asked}) == len(asked):
+        return asked
+    places = branches(text)
+    first: dict[tuple[int, str], int] = {}
+    kept = []
+    for each in asked:
+        block, branch = places.get(each.line or 0, (0, 0))
+        if not block or not each.name or first.setdefault((block, each.key), branch) == branch:
+            kept.append(each)
+    return tuple(kept)
 
 
 def _assignments(text: str, collector: Collector) -> None:
