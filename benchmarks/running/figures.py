@@ -21,22 +21,22 @@ between the release that the plan names and the Debian below that name. What no 
 
 def sums(rows: Sequence[Row]) -> list[str]:
     """Return the figures of a reading, a sentence each."""
+    late = [row for row in rows if row.outcome == "late"]
     outside = [row for row in rows if row.outcome == "base missing" or (row.built is False and row.whose == "stand-in")]
-    able = [row for row in rows if row not in outside]
+    able = [row for row in rows if row not in outside and row not in late]
     built = [row for row in able if row.outcome in BUILT]
     commands = [row for row in built if row.command]
-    able_to_run = [row for row in commands if row.whose != "stand-in"]
+    stopped = [row for row in commands if row.whose == "stand-in"]
     runs = [row for row in commands if row.outcome == "runs"]
     needs = [row for row in commands if row.whose == "needs"]
     shells = [row for row in built if row.outcome == "shell"]
-    built_here = f"Built: {_share(sum(row.outcome in BUILT for row in rows), len(rows))}; "
-    ran = f"The command ran for a minute, or ended with 0: {_share(len(runs), len(commands))} of those that have one; "
-    ran += f"without the {len(commands) - len(able_to_run)} that the stand-ins stop, "
-    return [
-        f"{built_here}without the {len(outside)} that the stand-ins prevent, {_share(len(built), len(able))}.",
-        f"{ran}{_share(len(runs), len(able_to_run))}. {len(needs)} of the others said what they were not given.",
-        f"A shell in the place of a command, as a library has: {_share(len(shells), len(built))} of the images.",
-    ]
+    came = f"Built: {_share(len(built), len(rows))}; without {len(outside)} that only the stand-ins prevent, and "
+    came += f"{len(late)} that were not finished in time, {_share(len(built), len(able))}."
+    ran = f"Of the images with a command, {_share(len(runs), len(commands))} ran for a minute or ended with 0; without "
+    ran += f"{len(stopped)} that only the stand-ins stop, {_share(len(runs), len(commands) - len(stopped))}. "
+    ran += f"{len(needs)} of the others said that a device, data or arguments were missing."
+    alone = f"A shell in the place of a command, as a library has: {_share(len(shells), len(built))} of the images."
+    return [came, ran, alone]
 
 
 def title(name: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime as dt
+import os
 import shlex
 import signal
 import sys
@@ -62,7 +63,8 @@ def measure(listed: Listed, root: Path, way: Way) -> Row:
         with _at_most(way.limit):
             told.update(_measured(listed, root, way, told))
     except TimeOverError:
-        told.update(outcome="late", why=f"not finished in {way.limit} s", seconds=round(time.monotonic() - begun, 1))
+        why = f"not finished in {way.limit} s, at a load of {os.getloadavg()[1]:.0f} on {os.cpu_count()} cores"
+        told.update(outcome="late", why=why, seconds=round(time.monotonic() - begun, 1))
     return Row(**told)
 
 
