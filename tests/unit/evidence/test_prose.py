@@ -230,6 +230,21 @@ def test_pipx_and_the_pages_on_compiling(tmp_path: Path) -> None:
     assert sorted(named(read(readme, tmp_path, pages), "pip")) == [("cmake", 2), ("thing==10.*", 2)]
 
 
+@pytest.mark.parametrize("prompt", ["robot", "me@host:~/catkin_ws", "me@host:~", "(venv) robot", "me@host"])
+def test_what_a_shell_prints_before_a_command_is_none_of_it(tmp_path: Path, prompt: str) -> None:
+    page = f"`{prompt}$ python -m plan.run`\n\n```\n{prompt}$ roslaunch robot go.launch\n```\n"
+    prose = read(readme, tmp_path, {"README.md": page})
+    assert [mention.value for mention in prose.mentions if mention.topic == "command"] == [
+        "python -m plan.run",
+        "roslaunch robot go.launch",
+    ]
+
+
+def test_a_variable_is_no_prompt(tmp_path: Path) -> None:
+    prose = read(readme, tmp_path, {"README.md": "```\ncost$ is 5\n$HOME/run.sh\nmake && echo a$ b\n```\n"})
+    assert [mention.value for mention in prose.mentions if mention.topic == "command"] == []
+
+
 def test_a_build_command_alone_on_its_line(tmp_path: Path) -> None:
     page = "Build it:\n\n    cd ~/catkin_ws\n    catkin_make\n\nThen catkin_make is done.\n"
     found = read(readme, tmp_path, {"README.md": page})

@@ -38,6 +38,10 @@ _START = pattern(
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
     r"rosrun|catkin|catkin_make|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|(?:ba)?sh|mkdir|cd)\s.*|catkin_make|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
 )
+_PROMPT = pattern(
+    r"^\s{0,40}(?:\([\w.-]{1,40}\)\s?)?(?!\d)[\w.-]{1,40}(?:@[\w.-]{1,40})?(?::?[~/][\w./~-]{0,80})?\$\s(?=\S)"
+)
+"""What a shell prints before a command: ``user@host:~/ws$ ``, ``robot$ ``, ``(venv) robot$ ``."""
 _NAMED = pattern(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
 """A sentence that runs a program by its name."""
 MAX_LINKS = 100
@@ -192,12 +196,14 @@ def _section(line: str, below: str, elsewhere: int) -> int:
 
 
 def _shell(line: str, *, fenced: bool) -> Iterator[str]:
+    line = _PROMPT.sub("", line)
     if match := _START.match(line.replace("\\\n", "\\\x01")):
         shell = re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n")
         yield shell if fenced else shell.replace("`", "")  # in a block they are the shell's, not Markdown's
     elif fenced:
         yield line
     else:
-        yield from (span[2] for span in _SPAN.finditer(line) if TRIGGER.search(span[2]) and " " in span[2])
+        spans = (_PROMPT.sub("", span[2]) for span in _SPAN.finditer(line))
+        yield from (span for span in spans if TRIGGER.search(span) and " " in span)
         yield from (f"./{named[1]}" for named in _NAMED.finditer(line))
         yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
