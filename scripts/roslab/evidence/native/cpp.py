@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.native.limits import Signs
@@ -18,7 +16,8 @@ MAX_READ = 32 * 1024
 MAX_SOURCES = 2_500
 """Most source files opened, those nearest to the root first."""
 MAX_SIZE = 1024 * 1024
-_INCLUDE = pattern(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]", re.MULTILINE)
+_INCLUDE = pattern(r"#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]")
+"""It begins with a letter of its own, which is found much faster than the beginning of a line."""
 _STANDARD = pattern(
     r"^(?:[a-z_]+|c[a-z]+|std\w+\.h|bits/.*|sys/.*|linux/.*|arpa/.*|netinet/.*|net/.*|experimental/.*|(?:math|string|time|errno|signal|unistd|assert|ctype|fcntl|float|limits|inttypes|poll|pthread|termios|dirent|getopt|memory|locale|dlfcn|x86intrin|immintrin|emmintrin|xmmintrin|malloc|sched|wchar|windows)\.h)$"
 )
@@ -44,6 +43,8 @@ def read(repository: Repository, signs: Signs | None = None) -> tuple[Dependency
             opened.setdefault(opener, said)
         position, line = 0, 1
         for match in _INCLUDE.finditer(text):
+            if text[text.rfind("\n", 0, match.start()) + 1 : match.start()].strip(" \t"):
+                continue  # commented out
             name = match[1]
             if shown:
                 shown.header(name, file.path, text, match.start(1))
