@@ -48,3 +48,10 @@ def test_the_keys_with_lists_are_those_of_the_configuration() -> None:
 def test_a_key_with_one_value_is_shown_without_a_list() -> None:
     log = "AttributeError: module 'pkgutil' has no attribute 'ImpImporter'. Did you mean: 'zipimporter'?\n"
     assert "roslab.yaml: base.python: 3.11\n" in words.text(explain(io.BytesIO(log.encode())))
+
+
+def test_docker_that_a_step_calls_is_another_failure_than_docker_that_builds() -> None:
+    said = "Cannot connect to the Docker daemon at unix:///var/run/docker.sock. Is the docker daemon running?\n"
+    in_step = f"#6 [3/4] RUN docker pull robot\n#6 1.2 {said}#6 ERROR: process did not complete: exit code: 1\n"
+    found = [explain(io.BytesIO(log.encode())).explanations[0].id for log in (said, in_step)]
+    assert found == ["docker-daemon-absent", "service-not-running"]
