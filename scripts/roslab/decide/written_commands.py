@@ -25,6 +25,7 @@ _PLACEHOLDER = pattern(
 """Also ``yyy-yy``: a repeated letter stands for a value that the reader fills in."""
 _BRACKETS = pattern(r"<[^<>]{1,80}>|\[[^\[\]]{1,80}\]")
 """A blank of several words: ``<path to the data>``, ``[--option VALUE]``."""
+_OPTIONAL = pattern(r"\[\s*(?:-|\w+:=)")
 _NUMBERS = pattern(r"\[[.,\s-]*\d[\d.,\s-]*\]")
 """A list of numbers: ``--hid [32,32]``."""
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
@@ -107,7 +108,7 @@ def _filled(command: str) -> tuple[tuple[str, ...], bool]:
     """
     kept: list[str] = []
     gap = positional = False
-    for word in _BRACKETS.sub(lambda blank: blank[0] if _NUMBERS.fullmatch(blank[0]) else "<>", command).split():
+    for word in _BRACKETS.sub(_blank, command).split():
         blank = bool(_PLACEHOLDER.search(_NUMBERS.sub("", word))) or word.endswith(":=")
         value = bool(kept) and kept[-1].startswith("-") and not word.startswith("-")
         if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
@@ -119,6 +120,13 @@ def _filled(command: str) -> tuple[tuple[str, ...], bool]:
             gap = True
             positional = positional or not (value or word.startswith("-"))
     return tuple(kept), gap
+
+
+def _blank(match: re.Match[str]) -> str:
+    """Return a blank without its words, nothing for an argument that may be left out: ``[rviz:=true]``."""
+    if _NUMBERS.fullmatch(match[0]):
+        return match[0]
+    return "" if _OPTIONAL.match(match[0]) else "<>"
 
 
 def _named(words: list[str]) -> bool:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from roslab.config.model import Config
 from roslab.decide.author_dockerfile import Dockerfile, decide_dockerfile, doubt
 from roslab.evidence.facts import AuthorDockerfile, Evidence
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
 
 GOOD = AuthorDockerfile(
     file="docker/Dockerfile", line=1, base="ros:noetic-ros-base", base_line=1, copies_repository=True, clones=(),
@@ -66,3 +69,23 @@ def test_the_configuration_wins() -> None:
         Evidence(dockerfiles=(GOOD,)), Config(dockerfile="x/Dockerfile", context="x"), "ros1", "noetic"
     )
     assert choice.answer == Dockerfile(file="x/Dockerfile", context="x")
+
+
+def test_a_dockerfile_in_a_copy_of_another_project_is_not_the_authors(tmp_path: Path) -> None:
+    package = "<package><name>{}</name><buildtool_depend>catkin</buildtool_depend></package>"
+    files = {
+        "src/own/package.xml": package.format("own"),
+        "src/other/slam/package.xml": package.format("slam"),
+        "src/other/docker/Dockerfile": "FROM ros:kinetic\nCOPY ./ /ws/src/other/\nRUN catkin build\n",
+        "src/other/README.md": "Another project.\n",
+    }
+
+    def purpose(more: dict[str, str]) -> str:
+        for path, text in (files | more).items():
+            target = tmp_path / path
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(text, encoding="utf-8")
+        return gather(Repository.open(tmp_path)).dockerfiles[0].purpose
+
+    assert purpose({}) == "project"
+    assert purpose({"src/other/LICENCE": "GPL\n"}) == "vendored"

@@ -144,3 +144,12 @@ def test_what_cmake_clones_needs_git(tree: Tree) -> None:
     assert "git" in tree(files).apt_guessed
     files["external/glow.cmake"] = "# GIT_REPOSITORY\n"
     assert "git" not in tree(files).apt_guessed
+
+
+def test_what_cmake_fetches_itself_is_not_built_beside_it(tree: Tree) -> None:
+    page = "It needs [PoseLib](https://github.com/PoseLib/PoseLib).\n"
+    git = "GIT_REPOSITORY https://github.com/PoseLib/PoseLib.git GIT_TAG v2"
+    fetch = f"include(FetchContent)\nFetchContent_Declare(poselib {git})\n"
+    asked = "find_package(PoseLib REQUIRED)\n"
+    assert [source.name for source in tree(ros1(asked, page)).source] == ["PoseLib"]
+    assert tree(ros1(fetch + asked, page)).source == ()

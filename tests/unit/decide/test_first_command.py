@@ -140,6 +140,11 @@ def test_libraries_that_open_windows(tree: Tree, cmake: str, code: str, gui: boo
         ("rosrun demo demo_node <config file> 3\n", "rosrun demo demo_node"),
         ("rosrun demo demo_node <config file> 3\nrosrun demo demo_node 4\n", "rosrun demo demo_node 4"),
         ("roslaunch PATH_TO_PACKAGE map.launch\n", "bash"),
+        (
+            "roslaunch demo map.launch [rviz:=true] [--wait]\nroslaunch demo replay.launch\n",
+            "roslaunch demo map.launch",
+        ),
+        ("rosrun demo demo_node --size <small | large> 3\n", "rosrun demo demo_node 3"),
         ("rosrun demo demo_node -p a:=1 -p map:=<your map>\n", "rosrun demo demo_node -p a:=1"),
         ("roslaunch demo map.launch dir:=/where/to/store/it\n", "roslaunch demo map.launch"),
         ("```\n./start_all.sh\n```\n", "bash start_all.sh"),

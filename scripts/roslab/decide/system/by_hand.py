@@ -56,6 +56,7 @@ def by_hand(
     for git in sorted(evidence.sources, key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
         if (git.installed or git.kind == "link") and not places.vendored(git.file):
             offered.setdefault(plain(git.name), git)
+    taken |= {plain(git.name) for project in evidence.cmake for git in project.sources}  # CMake fetches it itself
     found: dict[str, tuple[Source, Dependency]] = {}
     for asked in code_needs(evidence, packages):
         name = re.sub(r"^lib(?=[a-z])", "", plain(asked.name))

@@ -27,8 +27,8 @@ TRIGGER = pattern(
 )
 """A line without any of these words is skipped."""
 _RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
-_BLANK = pattern(r"<[A-Za-z][^<>|&;\n]{0,60}>")
-"""A placeholder for the reader of a page to fill in."""
+_BLANK = pattern(r"<[A-Za-z][^<>|&;\n]{0,60}>|<[\w.-]{1,30}(?:\s?\|\s?[\w.-]{1,30}){1,12}>")
+"""A placeholder for the reader of a page to fill in, or to choose: ``<small | large>``."""
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
 _APT_NAME = pattern(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
