@@ -110,6 +110,12 @@ def test_the_words_of_a_launch_file(tree: Tree, page: str, word: str, distro: st
     assert decision.ros_distro == distro
 
 
+def test_a_launch_file_that_names_a_library_of_nodes_is_none_of_them(tree: Tree) -> None:
+    made = LAUNCH.replace("from launch_ros", "import rclpy\nfrom launch_ros").format("executable")
+    files = {"package.xml": PACKAGE.format("ament_cmake"), "CMakeLists.txt": CMAKE.format("ament_cmake", "")}
+    assert tree(files | {"launch/a.launch.py": made, "README.md": "ROS 2 Eloquent\n"}).ros_distro == "jazzy"
+
+
 @pytest.mark.parametrize(
     ("code", "distro"),
     [

@@ -27,7 +27,7 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
         for sign in signs:
             if (sign.where == "launch") != launch or not any(hint in text for hint in sign.hints):
                 continue
-            library = NODES if node else sign.library
+            library = NODES if node and not launch else sign.library
             if (library, sign.what) not in found and (place := _first(sign, text)):
                 line = text.count("\n", 0, place) + 1
                 found[library, sign.what] = CodeLimit(
