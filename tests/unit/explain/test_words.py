@@ -55,3 +55,13 @@ def test_docker_that_a_step_calls_is_another_failure_than_docker_that_builds() -
     in_step = f"#6 [3/4] RUN docker pull robot\n#6 1.2 {said}#6 ERROR: process did not complete: exit code: 1\n"
     found = [explain(io.BytesIO(log.encode())).explanations[0].id for log in (said, in_step)]
     assert found == ["docker-daemon-absent", "service-not-running"]
+
+
+def test_a_warning_of_an_old_python_is_not_taken_for_a_host_that_is_gone() -> None:
+    said = "#6 1.2 ssl_.py:79: InsecurePlatformWarning: A true SSLContext object is not available.\n"
+    gone = "#6 1.2 Retrying (Retry(total=0)) after connection broken by gaierror(-2, 'Name or service not known')\n"
+    end = "#6 1.2 No matching distribution found for a==1\n#6 ERROR: process did not complete: exit code: 1\n"
+    start = "#6 [3/4] RUN pip install a==1\n"
+    found = [explain(io.BytesIO((start + log + end).encode())).explanations[0].id for log in (said, said + gone)]
+    assert found[0] == "pip-ssl"
+    assert found[1] != "pip-ssl"
