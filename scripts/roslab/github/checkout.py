@@ -1,4 +1,4 @@
-"""Credentials that a checkout leaves in ``.git``, and how they are hidden from the author's own Dockerfile."""
+"""Where the checkout is, the credentials that it leaves in ``.git``, and how a Dockerfile is kept from them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import os
 import posixpath
 import re
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -22,6 +22,11 @@ CREDENTIAL = re.compile(rb"^\s*extraheader\s*=.*authorization|^\s*url\s*=\s*\w+:
 https://github.com/actions/checkout/blob/main/CHANGELOG.md"""
 MAX_CONFIG = 1_000_000
 """Number of bytes of a git configuration that are read."""
+
+
+def workspace(environment: Mapping[str, str]) -> Path:
+    """Return the checkout."""
+    return Path(environment.get("GITHUB_WORKSPACE") or ".").resolve()
 
 
 def part(workspace: Path, path: str) -> Path:

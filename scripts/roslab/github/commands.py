@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Mapping
 
 from roslab.errors import RoslabError
-from roslab.github import clean, drift, explaining, kept, proving, publishing, steps, workflow
+from roslab.github import building, clean, drift, explaining, kept, proving, publishing, slim, steps, workflow
 from roslab.github.run import Folder
 
 STEPS: Mapping[str, tuple[str, Callable[[Mapping[str, str]], None]]] = {
@@ -17,9 +17,10 @@ STEPS: Mapping[str, tuple[str, Callable[[Mapping[str, str]], None]]] = {
         steps.plan,
     ),
     "ready": ("Check the engine and the registry before anything is built.", steps.ready),
-    "dockerfile": ("Write the Dockerfile and the settings of the build.", steps.dockerfile),
+    "dockerfile": ("Write the Dockerfile and the settings of the build.", building.dockerfile),
     "explain": ("Say in plain words why the build failed.", explaining.explain),
     "prove": ("Run the image on its platforms.", proving.prove),
+    "slim": ("Build the slim image and run it on its platforms.", slim.slim),
     "index": ("Put the proved images under their commit's tag.", publishing.index),
     "tag": ("Move the other tags to the proved images.", publishing.tag),
     "summary": ("Write the job's summary.", steps.summary),

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from roslab.engine import docker as engine
@@ -20,6 +21,7 @@ from roslab.prove import containers
 from roslab.prove.ladder import climb
 from roslab.render.outcome import PlatformReport, ProofReport
 from roslab.render.sizes import LayerSize
+from roslab.values.dataclass import dataclass
 
 OUTPUT_LINES = 200
 """Lines of a proof's output that are kept for the summary."""
@@ -56,6 +58,84 @@ def prove(environment: Mapping[str, str]) -> None:
     tree.keep(tree.Carrier(plan=run.plan, folder=folder.dockerfile, platforms=platforms, **said), build["tree"])
 
 
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Attempt:
+    """What the proofs of one image showed."""
+
+    outcomes: tuple[containers.Outcome, ...]
+    ladder: Ladder
+    gpus: tuple[str, ...]
+
+    @property
+    def reports(self) -> tuple[ProofReport, ...]:
+        """The reports of the proofs, with the GPU that each one used."""
+        used = f", on {' and '.join(dict.fromkeys(self.gpus))}" if self.gpus else ""
+        return tuple(
+            ProofReport(
+                name=outcome.proof.name,
+                command=describe(outcome.proof) if outcome.proof.command else "",
+                passed=outcome.passed,
+                summary=f"{outcome.summary}{used}",
+                output="\n".join(outcome.output.splitlines()[-OUTPUT_LINES:])[-20_000:],
+                screenshot=outcome.screenshot.file.name if outcome.screenshot and outcome.screenshot.file else "",
+                screenshot_remark=outcome.screenshot.remark if outcome.screenshot else "",
+            )
+            for outcome in self.outcomes
+        )
+
+    @property
+    def failed(self) -> containers.Outcome | None:
+        """The proof that failed."""
+        return next((outcome for outcome in self.outcomes if not outcome.passed), None)
+
+    def failure(self, run: Run) -> Problem | None:
+        """Return why the image is not given a tag: the proof that failed, or the rung that it did not reach."""
+        if failed := self.failed:
+            hint = "correct the code, or name another `test` in roslab.yaml"
+            return Problem(message=f"on {failed.platform}, {failed.proof.name}: {failed.summary}", hint=hint)
+        if short := below(self.ladder, run.plan.proof_goals.rung):
+            return Problem(message=f"on {self.outcomes[0].platform}, {short}", hint=LOWER)
+        return None
+
+
+def attempt(run: Run, reference: str, platform: str, screenshots: Path) -> Attempt:
+    """Run an image that the engine holds, with the GPUs that the machine offers if it needs one."""
+    gpus = gpu.usable() if run.plan.run.gpu else ()
+    outcomes = containers.prove(
+        reference,
+        platform,
+        run.plan.proofs,
+        limits=run.plan.proof_limits,
+        goals=run.plan.proof_goals,
+        screenshots=screenshots,
+        gpus=bool(gpus),
+    )
+    ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals, gpu=run.plan.run.gpu)
+    return Attempt(outcomes=tuple(outcomes), ladder=ladder, gpus=tuple(gpus))
+
+
+def again(
+    folder: Folder, run: Run, build: Mapping[str, str], environment: Mapping[str, str]
+) -> tuple[engine.Build, dict[str, str]]:
+    """Return the build that an earlier step made, and its variables, for one that finds its layers in the builder."""
+    job = engine.Build(
+        context=Path(build["context"]),
+        dockerfile=Path(build["dockerfile"]),
+        labels=_pairs(build["labels"]),
+        arguments=_pairs(build["build-args"]),
+        contexts=_pairs(build["build-contexts"]),
+        target=build["target"] or None,
+        secrets=secrets.held(folder, run, environment),
+        extra=("--provenance=false",),
+    )
+    epoch = {"SOURCE_DATE_EPOCH": build["epoch"]} if build["epoch"] else {}
+    return job, epoch | ({POLICY: build["source-policy"]} if build["source-policy"] else {})
+
+
+def _pairs(lines: str) -> tuple[tuple[str, str], ...]:
+    return tuple((line.partition("=")[0], line.partition("=")[2]) for line in lines.splitlines())
+
+
 def _prove_pushed(  # noqa: PLR0917 - what one platform's image is proved with
     folder: Folder,
     run: Run,
@@ -68,20 +148,10 @@ def _prove_pushed(  # noqa: PLR0917 - what one platform's image is proved with
     base = registry.base_layers(run.plan.base_image, image.platform)
     with workflow.group(f"Prove {reference} on {image.platform}"):
         registry.pull(reference, image.platform)
-        given = _gpus(run)
-        outcomes = containers.prove(
-            reference,
-            image.platform,
-            run.plan.proofs,
-            limits=run.plan.proof_limits,
-            goals=run.plan.proof_goals,
-            screenshots=folder.artifact,
-            gpus=bool(given),
-        )
-        if run.lock and all(outcome.passed for outcome in outcomes):
+        shown = attempt(run, reference, image.platform, folder.artifact)
+        if run.lock and not shown.failed:
             locking.keep(folder, run, reference, image.platform, environment.get("ROSLAB_METADATA", ""))
         engine.remove_image(reference)
-    ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals, gpu=run.plan.run.gpu)
     for problem in disk.large_layers(run.image, [(layer.size, layer.created_by) for layer in image.layers]):
         workflow.warn(problem)
     layers = tuple(LayerSize(size=x.size, text=x.created_by, base=x.digest in base) for x in image.layers)
@@ -91,12 +161,12 @@ def _prove_pushed(  # noqa: PLR0917 - what one platform's image is proved with
             digest=image.digest,
             source=source,
             layers=layers,
-            proofs=_proofs(outcomes, given),
-            ladder=ladder,
+            proofs=shown.reports,
+            ladder=shown.ladder,
             build_seconds=seconds,
         )
     )
-    return _failure(folder, run, outcomes, ladder, environment)
+    return _failure(folder, run, shown, environment)
 
 
 def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
@@ -113,36 +183,12 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
     An image that people may try is kept as an archive once its proofs held.
     """
     candidate = runs.candidate(folder, run, platform)
-    pairs = tuple((line.partition("=")[0], line.partition("=")[2]) for line in build["labels"].splitlines())
-    authored = run.plan.author_dockerfile
-    job = engine.Build(
-        context=Path(build["context"]),
-        dockerfile=Path(build["dockerfile"]),
-        platforms=(platform,),
-        tags=(candidate,),
-        labels=pairs,
-        arguments=authored.args if authored else (),
-        target=authored.target if authored else None,
-        secrets=secrets.held(folder, run, environment),
-        extra=("--provenance=false",),
-    )
     with workflow.group(f"Load and prove {platform}"):
         if not build["exporter"].startswith("type=docker,"):
-            epoch = {"SOURCE_DATE_EPOCH": build["epoch"]} if build["epoch"] else {}
-            policy = {POLICY: build["source-policy"]} if build["source-policy"] else {}
-            digest, _ = engine.build(job, environment=epoch | policy)
-        given = _gpus(run)
-        outcomes = containers.prove(
-            candidate,
-            platform,
-            run.plan.proofs,
-            limits=run.plan.proof_limits,
-            goals=run.plan.proof_goals,
-            screenshots=folder.artifact,
-            gpus=bool(given),
-        )
-        ladder = climb(run.plan.proofs, outcomes, run.plan.proof_goals, gpu=run.plan.run.gpu)
-        failure = _failure(folder, run, outcomes, ladder, environment)
+            job, variables = again(folder, run, build, environment)
+            digest, _ = engine.build(replace(job, platforms=(platform,), tags=(candidate,)), environment=variables)
+        shown = attempt(run, candidate, platform, folder.artifact)
+        failure = _failure(folder, run, shown, environment)
         platforms = build["platforms"].split(",")
         archive, remark = trial.keep(folder, run, platform, platforms, environment) if failure is None else (None, "")
         engine.remove_image(candidate)
@@ -152,8 +198,8 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
             digest=digest,
             source="",
             layers=(),
-            proofs=_proofs(outcomes, given),
-            ladder=ladder,
+            proofs=shown.reports,
+            ladder=shown.ladder,
             build_seconds=seconds,
             archive=archive,
             archive_remark=remark,
@@ -162,37 +208,9 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
     return failure
 
 
-def _gpus(run: Run) -> tuple[str, ...]:
-    """Return the GPUs that a proof gets: all that the machine offers if the image needs one, otherwise none."""
-    return gpu.usable() if run.plan.run.gpu else ()
-
-
-def _proofs(outcomes: Sequence[containers.Outcome], gpus: Sequence[str]) -> tuple[ProofReport, ...]:
-    """Return the reports of the proofs, with the GPU that each one used."""
-    used = f", on {' and '.join(dict.fromkeys(gpus))}" if gpus else ""
-    return tuple(
-        ProofReport(
-            name=outcome.proof.name,
-            command=describe(outcome.proof) if outcome.proof.command else "",
-            passed=outcome.passed,
-            summary=f"{outcome.summary}{used}",
-            output="\n".join(outcome.output.splitlines()[-OUTPUT_LINES:])[-20_000:],
-            screenshot=outcome.screenshot.file.name if outcome.screenshot and outcome.screenshot.file else "",
-            screenshot_remark=outcome.screenshot.remark if outcome.screenshot else "",
-        )
-        for outcome in outcomes
-    )
-
-
-def _failure(
-    folder: Folder, run: Run, outcomes: Sequence[containers.Outcome], ladder: Ladder, environment: Mapping[str, str]
-) -> Problem | None:
-    """Return why the image is not given a tag: the proof that failed, or the rung that it did not reach."""
-    failed = next((outcome for outcome in outcomes if not outcome.passed), None)
-    if failed:
-        hint = "correct the code, or name another `test` in roslab.yaml"
-        failure = Problem(message=f"on {failed.platform}, {failed.proof.name}: {failed.summary}", hint=hint)
-        return explaining.explain_proof(folder, failure, failed.output, environment)
-    if short := below(ladder, run.plan.proof_goals.rung):
-        return Problem(message=f"on {outcomes[0].platform}, {short}", hint=LOWER)
-    return None
+def _failure(folder: Folder, run: Run, shown: Attempt, environment: Mapping[str, str]) -> Problem | None:
+    """Return why the image is not given a tag, with what its proof's output tells of the cause."""
+    failure = shown.failure(run)
+    if failure and shown.failed:
+        return explaining.explain_proof(folder, failure, shown.failed.output, environment)
+    return failure

@@ -47,6 +47,7 @@ def collect(folder: Folder, reports: Path, event: Event) -> Report:
         notes=(*_visibility(run, event, public=published.get("public")), *_lock(folder, run, event))
         if published
         else _origin(event),
+        slim=tuple(published.get("slim", ())),
         badge="\n".join(filter(None, (_badge(run, event), climbed.badge(platforms, run.revision)))),
     )
 

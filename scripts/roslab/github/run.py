@@ -16,6 +16,7 @@ from roslab.errors import ConfigurationError, Problem
 from roslab.github.inputs import Cache
 from roslab.plan.plan import Plan, from_json
 from roslab.render.outcome import PlatformReport
+from roslab.render.outcome import from_json as report_of
 from roslab.render.outcome import to_json as report_json
 from roslab.values.dataclass import dataclass
 
@@ -55,6 +56,11 @@ class Run:
     def registry(self) -> str:
         """Host of the image."""
         return self.image.partition("/")[0]
+
+    def here(self, environment: Mapping[str, str]) -> tuple[str, ...]:
+        """Return the platforms of this job: the one that it was given, otherwise all of the plan's."""
+        platform = environment.get("ROSLAB_PLATFORM")
+        return (platform,) if platform else self.plan.platforms
 
 
 def to_line(run: Run) -> str:
@@ -148,8 +154,14 @@ class Folder:
     def write_report(self, report: PlatformReport) -> None:
         """Keep what was built and proved for one platform."""
         self.artifact.mkdir(exist_ok=True)
-        file = self.artifact / f"report-{slug(report.platform)}.json"
-        file.write_text(report_json(report), encoding="utf-8")
+        self._report(report.platform).write_text(report_json(report), encoding="utf-8")
+
+    def report(self, platform: str) -> PlatformReport:
+        """Return what this job has kept for one platform."""
+        return report_of(self._report(platform).read_text(encoding="utf-8"))
+
+    def _report(self, platform: str) -> Path:
+        return self.artifact / f"report-{slug(platform)}.json"
 
 
 def candidate(folder: Folder, run: Run, platform: str) -> str:

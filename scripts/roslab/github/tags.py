@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from roslab.config.model import TagParts
 from roslab.errors import ConfigurationError, Problem
 from roslab.github.event import Event
+from roslab.plan.plan import SLIM
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
@@ -19,6 +20,7 @@ RESERVED = pattern(
 """Tags that mean a release, a commit, a cache or a pull request, which a branch of that name must not take."""
 TAKEN = pattern(r"latest|nightly|sha-[0-9a-f]{7,40}|buildcache-.*|pr-\d+")
 """The same for a git tag, which may have the name of a release."""
+SLIM_ENDING = f"-{SLIM}"
 SERIES = pattern(r"\d+\.\d+")
 RELEASE = pattern(r"v?(\d+)\.(\d+)\.(\d+)")
 
@@ -88,6 +90,11 @@ def dressed(reference: str, parts: TagParts) -> str:
     image, _, name = reference.rpartition(":")
     kept = name[: 128 - len(parts.prefix) - len(parts.suffix)]
     return f"{image}:{parts.prefix}{kept}{parts.suffix}"
+
+
+def of_slim(whole: TagParts) -> TagParts:
+    """Return what the tags of the slim image begin and end with."""
+    return TagParts(prefix=whole.prefix, suffix=whole.suffix + SLIM_ENDING)
 
 
 def _is_own(name: str, event: Event) -> bool:

@@ -9,7 +9,7 @@ from fnmatch import fnmatchcase
 
 from roslab.config.model import TagParts
 from roslab.engine.versions import Manifest, Version
-from roslab.github.tags import OWN, RESERVED, cleaned
+from roslab.github.tags import OWN, RESERVED, cleaned, of_slim
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
@@ -130,7 +130,7 @@ def _tagged(version: Version, names: Names, rules: Rules, closed: frozenset[str]
         return ""
     reasons = []
     for tag in version.tags:
-        name = _bare(tag, rules.parts)
+        name = _named(tag, rules.parts, names)
         if name is not None and OWN.fullmatch(name):
             continue  # a commit's tag is removed with its branch's; without one it stays
         pulls = frozenset({rules.pull}) if rules.pull else names.closed_pulls
@@ -178,6 +178,13 @@ def _bare(tag: str, parts: TagParts) -> str | None:
     if not (tag.startswith(parts.prefix) and tag.endswith(parts.suffix)):
         return None
     return tag.removeprefix(parts.prefix).removesuffix(parts.suffix)
+
+
+def _named(tag: str, parts: TagParts, names: Names) -> str | None:
+    """Return ``_bare``, of a slim image's tag that of the whole one's; a branch may end in the same word."""
+    whole, slim = _bare(tag, parts), _bare(tag, of_slim(parts))
+    known = {cleaned(each) for each in (*names.branches, *names.git_tags, *names.closed)}
+    return whole if slim is None or whole in known else slim
 
 
 def _matches(pattern: re.Pattern[str], versions: Iterable[Version]) -> list[re.Match[str]]:

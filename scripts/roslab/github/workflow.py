@@ -96,6 +96,11 @@ def outputs(values: Mapping[str, str], environment: Mapping[str, str] | None = N
     _append((environment or os.environ).get("GITHUB_OUTPUT"), text)
 
 
+def flag(value: bool) -> str:
+    """Return a truth as an output, which a workflow compares with a text."""
+    return "true" if value else "false"
+
+
 def _assignment(name: str, value: str) -> str:
     delimiter = f"end-{secrets.token_hex(16)}"
     return f"{name}<<{delimiter}\n{value}\n{delimiter}\n"

@@ -52,6 +52,22 @@ class ArchiveReport:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class SlimReport:
+    """What became of the slim image of one platform."""
+
+    digest: str = ""
+    """Digest of the image's manifest."""
+    source: str = ""
+    """Digest that was pushed, as in ``PlatformReport``."""
+    size: int = 0
+    """Bytes that a first pull transfers, 0 if it was not pushed."""
+    proofs: tuple[ProofReport, ...] = ()
+    ladder: Ladder = field(default_factory=Ladder)
+    failure: str = ""
+    """Why it gets no tag, ``""`` if it holds."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class PlatformReport:
     """What was built and proved for one platform."""
 
@@ -70,6 +86,8 @@ class PlatformReport:
     """Why there is no archive although one was wanted."""
     ladder: Ladder = field(default_factory=Ladder)
     """How far the image got."""
+    slim: SlimReport | None = None
+    """``None`` if no slim image was wanted, or the whole one failed."""
 
     @property
     def size(self) -> int:
@@ -119,6 +137,8 @@ class Report:
     repairs: tuple[Repair, ...] = ()
     notes: tuple[str, ...] = ()
     """Further notes in Markdown, for example on the cache or whether the package is public."""
+    slim: tuple[str, ...] = ()
+    """Tags of the slim image."""
     badge: str = ""
     """Markdown to paste into the README, ``""`` if there is no page to link to."""
 
@@ -143,7 +163,8 @@ def from_json(text: str) -> PlatformReport:
         report = Converter(forbid_extra_keys=True).structure(json.loads(text), PlatformReport)
     except (RecursionError, BaseValidationError) as error:
         raise ValueError(type(error).__name__) from None
-    if strange := [digest for digest in (report.digest, report.source) if digest and not DIGEST.fullmatch(digest)]:
+    digests = [digest for each in (report, report.slim) if each for digest in (each.digest, each.source) if digest]
+    if strange := [digest for digest in digests if not DIGEST.fullmatch(digest)]:
         raise ValueError(f"{strange[0]!r} is no digest")
     kept = report.archive
     if kept and not all(ARCHIVE.fullmatch(name) for name in (kept.artifact, kept.file, kept.name)):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from roslab.decide.decision import Reason
 from roslab.plan.plan import Plan
-from roslab.render import climbed
+from roslab.render import climbed, slim
 from roslab.render.markdown import block, code, folded, prose, table, text
 from roslab.render.outcome import PlatformReport, ProofReport, Repair, Report
 from roslab.render.sizes import chart, human
@@ -32,6 +32,7 @@ def summary(report: Report) -> str:
         _headline(report),
         *(pasted(repair) for repair in report.repairs),
         _platforms(report),
+        slim.section(report),
         _failed_proofs(report),
         _screens(report),
         climbed.sections(report.platforms),

@@ -97,6 +97,17 @@ def test_a_suffix_tells_calls_apart() -> None:
     assert going([version("a", "fix-it")], rules=rules) == []
 
 
+def test_a_slim_image_goes_with_the_whole_one() -> None:
+    tags = ("fix-it-slim", "sha-0123456-slim")
+    assert going([version("a", *tags)]) == ["a"]
+    assert going([version("a", "pr-7-slim")]) == ["a"]
+    assert going([version("a", "main-slim", "sha-0123456-slim")]) == []
+    suffixed = Rules(days=30, parts=TagParts(suffix="-humble"))
+    assert going([version("a", "fix-it-humble-slim")], rules=suffixed) == ["a"]
+    living = Names(branches=frozenset({"fix-it-slim"}), closed=frozenset({"fix-it"}))
+    assert [each.version.name for each in chosen([version("a", "fix-it-slim")], {}, living, RULES)] == []
+
+
 def test_digests_without_a_tag() -> None:
     """Those that an index names stay, those of a build that may run stay, the rest goes."""
     found = [

@@ -119,14 +119,3 @@ def test_nothing_is_fetched_for_a_strangers_code_that_holds_rights(
     assert not (tmp_path / "asked").exists()
     steps.source(environment)
     assert (tmp_path / "asked").exists(), "without a refusal it is asked, so the check above means something"
-
-
-def test_a_slim_image_is_no_part_of_what_is_published(
-    environment: dict[str, str], capsys: pytest.CaptureFixture[str]
-) -> None:
-    file = Path(environment["GITHUB_WORKSPACE"], "robots/arm/roslab.yaml")
-    steps.plan(environment)
-    assert "slim" not in capsys.readouterr().err
-    file.write_text(f"{file.read_text()}slim: true\n")
-    steps.plan(environment)
-    assert "::warning::the whole image alone is published: `roslab build --slim`" in capsys.readouterr().err
