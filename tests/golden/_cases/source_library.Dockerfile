@@ -103,7 +103,8 @@ COPY --from=scripts /compile-jobs /usr/local/bin/
 RUN mkdir --parents /home/${NB_USER}/source_library-build \
  && cd /home/${NB_USER}/source_library-build \
  && cmake -DCMAKE_BUILD_TYPE=Release /home/${NB_USER}/source_library \
- && make --jobs="$(compile-jobs)"
+ && make --jobs="$(compile-jobs)" \
+ && find . \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete
 
 
 FROM dependencies

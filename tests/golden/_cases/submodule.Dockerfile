@@ -73,7 +73,8 @@ COPY --from=scripts /compile-jobs /usr/local/bin/
 RUN mkdir --parents /home/${NB_USER}/submodule-build \
  && cd /home/${NB_USER}/submodule-build \
  && cmake -DCMAKE_BUILD_TYPE=Release /home/${NB_USER}/submodule \
- && make --jobs="$(compile-jobs)"
+ && make --jobs="$(compile-jobs)" \
+ && find . \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete
 
 ENV HOME=/home/${NB_USER}
 ENV PATH="/home/${NB_USER}/submodule-build:${PATH}"

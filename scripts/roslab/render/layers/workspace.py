@@ -14,6 +14,8 @@ from roslab.render.layers.system import fetch
 HOME = f"/home/{quote.USER}"
 WS = f"{HOME}/{WORKSPACE}"
 BUILD_CACHE = "/var/cache/roslab-build"
+TIDY = r"find . \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete"
+"""Removes what no program needs of a build folder; CMake's logs name random targets, another at each build."""
 
 
 def source_folder(plan: Plan) -> str:
@@ -132,7 +134,7 @@ def compile_inside(plan: Plan) -> str:
     for folder, options in plan.workspace.inside:
         build = quote.shell_with_user(f"{source_folder(plan)}/{folder}/build")
         cmake = f"cmake{_words(('-DCMAKE_BUILD_TYPE=Release', *options.split()))} .."
-        runs.append(shell.run(f"mkdir --parents {build}", f"cd {build}", cmake, f"make --jobs={shell.JOBS}"))
+        runs.append(shell.run(f"mkdir --parents {build}", f"cd {build}", cmake, f"make --jobs={shell.JOBS}", TIDY))
     return "\n".join(["# Libraries inside the repository", "USER ${NB_USER}", *runs])
 
 
@@ -194,5 +196,6 @@ def compile_program(plan: Plan) -> str:
         f"cd {build}",
         f"cmake{_words(program.cmake_options)} {quote.shell_with_user(source)}",
         f"make --jobs={shell.JOBS}{_words(program.arguments)}",
+        TIDY,
     )
     return f"# The program\nUSER ${{NB_USER}}\n{run}"
