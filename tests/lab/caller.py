@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import atexit
 import os
 import re
 import shutil
+import subprocess
+import tempfile
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -99,7 +103,7 @@ def mappings(caller: Path, actions: Path | None = None) -> dict[str, Path]:
             continue
         seen.add(file)
         for name, ref in _used(file):
-            folder = CHECKOUT if name == OURS else _action(name, chosen)
+            folder = program(CHECKOUT) if name == OURS else _action(name, chosen)
             if folder is None:
                 missing.add(f"{name}@{ref} (in {file.name})")
                 continue
@@ -109,6 +113,26 @@ def mappings(caller: Path, actions: Path | None = None) -> dict[str, Path]:
         names = ", ".join(sorted(missing))
         raise LabError(f"no stand-in and no copy of: {names}; put one under tests/lab/actions/OWNER__NAME")
     return found
+
+
+@cache
+def program(checkout: Path) -> Path:
+    """Return a copy of what a commit of the checkout would have, made once by each process.
+
+    For every run act reads an action's whole folder into memory, where it may not change: a virtual environment in it
+    costs more than the run does. A folder that is no checkout of git is returned as it is.
+    """
+    command = ["git", "-C", str(checkout), "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    answer = subprocess.run(command, capture_output=True, text=True, check=False)
+    if answer.returncode:
+        return checkout
+    place = Path(tempfile.mkdtemp(prefix="repro-action-"))
+    atexit.register(shutil.rmtree, place, ignore_errors=True)
+    for name in filter(None, answer.stdout.split("\0")):
+        if os.path.lexists(checkout / name):
+            (place / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(checkout / name, place / name, follow_symlinks=False)
+    return place
 
 
 def _used(file: Path) -> Iterable[tuple[str, str]]:
