@@ -266,16 +266,15 @@ def _tell(watch: Watch, finding: Finding, mending: Mending, what: Event) -> None
     )
     workflow.summary(pages.summary(finding, archived=archived), watch.environment)
     workflow.say(f"{finding.state}: {rot.counted(finding)}")
-    page = f"{what.server}/{what.repository}/actions/runs/{what.run}"
     keeper = issues.Keeper(event=what, subject=f"{run.image} {run.variant}", environment=watch.environment)
     if finding.state == "archived only":
         problems = _problems(finding, mending)
         text = pages.issue(
-            finding, archived=archived, problems=problems, repairs=mending.repairs, page=page, commit=run.revision
+            finding, archived=archived, problems=problems, repairs=mending.repairs, page=what.page, commit=run.revision
         )
         keeper.tell(pages.title(run.plan.name), text)
     elif finding.today.proved:
-        keeper.close(pages.repaired(run.revision, page))
+        keeper.close(pages.repaired(run.revision, what.page))
 
 
 def _problems(finding: Finding, mending: Mending) -> Sequence[str]:

@@ -73,6 +73,11 @@ class Event:
         return self.repository.partition("/")[0]
 
     @property
+    def page(self) -> str:
+        """Address of the run."""
+        return f"{self.server}/{self.repository}/actions/runs/{self.run}"
+
+    @property
     def branch(self) -> str | None:
         """Name of the branch that is built, ``None`` for a tag or a pull request."""
         return self.ref.removeprefix("refs/heads/") if self.ref.startswith("refs/heads/") else None

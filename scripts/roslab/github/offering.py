@@ -39,14 +39,9 @@ def offer(folder: Folder, run: Run, what: Event, digest: str, environment: Mappi
         workflow.say(f"{NAME} holds what was published")
         return
     try:
-        _offer(_Proposal(run, what, environment), text, moved.proposal(found, f"{run.image}@{digest}", page(what)))
+        _offer(_Proposal(run, what, environment), text, moved.proposal(found, f"{run.image}@{digest}", what.page))
     except (BuildError, KeyError, TypeError, ValueError) as error:
         workflow.say(f"no pull request with {NAME}: {error}")
-
-
-def page(what: Event) -> str:
-    """Return the address of the run."""
-    return f"{what.server}/{what.repository}/actions/runs/{what.run}"
 
 
 class _Proposal:

@@ -48,7 +48,7 @@ def index(environment: Mapping[str, str]) -> None:
     unsigned = signing.unsigned(what)
     made_now = {"digest": digest, "own": own, "digests": digests, "unsigned": unsigned, "slim": small}
     folder.write("index.json", json.dumps(made_now))
-    folder.write("proof.json", record.to_result(made, url=f"{what.server}/{what.repository}/actions/runs/{what.run}"))
+    folder.write("proof.json", record.to_result(made, url=what.page))
     signing_of = {"sign": "false" if unsigned else "true", "result": str(folder.path / "proof.json")}
     signing_of |= {"slim-digest": small["digest"] if small else "", "result-type": record.RESULT}
     workflow.outputs({"digest": digest, **signing_of}, environment)

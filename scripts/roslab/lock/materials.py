@@ -28,7 +28,7 @@ def of_metadata(text: str, known: Iterable[Material] = ()) -> tuple[Material, ..
     where nothing is said of them.
     """
     try:
-        listed = materials_of(text)
+        listed = _listed(text)
         digests = {f"sha256:{(each.get('digest') or {}).get('sha256')}" for each in listed}  # type: ignore[attr-defined]
         found = {each.source: each for each in (*(k for k in known if k.digest in digests), *_named(listed))}
         return tuple(found[source] for source in sorted(found))
@@ -36,6 +36,12 @@ def of_metadata(text: str, known: Iterable[Material] = ()) -> tuple[Material, ..
         message = "the build does not say which images it took"
         hint = "docker/build-push-action puts it out as `metadata`, unless BUILDX_METADATA_PROVENANCE is disabled"
         raise BuildError(Problem(message=message, hint=hint)) from None
+
+
+def _listed(text: str) -> list[dict[str, object]]:
+    if not any(name.startswith("buildx.build.provenance") for name in json.loads(text)):
+        raise ValueError
+    return materials_of(text)
 
 
 def _named(listed: Iterable[dict[str, object]]) -> tuple[Material, ...]:

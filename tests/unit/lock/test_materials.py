@@ -55,7 +55,7 @@ def test_what_buildx_says_of_a_build_of_several_platforms_is_read() -> None:
     ]
 
 
-@pytest.mark.parametrize("text", ["", "[]", "null", '{"buildx.build.provenance": {"buildDefinition": 1}}'])
+@pytest.mark.parametrize("text", ["", "[]", "{}", "null", '{"buildx.build.provenance": {"buildDefinition": 1}}'])
 def test_a_build_that_says_nothing_is_named(text: str) -> None:
     with pytest.raises(BuildError, match="does not say which images"):
         of_metadata(text)
