@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import os
 import re
+import subprocess
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -138,7 +140,7 @@ def test_every_script_is_called_by_some_dockerfile() -> None:
     folder = Path(image_scripts.__path__[0])
     calls = "".join(path.read_text() for path in folder.parent.rglob("*.py"))
     names = sorted(path.stem for path in folder.glob("*.sh"))
-    assert len(names) == 17
+    assert len(names) == 18
     assert [name for name in names if not re.search(rf"""["'/]{name}["' ]""", calls)] == []
 
 
@@ -390,6 +392,30 @@ def test_a_sister_is_prepared_after_its_clone_and_gives_the_workspace_its_option
     clone, prepare, build = positions(text, "git clone", "cp a.xml package.xml", "catkin_make -j")
     assert clone < prepare < build
     assert "'-DEDITION=R 1'" in text[build:].splitlines()[0]
+
+
+def test_the_tests_of_sisters_are_not_compiled() -> None:
+    sister = dataclasses.replace(SISTER, build="colcon")
+    with_sister: dict[str, Any] = {"source": (sister,), "ros_distro": "jazzy", "build_tool": "colcon"}
+    text = dockerfile(plan(**with_sister))
+    assert " && leave-out-tests src/sister \\\n" in text
+    assert "COPY --from=scripts /compile-jobs /reuse-build /leave-out-tests /usr/local/bin/" in text
+    for stated_by in (
+        dockerfile(plan(Config(cmake_options="-DBUILD_TESTING=ON"), **with_sister)),
+        dockerfile(plan(**{**with_sister, "source": ()})),
+    ):
+        assert "leave-out-tests" not in stated_by
+
+
+def test_colcon_is_told_of_each_sister(tmp_path: Path) -> None:
+    """The listing is what colcon prints; what colcon makes of the file is seen in the lab's builds with sisters."""
+    (tmp_path / "colcon").write_text("#!/bin/sh\nprintf 'beta\\nalpha_msgs\\n'\n")
+    (tmp_path / "colcon").chmod(0o755)
+    script = Path(image_scripts.__path__[0]) / "leave-out-tests.sh"
+    environment = {"PATH": f"{tmp_path}:{os.environ['PATH']}"}
+    subprocess.run(["bash", script, "src/sisters"], cwd=tmp_path, env=environment, check=True)
+    off = {"cmake-args": ["-DBUILD_TESTING=OFF"]}
+    assert json.loads((tmp_path / "colcon.meta").read_text()) == {"names": {"alpha_msgs": off, "beta": off}}
 
 
 def test_how_pip_builds(plan: Callable[..., Plan]) -> None:

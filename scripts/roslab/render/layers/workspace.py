@@ -14,6 +14,7 @@ from roslab.render.layers.system import fetch
 HOME = f"/home/{quote.USER}"
 WS = f"{HOME}/{WORKSPACE}"
 BUILD_CACHE = "/var/cache/roslab-build"
+WITHOUT_TESTS = "leave-out-tests"
 TIDY = r"find . \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete"
 """Removes what no program needs of a build folder; CMake's logs name random targets, another at each build."""
 
@@ -143,8 +144,9 @@ def compile_workspace(plan: Plan) -> str:
     build = plan.workspace.ros
     if build is None:
         return ""
-    run = shell.run(f"source {setups(plan)[0]}", *_commands(build))
-    return f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{run}"
+    run = shell.run(f"source {setups(plan)[0]}", *_commands(plan, build))
+    script = shell.copy_script(WITHOUT_TESTS) if WITHOUT_TESTS in run else ""
+    return f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{script}{run}"
 
 
 def compile_again(plan: Plan) -> str:
@@ -153,8 +155,9 @@ def compile_again(plan: Plan) -> str:
     if build is None:
         return ""
     kept = secrets.Secrets(mounts=(tree_mount(plan),))
-    run = shell.run(f". {setups(plan)[0]}", *_commands(build, again="reuse-build "), secrets=kept)
-    script = "COPY --from=scripts /compile-jobs /reuse-build /usr/local/bin/\n"
+    run = shell.run(f". {setups(plan)[0]}", *_commands(plan, build, again="reuse-build "), secrets=kept)
+    scripts = ("compile-jobs", "reuse-build", *((WITHOUT_TESTS,) if WITHOUT_TESTS in run else ()))
+    script = f"COPY --from=scripts{''.join(f' /{name}' for name in scripts)} /usr/local/bin/\n"
     run = run.replace(shell.copy_script("compile-jobs"), "")
     return f"ARG TARGETARCH\nWORKDIR {WS}\n{script}{run}"
 
@@ -165,7 +168,7 @@ def tree_mount(plan: Plan) -> str:
     return f"{cache},uid=${{NB_UID}},sharing=locked"
 
 
-def _commands(build: RosBuild, again: str = "") -> list[str]:
+def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
     options, arguments = _words(build.cmake_options), _words(build.arguments)
     cmake = f" \\\n      --cmake-args{options}" if options else ""
     match build.tool:
@@ -176,7 +179,15 @@ def _commands(build: RosBuild, again: str = "") -> list[str]:
             return [shell.SET_JOBS, f"{catkin}{cmake}{arguments}"]
         case "colcon":
             colcon = f'{again}colcon build --event-handlers console_direct+ --parallel-workers "${{jobs}}"'
-            return [shell.SET_JOBS, f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" \\\n    {colcon}{cmake}{arguments}']
+            build_all = f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" \\\n    {colcon}{cmake}{arguments}'
+            return [*_without_tests(plan, build), shell.SET_JOBS, build_all]
+
+
+def _without_tests(plan: Plan, build: RosBuild) -> list[str]:
+    """Return the command that leaves the tests of sisters out, unless somebody says whether tests are compiled."""
+    folders = [f"src/{source.name}" for source in plan.workspace.sources]
+    said = any("BUILD_TESTING" in option for option in (*build.cmake_options, *build.arguments))
+    return [f"{WITHOUT_TESTS}{_words(folders)}"] if folders and not said else []
 
 
 def _words(items: Iterable[str]) -> str:
