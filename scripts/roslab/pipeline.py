@@ -6,7 +6,6 @@ import datetime as dt
 import os
 import posixpath
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -27,7 +26,7 @@ from roslab.plan.version import SourceVersion, of_projects, source_version
 from roslab.render import FILES, OutputFile, render_all
 from roslab.repository import git as commits
 from roslab.repository.checkout import Repository, printable
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 
 if TYPE_CHECKING:

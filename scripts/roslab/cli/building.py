@@ -7,7 +7,6 @@ import os
 import sys
 import tempfile
 import uuid
-from dataclasses import replace
 from pathlib import Path
 
 from roslab.cli.planning import planned_of, warnings_of
@@ -22,6 +21,7 @@ from roslab.plan import record
 from roslab.plan.ladder import LOWER, Ladder, below, lines
 from roslab.plan.plan import SLIM
 from roslab.repository import git as commits
+from roslab.values.dataclass import replace
 from roslab.values.origin import Option
 
 

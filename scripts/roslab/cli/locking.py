@@ -7,7 +7,6 @@ import os
 import sys
 import tempfile
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from roslab.cli.building import prove
@@ -25,6 +24,7 @@ from roslab.plan.lock import to_text, without
 from roslab.plan.locked import Material
 from roslab.render import moved
 from roslab.render.dockerfile import question
+from roslab.values.dataclass import replace
 
 NEAREST = "a build takes what is left; build, look whether it still proves, and run `roslab lock`"
 

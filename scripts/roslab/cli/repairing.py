@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import io
-from dataclasses import field, replace
 
 from roslab.cli.planning import named, planned_of
 from roslab.config import locate
@@ -18,7 +17,7 @@ from roslab.repair import dockerfile, words
 from roslab.repair.change import Change, Given, Repair
 from roslab.repair.repair import repair
 from roslab.repository import fetching
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field, replace
 
 
 def given(planned: Planned) -> Given:

@@ -6,7 +6,6 @@ ignore, are reported with both lines.
 
 from __future__ import annotations
 
-from dataclasses import field
 from typing import Any
 
 import yaml
@@ -14,7 +13,7 @@ import yaml
 from roslab.config.cited import FORBIDDEN, MAX_PROBLEMS, shown
 from roslab.config.node import Mapping, Mark, Node, Scalar, ScalarKind, Sequence, in_file
 from roslab.errors import ConfigurationError, Problem
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 from roslab.values.origin import Place
 
 MAX_CHARACTERS = 64 * 1024

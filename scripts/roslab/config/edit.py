@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import json
-from dataclasses import field
 
 from roslab.config.node import Mapping, Node, Scalar
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 
 
 @dataclass(kw_only=True, slots=True)

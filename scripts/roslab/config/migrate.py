@@ -7,7 +7,6 @@ result is read and compared with the original; if they differ, a new file is wri
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 
 from roslab.config import written
 from roslab.config.document import parse
@@ -19,7 +18,7 @@ from roslab.config.reader import mapping_of, read
 from roslab.config.reading import Reading, Text
 from roslab.config.source import clone
 from roslab.errors import ConfigurationError
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 
 _RENAMED: dict[Generation, dict[str, str]] = {
     "paper": {"packages": "apt", "python-packages": "pip2", "repos": "repo"},

@@ -7,10 +7,9 @@ and versions are well formed.
 
 from __future__ import annotations
 
-from dataclasses import field
 from typing import Literal
 
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 from roslab.values.origin import Origin, Place
 
 Kind = Literal["ros1", "ros2", "cuda", "python", "cpp"]

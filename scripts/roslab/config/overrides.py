@@ -7,7 +7,6 @@ and reason can name the input or option that it is about.
 from __future__ import annotations
 
 from collections.abc import Sequence as Several
-from dataclasses import fields, replace
 from typing import Any
 
 from roslab.config import reader, vocabulary
@@ -19,7 +18,7 @@ from roslab.config.shape import Shape
 from roslab.config.vocabulary import Schema
 from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.distros import releases_of
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, fields, replace
 from roslab.values.origin import Input, Option, Origin
 from roslab.values.pattern import pattern
 

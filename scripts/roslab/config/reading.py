@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import field
-
 from roslab.config.node import Mapping, Node, Scalar, Sequence, Where
 from roslab.errors import Problem
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 from roslab.values.origin import Origin
 
 

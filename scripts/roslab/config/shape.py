@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import field, replace
 
 from roslab.config import vocabulary
 from roslab.config.advice import advice
@@ -17,7 +16,7 @@ from roslab.config.cited import MAX_PROBLEMS, shown
 from roslab.config.node import Mapping, Mark, Node, Scalar, Sequence, Where, kind
 from roslab.config.vocabulary import Schema
 from roslab.errors import Problem
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field, replace
 
 _FOUND = {
     "array": "a list",

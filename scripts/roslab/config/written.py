@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from typing import Any
 
 import yaml
 
 from roslab.config.model import Base, Config, Custom, ProofGoals, ProofLimits, Source
+from roslab.values.dataclass import asdict
 
 FOLDERS = {"source": "source", "home": "home", "root": "/"}
 """Today's words for the folders in which custom commands run."""

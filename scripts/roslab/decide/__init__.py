@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from roslab.config.model import Config, Kind
 from roslab.decide.author_dockerfile import decide_dockerfile
 from roslab.decide.base import decide_base, of_dockerfile
@@ -41,6 +39,7 @@ from roslab.decide.system.recipes import of_another_release, recipes_for
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.values.dataclass import replace
 
 _ROS: frozenset[Kind] = frozenset({"ros1", "ros2"})
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import datetime as dt
-from dataclasses import replace
 from typing import ClassVar
 
 from roslab.config.model import Config, Kind
@@ -19,7 +18,7 @@ from roslab.decide.system.code_fits import misfits
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import Distro, distros, ubuntu_released, ubuntus, variants
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 
 OLDEST_BY_DATE = "xenial"
 """No older Ubuntu is chosen by a date alone: code for an older one still compiles on it."""

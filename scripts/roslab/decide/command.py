@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import posixpath
 import shlex
-from dataclasses import replace
 
 from roslab.config.model import Config, Kind
 from roslab.decide.author_command import entry_point, startable, started
@@ -17,7 +16,7 @@ from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.windows import opens
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 from roslab.config.model import Config
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.reasons import because, configured, warn
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.distros import distros, ubuntu_released
+from roslab.values.dataclass import replace
 
 PAPER = "paper"
 """The day of the newest commit, else of the citation file."""

@@ -7,8 +7,6 @@ are therefore ignored, and a warning names those at the root that would be insta
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.decision import Choice, Python
 from roslab.decide.ros.layout import Layout
@@ -18,6 +16,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
+from roslab.values.dataclass import replace
 from roslab.values.origin import Origin, Place
 
 _ROS_TOOLS = frozenset({"catkin_make", "catkin_tools", "colcon"})

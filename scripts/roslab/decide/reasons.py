@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from typing import Protocol
 
 from roslab.config.model import Config
 from roslab.decide.decision import Reason, Warning_
+from roslab.values.dataclass import replace
 from roslab.values.origin import Input, Option, Place
 
 CONFIGURED = 1000

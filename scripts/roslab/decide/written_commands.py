@@ -5,7 +5,6 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate, program_of
@@ -14,7 +13,7 @@ from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
 _PLACEHOLDER = pattern(

@@ -12,7 +12,6 @@ import sys
 import tempfile
 from collections import deque
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from roslab.engine.secrets import Secret
@@ -20,7 +19,7 @@ from roslab.errors import BuildError, Problem
 from roslab.explain import words
 from roslab.explain.answer import explain
 from roslab.repository import git as commits
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 
 MINIMUM = 23
 """First engine whose built-in Dockerfile frontend knows here-documents: https://docs.docker.com/engine/release-notes/23.0/"""

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import field
 from typing import IO
 
 from roslab.explain import matter, names, signatures, steps
 from roslab.explain.reading import Line, lines
 from roslab.explain.steps import Log, Step
 from roslab.knowledge.repairs import complete, repairs
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 KEPT = 60_000

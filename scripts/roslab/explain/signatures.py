@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping
-from dataclasses import field
 from itertools import groupby, islice
 from string import Formatter
 
@@ -14,7 +13,7 @@ from roslab.explain.names import LOOKUPS, Image, Names
 from roslab.explain.reading import Line
 from roslab.explain.steps import Log, Step
 from roslab.knowledge.failures import Failure, compiled, failures
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 _ERRORS = pattern(r"CMake Error|(?i:\berror\b)|\*\*\*|Configuring incomplete")

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import field
 
 from roslab.explain import progress
 from roslab.explain.reading import Line
 from roslab.explain.skim import is_marked
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 MOST = 16_000

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 import shlex
-from dataclasses import asdict
 from typing import Any
 
 from roslab.errors import Problem
 from roslab.explain.answer import Answer, Explanation
+from roslab.values.dataclass import asdict
 
 
 def text(answer: Answer, *, lines: bool = True) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
 from roslab.engine.bases import Mended, mend
 from roslab.errors import BuildError, Problem
@@ -15,6 +14,7 @@ from roslab.github.labels import labels
 from roslab.github.run import Folder, Run, slug
 from roslab.pipeline import bases_of, preflight, write_bases, write_plan, write_policy
 from roslab.repository import git as commits
+from roslab.values.dataclass import replace
 
 Environment = Mapping[str, str]
 

@@ -8,12 +8,12 @@ import re
 import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 
 from roslab.errors import ConfigurationError, Problem, RefusedError, RoslabError
 from roslab.render.ignore import keeps_out
 from roslab.repository.checkout import printable
+from roslab.values.dataclass import replace
 from roslab.values.origin import Input, Place
 
 FLAGS = re.IGNORECASE | re.MULTILINE

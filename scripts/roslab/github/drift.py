@@ -10,7 +10,6 @@ import os
 import tempfile
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from roslab.engine import docker as engine
@@ -35,7 +34,7 @@ from roslab.prove import containers
 from roslab.prove.ladder import climb
 from roslab.render import rot as pages
 from roslab.repository import git as commits
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 
 Environment = Mapping[str, str]
 ATTEMPTS = 2

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import io
 import posixpath
 from collections.abc import Iterator, Mapping
@@ -25,7 +24,7 @@ from roslab.repair.change import Given, Repair
 from roslab.repair.hunk import Hunk, hunk
 from roslab.repair.repair import repair
 from roslab.repository.checkout import Repository
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 
 
@@ -67,7 +66,7 @@ def explain_proof(folder: Folder, failure: Problem, output: str, environment: Ma
     mending = mend(answer, run, _root(run, environment))
     _hand_over(folder, mending, environment)
     first = mending.problems[0]
-    return dataclasses.replace(first, message=f"{failure.message}: {first.message}")
+    return replace(first, message=f"{failure.message}: {first.message}")
 
 
 def _answer(log: str) -> Answer:
@@ -110,7 +109,7 @@ def _problems(answer: Answer, found: Repair, run: Run) -> Iterator[Problem]:
         changes = [str(change) for change in found.changes if change.failure == explanation.id]
         lines = f" In roslab.yaml: `{'; '.join(changes)}`." if changes and not run.plan.author_dockerfile else ""
         origin = Place(file=posixpath.join(run.path, place.file), line=place.line) if place else None
-        yield dataclasses.replace(problem, hint=f"{problem.hint}{lines}", origin=origin)
+        yield replace(problem, hint=f"{problem.hint}{lines}", origin=origin)
     if not known:
         yield Problem(message="the build failed", hint="the log of the step above says why")
 

@@ -8,14 +8,13 @@ https://docs.github.com/en/actions/how-tos/manage-workflow-runs/re-run-workflows
 
 from __future__ import annotations
 
-import dataclasses
 import json
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from roslab.errors import ConfigurationError, Problem
 from roslab.render.outcome import PlatformReport, Repair, from_json
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import asdict, dataclass
 
 NAME = "job.json"
 
@@ -106,6 +105,6 @@ def _write(folder: Path, platform: str, attempt: int, failures: Sequence[str], r
         "platform": platform,
         "attempt": attempt,
         "failures": list(failures),
-        "repairs": [dataclasses.asdict(each) for each in repairs],
+        "repairs": [asdict(each) for each in repairs],
     }
     (folder / NAME).write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")

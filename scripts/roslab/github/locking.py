@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from roslab.errors import BuildError, Problem
@@ -16,6 +15,7 @@ from roslab.plan.lock import NAME, digest, from_text, to_text, without
 from roslab.plan.locked import Lock
 from roslab.plan.plan import Plan
 from roslab.render.dockerfile import question
+from roslab.values.dataclass import replace
 
 ANNOTATION = "roslab.lock"
 """Of a published index: the digest of its lock."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Mapping
-from dataclasses import replace
 from pathlib import Path
 
 from roslab.engine import docker as engine
@@ -21,7 +20,7 @@ from roslab.prove import containers
 from roslab.prove.ladder import climb
 from roslab.render.outcome import PlatformReport, ProofReport
 from roslab.render.sizes import LayerSize
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 
 OUTPUT_LINES = 200
 """Lines of a proof's output that are kept for the summary."""

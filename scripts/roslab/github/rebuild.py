@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import dataclasses
 import re
 
 from roslab.github.event import Event
 from roslab.github.tags import RELEASE
+from roslab.values.dataclass import replace
 
 TAG = "refs/tags/"
 
@@ -17,7 +17,7 @@ def event_of(what: Event, rebuilt: str | None, revision: str) -> Event:
     ``rebuilt`` is the full name of that commit's git tag, ``""`` if it has none, ``None`` if the event's own commit is
     built.
     """
-    return what if rebuilt is None else dataclasses.replace(what, ref=rebuilt, sha=revision)
+    return what if rebuilt is None else replace(what, ref=rebuilt, sha=revision)
 
 
 def names(what: Event, image: str) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import dataclasses
 import hashlib
 import json
 import tempfile
@@ -18,7 +17,7 @@ from roslab.plan.plan import Plan, from_json
 from roslab.render.outcome import PlatformReport
 from roslab.render.outcome import from_json as report_of
 from roslab.render.outcome import to_json as report_json
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import asdict, dataclass, replace
 
 PORTABLE = 100_000
 """Most bytes of the line: a step reads another job's output from an environment variable, and Linux allows 128 KiB."""
@@ -83,11 +82,11 @@ def to_line(run: Run) -> str:
 
 
 def _thinner(run: Run, **changes: Any) -> Run:
-    return dataclasses.replace(run, plan=dataclasses.replace(run.plan, **changes))
+    return replace(run, plan=replace(run.plan, **changes))
 
 
 def _packed(run: Run) -> str:
-    text = json.dumps(dataclasses.asdict(run), ensure_ascii=True, separators=(",", ":"))
+    text = json.dumps(asdict(run), ensure_ascii=True, separators=(",", ":"))
     return base64.b64encode(zlib.compress(text.encode(), 9)).decode()
 
 

@@ -15,7 +15,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import field
 from pathlib import Path
 
 from roslab.engine.client import login
@@ -26,7 +25,7 @@ from roslab.github.access import OWN
 from roslab.github.event import Event
 from roslab.github.inputs import HOST
 from roslab.github.run import Folder, Run
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 from roslab.values.secret import PIP_INDEX, SSH, variable
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from roslab.engine import docker as engine
@@ -18,6 +17,7 @@ from roslab.github import run as runs
 from roslab.github.run import Folder, Run
 from roslab.plan.plan import SLIM
 from roslab.render.outcome import PlatformReport, SlimReport
+from roslab.values.dataclass import replace
 
 
 def complete(run: Run, reports: Sequence[PlatformReport]) -> bool:

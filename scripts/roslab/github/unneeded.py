@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import field
 from fnmatch import fnmatchcase
 
 from roslab.config.model import TagParts
 from roslab.engine.versions import Manifest, Version
 from roslab.github.tags import OWN, RESERVED, cleaned, of_slim
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 CACHE = pattern(r"buildcache-(?P<branch>.+)-[0-9a-f]{8}-(?:all|linux)(?:-[a-z0-9-]+)?(?P<tree>\.tree)?")

@@ -11,11 +11,11 @@ import secrets
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 
 from roslab.errors import Problem, RoslabError
 from roslab.repository.checkout import printable
+from roslab.values.dataclass import replace
 
 SUMMARY_LIMIT = 1024 * 1024
 """Most bytes of one step's summary; the runner drops a longer one completely."""

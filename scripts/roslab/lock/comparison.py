@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from typing import Literal
 
 from roslab.lock.inventory import Inventory
 from roslab.plan.locked import Lock, Machine
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 
 Kind = Literal["base", "apt", "pip", "conda", "source", "env"]
 KINDS: tuple[Kind, ...] = ("base", "apt", "pip", "conda", "source", "env")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from roslab import __version__
 from roslab.engine import docker as engine
@@ -17,6 +16,7 @@ from roslab.lock.steps import placed
 from roslab.plan.lock import python_of
 from roslab.plan.locked import Environment, Lock, LockedSource, Machine, Material
 from roslab.plan.plan import Plan
+from roslab.values.dataclass import replace
 
 ROSDISTRO = "https://github.com/ros/rosdistro.git"
 PYTHONS = {"image": "python3", "jupyter": "/opt/jupyter/bin/python", "python2": "python2"}

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from roslab.plan.locked import Package
 from roslab.plan.plan import Plan
+from roslab.values.dataclass import replace
 
 SOURCES = frozenset({"ca-certificates", "gnupg", "software-properties-common"})
 """What add-package-sources.sh installs."""

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from roslab.config.model import Source
 from roslab.decide.decision import Decision, Warning_
 from roslab.knowledge import days
 from roslab.knowledge.distros import distro
 from roslab.knowledge.os_releases import release_of, system_of
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

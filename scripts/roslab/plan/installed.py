@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 from packaging.version import Version
 
@@ -12,6 +11,7 @@ from roslab.knowledge.distros import python_of_ubuntu
 from roslab.plan.proof import Proof
 from roslab.plan.run import WORKSPACES
 from roslab.plan.workspace import ROS_TOOLS, Workspace
+from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any, Literal
 
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import asdict, dataclass
 
 NAMES = ("installs", "starts", "talks", "shows", "agrees", "runs on a GPU")
 """What holds on each rung, in their order."""
@@ -103,4 +102,4 @@ def below(ladder: Ladder, wanted: int | None) -> str:
 
 def to_data(ladder: Ladder) -> list[dict[str, Any]]:
     """Return a ladder for JSON."""
-    return [dataclasses.asdict(rung) for rung in ladder.rungs]
+    return [asdict(rung) for rung in ladder.rungs]

@@ -9,13 +9,13 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, fields, replace
 from typing import Any, TypeVar
 
 from roslab.config.model import Source
 from roslab.errors import ConfigurationError, Problem
 from roslab.plan.locked import Distribution, Environment, Lock, LockedSource, Machine, Material, Missing, Package
 from roslab.plan.plan import Plan
+from roslab.values.dataclass import asdict, fields, replace
 from roslab.values.origin import Place
 
 NAME = "roslab.lock"

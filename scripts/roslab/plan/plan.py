@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
 import re
 from typing import Any
@@ -34,7 +33,7 @@ from roslab.plan.run import Run, given
 from roslab.plan.upstreams import Upstream, upstreams
 from roslab.plan.version import SourceVersion
 from roslab.plan.workspace import Workspace, custom, library, workspace
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import asdict, dataclass
 
 VERSION = 1
 """Version of the plan's JSON; a reader refuses any other."""
@@ -263,7 +262,7 @@ def _slim(decision: Decision, config: Config) -> bool:
 
 def to_json(plan: Plan) -> str:
     """Return the plan as indented JSON, keys in the order of the fields; equal plans give equal bytes."""
-    return json.dumps(dataclasses.asdict(plan), indent=2, ensure_ascii=True) + "\n"
+    return json.dumps(asdict(plan), indent=2, ensure_ascii=True) + "\n"
 
 
 def from_json(text: str) -> Plan:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from roslab.decide.decision import Decision
 from roslab.plan.found_tests import found_tests
 from roslab.plan.installed import installed
 from roslab.plan.proof import Proof
 from roslab.plan.run import given
 from roslab.plan.workspace import Workspace
+from roslab.values.dataclass import replace
 
 
 def proofs(decision: Decision, place: Workspace) -> tuple[Proof, ...]:

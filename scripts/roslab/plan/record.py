@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
 from collections.abc import Mapping
 
@@ -11,7 +10,7 @@ from roslab.errors import ConfigurationError, Problem
 from roslab.plan.ladder import Ladder, Rung, title
 from roslab.plan.plan import Plan
 from roslab.plan.proof import Proof
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import asdict, dataclass
 
 KEY = "roslab.proof"
 """Annotation of an index and label of an image that hold the record."""
@@ -53,7 +52,7 @@ def record(plan: Plan, ladders: Mapping[str, Ladder]) -> Record:
 
 def to_json(made: Record) -> str:
     """Return a record as one line."""
-    return json.dumps(dataclasses.asdict(made), ensure_ascii=True, separators=(",", ":"))
+    return json.dumps(asdict(made), ensure_ascii=True, separators=(",", ":"))
 
 
 def to_result(made: Record, *, url: str) -> str:
@@ -66,7 +65,7 @@ def to_result(made: Record, *, url: str) -> str:
     for platform, ladder in made.platforms:
         for rung in ladder.rungs:
             tests[told[rung.state]].append(f"{platform}: {title(rung.number)}")
-    used = {"name": KEY, "mediaType": "application/json", "annotations": dataclasses.asdict(made)}
+    used = {"name": KEY, "mediaType": "application/json", "annotations": asdict(made)}
     result = "WARNED" if tests["warnedTests"] else "PASSED"
     return json.dumps({"result": result, "configuration": [used], "url": url, **tests}, ensure_ascii=True) + "\n"
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import shlex
-from dataclasses import replace
 from typing import Literal, get_args
 
 from roslab.config.model import Config, Custom, Source
 from roslab.decide.decision import Decision
 from roslab.decide.system.missing import skipping
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 
 RosTool = Literal["catkin_make", "catkin_tools", "colcon"]
 ROS_TOOLS: tuple[RosTool, ...] = get_args(RosTool)

@@ -8,7 +8,6 @@ import tempfile
 import time
 from collections.abc import Sequence
 from contextlib import ExitStack, suppress
-from dataclasses import replace
 from pathlib import Path
 
 from roslab.config.model import ProofGoals, ProofLimits
@@ -24,7 +23,7 @@ from roslab.prove.screenshot import Camera, Screenshot, file_name
 from roslab.prove.verdict import End, judge, verdict
 from roslab.prove.watch import Watch
 from roslab.prove.written import results
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 
 START_LIMIT = 300.0
 """Seconds that a container may take to start; a large image is unpacked first."""

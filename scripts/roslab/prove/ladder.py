@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
 
 from roslab.config.model import ProofGoals
 from roslab.knowledge.test_counts import count_of_tests
@@ -12,6 +11,7 @@ from roslab.plan.ladder import Ladder, Rung
 from roslab.plan.proof import Proof
 from roslab.prove.containers import Outcome
 from roslab.prove.graph import Graph
+from roslab.values.dataclass import replace
 
 _NO_PROGRAM = (126, 127)
 """Exit codes of ``docker run`` where there is no such program: https://docs.docker.com/engine/containers/run/"""

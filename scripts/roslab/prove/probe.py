@@ -8,13 +8,12 @@ from __future__ import annotations
 import subprocess
 import time
 from contextlib import suppress
-from dataclasses import field
 from importlib import resources
 from pathlib import Path
 
 from roslab.prove import graph
 from roslab.prove.graph import Graph
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 
 AGAIN = 1.0
 """Seconds after which a probe is started again, for example because the container was not yet running."""

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import field
 
 from roslab.engine.docker import output
 from roslab.knowledge.launches import launches
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 _NAME = pattern(r"\b(?:__name|__node):=(\S+)")

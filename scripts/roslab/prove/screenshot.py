@@ -11,12 +11,11 @@ import os
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslab.prove.display import Display
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 
 if TYPE_CHECKING:
     from PIL.Image import Image

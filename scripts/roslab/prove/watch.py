@@ -5,7 +5,6 @@ from __future__ import annotations
 import subprocess
 import time
 from contextlib import suppress
-from dataclasses import field
 
 from roslab.config.model import ProofGoals
 from roslab.engine import gpu
@@ -13,7 +12,7 @@ from roslab.plan.proof import Proof
 from roslab.prove.probe import Probe
 from roslab.prove.processes import Census
 from roslab.prove.screenshot import Camera
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field
 
 PROOF_SECONDS = 10.0
 """Seconds after which a program that keeps running counts as started."""

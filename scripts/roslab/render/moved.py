@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
 
 from roslab.lock.comparison import KINDS, Change, Comparison
 from roslab.render.markdown import block, code, folded
+from roslab.values.dataclass import asdict
 
 MOST = 200
 """Most lines of a proposal."""
@@ -49,7 +49,7 @@ def to_json(found: Comparison) -> str:
         "packages": found.packages,
         "moved": len(found.moved),
         "sizes": list(found.sizes),
-        "changes": [dataclasses.asdict(change) for change in found.changes],
+        "changes": [asdict(change) for change in found.changes],
     }
     return json.dumps(data, indent=2) + "\n"
 

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
 from collections.abc import Iterable
-from dataclasses import field
 
 from roslab.plan.ladder import Ladder
 from roslab.plan.plan import Plan
 from roslab.render.sizes import LayerSize
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import asdict, dataclass, field
 from roslab.values.pattern import pattern
 
 DIGEST = pattern(r"sha256:[0-9a-f]{64}")
@@ -151,7 +149,7 @@ def platforms_of(reports: Iterable[PlatformReport], plan: Plan) -> tuple[Platfor
 
 def to_json(report: PlatformReport) -> str:
     """Return a platform's report as JSON, for a later job."""
-    return json.dumps(dataclasses.asdict(report), indent=2) + "\n"
+    return json.dumps(asdict(report), indent=2) + "\n"
 
 
 def from_json(text: str) -> PlatformReport:

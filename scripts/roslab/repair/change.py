@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from roslab.config.addition import LISTS, Entry
 from roslab.config.model import Config
 from roslab.evidence.facts import Evidence
 from roslab.plan.plan import Plan
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 
 from roslab.evidence.lex.dockerfile import Instruction, instructions
 from roslab.explain.answer import Answer, Explanation
@@ -13,7 +12,7 @@ from roslab.explain.signatures import filled
 from roslab.explain.words import dockerfile_lines
 from roslab.knowledge.repairs import complete, repairs
 from roslab.repair import base_image
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

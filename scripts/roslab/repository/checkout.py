@@ -7,13 +7,13 @@ import io
 import os
 import re
 from collections.abc import Callable, Collection
-from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 from roslab.repository import git, listing
 from roslab.repository.listing import File, Listing, list_tree
+from roslab.values.dataclass import dataclass, field, replace
 
 __all__ = ["MAX_TEXT", "File", "Repository", "printable"]
 

@@ -1,38 +1,58 @@
-"""``dataclasses.dataclass`` with methods that are shared, for the quick start of a program with many small values.
+"""``dataclasses`` with methods that are shared, for the quick start of a program with many small values.
 
-The standard one compiles six methods for each class: two fifths of the time of a plan with Python 3.11
-(``benchmarks/plan.py``). What a decorated class does is the same: fields, ``replace``, ``asdict``, keywords alone,
-equality and hash by the compared fields, no assignment to what is frozen. Only ``slots`` is not followed: it would need
-a second class.
+The standard module compiles six methods for each class and imports what inspects source code: two fifths of the time
+of a plan with Python 3.11 (``benchmarks/plan.py``). What a decorated class does is the same: fields, ``replace``,
+``asdict``, keywords alone or not, equality and hash by the compared fields, no assignment to what is frozen. The
+standard functions take its values too. Only ``slots`` is not followed: it would need a second class.
 """
 
 from __future__ import annotations
 
-import dataclasses
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
-if TYPE_CHECKING:
-    from dataclasses import dataclass as dataclass  # noqa: PLC0414 - the checker takes it for the standard one
+__all__ = ["Field", "asdict", "dataclass", "field", "fields", "replace"]
+
+if TYPE_CHECKING:  # the checker takes them for the standard ones
+    from dataclasses import Field, asdict, dataclass, field, fields, replace
 else:
 
-    def dataclass(*, frozen: bool = False, eq: bool = True, kw_only: bool = False, slots: bool = False) -> Any:
-        """Return a decorator for a class whose fields are given by keyword.
+    class Field:
+        """A field of a class: its name, the text of its type, its default, and what it takes part in."""
 
-        Raises ``TypeError``, as the standard one does, if a class asks for anything else.
+        def __init__(self, default: Any, default_factory: Any, init: bool, repr_: bool, compare: bool) -> None:
+            self.name = self.type = ""
+            self.default, self.default_factory = default, default_factory
+            self.init, self.repr, self.compare = init, repr_, compare
+
+    def field(
+        *,
+        default: Any = ...,
+        default_factory: Callable[[], Any] | None = None,
+        init: bool = True,
+        repr: bool = True,  # noqa: A002 - the standard names
+        compare: bool = True,
+    ) -> Any:
+        """Return what stands behind a field's name in a class; ``...`` is no default."""
+        return Field(default, default_factory, init, repr, compare)
+
+    def dataclass(
+        cls: type | None = None, /, *, frozen: bool = False, eq: bool = True, kw_only: bool = False, slots: bool = False
+    ) -> Any:
+        """Add to a class what its fields call for; with keywords alone, return the decorator that does so.
+
+        Raises ``ValueError`` for a default that could be changed, ``TypeError`` for a default of no field.
         """
-        if not kw_only:
-            raise TypeError("fields by position are the standard dataclass's")
         del slots
 
         def decorate(cls: type) -> type:
-            # Without methods of its own the standard one compiles nothing
-            cls = dataclasses.dataclass(init=False, repr=False, eq=False, kw_only=True)(cls)
-            cls.__init__ = _init(cls)
-            _add(cls, "__repr__", _repr(cls))
+            cls.__record_fields__ = found = _fields(cls)
+            cls.__dataclass_fields__ = _Standard()
+            cls.__init__ = _init(cls, found, by_position=not kw_only)
+            _add(cls, "__repr__", _repr(cls, found))
             if eq:
-                key = _key([field.name for field in dataclasses.fields(cls) if field.compare])
+                key = _key([each.name for each in found.values() if each.compare])
                 _add(cls, "__eq__", _eq(key))
                 cls.__hash__ = (lambda self: hash(key(self))) if frozen else None
             if frozen:
@@ -40,7 +60,72 @@ else:
                 cls.__delattr__ = _frozen
             return cls
 
-        return decorate
+        return decorate(cls) if cls else decorate
+
+    def fields(value: Any) -> tuple[Field, ...]:
+        """Return the fields of a class or of a value of it, in the order in which they are written."""
+        return tuple(value.__record_fields__.values())
+
+    def replace(value: Any, /, **changes: Any) -> Any:
+        """Return a value of the same class with some fields changed."""
+        given = {name: getattr(value, name) for name, each in value.__record_fields__.items() if each.init}
+        return value.__class__(**{**given, **changes})
+
+    def asdict(value: Any) -> Any:
+        """Return the fields by name, and so on within them, through tuples, lists and mappings."""
+        if hasattr(value, "__record_fields__"):
+            return {name: asdict(getattr(value, name)) for name in value.__record_fields__}
+        if isinstance(value, (list, tuple)):
+            return type(value)([asdict(each) for each in value])
+        return {key: asdict(each) for key, each in value.items()} if isinstance(value, dict) else value
+
+
+class _Standard:
+    """Stands for the fields of a class as the standard module keeps them, made when it asks."""
+
+    def __get__(self, value: Any, cls: Any) -> Mapping[str, Any]:
+        import dataclasses  # noqa: PLC0415 - what this module is there to spare
+
+        def standard(each: Any) -> tuple[str, str, Any]:
+            default = dataclasses.MISSING if each.default is ... else each.default
+            made: Any = dataclasses.field(
+                default=default,
+                default_factory=each.default_factory or dataclasses.MISSING,
+                init=each.init,
+                repr=each.repr,
+                compare=each.compare,
+            )
+            return each.name, each.type, made
+
+        described = [standard(each) for each in cls.__record_fields__.values()]
+        twin: Any = dataclasses.make_dataclass(cls.__name__, described, init=False, repr=False, eq=False, kw_only=True)
+        cls.__dataclass_fields__ = twin.__dataclass_fields__
+        found: Mapping[str, Any] = cls.__dataclass_fields__
+        return found
+
+
+def _fields(cls: type) -> dict[str, Field[Any]]:
+    """Return the fields of a class, those of the classes it stands on first; defaults become the class's attributes."""
+    found: dict[str, Any] = {}
+    for base in reversed(cls.__mro__[1:]):
+        found.update(vars(base).get("__record_fields__", {}))
+    for name, annotation in cls.__annotations__.items():
+        if "ClassVar" in str(annotation):
+            continue
+        given = vars(cls).get(name, ...)
+        each: Any = given if isinstance(given, Field) else field(default=given)
+        if each.default is not ... and each.default.__class__.__hash__ is None:
+            raise ValueError(f"{cls.__qualname__}: the default of {name} could be changed: use default_factory")
+        if each.default is not ...:
+            setattr(cls, name, each.default)
+        elif name in vars(cls):
+            delattr(cls, name)
+        each.name, each.type = name, annotation
+        found[name] = each
+    for name, given in vars(cls).items():
+        if isinstance(given, Field):
+            raise TypeError(f"{cls.__qualname__}: {name} has no type")
+    return found
 
 
 def _add(cls: type, name: str, method: Callable[..., Any]) -> None:
@@ -49,34 +134,38 @@ def _add(cls: type, name: str, method: Callable[..., Any]) -> None:
         setattr(cls, name, method)
 
 
-def _init(cls: type) -> Callable[..., None]:
-    fields = dataclasses.fields(cls)
-    taken = frozenset(field.name for field in fields if field.init)
-    defaults = {field.name: field.default for field in fields if field.default is not dataclasses.MISSING}
-    factories = [
-        (field.name, field.default_factory) for field in fields if field.default_factory is not dataclasses.MISSING
-    ]
-    required = taken - defaults.keys() - {name for name, _ in factories}
+def _init(cls: type, found: dict[str, Any], *, by_position: bool) -> Callable[..., None]:
+    defaults = {name: each.default for name, each in found.items() if each.default is not ...}
+    factories = [(name, each.default_factory) for name, each in found.items() if each.default_factory]
+    taken = [name for name, each in found.items() if each.init]
+    required = {name for name in taken if not (name in defaults or found[name].default_factory)}
+    filled = required | defaults.keys() | {name for name, _ in factories}
+    refused = found.keys() - taken
     after = getattr(cls, "__post_init__", None)
 
-    def __init__(self: Any, **given: Any) -> None:  # noqa: N807 - it becomes one
-        if not required <= given.keys() or not given.keys() <= taken:
-            missing, unknown = sorted(required - given.keys()), sorted(given.keys() - taken)
-            raise TypeError(f"{cls.__qualname__}: missing fields {missing}, unknown fields {unknown}")
-        values = vars(self)
+    def __init__(self: Any, /, *words: Any, **given: Any) -> None:  # noqa: N807 - it becomes one
+        if words:
+            named = dict(zip(taken if by_position else (), words, strict=False))
+            if len(named) < len(words) or named.keys() & given.keys():
+                raise TypeError(f"{cls.__qualname__}: {len(words)} fields by position")
+            given |= named
+        values = self.__dict__
         values.update(defaults)
         for name, make in factories:
             if name not in given:
                 values[name] = make()
         values.update(given)
+        if values.keys() != filled or (refused and not refused.isdisjoint(given)):
+            missing, unknown = sorted(required - given.keys()), sorted(given.keys() - set(taken))
+            raise TypeError(f"{cls.__qualname__}: missing fields {missing}, unknown fields {unknown}")
         if after:
             after(self)
 
     return __init__
 
 
-def _repr(cls: type) -> Callable[[Any], str]:
-    names = [field.name for field in dataclasses.fields(cls) if field.repr]
+def _repr(cls: type, found: dict[str, Any]) -> Callable[[Any], str]:
+    names = [name for name, each in found.items() if each.repr]
     return lambda self: f"{cls.__qualname__}({', '.join(f'{name}={getattr(self, name)!r}' for name in names)})"
 
 
@@ -90,4 +179,6 @@ def _eq(key: Callable[[Any], Any]) -> Callable[[Any, Any], Any]:
 
 
 def _frozen(self: Any, name: str, *_: Any) -> None:
-    raise dataclasses.FrozenInstanceError(f"{name} of {type(self).__qualname__} is not to be changed")
+    from dataclasses import FrozenInstanceError  # noqa: PLC0415 - a bug of ours
+
+    raise FrozenInstanceError(f"{name} of {type(self).__qualname__} is not to be changed")

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import field, replace
 from functools import cache
 from typing import TYPE_CHECKING, Literal
 
 from packaging.version import Version
 
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.name import canonicalize_name
 from roslab.values.version import version_of
 from roslab.values.wheel import Wheel, wheel_of

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement, RequirementOrigin, Role, free
 from roslab.values.specifier import specifiers

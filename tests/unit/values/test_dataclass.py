@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import copy
 import dataclasses
-from collections.abc import Callable
-from dataclasses import field
-from typing import Any
+import subprocess
+import sys
+from types import ModuleType
+from typing import Any, ClassVar
 
 import pytest
 
 from roslab.values import dataclass as quick
 
-Decorator = Callable[..., Callable[[type], type]]
 
+def classes(module: ModuleType) -> tuple[type, type, type, type]:
+    decorator: Any = module.dataclass
+    field: Any = module.field
 
-def classes(decorator: Decorator) -> tuple[type, type, type]:
     @decorator(frozen=True, kw_only=True, slots=True)
     class Point:
         """A value."""
@@ -42,17 +44,23 @@ def classes(decorator: Decorator) -> tuple[type, type, type]:
         def __post_init__(self) -> None:
             self.count = len(self.found)
 
-    return Point, Named, Growing
+    @decorator
+    class Pair:
+        left: int
+        kind: ClassVar[str] = "pair"
+        right: int = 0
+
+    return Point, Named, Growing, Pair
 
 
-@pytest.fixture(params=[dataclasses.dataclass, quick.dataclass], ids=["standard", "shared"])
-def made(request: pytest.FixtureRequest) -> tuple[Any, Any, Any]:
+@pytest.fixture(params=[dataclasses, quick], ids=["standard", "shared"])
+def made(request: pytest.FixtureRequest) -> tuple[Any, Any, Any, Any]:
     """Return the classes as each of the two makes them: one description holds for both."""
     return classes(request.param)
 
 
-def test_fields_defaults_and_properties(made: tuple[Any, Any, Any]) -> None:
-    point, named, growing = made
+def test_fields_defaults_and_properties(made: tuple[Any, Any, Any, Any]) -> None:
+    point, named, growing, _ = made
     one = named(x=1, name="a")
     assert (one.x, one.y, one.name, one.sum, one.seen) == (1, 2, "a", 3, [])
     assert one.seen is not named(x=1).seen
@@ -61,16 +69,16 @@ def test_fields_defaults_and_properties(made: tuple[Any, Any, Any]) -> None:
     assert growing(found={"a": 1}).count == 1
 
 
-def test_replace_and_copy(made: tuple[Any, Any, Any]) -> None:
-    point, named, _ = made
+def test_replace_and_copy(made: tuple[Any, Any, Any, Any]) -> None:
+    point, named, *_ = made
     assert dataclasses.replace(named(x=1, name="a"), x=5) == named(x=5, name="a")
     assert copy.copy(point(x=1)) == copy.deepcopy(point(x=1)) == point(x=1)
     with pytest.raises(TypeError):
         dataclasses.replace(point(x=1), z=5)
 
 
-def test_equality_and_hash(made: tuple[Any, Any, Any]) -> None:
-    point, named, growing = made
+def test_equality_and_hash(made: tuple[Any, Any, Any, Any]) -> None:
+    point, named, growing, _ = made
     assert point(x=1, secret="a") == point(x=1, secret="b")
     assert point(x=1) != point(x=2)
     assert point(x=1) != named(x=1)
@@ -81,8 +89,8 @@ def test_equality_and_hash(made: tuple[Any, Any, Any]) -> None:
         hash(growing())
 
 
-def test_what_is_frozen_stays(made: tuple[Any, Any, Any]) -> None:
-    point, _, growing = made
+def test_what_is_frozen_stays(made: tuple[Any, Any, Any, Any]) -> None:
+    point, _, growing, _ = made
     one = point(x=1)
     with pytest.raises(dataclasses.FrozenInstanceError):
         one.x = 2
@@ -94,7 +102,7 @@ def test_what_is_frozen_stays(made: tuple[Any, Any, Any]) -> None:
     assert other.count == 4
 
 
-def test_what_is_shown(made: tuple[Any, Any, Any]) -> None:
+def test_what_is_shown(made: tuple[Any, Any, Any, Any]) -> None:
     point, *_ = made
     assert repr(point(x=1, secret="hidden")).endswith("Point(x=1, y=2, names=())")
 
@@ -108,7 +116,40 @@ def test_missing_and_unknown_fields(made: tuple[Any, Any, Any], given: dict[str,
         point(1)
 
 
-def test_fields_by_position_are_refused() -> None:
-    decorator: Any = quick.dataclass
-    with pytest.raises(TypeError, match="position"):
-        decorator(frozen=True)
+def test_fields_by_position(made: tuple[Any, Any, Any, Any]) -> None:
+    pair = made[3]
+    assert pair(1, 2) == pair(1, right=2) == pair(left=1, right=2)
+    assert dataclasses.asdict(pair(1)) == {"left": 1, "right": 0}
+    assert pair.kind == "pair"
+    for words, named in (((1, 2, 3), {}), ((1,), {"left": 1}), ((), {"right": 1})):
+        with pytest.raises(TypeError):
+            pair(*words, **named)
+
+
+def test_a_default_that_could_be_changed_is_refused() -> None:
+    for module in (dataclasses, quick):
+        decorator: Any = module.dataclass
+        with pytest.raises(ValueError, match="default_factory"):
+
+            @decorator
+            class Shared:
+                names: list[str] = []  # noqa: RUF012 - what is tried
+
+
+def test_own_functions_answer_as_the_standard_ones() -> None:
+    point, named, growing, _ = classes(quick)
+    one: Any = named(x=1, name="a", seen=["b"])
+    within: Any = growing(found={"one": one, "more": [(one,)]})
+    assert quick.asdict(within) == dataclasses.asdict(within)
+    assert quick.replace(one, x=5) == dataclasses.replace(one, x=5) != one
+    for kind in (point, named, growing):
+        described = [
+            [(f.name, f.type, f.init, f.repr, f.compare) for f in m.fields(kind)] for m in (quick, dataclasses)
+        ]
+        assert described[0] == described[1]
+
+
+def test_a_plan_needs_no_standard_dataclass() -> None:
+    """It imports ``inspect``, with what reads source code."""
+    code = "import sys; import roslab.cli.planning; sys.exit('inspect' in sys.modules or 'dataclasses' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

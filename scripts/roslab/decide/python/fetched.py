@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import replace
 
 from roslab.decide.cuda.signs import sign_of_cuda
 from roslab.evidence.facts import Evidence, PythonProject
+from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
 
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from roslab.config.model import Config, Kind
 from roslab.decide.python.guesses import guesses, known_names
 from roslab.decide.python.manifests import conda_file, projects, requirement_files
 from roslab.decide.python.pins import DEVELOPMENT, Pin
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.requirement import Requirement
 
 

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from roslab.config.model import Config
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.knowledge.on_request import packages
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 

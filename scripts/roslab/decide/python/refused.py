@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 
 from roslab.decide.decision import Warning_
 from roslab.decide.python.manifests import with_includes
@@ -11,7 +10,7 @@ from roslab.decide.python.pythons import ANY
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.not_on_index import NotOnIndex, not_on_index
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement, free
 

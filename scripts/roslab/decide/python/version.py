@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 
 from packaging.version import Version
 
@@ -19,6 +18,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.days import existed
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.version import version_of
 

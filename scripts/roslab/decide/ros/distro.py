@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from roslab.config.model import Config, Kind
 from roslab.decide.day import existed, there
 from roslab.decide.decision import Choice, Reason
@@ -18,6 +16,7 @@ from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import Distro, default_distro, distro, distros, distros_of, successor
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
+from roslab.values.dataclass import replace
 
 
 def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Distro | None]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from roslab.config.model import BuildTool, Config, Kind, Source
@@ -19,6 +18,7 @@ from roslab.evidence.ros.vcs import https
 from roslab.knowledge.distros import distros
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.knowledge.ros_sources import RosSource, ros_sources
+from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 from roslab.values.secret import SSH

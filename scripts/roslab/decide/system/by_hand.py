@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.distro_dates import dated
@@ -15,6 +14,7 @@ from roslab.decide.system.needs import code_needs
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
+from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 
 SHORTEST = 3

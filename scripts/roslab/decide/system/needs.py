@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from roslab.config.model import Kind
 from roslab.decide.ros.workspace import Packages
@@ -11,6 +10,7 @@ from roslab.decide.system.names import written_for
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 _STARTED = pattern(r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch))\s+(?:--?\S+\s+)*([a-z][a-z0-9_]+)\s")

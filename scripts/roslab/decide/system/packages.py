@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Python, Reason, Warning_
@@ -22,6 +21,7 @@ from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.never import never
 from roslab.knowledge.on_request import packages as on_request
 from roslab.knowledge.recipes import recipe
+from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.requirement import Requirement
 
 _IN_ANY_ROS = ("catkin", "ros_base", "ros_core", "ament_cmake")

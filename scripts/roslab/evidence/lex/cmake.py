@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from functools import cache
 
+from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 _BRACKET_COMMENT = pattern(r"#\[(=*)\[.*?\]\1\]", re.DOTALL)

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 UNKNOWN = "\x00"

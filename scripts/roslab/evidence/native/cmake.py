@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import posixpath
 import re
-from dataclasses import dataclass, field
 
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import cmake_needs
 from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 MAX_PROJECTS = 3_000

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.facts import CodeLimit
 from roslab.knowledge.code_limits import Limit, limits
 from roslab.repository.checkout import Repository
+from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 _STANDARD = pattern(

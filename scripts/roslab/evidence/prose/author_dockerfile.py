@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import posixpath
 import re
-from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from roslab.evidence import places
@@ -16,6 +15,7 @@ from roslab.evidence.lex.shell import expand
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024

@@ -9,7 +9,6 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from dataclasses import replace
 
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
@@ -17,6 +16,7 @@ from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import TRIGGER, Collector, merge
 from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
 from typing import Any
 
 from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import poetry, requirements, setup_py
 from roslab.repository.checkout import Repository
 from roslab.values import toml
+from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement, Role

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import posixpath
 import re
-from dataclasses import replace
 from typing import Literal
 
 from roslab.evidence import places
 from roslab.evidence.facts import RequirementFile
 from roslab.repository.checkout import Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import requirement

@@ -5,8 +5,8 @@ from __future__ import annotations
 import ast
 import re
 import sys
-from dataclasses import dataclass, field
 
+from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 _FILE = pattern(r"^[\w./-]*(?:require|dep)[\w./-]*\.(?:txt|in)$", re.IGNORECASE)

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import replace
 
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.lex.yaml import load
 from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
