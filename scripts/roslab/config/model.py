@@ -13,7 +13,7 @@ from roslab.values.dataclass import dataclass, field
 from roslab.values.origin import Origin, Place
 
 Kind = Literal["ros1", "ros2", "cuda", "python", "cpp"]
-BuildTool = Literal["catkin_make", "catkin_tools", "colcon", "cmake", "pip", "conda", "none"]
+BuildTool = Literal["catkin_make", "catkin_tools", "rosmake", "colcon", "cmake", "pip", "conda", "none"]
 Generation = Literal["paper", "later", "interim", "today"]
 Compatible = Literal["paper", "later"]
 PullImage = Literal["image", "archive", "none"]

@@ -126,8 +126,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     recipes = (*sources.answer.libraries, *system.answer.recipes)
     older = of_another_release(evidence, system.answer.apt_guessed)
     libraries = as_written(recipes_for((*recipes, *older), base.answer.ubuntu, evidence.limits), evidence)
-    taken = sources.answer.names | {plain(source.name) for source, _ in libraries}
-    taken |= {plain(git.name) for git in evidence.sources if git.kind == "submodule"} | packages.names
+    taken = sources.answer.names | packages.names | {plain(source.name) for source, _ in libraries}
+    taken |= {plain(git.name) for git in evidence.sources if git.kind == "submodule"}
     linked = by_hand(evidence, config, kind.answer, target=target, packages=packages, taken=taken)
     depends = tuple(n for n in (*system.answer.apt, *system.answer.brought) if n.endswith("-dev"))
     linked = tuple((replace(source, depends=depends), asked) for source, asked in linked)
@@ -158,7 +158,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         ),
         command=command.answer.command,
     )
-    left_out = () if own.answer else missing.answer
+    left_out = () if own.answer else missing.answer.packages
     test = decide_test(config)
     platforms = decide_platforms(
         evidence, config, kind.answer, base.answer.image, distro, cuda.answer.version, python.answer, everything
@@ -202,6 +202,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         packages=tuple(m.file for m in packages.built if m.name not in left_out) if kind.answer in _ROS else (),
         package_names=tuple(name for name in _names(packages, kind.answer) if name not in left_out),
         left_out=left_out,
+        ended=missing.answer.ended,
         workspace=layout.answer.workspace,
         cmake_folder=layout.answer.cmake_folder,
         program_folders=layout.answer.program_folders,

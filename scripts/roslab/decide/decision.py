@@ -144,6 +144,8 @@ class Decision:
     """Names of those packages, sorted; without metapackages of ROS 1."""
     left_out: tuple[str, ...] = ()
     """Packages that are not built, because nothing brings what they require and no other one needs them."""
+    ended: tuple[str, ...] = ()
+    """Packages that manifests of rosbuild name and this ROS no longer has."""
     workspace: Literal["none", "overlay", "root"] = "none"
     """``overlay``: the repository is a folder of ``ws/src``; ``root``: the repository itself is the workspace."""
     cmake_folder: str = ""

@@ -8,7 +8,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.cuda.signs import sign_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
-from roslab.decide.ros.workspace import packages_of, ros_versions
+from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention, PackageManifest
 from roslab.knowledge.distros import distro, distros
@@ -80,10 +80,11 @@ def decide_kind(evidence: Evidence, config: Config, folder_name: str = "") -> Ch
 def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
     """Return what speaks for ROS 1 and for ROS 2; ``named``: the repository is named after ROS."""
     packages = packages_of(evidence)
-    reasons = _packages(evidence, packages.built, named=named) if packages.built else _meta(evidence)
+    catkin = [manifest for manifest in packages.built if not of_rosbuild(manifest)]
+    reasons = _packages(evidence, tuple(catkin), named=named) if catkin else _meta(evidence)
     rosbuild = [project for project in evidence.cmake if "rosbuild" in project.macros]
     if rosbuild:
-        weight = Weight.ROSBUILD if _all_rosbuild(evidence) else Weight.ROSBUILD_PART
+        weight = Weight.ROSBUILD if built_by_rosbuild(evidence) else Weight.ROSBUILD_PART
         reasons.append(because("kind", "ros1", "it is built by rosbuild", rosbuild[0], weight=weight))
     for manifest in packages.assets[:1]:
         why = "a package.xml with nothing to build beside it: the description of a robot"
@@ -113,19 +114,12 @@ def _packages(evidence: Evidence, built: tuple[PackageManifest, ...], *, named: 
     return reasons
 
 
-def _all_rosbuild(evidence: Evidence) -> bool:
-    """Tell whether rosbuild builds every CMake project nearest to the root, not only a part."""
-    tops = [project for project in evidence.cmake if not places.vendored(project.file)]
-    nearest = min((project.file.count("/") for project in tops), default=0)
-    return all("rosbuild" in project.macros for project in tops if project.file.count("/") == nearest)
-
-
 def _warnings(evidence: Evidence, kind: Kind) -> tuple[Warning_, ...]:
-    """Warn about rosbuild packages, which are not built."""
+    """Warn about packages of rosbuild beside others, which no build tool builds together."""
     old = next((project for project in evidence.cmake if "rosbuild" in project.macros), None)
-    if kind != "ros1" or old is None or packages_of(evidence).built:
+    if kind != "ros1" or old is None or any(map(of_rosbuild, packages_of(evidence).built)):
         return ()
-    message = "rosbuild's packages (manifest.xml) are not built: catkin and colcon do not know them"
+    message = "rosbuild's packages (manifest.xml) are not built here: catkin does not know them"
     hint = "what they need is installed; build them with rosmake under `custom` in roslab.yaml"
     return (warn(f"{message}; {hint}", old),)
 

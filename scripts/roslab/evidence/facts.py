@@ -12,7 +12,10 @@ from roslab.values.requirement import Requirement
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class PackageManifest:
-    """A package.xml. https://ros.org/reps/rep-0149.html (formats 1 and 2: REP 127, REP 140)."""
+    """A package.xml. https://ros.org/reps/rep-0149.html (formats 1 and 2: REP 127, REP 140).
+
+    Format 0: a manifest.xml or stack.xml of rosbuild, whose build type is ``rosbuild``.
+    """
 
     file: str
     line: int

@@ -10,7 +10,7 @@ from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import author_dockerfile, ci, install_scripts, readme, worked_on
 from roslab.evidence.prose.installs import merge
 from roslab.evidence.python import conda, imports, limits, pixi, print_statement, project, removed, requirements, tests
-from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, vcs
+from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, rosbuild, vcs
 from roslab.repository.checkout import Repository
 
 PROSE = (
@@ -23,7 +23,7 @@ PROSE = (
 
 def gather(repository: Repository) -> Evidence:
     """Read everything that a repository says about itself; nothing of it is executed."""
-    manifests = package_xml.read(repository)
+    manifests = package_xml.read(repository) or rosbuild.read(repository)
     signs = Signs()
     cmake_projects = cmake.read(repository)
     prose = merge(reader(repository) for reader in PROSE)

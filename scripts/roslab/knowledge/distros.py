@@ -135,6 +135,11 @@ def successor(name: str) -> Distro | None:
     return next((distro(row["name"]) for row in listed[lacking:] if row["image"] == "yes" and row["ros"] == ros), None)
 
 
+def distros_without_image(ros: int) -> tuple[str, ...]:
+    """Return the names of the distributions of a ROS version that have no image, the oldest first."""
+    return tuple(row["name"] for row in rows("distros") if row["ros"] == str(ros) and row["image"] != "yes")
+
+
 def default_distro(ros: Literal[1, 2]) -> Distro:
     """Return the distribution of a ROS version that is used when nothing names one."""
     return next(found for found in distros().values() if found.ros == ros and found.default)

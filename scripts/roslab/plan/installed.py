@@ -10,7 +10,7 @@ from roslab.decide.decision import Decision
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.plan.proof import Proof
 from roslab.plan.run import WORKSPACES
-from roslab.plan.workspace import ROS_TOOLS, Workspace
+from roslab.plan.workspace import ROS_TOOLS, WORKSPACE, Workspace
 from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
@@ -103,6 +103,8 @@ def installed(decision: Decision, place: Workspace) -> list[Proof]:
 def _libraries(decision: Decision, place: Workspace, *, own: bool) -> list[Proof]:
     """Return the proof that programs which were compiled find their libraries, none where their place is unknown."""
     name = "the compiled programs find their libraries"
+    if _in_workspace(decision) and decision.build_tool == "rosmake":
+        return [_in_bash(name, "cd && " + LIBRARIES_SCRIPT, f"{WORKSPACE}/src")]
     if _in_workspace(decision):
         return [_in_bash(name, PREFIXES + LIBRARIES_SCRIPT, own=own)]
     if place.program and not own:

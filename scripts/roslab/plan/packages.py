@@ -94,5 +94,6 @@ def _ros_tools(decision: Decision, in_workspace: tuple[Source, ...]) -> list[str
     bare = not re.search(r"(?:^|/)ros:", decision.base_image) or decision.base_image.endswith("-ros-core")
     if bare and (decision.packages or in_workspace):
         tools += ["build-essential", f"{python}-rosdep"]
+        tools += [f"ros-{release.name}-rosmake", f"ros-{release.name}-mk"] if "rosmake" in used else []
         tools += ["python3-colcon-common-extensions"] if "colcon" in used else []
     return tools

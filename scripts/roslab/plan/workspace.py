@@ -10,13 +10,19 @@ from roslab.decide.decision import Decision
 from roslab.decide.system.missing import skipping
 from roslab.values.dataclass import dataclass, replace
 
-RosTool = Literal["catkin_make", "catkin_tools", "colcon"]
+RosTool = Literal["catkin_make", "catkin_tools", "rosmake", "colcon"]
 ROS_TOOLS: tuple[RosTool, ...] = get_args(RosTool)
 """Build tools of a ROS workspace."""
 WORKSPACE = "ws"
 """The folder of the ROS workspace; as every folder of this module, relative to the home of the image's user."""
 
 
+_SETUP: dict[RosTool, str] = {
+    "catkin_make": "devel/setup.bash",
+    "catkin_tools": "devel/setup.bash",
+    "rosmake": "setup.bash",
+    "colcon": "install/setup.bash",
+}
 MAX_FOLDERS = 8
 """Most folders of programs on PATH beside the build folder itself."""
 
@@ -27,6 +33,7 @@ class RosBuild:
 
     tool: RosTool
     arguments: tuple[str, ...]
+    """For rosmake the packages too, as it builds only those that are named."""
     cmake_options: tuple[str, ...]
     """For all packages: a workspace has one set of them."""
     setup: str
@@ -80,6 +87,8 @@ def workspace(
     ros = decision.kind in ("ros1", "ros2")
     in_workspace = decision.workspace != "none" and not (ros and decision.build_tool not in ROS_TOOLS)
     folder = name
+    if in_workspace and decision.build_tool == "rosmake" and "manifest.xml" in decision.packages:
+        name = decision.package_names[0]  # the folder names the package
     if in_workspace:
         folder = f"{WORKSPACE}/src/{name}" if decision.workspace == "overlay" else WORKSPACE
     links = []
@@ -129,10 +138,16 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
     of_sisters = dict.fromkeys(word for source in sisters for word in shlex.split(source.cmake_options))
     return RosBuild(
         tool=tool,
-        arguments=(*config.build_args, *skipping(tool, decision.left_out)) if own else (),
+        arguments=(*_of_rosmake(decision), *config.build_args, *skipping(tool, decision.left_out)) if own else (),
         cmake_options=(*(_cmake_options(config) if own else ()), *of_sisters),
-        setup=f"{WORKSPACE}/{'install' if tool == 'colcon' else 'devel'}/setup.bash",
+        setup=f"{WORKSPACE}/{_SETUP[tool]}",
     )
+
+
+def _of_rosmake(decision: Decision) -> tuple[str, ...]:
+    if decision.build_tool != "rosmake":
+        return ()
+    return (*(f"--without={name}" for name in decision.ended), *decision.package_names)
 
 
 def _program(decision: Decision, config: Config, folder: str) -> Program:

@@ -1,4 +1,4 @@
-"""catkin_make or catkin_tools for ROS 1: by what people type to build, and by what the packages need."""
+"""catkin_make, catkin_tools or rosmake for ROS 1: by what people type to build, and by what the packages need."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import ClassVar
 from roslab.config.model import BuildTool
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because, ranked, strongest
-from roslab.decide.ros.workspace import packages_of, types
+from roslab.decide.ros.workspace import of_rosbuild, packages_of, types
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.values.origin import Place
@@ -23,6 +23,7 @@ class Weight:
         "script": 300,
     }
     ELSEWHERE = 100
+    ROSBUILD = 500  # nothing else builds them
     PLAIN_CMAKE = 350  # catkin_make refuses plain CMake packages: wins over a script, not over what people type
     CATKIN_SIMPLE = 250  # its authors build with catkin_tools, but catkin_make can build it too
     DEFAULT = 1
@@ -35,6 +36,9 @@ class Weight:
 
 def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
     """Return the tool, with the reasons for both."""
+    if old := next(filter(of_rosbuild, packages_of(evidence).built), None):
+        why = "its packages have a manifest.xml, from before catkin"
+        return Choice(answer="rosmake", reasons=(because("build_tool", "rosmake", why, old, weight=Weight.ROSBUILD),))
     reasons = [
         because("build_tool", mention.value, mention.text[:120], mention, weight=_weight(mention))
         for mention in evidence.mentions

@@ -11,12 +11,22 @@ from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.code_fits import misfits, unlaunchable
+from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.ros.conditions import holds
-from roslab.knowledge.distros import Distro, default_distro, distro, distros, distros_of, successor
+from roslab.knowledge.distros import (
+    Distro,
+    default_distro,
+    distro,
+    distros,
+    distros_of,
+    distros_without_image,
+    successor,
+)
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import replace
+from roslab.values.origin import Place
 
 
 def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Distro | None]:
@@ -26,8 +36,7 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
         return Choice(answer=known, reasons=ranked([said, *reasons_for(evidence, known.ros)], known.name))
     if config.base.ros and (later := successor(asked := config.base.ros.partition("-")[0])):
         said = configured(config, "ros_distro", later.name, "base.ros")
-        told = f"ROS {asked} has no official image and no snapshot of its packages: {later.name}, the next one, is used"
-        warnings = (warn(told, config.origin("base.ros")),)
+        warnings = (warn(_no_image(asked, later), config.origin("base.ros")),)
         return Choice(
             answer=later, reasons=ranked([said, *reasons_for(evidence, later.ros)], later.name), warnings=warnings
         )
@@ -52,12 +61,30 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     unknown = {name: missing | excluded[name] for name, missing in unknown.items()}
     reasons += _nearest(reasons, unknown, lacking) or _fitting(reasons, unknown)
     if not reasons:
-        return _default(evidence, kind, unknown)
+        return _after_ended(evidence, ros, unknown) or _default(evidence, kind, unknown)
     best = max(reasons, key=_order)
     if (became := _became(evidence, best)) is not None:
         reasons = [*reasons, became]
         best = became
     return Choice(answer=distros()[best.answer], reasons=ranked(reasons, best.answer))
+
+
+def _after_ended(evidence: Evidence, ros: int, unknown: dict[str, frozenset[str]]) -> Choice[Distro | None] | None:
+    """Return the nearest distribution with an image to one that is named and never had any, the newest of those."""
+    line = tuple(distros_without_image(ros))
+    named = [m for m in evidence.mentions if m.topic == "distro" and m.value in line and not places.vendored(m.file)]
+    for mention in sorted(named, key=lambda m: line.index(m.value), reverse=True):
+        later = successor(mention.value)
+        if later and not unknown.get(later.name):
+            why = f"{mention.value} is named, which has no image, and {later.name} is the next one"
+            warning = warn(_no_image(mention.value, later), Place(file=mention.file, line=mention.line))
+            reason = because("ros_distro", later.name, why, mention, weight=Weight.SPEAKS_OF_IT)
+            return Choice(answer=later, reasons=(reason,), warnings=(warning,))
+    return None
+
+
+def _no_image(name: str, later: Distro) -> str:
+    return f"ROS {name} has no official image and no snapshot of its packages: {later.name}, the next one, is used"
 
 
 def _became(evidence: Evidence, best: Reason) -> Reason | None:

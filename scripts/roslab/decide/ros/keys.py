@@ -56,6 +56,10 @@ def translate(key: Dependency, target: Target, *, cloned: bool, submodules: tupl
         return Translated()
     found = library("cmake", name, target.ubuntu)
     if found is None or not (found.apt or found.recipe):
+        if key.namespace == "ros":  # of a manifest.xml
+            message = f"ROS {target.ros_distro} has no package {name}, and nothing here says where it comes from"
+            hint = "it is taken out of the manifest in the image, and rosmake stops where the code needs it"
+            return Translated(skip=True, warning=warn(f"{message}: {hint}", key))
         message = f"rosdep has no key {name} for ROS {target.ros_distro}"
         hint = _hint(name, target, cloned=cloned, submodules=submodules)
         return Translated(warning=warn(f"{message}: {hint}", key))

@@ -10,6 +10,7 @@ from typing import Literal
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.ros.conditions import holds
+from roslab.evidence.ros.rosbuild import BUILD_TYPE
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
@@ -38,8 +39,40 @@ class Packages:
 
 def packages_of(evidence: Evidence) -> Packages:
     """Sort the manifests of a repository."""
+    if any(map(of_rosbuild, evidence.manifests)):
+        return _of_rosbuild(evidence.manifests, whole=built_by_rosbuild(evidence))
     return _packages(
         evidence.manifests, tuple(p.file for p in evidence.cmake), tuple(p.folder for p in evidence.python)
+    )
+
+
+def of_rosbuild(manifest: PackageManifest) -> bool:
+    """Tell whether it is a manifest.xml or stack.xml."""
+    return manifest.build_types[:1] == ((BUILD_TYPE, None),)
+
+
+def built_by_rosbuild(evidence: Evidence) -> bool:
+    """Tell whether rosbuild builds every CMake project nearest to the root, not only a part."""
+    tops = [project for project in evidence.cmake if not places.vendored(project.file)]
+    nearest = min((project.file.count("/") for project in tops), default=0)
+    return bool(tops) and all("rosbuild" in p.macros for p in tops if p.file.count("/") == nearest)
+
+
+@cache
+def _of_rosbuild(manifests: tuple[PackageManifest, ...], *, whole: bool) -> Packages:
+    """Sort the manifests of rosbuild, which builds whatever has one; ``whole``: the repository is nothing else."""
+    built: list[PackageManifest] = []
+    kept: set[str] = set()
+    for manifest in sorted(manifests, key=lambda m: (m.file.count("/"), m.file)):
+        folder = manifest.file.rpartition("/")[0]
+        if whole and not _below(folder, kept):
+            built.append(manifest)
+            kept |= set() if manifest.metapackage else {folder}  # rospack looks for packages in a stack's folder
+    return Packages(
+        built=tuple(sorted(built, key=lambda m: m.file)),
+        assets=(),
+        left_out=tuple(m for m in manifests if m not in built),
+        names=frozenset(m.name for m in manifests if m.name),
     )
 
 

@@ -7,16 +7,32 @@ from collections.abc import Iterable, Iterator
 
 from roslab.config.model import BuildTool, Kind
 from roslab.decide.decision import Choice, Warning_
-from roslab.decide.reasons import warn
+from roslab.decide.reasons import because, warn
+from roslab.decide.ros.rosbuild import ended_in
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.values.dataclass import dataclass
 
 _SKIP: dict[BuildTool, str] = {"colcon": "--packages-skip", "catkin_make": "-DCATKIN_BLACKLIST_PACKAGES="}
 """How a build tool leaves packages out. https://colcon.readthedocs.io/en/released/reference/package-selection-arguments.html
 https://docs.ros.org/en/api/catkin/html/dev_guide/generated_cmake_api.html"""
+
+
+ENDED = 300
+"""Weight of the reasons for what is taken out of a manifest; nothing competes with them."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Missing:
+    """What is left out of the build because nothing brings it."""
+
+    packages: tuple[str, ...] = ()
+    """Packages of the repository that are not built."""
+    ended: tuple[str, ...] = ()
+    """Packages that the manifests of rosbuild are told not to need."""
 
 
 def decide_missing(
@@ -28,14 +44,16 @@ def decide_missing(
     packages: Packages,
     provided: Iterable[str],
     command: tuple[str, ...] | str,
-) -> Choice[tuple[str, ...]]:
+) -> Choice[Missing]:
     """Return the packages to leave out of the build because of what they lack, none of which another one needs.
 
     ``provided``: names of everything that is installed, built or cloned; a similar one is taken for the package. What
     cannot be left out is told, for there the build stops.
     """
     if kind not in {"ros1", "ros2"}:
-        return Choice(answer=())
+        return Choice(answer=Missing())
+    provided = tuple(provided)
+    ended = ended_in(packages, target.ros_distro, provided)
     names = {plain(name) for name in provided}
     lacking = {
         package: asked
@@ -55,7 +73,12 @@ def decide_missing(
             then = f"{build_tool} will stop at {package}"
         hint = "give its repository under `source` in roslab.yaml"
         warnings.append(warn(f"nothing is known that brings {asked.name}, which CMake requires: {then}; {hint}", asked))
-    return Choice(answer=tuple(sorted(skipped)), warnings=tuple(warnings))
+    why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
+    return Choice(
+        answer=Missing(packages=tuple(sorted(skipped)), ended=tuple(ended)),
+        warnings=tuple(warnings),
+        reasons=tuple(because("dependencies", name, why, asked, weight=ENDED) for name, asked in ended.items()),
+    )
 
 
 def skipping(build_tool: BuildTool, packages: tuple[str, ...]) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ from functools import cache
 from typing import Literal
 
 from roslab.evidence.facts import Mention
-from roslab.knowledge.distros import english_words, releases_of, ubuntus
+from roslab.knowledge.distros import english_words, ever, ubuntus
 from roslab.values.pattern import pattern
 
 MAX_MENTIONS = 120
@@ -40,7 +40,7 @@ def _patterns() -> tuple[tuple[Topic, tuple[str, ...], re.Pattern[str]], ...]:
     numbers = "|".join(map(re.escape, ubuntus()))
     codenames = "|".join(name + _NO_UBUNTU.get(name, "") for name in ubuntus().values())
     return (
-        ("distro", tuple(releases_of()), _word(rf"({'|'.join(releases_of())})(?![A-Za-z])")),
+        ("distro", tuple(sorted(ever())), _word(rf"({'|'.join(sorted(ever()))})s?(?![A-Za-z])")),  # ROS KINETICS
         (
             "ubuntu",
             ("ubuntu", *ubuntus().values()),

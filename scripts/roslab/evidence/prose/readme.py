@@ -44,6 +44,12 @@ _PROMPT = pattern(
 """What a shell prints before a command: ``user@host:~/ws$ ``, ``robot$ ``, ``(venv) robot$ ``."""
 _NAMED = pattern(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
 """A sentence that runs a program by its name."""
+_GO_INTO = pattern(
+    r"\b(?:go|change|move|navigate|enter|cd)\b(?:\s+(?:in|to|into|inside|the|folder|directory)){0,4}\s+"
+    r"`([\w.-]+/[\w./-]*)`",
+    re.IGNORECASE,
+)
+"""A sentence that goes into a folder of the tree before a block of commands."""
 MAX_LINKS = 100
 MAX_DEPTH = 3
 """Of a page whose links count: that of a package may name the library that it alone needs."""
@@ -170,7 +176,8 @@ def _code(text: str) -> Iterator[tuple[int, str, str]]:
 
 def _tells(line: str, *, fenced: bool) -> bool:
     """Tell whether a line may hold a command."""
-    return bool(TRIGGER.search(line) or (not fenced and (_NAMED.search(line) or _NAMED_PYTHON.search(line))))
+    said = (_NAMED, _NAMED_PYTHON, _GO_INTO)
+    return bool(TRIGGER.search(line) or (not fenced and any(each.search(line) for each in said)))
 
 
 def _heading(line: str, below: str) -> tuple[int, str] | None:
@@ -205,5 +212,6 @@ def _shell(line: str, *, fenced: bool) -> Iterator[str]:
     else:
         spans = (_PROMPT.sub("", span[2]) for span in _SPAN.finditer(line))
         yield from (span for span in spans if TRIGGER.search(span) and " " in span)
+        yield from (f"cd {named[1]}" for named in _GO_INTO.finditer(line))
         yield from (f"./{named[1]}" for named in _NAMED.finditer(line))
         yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))

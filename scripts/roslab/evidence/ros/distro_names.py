@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.knowledge.distros import distros
+from roslab.knowledge.distros import distros, ever
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -28,7 +28,7 @@ def _branch(repository: Repository) -> Iterator[Mention]:
         return
     words = _WORD.findall(branch.lower())
     for word in words:
-        if word in distros():
+        if word in ever():
             yield _mention(word, "branch", ".git/HEAD", branch)
     if not any(word in distros() for word in words):
         ros = {"ros1", "ros2"} & set(words)

@@ -176,8 +176,8 @@ def _conditional(text: str, begin: int, end: int) -> bool:
 
 
 def _packages(repository: Repository) -> dict[str, str]:
-    """Return ``{folder: package}`` of the package.xml files."""
-    found = {}
+    """Return ``{folder: package}`` of the package.xml files; a package of rosbuild is named like its folder."""
+    found = {file.folder: file.folder.rpartition("/")[2] for file in repository.named("manifest.xml") if file.folder}
     for file in repository.named("package.xml"):
         match = _NAME.search(repository.read(file))
         if match:

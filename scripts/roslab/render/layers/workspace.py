@@ -13,6 +13,8 @@ from roslab.render.layers.system import fetch
 
 HOME = f"/home/{quote.USER}"
 WS = f"{HOME}/{WORKSPACE}"
+ROSMAKE = "rosmake-workspace"
+"""The script that compiles packages of rosbuild."""
 BUILD_CACHE = "/var/cache/roslab-build"
 WITHOUT_TESTS = "leave-out-tests"
 TIDY = r"find . \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete"
@@ -65,13 +67,17 @@ def rosdep(plan: Plan) -> str:
         return ""
     files = manifests.of_rosdep(plan)
     tag, skip = plan.rosdep.rosdistro_tag, " ".join(plan.rosdep.skip_keys)
+    old = any(name.endswith("manifest.xml") for name in files)
+    before = manifests.copy(plan, files)
+    if old:
+        before += f"{shell.copy_script('write-package-xml')}RUN write-package-xml {manifests.FOLDER}\n"
     return shell.call(
         "install-rosdep-keys",
         (f" --tables {quote.shell(tag)}" if tag else "")
         + (f" --skip {quote.shell(skip)}" if skip else "")
         + "".join(f" {folder}" for folder in rosdep_folders(plan)),
         comment="What the package.xml files name; keys that rosdep does not know stop nothing and are told",
-        before=manifests.copy(plan, files),
+        before=before,
         secrets=secrets.for_both(plan),
         around=locks.apt(plan, "rosdep") + locks.constraints(plan),
     )
@@ -145,8 +151,9 @@ def compile_workspace(plan: Plan) -> str:
     if build is None:
         return ""
     run = shell.run(f"source {setups(plan)[0]}", *_commands(plan, build))
-    script = shell.copy_script(WITHOUT_TESTS) if WITHOUT_TESTS in run else ""
-    return f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{script}{run}"
+    called = (WITHOUT_TESTS,) if WITHOUT_TESTS in run else ("compile-jobs", ROSMAKE) if ROSMAKE in run else ()
+    scripts = "".join(map(shell.copy_script, called))
+    return f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{scripts}{run}"
 
 
 def compile_again(plan: Plan) -> str:
@@ -177,6 +184,8 @@ def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
         case "catkin_tools":
             catkin = f'{again}catkin build --no-status --jobs "${{jobs}}" --parallel-packages "${{jobs}}"'
             return [shell.SET_JOBS, f"{catkin}{cmake}{arguments}"]
+        case "rosmake":
+            return [f"{ROSMAKE}{arguments}"]
         case "colcon":
             colcon = f'{again}colcon build --event-handlers console_direct+ --parallel-workers "${{jobs}}"'
             build_all = f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" \\\n    {colcon}{cmake}{arguments}'

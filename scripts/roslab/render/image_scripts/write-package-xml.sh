@@ -1,0 +1,16 @@
+#!/bin/bash
+# usage: write-package-xml FOLDER
+# Writes a package.xml beside each manifest.xml of rosbuild below the folder, with what that one names: rosdep, given a
+# folder, reads no manifest.xml.
+set -euo pipefail
+
+while IFS= read -r -d '' manifest; do
+  folder="${manifest%/*}"
+  {
+    echo "<package format=\"2\"><name>$(basename "${folder}")</name><version>0.0.0</version><description/>"
+    echo '<maintainer email="nobody@localhost">nobody</maintainer><license>unknown</license>'
+    sed --quiet --regexp-extended \
+      's#.*<(depend +package|rosdep +name)="([A-Za-z0-9_.+-]+)".*#<depend>\2</depend>#p' "${manifest}" | sort --unique
+    echo '</package>'
+  } >"${folder}/package.xml"
+done < <(find "$1" -name manifest.xml -print0)
