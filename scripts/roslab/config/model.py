@@ -150,6 +150,8 @@ class Config:
     kind: Kind | None = None
     date: str | None = None
     """``YYYY-MM-DD``, the day that the image is to be of, or ``paper``: that of the newest commit."""
+    pip_date: str | None = None
+    """The day of pip's packages where the rest is today's: ``YYYY-MM-DD``, ``paper`` as in ``date``, or ``today``."""
     base: Base = field(default_factory=Base)
     repositories: tuple[str, ...] = ()
     """Extra apt sources (PPAs): ``repos`` of the paper, ``repo`` of the later format."""

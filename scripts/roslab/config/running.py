@@ -89,15 +89,18 @@ def environment(reading: Reading, root: Mapping, key: str = "env") -> tuple[tupl
     return tuple((name.text, value.text) for name, value in mapping.pairs if isinstance(value, Scalar))
 
 
-def day(reading: Reading, root: Mapping) -> str | None:
-    """Read ``date``; a day that the calendar lacks is an error, and so is one that the tables do not reach."""
-    text = reading.text(root, "date", "date")
-    if text is None or text.value == "paper":
-        return text.value if text else None
-    try:
-        dt.date.fromisoformat(text.value)
-    except ValueError:
-        reading.complain(f'date: there is no day "{text.value}"', "write YEAR-MONTH-DAY, or `paper`", text.node)
+def day(reading: Reading, root: Mapping, key: Literal["date", "pip_date"]) -> str | None:
+    """Read a day; one that the calendar lacks is an error, and so are two, as ``date`` is the day of pip's too."""
+    text = reading.text(root, key, key)
+    if text is None:
+        return None
+    if key == "pip_date" and "date" in root.names:
+        reading.complain("pip_date: `date` is the day of pip's packages too", "leave one of them out", text.node)
+    if text.value not in {"paper", "today"}:
+        try:
+            dt.date.fromisoformat(text.value)
+        except ValueError:
+            reading.complain(f'{key}: there is no day "{text.value}"', "write YEAR-MONTH-DAY, or `paper`", text.node)
     return text.value
 
 

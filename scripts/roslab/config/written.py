@@ -22,6 +22,7 @@ def written(config: Config) -> str:
         "name": config.name,
         "kind": config.kind,
         "date": config.date,
+        "pip_date": config.pip_date,
         "base": base(config.base),
         "repo": list(config.repositories),
         "apt": list(config.apt),

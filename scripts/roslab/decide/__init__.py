@@ -9,7 +9,7 @@ from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.command import decide_command
 from roslab.decide.cuda.toolkit import decide_toolkit
 from roslab.decide.cuda.version import NO_CUDA, decide_cuda, of_image
-from roslab.decide.day import as_of, decide_day
+from roslab.decide.day import decide_days
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.kind import decide_kind
 from roslab.decide.mended_bases import decide_bases
@@ -52,8 +52,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     """
     _something(evidence, config)
     evidence, config = narrowed(evidence, config)
-    day = decide_day(evidence, config)
-    evidence = as_of(evidence, day.answer)
+    day, pip_day, evidence = decide_days(evidence, config)
     kind = decide_kind(evidence, config, folder_name)
     evidence = with_fetched(evidence)
     release = decide_distro(evidence, config, kind.answer)
@@ -165,6 +164,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     )
     choices = (
         day,
+        *(() if pip_day.answer and (own.answer or not python.answer.day) else (pip_day,)),
         kind,
         release,
         base,

@@ -73,6 +73,8 @@ class Python:
     version: str | None
     """``3.8``; ``None`` where the image needs none of its own."""
     manager: Manager
+    day: str | None = None
+    """``YYYY-MM-DD``: pip's packages are those of that day, ``None`` for those of the image's."""
     interpreter: Interpreter = ANY
     """The Pythons that it may be, for the markers of requirements."""
     pip: tuple[Requirement, ...] = ()

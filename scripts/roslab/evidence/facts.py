@@ -276,6 +276,8 @@ class Evidence:
     """Days of the repository's commit and of its citation file, in this order."""
     day: str | None = None
     """The day that the image is to be of; ``decide`` sets it."""
+    pip_day: str | None = None
+    """The day that pip's packages are to be of where the rest of the image is today's; ``decide`` sets it."""
     problems: tuple[tuple[str, str | None, int | None], ...] = ()
     """``(message, file, line)``: what could not be read and was skipped; file and line may be ``None``."""
 

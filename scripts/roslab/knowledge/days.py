@@ -62,6 +62,21 @@ def since(system: str) -> str:
     return min(row["since"] for row in rows("snapshots") if row["system"] == system)
 
 
+@cache
+def long_ago() -> str:
+    """Return the day before which a commit is old: a year before the newest day that these tables know.
+
+    The program has no clock, so that a checkout has one plan; its tables are read again with each release.
+    """
+    newest = max(syncs[-1].day for syncs in _syncs().values())
+    return f"{int(newest[:4]) - 1}{newest[4:]}"
+
+
+def usual(python: str, day: str) -> bool:
+    """Tell whether a Python 3 had been out for a year on a day: by then packages had wheels for it."""
+    return python.startswith("3") and existed(python, f"{int(day[:4]) - 1}{day[4:]}")
+
+
 def existed(python: str, day: str) -> bool:
     """Tell whether a Python (``3.8``) had been released on a day; one that is not in the table counts as new."""
     return any(row["python"] == python and row["released"] <= day for row in rows("pythons"))

@@ -23,11 +23,14 @@ class Framework:
     python_min: str
     python_max: str
     source: str
+    released: str
+    """Day of its first release on the index, ``""`` where the tables do not tell."""
 
 
 @cache
 def _frameworks() -> dict[str, list[tuple[Version, Framework]]]:
     """Return the release series of each package, each with its first release, the newest first."""
+    days = {(row["package"], row["first"]): row["released"] for row in rows("framework_releases")}
     found: dict[str, list[tuple[Version, Framework]]] = {}
     for row in rows("frameworks"):
         series = Framework(
@@ -38,6 +41,7 @@ def _frameworks() -> dict[str, list[tuple[Version, Framework]]]:
             python_min=row["python_min"],
             python_max=row["python_max"],
             source=row["source"],
+            released=days.get((row["package"], row["first"]), ""),
         )
         found.setdefault(row["package"], []).append((Version(row["first"]), series))
     return {name: sorted(series, key=lambda pair: pair[0], reverse=True) for name, series in found.items()}
@@ -66,17 +70,18 @@ def framework(package: str, release: str) -> Framework | None:
     return next((row for first, row in series if numbers and first <= numbers), None)
 
 
-def newest_framework(package: str) -> Framework | None:
-    """Return the row for the newest release, ``None`` for a package that is not in the table."""
-    return next((row for _, row in _frameworks().get(tabled(package), ())), None)
+def newest_framework(package: str, day: str | None = None) -> Framework | None:
+    """Return the row for the newest release (of a day), ``None`` for a package that is not in the table."""
+    series = _frameworks().get(tabled(package), ())
+    return next((row for _, row in series if day is None or row.released <= day), None)
 
 
-def newest_on_cuda(package: str, cuda: str, python: str | None) -> Framework | None:
-    """Return the row of the newest release with wheels for a CUDA and a Python, any Python if that is not known."""
+def newest_on_cuda(package: str, cuda: str, python: str | None, day: str | None = None) -> Framework | None:
+    """Return the row of the newest release (of a day) with wheels for a CUDA and a Python, any if that is not known."""
     number = Version(python) if python else None
     for _, row in _frameworks().get(package, ()):
         fits = number is None or Version(row.python_min) <= number <= Version(row.python_max)
-        if cuda in row.cuda and fits:
+        if cuda in row.cuda and fits and (day is None or row.released <= day):
             return row
     return None
 

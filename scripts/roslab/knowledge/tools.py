@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 from roslab.knowledge.distros import python_of_ubuntu
@@ -21,6 +22,26 @@ class PythonTools:
     jupyter: tuple[str, ...] = JUPYTER
     pinned: bool = False
     """The interpreter is too old for their newest versions."""
+
+
+OLD_METADATA = "24.1"
+"""The first pip that refuses packages whose versions or requirements are not as PEP 440 has them, as many old ones.
+
+https://pip.pypa.io/en/stable/news/#v24-1, read 2026-11-22.
+"""
+
+
+def for_old_packages(tools: PythonTools) -> PythonTools:
+    """Return the tools with a pip that installs packages with the metadata of their time."""
+    return replace(tools, installers=tuple(map(_lenient, tools.installers)))
+
+
+def _lenient(line: str) -> str:
+    asked, mark, marker = line.partition(";")
+    name, _, below = asked.partition("<")
+    if name != "pip" or (below and tuple(map(int, below.split("."))) <= tuple(map(int, OLD_METADATA.split(".")))):
+        return line
+    return f"pip<{OLD_METADATA}{mark}{marker}"
 
 
 @cache

@@ -176,6 +176,7 @@ def use(plan: Plan, lock: Lock, *, file: str = NAME) -> Plan:
         libraries=tuple(map(at, plan.libraries)),
         workspace=replace(plan.workspace, sources=tuple(map(at, plan.workspace.sources))),
         rosdep=rosdep,
+        python=replace(plan.python, day=None),
         lock=lock,
     )
 

@@ -20,7 +20,7 @@ from roslab.config.model import (
 )
 from roslab.decide.decision import Decision, Reason, Warning_
 from roslab.errors import ConfigurationError, Problem
-from roslab.knowledge.tools import PythonTools, python_tools
+from roslab.knowledge.tools import PythonTools, for_old_packages, python_tools
 from roslab.plan.as_of import AsOf, as_of, lacking, of_day
 from roslab.plan.author_bases import Base, author_bases
 from roslab.plan.locked import Lock
@@ -197,6 +197,7 @@ def make_plan(
     )
     sources = package_sources(decision)
     tools = python_tools(decision.python.version, decision.ubuntu)
+    tools = for_old_packages(tools) if decision.python.day else tools
     return Plan(
         version=VERSION,
         name=name,

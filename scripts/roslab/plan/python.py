@@ -38,6 +38,9 @@ class PythonPlan:
     git_hosts: tuple[str, ...] = ()
     """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
     cuda_architectures: str = ""
+    day: str | None = None
+    clones: bool = False
+    """pip installs from repositories of git."""
 
 
 def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> PythonPlan:
@@ -65,6 +68,8 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_pip=python.conda_pip,
         git_hosts=compiling.hosts,
         cuda_architectures=compiling.architectures,
+        day=python.day,
+        clones=compiling.git,
     )
 
 

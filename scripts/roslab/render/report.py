@@ -59,6 +59,7 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
         ("Ubuntu", decision.ubuntu, "ubuntu"),
         ("built with", decision.build_tool, "build_tool"),
         ("Python", None if decision.dockerfile else _python(decision), "python"),
+        ("pip's day", None if decision.dockerfile else decision.python.day, "pip_date"),
         ("CUDA", decision.cuda, "cuda"),
         ("dockerfile", decision.dockerfile, "dockerfile"),
         (

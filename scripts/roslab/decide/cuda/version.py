@@ -17,11 +17,13 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import (
     CudaImage,
+    build_needs,
     cuda_image,
     framework,
     framework_on_cuda,
     nearest_cuda_image,
     newest_framework,
+    tabled,
 )  # fmt: skip
 from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
@@ -113,8 +115,12 @@ Candidate = tuple[Reason, tuple[str, ...]]
 
 def _candidates(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Candidate]:
     """Yield every answer that anything speaks for."""
+    day = evidence.pip_day
+    compiles = bool(evidence.cuda_files) or any("cuda" in project.extensions for project in evidence.python)
+    compiles = compiles or any("torch" in build_needs().get(pin.name, ()) for pin in pins)
     for pin in pins:
-        yield from _of_pin(pin)
+        # The wheels of torch bring the CUDA of their day: the image needs it only where something is compiled for them
+        yield from _of_pin(pin, None if tabled(pin.name) == "torch" and not compiles else day)
     for file in evidence.requirements:
         for option in file.options:
             if file.purpose == "run" and not places.example(file.file) and (local := cuda_of(option)):
@@ -132,8 +138,8 @@ def _candidates(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Candidate]:
         yield because("cuda", DEFAULT, "it has CUDA sources, no version is named", place, weight=Weight.SOURCES), ()
 
 
-def _of_pin(pin: Pin) -> Iterator[Candidate]:
-    """Yield the CUDA that a wheel names, or the one that the table has for its release."""
+def _of_pin(pin: Pin, day: str | None) -> Iterator[Candidate]:
+    """Yield the CUDA that a wheel names, or the one that the table has for its release, the newest of ``day``."""
     asked, table = pin.requirement, framework_on_cuda(pin.name)
     local = (cuda_of(asked.url) or cuda_of(pin.release or "")) if pin.name in _BUILT_FOR else None
     row = framework(table, pin.release) if table and pin.release else None
@@ -151,8 +157,8 @@ def _of_pin(pin: Pin) -> Iterator[Candidate]:
         why = f"{pin.name} {pin.release} {_WHY[table]}"
         weight = Weight.RELEASE[table] + Weight.TRUST * pin.trust
         yield because("cuda", row.cuda[0], why, asked, weight=weight), row.cuda[1:]
-    elif table and (newest := newest_framework(table)):
-        why = f"{pin.name} is not pinned: its newest wheel is for this CUDA"
+    elif table and (newest := newest_framework(table, day)):
+        why = f"{pin.name} is not pinned: its newest wheel {f'of {day} ' if day else ''}is for this CUDA"
         yield because("cuda", newest.cuda[0], why, asked, weight=Weight.UNPINNED), newest.cuda[1:]
 
 

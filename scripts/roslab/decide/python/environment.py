@@ -72,7 +72,7 @@ def decide_python(
     bounds = decide_bounds(evidence.bounds if manager != "system" else (), everything)
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
     compiled = kind == "cuda" and manager != "system" and not exact.answer and extends_torch(evidence, chosen)
-    build = torch_build(everything if compiled else (), cuda, number)
+    build = torch_build(everything if compiled else (), cuda, number, evidence.pip_day)
     numpy = numpy_of(everything if manager != "system" else ())
     if any(bound.key == "numpy" for bound in bounds.answer):
         numpy = Choice(answer=())
@@ -84,6 +84,7 @@ def decide_python(
     answer = Python(
         version=number,
         manager=manager,
+        day=evidence.pip_day if everything or lists.python2 else None,
         interpreter=interpreter,
         pip=tuple(dict.fromkeys(declared)),
         pip_guessed=tuple(dict.fromkeys(one_build(right(chosen.guessed), cuda))),

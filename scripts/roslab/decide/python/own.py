@@ -14,13 +14,15 @@ from roslab.decide.python.weights import VersionWeight
 from roslab.decide.reasons import because, warn
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.days import existed
+from roslab.knowledge.days import existed, usual
 from roslab.knowledge.distros import distro, python_of_ubuntu
 from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 
 DEFAULT = "3.10"
 """The default: that of Ubuntu 22.04, for which most old and new wheels exist."""
+OLDEST = "3.5"
+"""The default for code older than any Python 3 that is still in use; what needs Python 2 shows it by its syntax."""
 _SURE = 50
 """From this weight on, a Python that the evidence names is worth a warning if the image has another."""
 
@@ -54,11 +56,12 @@ def decide_version(
         number, first = _of_ros(evidence, ros_distro, said.answer)
         own = OwnPython(version=number, system=True, wanted=said.answer, chosen=chosen)
         return Choice(answer=own, reasons=(*first, *said.reasons))
-    number = said.answer or _then(evidence.day) or _default(config, kind, cuda)
+    number = said.answer or _then(evidence.day) or _default(config, kind, cuda, _usual(evidence.pip_day))
     own = OwnPython(version=number, system=False, wanted=said.answer, chosen=chosen)
     if said.answer:
         return Choice(answer=own, reasons=said.reasons)
-    why = because("python", number, "nothing names a version: the Python of the base", weight=VersionWeight.DEFAULT)
+    which = f"one that was usual on {evidence.pip_day}" if evidence.pip_day else "the Python of the base"
+    why = because("python", number, f"nothing names a version: {which}", weight=VersionWeight.DEFAULT)
     return Choice(answer=own, reasons=(why, *said.reasons))
 
 
@@ -120,7 +123,14 @@ def _then(day: str | None) -> str | None:
     return next((python for python in PREFERRED if existed(python, day)), None)
 
 
-def _default(config: Config, kind: Kind, cuda: str | None) -> str:
+def _usual(day: str | None) -> str:
+    """Return the default, or for packages of a day the preferred Python among those that had wheels then."""
+    if day is None:
+        return DEFAULT
+    return next((python for python in PREFERRED if usual(python, day)), OLDEST)
+
+
+def _default(config: Config, kind: Kind, cuda: str | None, default: str) -> str:
     """Return the Python of the base: of the CUDA image's Ubuntu, of the configured one, else the default."""
-    ubuntu = cuda_ubuntu(cuda or CUDA, config.base.ubuntu, DEFAULT) if kind == "cuda" else config.base.ubuntu
-    return python_of_ubuntu().get(ubuntu or "", DEFAULT)
+    ubuntu = cuda_ubuntu(cuda or CUDA, config.base.ubuntu, default) if kind == "cuda" else config.base.ubuntu
+    return python_of_ubuntu().get(ubuntu or "", default)

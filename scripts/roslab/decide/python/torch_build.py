@@ -23,8 +23,10 @@ Build = tuple[tuple[Requirement, ...], tuple[str, ...]]
 """Constraints, and pip's options."""
 
 
-def torch_build(asked: Iterable[Requirement], cuda: str | None, python: str | None) -> Choice[Build]:
-    """Return a limit for a torch that nothing pins, and the index of its wheels for this CUDA.
+def torch_build(
+    asked: Iterable[Requirement], cuda: str | None, python: str | None, day: str | None = None
+) -> Choice[Build]:
+    """Return a limit for a torch that nothing pins, and the index of its wheels for this CUDA, which knows no ``day``.
 
     PyTorch refuses to compile with a toolkit of another major version than its own:
     https://github.com/pytorch/pytorch/blob/main/torch/utils/cpp_extension.py, ``_check_cuda_version``.
@@ -35,7 +37,7 @@ def torch_build(asked: Iterable[Requirement], cuda: str | None, python: str | No
     release = Version(torch.release) if torch.release else None
     if release is not None and release.local:
         return Choice(answer=((), ()))  # its own index is known
-    row = framework("torch", torch.release) if torch.release else newest_on_cuda("torch", cuda, python)
+    row = framework("torch", torch.release) if torch.release else newest_on_cuda("torch", cuda, python, day)
     if row is None or cuda not in row.cuda or not torch.specifier.contains(torch.release or f"{row.first}.0"):
         return Choice(answer=((), ()))
     options = () if cuda == row.cuda[0] else (_option(row, cuda),)

@@ -16,7 +16,7 @@ from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because, configured, outweighed
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
-from roslab.knowledge.days import existed
+from roslab.knowledge.days import existed, usual
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -39,14 +39,16 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
         return Choice(answer=config.base.python, reasons=(said,))
     known = tuple(ranges(evidence, pins, _telling(evidence)))
     if known:  # syntax alone tells nothing of the version that is meant
-        usual = {*_fitting(known)}
-        known = (*known, *(each for each in ranges_by_syntax(evidence) if not usual <= each.pythons))
+        meant = {*_fitting(known)}
+        known = (*known, *(each for each in ranges_by_syntax(evidence) if not meant <= each.pythons))
     named = sorted(_named(evidence, pins), key=_order)
     fitting = [python for python in _fitting(known) if evidence.day is None or existed(python, evidence.day)]
     chosen = next((reason for reason in named if reason.answer in fitting or reason.weight >= Weight.BELIEVED), None)
     if chosen is None and (older := tuple(ranges_by_use(evidence, pins))):  # nothing names a version
         known = (*known, *older)
         fitting = [python for python in fitting if all(python in each.pythons for each in older)] or fitting
+    if day := evidence.pip_day:  # its packages had wheels for no newer Python
+        fitting = [python for python in fitting if usual(python, day)] or fitting
     reasons = [each.reason for each in known]
     if chosen is not None:
         others = (reason for reason in (*named, *reasons) if reason is not chosen)

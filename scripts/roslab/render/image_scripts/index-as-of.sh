@@ -1,7 +1,10 @@
 #!/bin/bash
-# usage: eval "$(index-as-of DAY)"
+# usage: eval "$(index-as-of DAY [--or-today])"
 # Gives every pip of this step, whatever its version, the index as it was at the end of a day (UTC): a server that lasts as
 # long as the step leaves out each file that the index got later. The index must tell when (PEP 700, as PyPI does).
+# With --or-today no package is missing for it: where the index does not tell, or has nothing of the day for this Python,
+# that is said and newer ones are taken; and a later version can still be had by its exact number.
+# Where git-as-of is in the image, what pip clones without naming a commit is of the day too.
 set -euo pipefail
 
 python="$(command -v python3 || command -v python2 || command -v python || true)"
@@ -16,9 +19,10 @@ except ImportError: from pip.models.index import PyPI
 print(PyPI.simple_url)'
 index="${PIP_INDEX_URL:-$("${python}" -m pip config get global.index-url 2>/dev/null || "${python}" -c "${usual}")}"
 ready="$(mktemp)"
-"${python}" - "$1" "${index%/}/" "${ready}" <<'PYTHON' >/dev/null 2>/dev/shm/index-as-of.log &
+"${python}" - "$1" "${index%/}/" "${ready}" "${2:-}" <<'PYTHON' 3>&2 >/dev/null 2>/dev/shm/index-as-of.log &
 import json
 import os
+import re
 import sys
 
 try:
@@ -35,26 +39,86 @@ except ImportError:
     from urllib2 import HTTPError, Request, urlopen
     from urlparse import urljoin
 
-DAY, INDEX, READY = sys.argv[1:]
+try:
+    from pip._vendor.packaging.tags import sys_tags
+
+    TAGS = set(map(str, sys_tags()))
+except ImportError:
+    TAGS = set()
+
+DAY, INDEX, READY = sys.argv[1:4]
+OR_TODAY = sys.argv[4:] == ["--or-today"]
 JSON = "application/vnd.pypi.simple.v1+json"
+SAID = set()
 
 
-def page(name):
+def say(text):
+    if text not in SAID:
+        SAID.add(text)
+        os.write(3, ("roslab: " + text + "\n").encode("utf-8"))
+
+
+def files_of(name):
     address = urljoin(INDEX, name + "/")
     answer = urlopen(Request(address, headers={"Accept": JSON}), timeout=60)
     if JSON not in answer.headers.get("Content-Type", ""):
         raise ValueError("the index does not tell when it got its files")
+    files = json.loads(answer.read().decode("utf-8"))["files"]
+    if OR_TODAY and files and not any(file.get("upload-time") for file in files):
+        raise ValueError("the index does not tell when it got its files")
+    return address, files
+
+
+def installs(file):
+    """Tell whether it is a wheel for this Python."""
+    if not file["filename"].endswith(".whl"):
+        return False
+    parts = file["filename"][: -len(".whl")].split("-")[-3:]
+    tags = ["-".join((a, b, c)) for a in parts[0].split(".") for b in parts[1].split(".") for c in parts[2].split(".")]
+    return bool(TAGS.intersection(tags))
+
+
+def version(file):
+    name = re.sub(r"([.]tar[.]\w+|[.]zip|[.]tgz)$", "", file["filename"])
+    return name.split("-")[1] if name.endswith(".whl") else name.split("-")[-1]
+
+
+def of_day(name, files):
+    """Return the files of the day; with --or-today those of the first later version where they would not do.
+
+    They do not where there is none, and where the package is compiled but had no wheel for this Python.
+    """
+    dated = [file for file in files if file.get("upload-time")]
+    then = [file for file in dated if file["upload-time"][:10] <= DAY]
+    if not OR_TODAY or any(map(installs, then)):
+        return then
+    later = [file for file in dated if file["upload-time"][:10] > DAY and not file.get("yanked")]
+    later.sort(key=lambda file: file["upload-time"])
+    first = next((file for file in later if installs(file)), None)
+    if then and (first is None or first["filename"].endswith("-none-any.whl")):
+        return then
+    first = first or (later[0] if later else None)
+    if first is None:
+        return then
+    say("%s had nothing for this Python on %s: %s is the first" % (name, DAY, first["filename"]))
+    return then + [file for file in later if version(file) == version(first)]
+
+
+def page(name, knows_yanked):
+    address, files = files_of(name)
+    kept = of_day(name, files)
+    names = set(file["filename"] for file in kept)
     lines = []
-    for file in json.loads(answer.read().decode("utf-8"))["files"]:
-        if not file.get("upload-time") or file["upload-time"][:10] > DAY:
-            continue
+    for file in files if OR_TODAY and knows_yanked else kept:
         link = urljoin(address, file["url"])
         if file.get("hashes", {}).get("sha256"):
             link += "#sha256=" + file["hashes"]["sha256"]
         more = ""
         if file.get("requires-python"):
             more += ' data-requires-python="%s"' % escape(file["requires-python"], True)
-        if file.get("yanked"):
+        if file["filename"] not in names:  # pip takes it where its exact version is asked for, and nowhere else (PEP 592)
+            more += ' data-yanked="uploaded after %s"' % DAY
+        elif file.get("yanked"):
             more += ' data-yanked=""'
         lines.append('<a href="%s"%s>%s</a><br>' % (escape(link, True), more, escape(file["filename"])))
     return "<!DOCTYPE html><html><body>%s</body></html>" % "\n".join(lines)
@@ -63,7 +127,9 @@ def page(name):
 class Handler(BaseHTTPRequestHandler):
     def do_GET(self):
         try:
-            status, text = 200, page(self.path.strip("/").split("/")[-1])
+            pip = re.match(r"pip/(\d+)\.(\d+)", self.headers.get("User-Agent") or "")
+            knows_yanked = bool(pip) and (int(pip.group(1)), int(pip.group(2))) >= (19, 2)
+            status, text = 200, page(self.path.strip("/").split("/")[-1], knows_yanked)
         except HTTPError as error:
             status, text = error.code, str(error)
         except Exception as error:
@@ -78,19 +144,41 @@ class Server(ThreadingMixIn, HTTPServer):
     daemon_threads = True
 
 
-server = Server(("127.0.0.1", 0), Handler)
+answer = "no"
+try:
+    if OR_TODAY:
+        files_of("pip")
+    server = Server(("127.0.0.1", 0), Handler)
+    answer = str(server.server_address[1])
+except Exception as error:
+    if not OR_TODAY:
+        raise
+    say("pip's packages are those of today and not of %s: %s" % (DAY, error))
 with open(READY + ".new", "w") as told:
-    told.write(str(server.server_address[1]))
+    told.write(answer)
 os.rename(READY + ".new", READY)
-server.serve_forever()
+if answer != "no":
+    server.serve_forever()
 PYTHON
-for _ in $(seq 100); do
+for _ in $(seq 700); do
   if [ -s "${ready}" ]; then break; fi
   sleep 0.1
 done
 if [ ! -s "${ready}" ]; then
   cat /dev/shm/index-as-of.log >&2
   echo "echo 'roslab: the index of $1 cannot be served' && false"
+  exit 0
+fi
+if command -v git-as-of >/dev/null; then
+  # The name alone is there: nothing can be executed in this folder, which no layer keeps
+  mkdir -p /dev/shm/as-of
+  ln -sf "$(command -v git-as-of)" /dev/shm/as-of/git
+  echo "export GIT_AS_OF=$1"
+  # shellcheck disable=SC2016 # for the shell that evaluates it
+  echo 'export PATH="/dev/shm/as-of:${PATH}"'
+fi
+if [ "$(cat "${ready}")" = no ]; then
+  rm -f "${ready}"
   exit 0
 fi
 echo "export PIP_INDEX_URL=http://127.0.0.1:$(cat "${ready}")/simple/ PIP_TRUSTED_HOST=127.0.0.1"

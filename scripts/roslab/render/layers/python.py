@@ -20,6 +20,10 @@ def building(plan: Plan) -> str:
     lines: list[str] = []
     if plan.compatible:
         return ""
+    if python.day:
+        lines.append(f"# What pip installs without a version is of {python.day}: `pip_date` in roslab.yaml says which")
+    if python.clones and (python.day or plan.as_of):
+        lines.append(shell.copy_script("git-as-of").rstrip())
     if python.manager != "system" or _installs(plan):
         lines += ["# An older wheel is taken before the source of a newer release", "ENV PIP_PREFER_BINARY=1"]
     if python.cuda_architectures:
@@ -49,7 +53,6 @@ def environment(plan: Plan) -> str:
     if python.manager == "conda":
         return _conda(plan)
     if python.manager == "venv":
-        tools = _tools(plan)
         return "\n".join(
             (
                 "# A virtual environment of the user's own; the base's Python packages stay visible in it",
@@ -58,9 +61,7 @@ def environment(plan: Plan) -> str:
                     secrets.REPEATABLE,
                     *_venv("/opt/venv"),
                     "sed --in-place '/^include-system-site-packages/s/false/true/' /opt/venv/pyvenv.cfg",
-                    # What is pinned may be newer than the day
-                    *(() if plan.python_tools.pinned else secrets.as_of(plan)),
-                    f"python3 -m pip install --no-cache-dir --upgrade{shell.words(tools)}",
+                    *_upgrades(plan),
                     around=locks.constraints(plan),
                 ),
             )
@@ -82,6 +83,17 @@ def environment(plan: Plan) -> str:
             )
         )
     return "\n".join(lines)
+
+
+def _upgrades(plan: Plan) -> tuple[str, ...]:
+    """Return the commands that bring pip and what it builds with; where only packages are of a day, pip is not."""
+    upgrade, tools = "python3 -m pip install --no-cache-dir --upgrade", _tools(plan)
+    if plan.python.day:
+        own = tuple(line for line in tools if line.startswith("pip"))
+        others = tuple(line for line in tools if line not in own)
+        return f"{upgrade}{shell.words(own)}", *secrets.of_pip_day(plan), f"{upgrade}{shell.words(others)}"
+    # What is pinned may be newer than the day
+    return *(() if plan.python_tools.pinned else secrets.as_of(plan)), f"{upgrade}{shell.words(tools)}"
 
 
 def _venv(folder: str) -> tuple[str, str]:

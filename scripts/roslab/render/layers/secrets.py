@@ -58,16 +58,21 @@ def for_apt(plan: Plan) -> Secrets:
 
 def for_both(plan: Plan) -> Secrets:
     """Return what rosdep needs, which calls apt and pip."""
-    return _of(plan, (APT_AUTH, PIP_INDEX, NETRC, SSH), "root", first=before_pip(plan))
+    return _of(plan, (APT_AUTH, PIP_INDEX, NETRC, SSH), "root", first=(REPEATABLE, *as_of(plan)))
 
 
 def before_pip(plan: Plan) -> tuple[str, ...]:
     """Return the commands before those of pip: they write the same bytes again, of the plan's day if it has one."""
-    return (REPEATABLE, *as_of(plan))
+    return (REPEATABLE, *(of_pip_day(plan) or as_of(plan)))
+
+
+def of_pip_day(plan: Plan) -> tuple[str, ...]:
+    """Return the command that gives pip the index of its own day as far as there is one, none without such a day."""
+    return (f'eval "$(index-as-of {plan.python.day} --or-today)"',) if plan.python.day else ()
 
 
 def as_of(plan: Plan) -> tuple[str, ...]:
-    """Return the command that gives pip the index of the plan's day, none without a day."""
+    """Return the command that gives pip the index of the whole image's day, none without a day."""
     return (f'eval "$(index-as-of {plan.as_of.day})"',) if plan.as_of else ()
 
 

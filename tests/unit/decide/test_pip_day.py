@@ -1,0 +1,138 @@
+"""The day of pip's packages: that of an old last commit, or the one that ``pip_date`` names."""
+
+from __future__ import annotations
+
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from roslab.errors import ConfigurationError
+from roslab.knowledge.days import long_ago, usual
+from roslab.knowledge.frameworks import newest_framework
+from roslab.knowledge.tools import for_old_packages, python_tools
+from roslab.pipeline import Planned, plan_repository
+from roslab.plan.lock import use
+from roslab.plan.locked import Lock
+from roslab.render.dockerfile import dockerfile
+from roslab.render.report import inspection_text
+
+PYTHON = {"main.py": "import numpy\n\nprint(numpy.zeros(3))\n", "requirements.txt": "numpy\nscipy\n"}
+TORCH = {"main.py": "import torch\n", "requirements.txt": "torch\n"}
+
+
+def committed(folder: Path, files: dict[str, str], day: str, config: str = "") -> Planned:
+    """Plan a repository of one commit of a day."""
+    said = {"roslab.yaml": f"format: 3\n{config}"} if config else {}
+    for path, text in {**files, **said}.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text)
+    when = {"GIT_AUTHOR_DATE": f"{day}T12:00:00Z", "GIT_COMMITTER_DATE": f"{day}T12:00:00Z", "HOME": str(folder)}
+    identity = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
+    for words in (["init", "--quiet"], ["add", "."], [*identity, "commit", "--quiet", "--message", "x"]):
+        subprocess.run(["git", "-C", folder, *words], check=True, env={**when, "PATH": "/usr/bin:/bin"})
+    return plan_repository(folder)
+
+
+def test_an_old_repository_gets_packages_and_a_python_of_its_time(tmp_path: Path) -> None:
+    planned = committed(tmp_path, PYTHON, "2019-03-01")
+    assert planned.plan.python.day == "2019-03-01"
+    assert planned.plan.base_image == "ubuntu:18.04"
+    text = dockerfile(planned.plan)
+    assert text.count('eval "$(index-as-of 2019-03-01 --or-today)"') == 2, "what builds, and the packages"
+    assert "take-snapshots" not in text
+    assert "git-as-of /usr/local/bin" not in text
+    shown = inspection_text(planned.decision, planned.plan)
+    assert "what pip installs without a version is of 2019-03-01: the last commit is old" in shown
+
+
+def test_a_repository_that_is_worked_on_is_not_touched(tmp_path: Path) -> None:
+    planned = committed(tmp_path, PYTHON, long_ago())
+    assert planned.plan.python.day is None
+    assert "index-as-of" not in dockerfile(planned.plan)
+    assert not [reason for reason in planned.decision.reasons if reason.question == "pip_date"]
+
+
+@pytest.mark.parametrize(("said", "day"), [("today", None), ("2018-06-01", "2018-06-01"), ("paper", "2019-03-01")])
+def test_roslab_yaml_decides(tmp_path: Path, said: str, day: str | None) -> None:
+    planned = committed(tmp_path, PYTHON, "2019-03-01", f"pip_date: {said}\n")
+    assert planned.plan.python.day == day
+
+
+def test_a_day_can_be_named_for_a_new_commit(tmp_path: Path) -> None:
+    assert committed(tmp_path, PYTHON, long_ago(), "pip_date: 2018-06-01\n").plan.python.day == "2018-06-01"
+
+
+def test_one_day_for_all_and_another_for_pip_contradict_each_other(tmp_path: Path) -> None:
+    with pytest.raises(ConfigurationError, match="`date` is the day of pip's packages too"):
+        committed(tmp_path, PYTHON, "2019-03-01", "date: paper\npip_date: today\n")
+
+
+def test_a_python_that_is_named_stays(tmp_path: Path) -> None:
+    page = {"README.md": "# Planner\n\nNeeds Python 3.9.\n"}
+    planned = committed(tmp_path, PYTHON | page, "2021-01-10")
+    assert planned.plan.python.version == "3.9"
+
+
+def test_clones_of_pip_are_of_the_day(tmp_path: Path) -> None:
+    lines = {"requirements.txt": "numpy\ngit+https://github.com/example/solver.git\n"}
+    assert "COPY --from=scripts /git-as-of /usr/local/bin/" in dockerfile(
+        committed(tmp_path, PYTHON | lines, "2021-01-10").plan
+    )
+
+
+def test_a_lock_needs_no_day(tmp_path: Path) -> None:
+    plan = committed(tmp_path, PYTHON, "2021-01-10").plan
+    lock = Lock(base=plan.base_image, digest="", python="venv 3.8", rosdistro=None, tools=(), sources=(), machines=())
+    assert plan.python.day
+    assert use(plan, lock).python.day is None
+
+
+def test_what_is_compiled_for_torch_gets_the_cuda_of_its_day(tmp_path: Path) -> None:
+    kernel = {"kernel.cu": "__global__ void k() {}\n"}
+    setup = {"setup.py": "from torch.utils.cpp_extension import CUDAExtension\nfrom setuptools import setup\n"}
+    setup["setup.py"] += (
+        "setup(name='x', ext_modules=[CUDAExtension('x', ['kernel.cu'])], install_requires=['torch'])\n"
+    )
+    (tmp_path / "old").mkdir()
+    plan = committed(tmp_path / "old", kernel | setup, "2022-12-01").plan
+    assert "cuda:11.7" in plan.base_image
+    assert plan.python.bounds == ("torch==1.13.*",)
+    (tmp_path / "free").mkdir()
+    assert "cuda:12" in committed(tmp_path / "free", TORCH, "2022-12-01").plan.base_image, "the wheel brings its own"
+
+
+def test_ros_installs_its_pip_packages_of_the_day(tmp_path: Path) -> None:
+    package = (
+        '<package format="2"><name>robot</name><version>1.0.0</version><description>x</description>'
+        '<maintainer email="a@example.org">a</maintainer><license>MIT</license>'
+        "<buildtool_depend>catkin</buildtool_depend><depend>rospy</depend></package>"
+    )
+    cmake = "cmake_minimum_required(VERSION 3.0)\nproject(robot)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    ros = {"package.xml": package, "CMakeLists.txt": cmake}
+    (tmp_path / "plain").mkdir()
+    text = dockerfile(committed(tmp_path / "plain", ros, "2021-01-10").plan)
+    assert "index-as-of" not in text, "rosdep's keys alone"
+    lines = {"requirements.txt": "transforms3d\n"}
+    text = dockerfile(committed(tmp_path, ros | lines, "2021-01-10", "base: {ros: noetic}\n").plan)
+    assert text.count('eval "$(index-as-of 2021-01-10 --or-today)"') == 1
+    assert "'pip<24.1; python_version < \"3.9\"'" in text
+
+
+def test_pythons_that_had_wheels() -> None:
+    assert [python for python in ("2.7", "3.6", "3.7", "3.8") if usual(python, "2019-10-01")] == ["3.6", "3.7"]
+
+
+def test_the_newest_framework_of_a_day() -> None:
+    newest = newest_framework("torch", "2021-04-01")
+    assert newest is not None
+    assert newest.first == "1.8"
+    assert newest_framework("torch", "2016-01-01") is None
+
+
+def test_pip_reads_the_metadata_of_old_packages() -> None:
+    assert for_old_packages(python_tools("3.12", None)).installers == ("pip<24.1", "setuptools", "wheel")
+    old = for_old_packages(python_tools("3.6", None))
+    assert old.installers[:2] == ('pip<22; python_version < "3.7"', 'pip<24.1; python_version >= "3.7"')
+    assert replace(old, installers=()) == replace(python_tools("3.6", None), installers=())

@@ -1,0 +1,156 @@
+"""The scripts that give pip an index of a day: run as a build runs them, against an index of this test."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import pytest
+
+SCRIPTS = Path(__file__).parents[3] / "scripts/roslab/render/image_scripts"
+DAY = "2021-01-10"
+OLD, NEW = "2020-06-01", "2022-06-01"
+OWN = f"cp{sys.version_info.major}{sys.version_info.minor}"
+EVERY = "py3-none-any"
+BINARY = f"{OWN}-{OWN}-linux_x86_64.manylinux2014_x86_64.manylinux2014_aarch64"
+FILES = {
+    "pip": {f"pip-20.0-{EVERY}.whl": OLD},
+    "plain": {f"plain-1.0-{EVERY}.whl": OLD, f"plain-2.0-{EVERY}.whl": NEW},
+    "source": {"source-1.0.tar.gz": OLD, f"source-2.0-{EVERY}.whl": NEW},
+    "compiled": {
+        "compiled-1.0-cp27-cp27m-linux_x86_64.whl": OLD,
+        f"compiled-2.0-{BINARY}.whl": NEW,
+        f"compiled-3.0-{BINARY}.whl": "2023-06-01",
+    },
+    "later": {f"later-1.0-{EVERY}.whl": NEW, f"later-2.0-{EVERY}.whl": "2023-06-01"},
+}
+
+
+class Index(BaseHTTPRequestHandler):
+    """PEP 691's pages; below /old they do not tell the times of PEP 700."""
+
+    def do_GET(self) -> None:
+        name = self.path.strip("/").rpartition("/")[2]
+        files = [
+            {
+                "filename": file,
+                "url": f"/files/{file}",
+                "hashes": {"sha256": hashlib.sha256(file.encode()).hexdigest()},
+                **({} if self.path.startswith("/old") else {"upload-time": f"{day}T08:00:00Z"}),
+            }
+            for file, day in FILES.get(name, {}).items()
+        ]
+        self.send_response(200 if files else 404)
+        self.send_header("Content-Type", "application/vnd.pypi.simple.v1+json")
+        self.end_headers()
+        self.wfile.write(json.dumps({"meta": {"api-version": "1.1"}, "name": name, "files": files}).encode())
+
+    def log_message(self, *_: object) -> None:
+        """Say nothing."""
+
+
+@pytest.fixture
+def index() -> Iterator[str]:
+    """Serve the index."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Index)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    yield f"http://127.0.0.1:{server.server_address[1]}"
+    server.shutdown()
+    server.server_close()
+
+
+@pytest.fixture
+def step(tmp_path: Path, index: str) -> Iterator[list[subprocess.Popen[str]]]:
+    """Have the scripts under the names that they have in an image; what they start ends with the test."""
+    if shutil.which("bash") is None or not Path("/dev/shm").is_dir():
+        pytest.skip("a step of a build has bash and /dev/shm")
+    for name in ("index-as-of", "git-as-of"):
+        shutil.copy(SCRIPTS / f"{name}.sh", tmp_path / name)
+        (tmp_path / name).chmod(0o755)
+    started: list[subprocess.Popen[str]] = []
+    yield started
+    for process in started:
+        with contextlib.suppress(ProcessLookupError):  # a step that served nothing left nothing
+            os.killpg(process.pid, signal.SIGKILL)
+
+
+def ran(step: list[subprocess.Popen[str]], folder: Path, index: str, commands: str) -> str:
+    """Return what a step prints after the index was changed."""
+    environment = {k: v for k, v in os.environ.items() if not k.startswith(("PIP_", "GIT_"))}
+    path = f"{folder}:{Path(sys.executable).parent}:{environment['PATH']}"
+    with (folder / "said").open("w") as said:
+        process = subprocess.Popen(
+            ["bash", "-ec", f'eval "$(index-as-of {DAY} --or-today)"\n{commands}'],
+            env=environment | {"PATH": path, "PIP_INDEX_URL": index, "no_proxy": "127.0.0.1"},
+            stdout=subprocess.PIPE,
+            stderr=said,
+            text=True,
+            start_new_session=True,
+        )
+    step.append(process)
+    output, _ = process.communicate(timeout=100)
+    assert process.returncode == 0, (folder / "said").read_text()
+    return output
+
+
+PAGES = """python3 - <<'E'
+import os, re, urllib.request
+for name in "plain source compiled later".split():
+    asked = urllib.request.Request(os.environ["PIP_INDEX_URL"] + name + "/", headers={"User-Agent": "pip/AGENT"})
+    text = urllib.request.urlopen(asked).read().decode()
+    links = re.findall(r"<a ([^>]*)>([^<]*)</a>", text)
+    print(name, *(file.split("-")[1].replace(".tar.gz", "") for more, file in links if "yanked" not in more))
+E"""
+
+
+@pytest.mark.parametrize("agent", ["23.2.1", "9.0.1"])
+def test_what_came_later_is_hidden_unless_nothing_else_would_do(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, agent: str
+) -> None:
+    output = ran(step, tmp_path, f"{index}/simple/", PAGES.replace("AGENT", agent))
+    assert output.splitlines() == ["plain 1.0", "source 1.0", "compiled 1.0 2.0", "later 1.0"]
+    assert "compiled had nothing for this Python on 2021-01-10: compiled-2.0-" in (tmp_path / "said").read_text()
+
+
+def test_a_later_version_is_there_for_its_exact_number(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+) -> None:
+    output = ran(step, tmp_path, f"{index}/simple/", 'curl --silent --user-agent pip/23.0 "${PIP_INDEX_URL}plain/"')
+    assert 'data-yanked="uploaded after 2021-01-10">plain-2.0' in output
+
+
+def test_an_index_that_tells_no_times_is_taken_as_it_is(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+) -> None:
+    assert ran(step, tmp_path, f"{index}/old/", 'echo "${PIP_INDEX_URL}"').strip() == f"{index}/old/"
+    said = (tmp_path / "said").read_text()
+    assert said == (
+        "roslab: pip's packages are those of today and not of 2021-01-10: "
+        "the index does not tell when it got its files\n"
+    )
+
+
+def test_a_clone_is_of_the_day_and_keeps_its_branch(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+) -> None:
+    source = tmp_path / "source"
+    source.mkdir()
+    identity = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
+    subprocess.run(["git", "init", "--quiet", "--initial-branch=main", source], check=True)
+    for day in (OLD, NEW):
+        when = {"GIT_AUTHOR_DATE": f"{day}T12:00:00Z", "GIT_COMMITTER_DATE": f"{day}T12:00:00Z"}
+        command = ["git", "-C", source, *identity, "commit", "--quiet", "--allow-empty", "--message", day]
+        subprocess.run(command, check=True, env={**os.environ, **when})
+    commands = f"git clone --quiet {source} {tmp_path}/copy; git -C {tmp_path}/copy log -1 --format='%s %D'"
+    output = ran(step, tmp_path, f"{index}/old/", commands)
+    assert output.startswith(f"{OLD} HEAD -> main")
