@@ -149,7 +149,7 @@ def test_a_clone_is_of_the_day_and_keeps_its_branch(
     subprocess.run(["git", "init", "--quiet", "--initial-branch=main", source], check=True)
     for day in (OLD, NEW):
         when = {"GIT_AUTHOR_DATE": f"{day}T12:00:00Z", "GIT_COMMITTER_DATE": f"{day}T12:00:00Z"}
-        command = ["git", "-C", source, *identity, "commit", "--quiet", "--allow-empty", "--message", day]
+        command = ["git", "-C", str(source), *identity, "commit", "--quiet", "--allow-empty", "--message", day]
         subprocess.run(command, check=True, env={**os.environ, **when})
     commands = f"git clone --quiet {source} {tmp_path}/copy; git -C {tmp_path}/copy log -1 --format='%s %D'"
     output = ran(step, tmp_path, f"{index}/old/", commands)
