@@ -153,3 +153,33 @@ def test_what_cmake_fetches_itself_is_not_built_beside_it(tree: Tree) -> None:
     asked = "find_package(PoseLib REQUIRED)\n"
     assert [source.name for source in tree(ros1(asked, page)).source] == ["PoseLib"]
     assert tree(ros1(fetch + asked, page)).source == ()
+
+
+def test_a_linked_library_is_found_with_and_without_lib(tree: Tree) -> None:
+    page = "Install [libstrange3](https://github.com/somebody/libstrange3) first.\n"
+    sources = tree(ros1("find_package(strange3 REQUIRED)\n", page)).source
+    assert [(source.name, source.repo) for source in sources] == [
+        ("libstrange3", "https://github.com/somebody/libstrange3")
+    ]
+
+
+VIKIT = "find_package(catkin REQUIRED COMPONENTS vikit_common)\n"
+NEEDS_VIKIT = PACKAGE.replace("</package>", "<build_depend>vikit_common</build_depend></package>")
+
+
+def test_a_package_of_the_table_is_cloned_under_the_name_of_its_repository(tree: Tree) -> None:
+    decision = tree(ros1(VIKIT, "") | {"package.xml": NEEDS_VIKIT})
+    assert [source.name for source in decision.source] == ["sophus", "rpg_vikit"]
+    assert "vikit_common" in decision.skip_keys  # no key of rosdep: the repository holds it
+
+
+def test_a_copy_that_the_page_clones_is_the_only_one(tree: Tree) -> None:
+    page = "```\ngit clone https://github.com/somebody/rpg_vikit.git\n```\n"
+    decision = tree(ros1(VIKIT, page) | {"package.xml": NEEDS_VIKIT})
+    cloned = [source.repo for source in decision.source if source.name == "rpg_vikit"]
+    assert cloned == ["https://github.com/somebody/rpg_vikit.git"]
+
+
+def test_what_only_a_package_xml_names_is_not_cloned(tree: Tree) -> None:
+    listed = "find_package(catkin REQUIRED COMPONENTS roscpp)\n"
+    assert tree(ros1(listed, "") | {"package.xml": NEEDS_VIKIT}).source == ()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Literal
 
 from roslab.config.model import BuildTool, Config, Kind, Source
@@ -87,7 +87,7 @@ def decide_sources(
         asked = None if itself_in(git, itself) or plain(git.name) in own else asked_for(git, wanted, known)
         if asked is not None:
             chosen.clone(git, asked, known | rosdep_keys())
-    chosen.known(needed, known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
+    chosen.known(_used(evidence, needed), known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
     return chosen.choice(files)
 
 
@@ -105,6 +105,8 @@ class _Chosen:
     warnings: list[Warning_] = field(default_factory=list)
     libraries: dict[str, Dependency] = field(default_factory=dict)
     empty: list[Source] = field(default_factory=list)
+    packages: set[str] = field(default_factory=set)
+    """Packages that the table finds in these repositories."""
 
     def add(self, git: GitSource, why: str) -> bool:
         """Add a repository unless one of that name or URL was added before; tell whether it was added."""
@@ -176,8 +178,9 @@ class _Chosen:
             if asked.namespace not in {"rosdep", "ros", "cmake"} or asked.name in elsewhere:
                 continue
             for found in ros_sources(asked.name, ros):
+                name = found.repo.rpartition("/")[2].removesuffix(".git")  # as it is called where a page clones it
                 git = GitSource(
-                    name=found.package,
+                    name=name,
                     url=found.repo,
                     ref=found.ref,
                     strength=asked.strength,
@@ -186,17 +189,18 @@ class _Chosen:
                     kind="clone",
                 )
                 self.add(git, f"{asked.name} is needed, and no distribution released {found.package}")
-                if found.package in self.sources:
-                    self._complete(found, asked, distro)
+                if name in self.sources:
+                    self.packages.add(found.package)
+                    self._complete(name, found, asked, distro)
 
-    def _complete(self, found: RosSource, asked: Dependency, distro: str) -> None:
-        source = self.sources[found.package]
+    def _complete(self, name: str, found: RosSource, asked: Dependency, distro: str) -> None:
+        source = self.sources[name]
         if source.repo is None or address(source.repo) != address(found.repo):
             return  # another repository of that name
         if found.library:
             self.libraries.setdefault(found.library, asked)
         options = source.cmake_options or found.options.format(distro=distro)
-        self.sources[found.package] = replace(source, prepare=found.prepare, cmake_options=options)
+        self.sources[name] = replace(source, prepare=found.prepare, cmake_options=options)
 
     def loose(self) -> tuple[Warning_, ...]:
         """Warn about sources without a ref: a later build may get other code."""
@@ -215,11 +219,29 @@ class _Chosen:
                 vcs=files,
                 submodules=tuple(self.empty),
                 libraries=tuple(self.libraries.items()),
-                names=frozenset(self.sources) | {plain(name) for name in self.sources},
+                names=frozenset(self.sources) | {plain(name) for name in self.sources} | self.packages,
             ),
             reasons=tuple(self.reasons),
             warnings=(*self.warnings, *self.loose()),
         )
+
+
+def _used(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependency]:
+    """Yield the names that the build uses: a package.xml may name what its CMakeLists.txt, which has a list, does not.
+
+    catkin_simple looks for all that the package.xml names.
+    """
+    needed = tuple(needed)
+    used = {dependency.name for dependency in needed if dependency.namespace != "rosdep"}
+    listing = {
+        project.file.rpartition("/")[0]
+        for project in evidence.cmake
+        if any(d.namespace == "ros" for d in project.dependencies)
+        and not any(d.name == "catkin_simple" for d in project.dependencies)
+    }
+    for dependency in needed:
+        if dependency.name in used or dependency.file.rpartition("/")[0] not in listing:
+            yield dependency
 
 
 def _clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:

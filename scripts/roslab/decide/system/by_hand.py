@@ -42,6 +42,11 @@ def _like(source: Source, git: GitSource | None) -> Source:
     return replace(source, ref=ref, cmake_options=" ".join((*ours, git.options)).strip(), place=place)
 
 
+def _bare(name: str) -> str:
+    """Return a name in the one spelling in which two are compared, without ``lib``: ``libfreenect2``, ``freenect2``."""
+    return re.sub(r"^lib(?=[a-z])", "", plain(name))
+
+
 def by_hand(
     evidence: Evidence, config: Config, kind: Kind, *, target: Target, packages: Packages, taken: frozenset[str]
 ) -> tuple[tuple[Source, Dependency], ...]:
@@ -55,14 +60,16 @@ def by_hand(
     offered: dict[str, GitSource] = {}
     for git in sorted(evidence.sources, key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
         if (git.installed or git.kind == "link") and not places.vendored(git.file):
-            offered.setdefault(plain(git.name), git)
+            offered.setdefault(_bare(git.name), git)
     taken |= {plain(git.name) for project in evidence.cmake for git in project.sources}  # CMake fetches it itself
     found: dict[str, tuple[Source, Dependency]] = {}
     for asked in code_needs(evidence, packages):
-        name = re.sub(r"^lib(?=[a-z])", "", plain(asked.name))
-        if name not in offered or len(name) < SHORTEST or name in taken:
+        name = _bare(asked.name)
+        if name not in offered or len(name) < SHORTEST:
             continue
         git = offered[name]
+        if {name, plain(asked.name), plain(git.name)} & taken:
+            continue
         if not _unknown(asked, target, pinned=git.installed and bool(fixed(git.ref))):
             continue
         ref = fixed(git.ref)
