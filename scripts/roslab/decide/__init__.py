@@ -29,6 +29,7 @@ from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.workspace import Packages, packages_of
+from roslab.decide.steps import decide_steps
 from roslab.decide.system.by_hand import as_written, by_hand
 from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.missing import decide_missing
@@ -127,9 +128,11 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     libraries = as_written(recipes_for((*recipes, *older), base.answer.ubuntu, evidence.limits), evidence)
     taken = sources.answer.names | packages.names | {plain(source.name) for source, _ in libraries}
     taken |= {plain(git.name) for git in evidence.sources if git.kind == "submodule"}
-    linked = by_hand(evidence, config, kind.answer, target=target, packages=packages, taken=taken)
     depends = tuple(n for n in (*system.answer.apt, *system.answer.brought) if n.endswith("-dev"))
-    linked = tuple((replace(source, depends=depends), asked) for source, asked in linked)
+    linked = tuple(
+        (replace(source, depends=depends), asked)
+        for source, asked in by_hand(evidence, config, kind.answer, target=target, packages=packages, taken=taken)
+    )
     sources = with_recipes(sources, (*libraries, *linked))
     system = without_twins(system, frozenset(source.name for source, _ in (*libraries, *linked)))
 
@@ -158,6 +161,14 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         command=command.answer.command,
     )
     left_out = () if own.answer else missing.answer.packages
+    steps = decide_steps(
+        evidence,
+        config,
+        kind.answer,
+        taken=(*sources.answer.names, *packages.names),
+        addresses=(source.repo or "" for source in (*sources.answer.sources, *sources.answer.submodules)),
+        itself={folder_name.lower()},
+    )
     test = decide_test(config)
     platforms = decide_platforms(
         evidence, config, kind.answer, base.answer.image, distro, cuda.answer.version, python.answer, everything
@@ -180,7 +191,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         sources,
         system,
         inside,
-        *(() if own.answer else (missing,)),
+        *(() if own.answer else (missing, steps)),
     )
     return Decision(
         kind=kind.answer,

@@ -141,7 +141,12 @@ def _secret(authored: AuthorDockerfile, config: Config) -> str | None:
 
 
 def _chained(authored: AuthorDockerfile, evidence: Evidence) -> str | None:
-    """Return a doubt if the base is the image of another Dockerfile here: its tag is that one's folder."""
+    """Return a doubt if the base is the image of another Dockerfile here: a page builds it, or it is tagged so."""
+    whole = _tagged(authored.base or "")
+    pulled = {_tagged(m.value) for m in evidence.mentions if m.topic == "image_pulled"}
+    for mention in evidence.mentions:
+        if mention.topic == "image_built" and _tagged(mention.value) == whole and whole not in pulled:
+            return f"its base {authored.base} is what line {mention.line} of {mention.file} builds first"
     name, _, tag = (authored.base or "").partition(":")
     if "/" not in name or name.startswith(_PUBLISHED) or not tag:
         return None
@@ -149,6 +154,10 @@ def _chained(authored: AuthorDockerfile, evidence: Evidence) -> str | None:
         if other is not authored and tag in other.file.split("/")[:-1] and tag not in distros():
             return f"its base {authored.base} is what {other.file} builds"
     return None
+
+
+def _tagged(image: str) -> str:
+    return image if ":" in image.rpartition("/")[2] else f"{image}:latest"
 
 
 def _base_doubt(base: str, kind: Kind, ros_distro: str | None, *, mended: bool) -> str | None:

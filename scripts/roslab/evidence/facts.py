@@ -166,6 +166,9 @@ class Mention:
         "date",
         "vcs_file",
         "compiled",
+        "step",
+        "image_built",
+        "image_pulled",
     ]
     value: str
     source: Literal[

@@ -11,6 +11,11 @@ from roslab.values.pattern import pattern
 _ARCHIVE = pattern(r"(https://github\.com/[\w-]+/([\w.-]+))/archive/(?:refs/tags/)?([\w.+-]+?)\.(?:zip|tar\.gz|tgz)$")
 
 
+def is_release(url: str) -> bool:
+    """Tell whether an address is that of a repository's archive."""
+    return bool(_ARCHIVE.match(url))
+
+
 def archives(command: Command, file: str) -> Iterator[GitSource]:
     """Yield the repositories and tags whose archives ``wget`` or ``curl`` fetches."""
     for word in command.words:

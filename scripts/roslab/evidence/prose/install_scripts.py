@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from roslab.evidence import places
-from roslab.evidence.facts import Prose
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.branches import branches
 from roslab.evidence.lex.shell import fill_placeholders
 from roslab.evidence.prose.installs import Collector, merge
+from roslab.knowledge.distros import distros
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -24,6 +27,9 @@ _LIST = pattern(
     r"^(?:apt|debian|ubuntu|system|os)?[-_]?(?:additional[-_]?)?(?:apt|debs?|packages|"
     r"dependencies)(?:[-_]?(?:packages|requirements|dependencies|list|deps))?\.txt$"
 )
+_KEPT = frozenset({"compiled", "step", "image_built", "image_pulled"})
+"""What is believed of a script that nobody may run."""
+_ROS = pattern(r"ros-([a-z]+)-")
 _NAMES = pattern(r"[a-z0-9][a-z0-9+.-]+")
 
 
@@ -41,13 +47,14 @@ def read(repository: Repository) -> Prose:
     ]
     for file in sorted(shells, key=lambda file: (file.path.count("/"), file.path))[:MAX_SCRIPTS]:
         text = repository.read(file)
-        if "install" in text or "clone" in text or "cmake" in text:
+        if any(word in text for word in ("install", "clone", "cmake", "docker")):
             collector = Collector(file.path, "script")
             _assignments(text, collector)
             collector.text(text)
             found = collector.prose()
             found = found._replace(requirements=_of_one_branch(found.requirements, text))
-            parts.append(found._replace(mentions=tuple(m for m in found.mentions if m.topic == "compiled")))
+            kept = (*(m for m in found.mentions if m.topic in _KEPT), *_distros(found.dependencies))
+            parts.append(found._replace(mentions=kept))
     lists = (
         file
         for file in repository.suffixed(".txt")
@@ -58,6 +65,13 @@ def read(repository: Repository) -> Prose:
     )
     parts += (_listed(repository.read(file), file.path) for file in lists)
     return merge(parts)
+
+
+def _distros(asked: tuple[Dependency, ...]) -> Iterator[Mention]:
+    """Yield the distributions in names of packages: ``ros-melodic-tf``, each once."""
+    named = {match[1]: each for each in reversed(asked) if (match := _ROS.match(each.name)) and match[1] in distros()}
+    for name, each in named.items():
+        yield Mention(topic="distro", value=name, source="script", file=each.file, line=each.line, text=each.name)
 
 
 def _of_one_branch(asked: tuple[Requirement, ...], text: str) -> tuple[Requirement, ...]:

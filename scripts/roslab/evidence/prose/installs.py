@@ -11,6 +11,7 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.prose.archives import archives
+from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.runners import started
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks
 from roslab.knowledge.tools import PIXI
@@ -23,7 +24,7 @@ TRIGGER = pattern(
     r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|"
     r"\s+build|\s+init)|"
     r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s|\bpixi\s+(?:install|shell)\b|\btorchrun\s|\b(?:ba)?sh\s+\S+\.sh\b|"
-    r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b|/archive/|(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"
+    r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b|/archive/|\bppa:|\bdpkg\s|\.deb\b|\.t(?:ar|gz)\b|\bdocker\s|(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"
 )
 """A line without any of these words is skipped."""
 _RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
@@ -76,6 +77,8 @@ class Collector:
             if "<" in text and (self.source == "readme" or _RUN.search(text)):
                 text = _BLANK.sub("$UNKNOWN", text)  # otherwise `<sensor name>` would be read as a redirection
             for command in commands(text, line, self.variables):
+                for topic, value in steps(command, self.heading):
+                    self._mention(topic, value.replace(UNKNOWN, "…"), command)
                 self.command(command)
 
     def command(self, command: Command) -> None:
@@ -119,7 +122,7 @@ class Collector:
 
     def _mention(
         self,
-        topic: Literal["python", "cuda", "build_tool", "command", "framework"],
+        topic: Literal["python", "cuda", "build_tool", "command", "framework"] | Topic,
         value: str,
         command: Command,
     ) -> None:

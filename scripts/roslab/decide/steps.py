@@ -1,0 +1,75 @@
+"""Steps of the installation that nothing in the image repeats: each is told once, with its line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslab.config.model import Config, Kind
+from roslab.decide.decision import Choice, Warning_
+from roslab.decide.reasons import warn
+from roslab.decide.ros.source_names import address, itself_in, plain
+from roslab.evidence import places
+from roslab.evidence.dependency import GitSource
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.libraries import library
+
+_PAGES = (".md", ".rst", ".txt", "README", "INSTALL")
+"""A script may clone for one robot or another; a page says what everybody needs."""
+MOST = 8
+"""Most steps that are told of one kind."""
+
+
+def decide_steps(
+    evidence: Evidence, config: Config, kind: Kind, *, taken: Iterable[str], addresses: Iterable[str], itself: set[str]
+) -> Choice[None]:
+    """Return warnings about what pages and scripts install by other means than apt, pip, conda and known sources.
+
+    ``taken`` are names and ``addresses`` are addresses of what the image has, ``itself`` are the repository's names.
+    """
+    if config.compatible or config.custom:
+        return Choice(answer=None)
+    names = {plain(name) for name in taken}
+    there = {address(each) for each in addresses}
+    return Choice(answer=None, warnings=(*_fetched(evidence, names), *_cloned(evidence, kind, names, there, itself)))
+
+
+def _fetched(evidence: Evidence, names: set[str]) -> Iterator[Warning_]:
+    told: dict[str, Warning_] = {}
+    for mention in evidence.mentions:
+        if (
+            mention.topic == "step"
+            and mention.source in {"readme", "script"}
+            and not places.vendored(mention.file)
+            and not _answered(mention.value, names)
+        ):
+            message = f"not part of the image: `{mention.value}`; put what it brings under `apt`, `source` or `custom`"
+            told.setdefault(mention.value, warn(f"{message} in roslab.yaml", mention))
+    yield from list(told.values())[:MOST]
+
+
+def _answered(step: str, names: set[str]) -> bool:
+    """Tell whether something of the image has a name that stands in the step."""
+    words = plain(step.replace("/", "-"))
+    return any(name in words for name in names if len(name) > 3)
+
+
+def _cloned(evidence: Evidence, kind: Kind, names: set[str], there: set[str], itself: set[str]) -> Iterator[Warning_]:
+    """Yield a warning for each repository that a page clones and that neither the build nor a table asks for."""
+    told: dict[str, Warning_] = {}
+    for git in evidence.sources if kind in {"ros1", "ros2", "cpp"} else ():
+        aside = places.vendored(git.file) or places.documentation(git.file) or places.test(git.file)
+        aside = aside or not git.file.endswith(_PAGES)
+        if git.kind != "clone" or git.strength != "prose" or aside or itself_in(git, itself):
+            continue
+        if address(git.url) in there or plain(git.name) in names or _in_ubuntu(git):
+            continue
+        message = f"not cloned: {git.url}, for nothing that is built asks for it by name"
+        told.setdefault(
+            address(git.url), warn(f"{message}; if it is needed, give it under `source` in roslab.yaml", git)
+        )
+    yield from list(told.values())[:MOST]
+
+
+def _in_ubuntu(git: GitSource) -> bool:
+    found = library("cmake", git.name, None)
+    return bool(found and found.apt)

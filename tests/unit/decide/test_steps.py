@@ -1,0 +1,69 @@
+"""Steps of an installation that the image does not repeat: each is told once, with its line."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+CMAKE = "project(demo)\nfind_package(catkin REQUIRED)\n"
+
+
+def told(tree: Tree, page: str, **files: str) -> list[tuple[str, str | None, int | None]]:
+    found = tree({"package.xml": PACKAGE, "CMakeLists.txt": CMAKE, "README.md": f"# For ROS Noetic\n{page}"} | files)
+    begin = ("not part of the image: ", "not cloned: ")
+    return [(w.message.split(";")[0], w.file, w.line) for w in found.warnings if w.message.startswith(begin)]
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("sudo add-apt-repository ppa:somebody/things", "add-apt-repository ppa:somebody/things"),
+        ("sudo dpkg -i driver_1.0_amd64.deb", "dpkg -i driver_1.0_amd64.deb"),
+        ("wget https://example.org/sdk-2.tar.gz", "wget https://example.org/sdk-2.tar.gz"),
+    ],
+)
+def test_a_step_by_other_means_is_told_once_with_its_line(tree: Tree, line: str, said: str) -> None:
+    page = f"## Installation\n```\n{line}\n```\n## Once more\n```\n{line}\n```\n"
+    assert told(tree, page) == [(f"not part of the image: `{said}`", "README.md", 4)]
+
+
+def test_data_is_no_step_of_an_installation(tree: Tree) -> None:
+    page = "## Usage\n```\nwget https://example.org/bags.zip\n```\n## Install the dataset\n```\nwget https://x.org/a.zip\n```\n"
+    assert told(tree, page) == []
+
+
+def test_a_clone_that_nothing_asks_for_is_told_and_the_repository_itself_is_not(tree: Tree) -> None:
+    page = "```\ngit clone https://github.com/me/demo\ngit clone https://github.com/them/odd_sdk.git\n```\n"
+    message = "not cloned: https://github.com/them/odd_sdk.git, for nothing that is built asks for it by name"
+    assert told(tree, page) == [(message, "README.md", 4)]
+
+
+def test_a_script_names_the_distribution_by_its_packages(tree: Tree) -> None:
+    script = "apt-get install -y ros-melodic-tf2-sensor-msgs\n"
+    found = tree({"package.xml": PACKAGE, "CMakeLists.txt": CMAKE, "install_deps.sh": script})
+    assert found.ros_distro == "melodic"
+
+
+BASE = "FROM ubuntu:22.04\nRUN apt-get update\n"
+OWN = "FROM lab/base\nCOPY . /app\nCMD python3 /app/walk.py\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "used"),
+    [
+        ("```\ndocker build -t lab/base docker/base\ndocker build -t walk .\n```\n", False),
+        ("```\ndocker pull lab/base\n```\nor `docker build -t lab/base docker/base`\n", True),
+        ("```\ndocker build -t walk .\n```\n", True),
+    ],
+)
+def test_a_base_that_the_page_builds_first_is_no_published_image(tree: Tree, page: str, used: bool) -> None:
+    files = {"Dockerfile": OWN, "docker/base/Dockerfile": BASE, "walk.py": "print(1)\n", "README.md": page}
+    found = tree(files)
+    assert (found.dockerfile == "Dockerfile") is used
+    against = [r.reason for r in found.reasons if r.question == "dockerfile" and "builds first" in r.reason]
+    assert against == ([] if used else ["its base lab/base is what line 2 of README.md builds first"])
