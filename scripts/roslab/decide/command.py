@@ -10,7 +10,7 @@ from roslab.decide.author_command import entry_point, startable, started
 from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
-from roslab.decide.first_command import first_of, named_like_it, serves
+from roslab.decide.first_command import first_of, named_like_it, serves, upkeep
 from roslab.decide.reasons import because, configured
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
@@ -99,7 +99,7 @@ def _obvious(
 
     Of the programs, only those that a container of the author's image can be given, if that is built.
     """
-    ours = [c for c in found if _own(c.argv, evidence)]
+    ours = [c for c in found if _own(c.argv, evidence) and not upkeep(c)]
     if dockerfile:
         ours = [c for c in ours if authored and startable(c, authored)]
     if first := first_of(ours):

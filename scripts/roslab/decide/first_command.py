@@ -28,6 +28,14 @@ _SERVES = pattern(
     re.IGNORECASE,
 )
 """The name of a program that serves the one that is meant."""
+_UPKEEP = pattern(
+    r"(?:^|/)(?:\.\w[\w-]*|build[_-]?(?:tools?|utils?|scripts?)|ci|continuous_integration|docs?|documentation|sphinx\w*|"
+    r"packaging|releases?|deploy\w*|dev(?:[_-]?tools?)?|maint\w*|admin|debian|conda(?:[._-]recipe)?|recipe)/|"
+    r"(?:^|[/_.-])(?:changelog|release(?:_?notes)?|bump(?:_?version)?|(?:get|update|set)_version|versioneer|publish|upload|"
+    r"coverage|codecov|stubgen|pre_?commit|git_?hook|noxfile|fabfile|conftest|setup|conf|gen_?docs?|make_?docs?)\.(?:py|sh)$",
+    re.IGNORECASE,
+)
+"""A script that keeps the project itself: of its releases, its build, its documentation, its continuous integration."""
 _DATASET = pattern(r"(?:^|[_.-])(?:datasets?|data)(?:[_.-]|$)", re.IGNORECASE)
 """The name of a file of Python that makes data; a node or a compiled program of that name runs on data."""
 _AFTER = pattern(
@@ -56,7 +64,9 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     that the tree lacks comes after what needs none, except for Python, whose READMEs usually name data; another
     that is given with blanks to fill in comes last; programs that only serve others are never returned.
     """
-    written = [c for c in candidates if c.strong and not _helps(c) and not any(map(_HELP.match, c.argv))]
+    written = [
+        c for c in candidates if c.strong and not _helps(c) and not upkeep(c) and not any(map(_HELP.match, c.argv))
+    ]
     rest = [c for c in written if not _after(c)] or [c for c in written if c.argv[0].startswith("python")]
     whole = {program_of(c.argv) for c in rest if not c.cut}
     return min((c for c in rest if not c.cut or program_of(c.argv) not in whole), key=_order, default=None)
@@ -83,6 +93,13 @@ def _section(heading: str) -> int:
         if _USAGE.search(title):
             return 1
     return 0
+
+
+def upkeep(candidate: Candidate) -> bool:
+    """Tell whether a script is for those who work on the project: who only uses it never runs it."""
+    words = program_of(candidate.argv)
+    script = words[1] if words[0] in {"python3", "bash", "sh"} and len(words) > 1 else words[0]
+    return bool(_UPKEEP.search(script)) and script.endswith((".py", ".sh"))
 
 
 def serves(candidate: Candidate) -> bool:

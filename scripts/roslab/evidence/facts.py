@@ -266,6 +266,8 @@ class Evidence:
     """What install lines in READMEs and scripts install with apt."""
     prose_pip: tuple[Requirement, ...] = ()
     """What they install with pip and conda."""
+    listed: tuple[Requirement, ...] = ()
+    """What the pages at the root of a repository without ROS packages list as needed, or name with a version."""
     sources: tuple[GitSource, ...] = ()
     mentions: tuple[Mention, ...] = ()
     bounds: tuple[Removed, ...] = ()

@@ -7,7 +7,7 @@ import re
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import cmake, cpp, cpu
 from roslab.evidence.native.limits import Signs
-from roslab.evidence.prose import author_dockerfile, ci, install_scripts, readme, worked_on
+from roslab.evidence.prose import author_dockerfile, ci, install_scripts, page_lists, readme, worked_on
 from roslab.evidence.prose.installs import merge
 from roslab.evidence.python import conda, imports, limits, pixi, print_statement, project, removed, requirements, tests
 from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, rosbuild, vcs
@@ -50,6 +50,7 @@ def gather(repository: Repository) -> Evidence:
         ),
         prose=prose.dependencies,
         prose_pip=prose.requirements,
+        listed=page_lists.read(repository) if not manifests else (),
         sources=sources,
         mentions=(
             *distro_names.read(repository),

@@ -7,7 +7,20 @@ from collections.abc import Callable
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import apart, base, final, locks, manifests, python, scripts, shell, slim, system, workspace
+from roslab.render.layers import (
+    apart,
+    base,
+    building,
+    final,
+    locks,
+    manifests,
+    python,
+    scripts,
+    shell,
+    slim,
+    system,
+    workspace,
+)
 from roslab.render.output import Beside
 from roslab.values.dataclass import dataclass
 from roslab.values.secret import SSH
@@ -45,7 +58,7 @@ TODAY = Order(
         system.guessed_packages,  # … and what was guessed
         system.icub,
         system.newer_cmake,
-        python.building,
+        building.settings,
         python.environment,
         python.jupyter,
         system.libraries,
@@ -72,7 +85,7 @@ OLD_FORMATS = Order(  # the order of the old generators, in which later steps us
     image=(
         system.first_packages,
         system.tools,
-        python.building,
+        building.settings,
         python.environment,
         python.jupyter,
         system.icub,

@@ -193,3 +193,50 @@ def test_a_compiled_program_may_be_named_after_its_data(tree: Tree) -> None:
 def test_the_first_program_of_python_counts_even_with_blanks(tree: Tree, page: str, command: str) -> None:
     files = dict.fromkeys(("train.py", "render.py"), "import numpy\n")
     assert " ".join(tree({**files, "README.md": f"```\n{page}```\n"}).command) == command
+
+
+@pytest.mark.parametrize(
+    "script",
+    [
+        "build_tools/changelog.py",
+        "ci/run.py",
+        "docs/conf.py",
+        "release.py",
+        "tools/bump_version.py",
+        ".github/stats.py",
+    ],
+)
+def test_what_keeps_the_project_itself_is_no_command(tree: Tree, script: str) -> None:
+    guard = "if __name__ == '__main__':\n    print('x')\n"
+    files = {"setup.py": "from setuptools import setup\nsetup(name='demo')\n", "demo.pyx": "", script: guard}
+    assert tree(files).command == ("bash",)
+    assert tree(files | {"README.md": f"```\npython {script}\n```\n"}).command == ("bash",)
+
+
+def test_a_program_that_only_sounds_like_it_is_one(tree: Tree) -> None:
+    page = {
+        "README.md": "```\npython deploy.py\n```\n",
+        "deploy.py": "import numpy\nprint('drives')\n",
+        "requirements.txt": "numpy\n",
+    }
+    assert tree(page).command == ("python", "deploy.py")
+
+
+def test_a_sentence_with_three_backquotes_runs_a_program(tree: Tree) -> None:
+    files = {
+        "README.md": "- Run ```main.py``` to train the model\n",
+        "main.py": "print('trains')\n",
+        "requirements.txt": "numpy\n",
+    }
+    assert tree(files).command == ("python", "main.py")
+
+
+def test_a_program_below_the_folder_that_the_page_went_to(tree: Tree) -> None:
+    page = "```\ncd scripts\nbash build.sh\n```\nTraining\n```\ncd utils\npython train.py --data <folder>\n```\n"
+    files = {
+        "README.md": page,
+        "utils/train.py": "print('trains')\n",
+        "scripts/build.sh": "make\n",
+        "setup.py": "from setuptools import setup\nsetup()\n",
+    }
+    assert tree(files).command == ("python", "utils/train.py")

@@ -136,3 +136,16 @@ def test_pip_reads_the_metadata_of_old_packages() -> None:
     old = for_old_packages(python_tools("3.6", None))
     assert old.installers[:2] == ('pip<22; python_version < "3.7"', 'pip<24.1; python_version >= "3.7"')
     assert replace(old, installers=()) == replace(python_tools("3.6", None), installers=())
+
+
+@pytest.mark.parametrize("said", ["Python 3.6 or newer", "Python 3.6+", "Python >= 3.6", "Python 3.6 or above"])
+def test_the_oldest_python_that_works_is_not_the_one_that_is_meant(tmp_path: Path, said: str) -> None:
+    planned = committed(tmp_path, PYTHON | {"README.md": f"# Planner\n\nNeeds {said}.\n"}, "2022-01-10")
+    assert planned.plan.python.version == "3.8"
+    assert "python=3.8" not in dockerfile(planned.plan), "the Ubuntu's own"
+
+
+def test_the_pip_of_conda_reads_old_metadata_too(tmp_path: Path) -> None:
+    planned = committed(tmp_path, PYTHON | {"README.md": "Needs Python 3.7.\n", "k.cu": "int x;\n"}, "2021-01-10")
+    assert planned.plan.python.manager == "conda"
+    assert "python=3.7 'pip<24.1'" in dockerfile(planned.plan)

@@ -399,3 +399,18 @@ def test_a_library_built_from_source_gets_the_headers_that_a_ros_package_brings_
     found = decided(tmp_path, files)
     assert "libopencv-dev" not in found.apt
     assert ["libopencv-dev" in source.depends for source in found.source if source.name == "odd_library"] == [True]
+
+
+@pytest.mark.parametrize("module", ["serial", "fcl"])
+def test_an_import_of_another_projects_module_brings_no_library_of_ros(tmp_path: Path, module: str) -> None:
+    package = "<package format='2'><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+    files = {
+        "package.xml": package,
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n",
+        "scripts/node.py": f"#!/usr/bin/env python3\nimport {module}\nimport tf2_ros\n",
+        "README.md": "For ROS Noetic.\n",
+    }
+    decision = decided(tmp_path, files)
+    asked = (*decision.apt, *decision.apt_guessed)
+    assert f"ros-noetic-{module}" not in asked
+    assert "ros-noetic-tf2-ros" in asked

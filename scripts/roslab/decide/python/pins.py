@@ -9,6 +9,7 @@ from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence
 from roslab.knowledge.frameworks import conda_names, imports
+from roslab.knowledge.guesses import same_module
 from roslab.values.conda import CondaPackage
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
@@ -78,6 +79,17 @@ def _of_prose(evidence: Evidence) -> Iterator[Pin]:
     said += [asked for asked in evidence.prose_pip if not DEVELOPMENT.search(asked.file)]
     for asked in said:  # from "conda install" only packages that pip has too
         if not asked.role or (asked.role == "conda" and asked.key in known):
+            yield Pin(asked, 1)
+    yield from _of_lists(evidence)
+
+
+def _of_lists(evidence: Evidence) -> Iterator[Pin]:
+    """Yield what a page lists: what the code imports, and of a program of Python alone the rest too."""
+    used = {d.name for d in evidence.code if d.namespace == "import"}
+    imported = {canonicalize_name(package) for name, (package, _) in imports().items() if package and name in used}
+    whole = bool(used) and not (evidence.requirements or evidence.conda or evidence.cmake)
+    for asked in evidence.listed:
+        if whole or asked.key in imported or any(same_module(asked.key, other) for other in imported):
             yield Pin(asked, 1)
 
 

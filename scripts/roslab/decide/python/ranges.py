@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from typing import NamedTuple
@@ -14,7 +15,7 @@ from roslab.decide.python.pythons import PREFERRED
 from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import Placed, because
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.frameworks import Framework, framework, last_below
 from roslab.values.pattern import pattern
 from roslab.values.specifier import admits, specifiers
@@ -52,6 +53,21 @@ def ranges_by_syntax(evidence: Evidence) -> Iterator[Range]:
             why = f"the code has {limit.what}"
             reason = because("python", f"≥ {limit.at_least}", why, limit, weight=Weight.USED)
             yield Range(_between(Version(limit.at_least), _ANY), reason)
+
+
+def ranges_at_least(evidence: Evidence) -> Iterator[Range]:
+    """Yield the oldest Pythons that pages name, where a day tells which newer ones there were: ``3.5 or newer``."""
+    for mention in evidence.mentions if evidence.worked_on else ():
+        if mention.topic == "python" and only_lowest(mention):
+            reason = because("python", f"≥ {mention.value}", f"“{mention.text[:80]}”", mention, weight=Weight.USED)
+            yield Range(_between(Version(mention.value), _ANY), reason)
+
+
+def only_lowest(mention: Mention) -> bool:
+    """Tell whether a version is only the oldest one that works: ``3.5+``, ``3.5 or newer``, ``>= 3.5``."""
+    number = re.escape(mention.value)
+    after = rf"{number}(?:\.\d+)?\s?(?:\+|\(?(?:or|and) (?:newer|later|above|higher|greater|up))"
+    return mention.source == "readme" and bool(re.search(rf"{after}|(?:>=|≥)\s?{number}", mention.text))
 
 
 def ranges_by_use(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Range]:

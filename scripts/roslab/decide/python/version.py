@@ -11,7 +11,7 @@ from roslab.config.model import Config
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pythons import PREFERRED
-from roslab.decide.python.ranges import Range, ranges, ranges_by_syntax, ranges_by_use
+from roslab.decide.python.ranges import Range, only_lowest, ranges, ranges_at_least, ranges_by_syntax, ranges_by_use
 from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because, configured, outweighed
 from roslab.evidence import places
@@ -37,7 +37,7 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
     if config.base.python:
         said = configured(config, "python", config.base.python, "base.python")
         return Choice(answer=config.base.python, reasons=(said,))
-    known = tuple(ranges(evidence, pins, _telling(evidence)))
+    known = (*ranges(evidence, pins, _telling(evidence)), *ranges_at_least(evidence))
     if known:  # syntax alone tells nothing of the version that is meant
         meant = {*_fitting(known)}
         known = (*known, *(each for each in ranges_by_syntax(evidence) if not meant <= each.pythons))
@@ -82,7 +82,7 @@ def _named(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Reason]:
     three = any("Python :: 3" in line for p in evidence.python if not p.folder for line in p.classifiers)
     for mention in evidence.mentions:
         number = version_of(mention.value) if mention.topic == "python" else None
-        if number and number >= _OLDEST:
+        if number and number >= _OLDEST and not (evidence.worked_on and only_lowest(mention)):
             yield from _mentioned(mention, three=three)
     yield from _of_images(evidence)
     for pin in pins:
@@ -101,7 +101,7 @@ def _mentioned(mention: Mention, *, three: bool) -> Iterator[Reason]:
     weight = Weight.SAID.get(mention.source, Weight.SAID_ELSEWHERE)
     weight -= Weight.DEEPER * min(mention.file.count("/"), 3)
     weight += Weight.CREATES if "create" in mention.text and "python" in mention.text else 0
-    weight -= Weight.AT_LEAST if _at_least(mention.value, mention.text) else 0
+    weight -= Weight.AT_LEAST if only_lowest(mention) else 0
     yield because("python", mention.value, f"“{mention.text[:80]}”", mention, weight=weight)
 
 
@@ -122,8 +122,3 @@ def _of_images(evidence: Evidence) -> Iterator[Reason]:
             why = f"the Python of {authored.base}"
             weight = Weight.IMAGE - Weight.DEEPER * min(authored.file.count("/"), 3)
             yield replace(because("python", number, why, authored, weight=weight), line=authored.base_line)
-
-
-def _at_least(number: str, text: str) -> bool:
-    """Tell whether ``3.5`` is only the oldest version that works: ``3.5+``, ``3.5 or newer``."""
-    return bool(re.search(rf"{re.escape(number)}\s?(?:\+|or (?:newer|later|above|higher))", text))

@@ -10,7 +10,9 @@ from roslab.decide.system.names import written_for
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.frameworks import imports
 from roslab.values.dataclass import replace
+from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 
 _STARTED = pattern(r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch))\s+(?:--?\S+\s+)*([a-z][a-z0-9_]+)\s")
@@ -71,13 +73,22 @@ def started(evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
     for dependency in evidence.code:
         if dependency.namespace == "ros":
             yield dependency
-        elif dependency.namespace == "import":
+        elif dependency.namespace == "import" and _of_ros(dependency.name):
             yield replace(dependency, namespace="ros", role="exec")
     for mention in evidence.mentions:
         if mention.topic == "command" and (match := _STARTED.search(mention.text)):
             yield Dependency(
                 namespace="ros", name=match[1], strength="prose", file=mention.file, line=mention.line, role="exec"
             )
+
+
+def _of_ros(module: str) -> bool:
+    """Tell whether a ROS package of a module's name may bring it: none does where the index has it by another name.
+
+    ``serial`` is pyserial's, and ROS's serial is a library of C++.
+    """
+    package = imports().get(module, (None, None))[0]
+    return package is None or canonicalize_name(package) == canonicalize_name(module)
 
 
 def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependency]:

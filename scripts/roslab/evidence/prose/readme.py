@@ -58,7 +58,7 @@ _LINK = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?!\.?[\w/-])
 """A page of a repository itself, not of a file in it."""
 _NAMED_PYTHON = pattern(
     r"\b(?:run|runn?ing|start|launch|execute|use)\b(?:\s+(?:the|a|script|file|program|our)){0,3}\s+"
-    r"`([\w./-]+\.py(?: [^`\n]{0,200})?)`",
+    r"`{1,3}([\w./-]+\.py(?: [^`\n]{0,200})?)`",
     re.IGNORECASE,
 )
 """A sentence that runs a file of Python."""
@@ -80,7 +80,7 @@ _RST_LINE = pattern(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
 
 def read(repository: Repository) -> Prose:
     """Return the install and run lines and the versions of the pages that explain how to install."""
-    return merge(_rooted(_read(repository.read(file), file), repository) for file in _pages(repository))
+    return merge(_rooted(_read(repository.read(file), file), repository) for file in pages(repository))
 
 
 def _rooted(prose: Prose, repository: Repository) -> Prose:
@@ -97,13 +97,25 @@ def _with_files(mention: Mention, repository: Repository) -> Mention:
         if index == 0 and not word.endswith(".sh"):
             continue
         path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", word)) if "/" in word or "." in word else ""
+        if (
+            words[0].startswith("python") and path.endswith(".py") and not (found or repository.has(path))
+        ):  # the page is in another folder by then
+            path = _only(path, repository) or path
         if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):
             words[index] = path
             found.append(path)
     return replace(mention, value=" ".join(words), files=tuple(found)) if found else mention
 
 
-def _pages(repository: Repository) -> list[File]:
+def _only(path: str, repository: Repository) -> str | None:
+    """Return the one file of the tree whose path ends in this one, ``None`` if there are several or none."""
+    ends = [file.path for file in repository.named(posixpath.basename(path)) if file.path.endswith(f"/{path}")]
+    own = [each for each in ends if not places.vendored(each)]
+    return own[0] if len(own) == 1 else None
+
+
+def pages(repository: Repository) -> list[File]:
+    """Return the pages that explain how to install or to start, those nearest to the root first."""
     found = []
     for file in repository.suffixed(*_TEXTS):
         name = file.name.lower()

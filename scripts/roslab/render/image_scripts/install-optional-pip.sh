@@ -1,6 +1,7 @@
 #!/bin/bash
 # usage: install-optional-pip PYTHON [OPTION...] -- PACKAGE...
-# Installs each package that pip finds, with the given options. The others are named and left out.
+# Installs each package that pip finds, with the given options. Of one that has not the exact version which a page names,
+# another version is taken. The others are named and left out.
 set -euo pipefail
 
 pip=("$1" -m pip install --no-cache-dir)
@@ -11,5 +12,11 @@ while [ "$1" != -- ]; do
 done
 shift
 for package in "$@"; do
-  "${pip[@]}" "${package}" || echo "pip ${package}" | tee --append /usr/local/share/roslab/left-out.txt
+  if "${pip[@]}" "${package}"; then continue; fi
+  name="${package%%==*}"
+  if [ "${name}" != "${package}" ] && "${pip[@]}" "${name}"; then
+    echo "roslab: pip cannot install ${package} here: another version is taken" >&2
+    continue
+  fi
+  echo "pip ${package}" | tee --append /usr/local/share/roslab/left-out.txt
 done

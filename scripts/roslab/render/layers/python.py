@@ -5,46 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from roslab.knowledge.tools import python2_installers, tool_image
+from roslab.knowledge.tools import OLD_METADATA, python2_installers, tool_image
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import locks, manifests, secrets, shell
-from roslab.values.secret import SSH
+from roslab.render.layers import building, locks, manifests, secrets, shell
 
 GET_PIP = "https://bootstrap.pypa.io/pip/2.7/get-pip.py"
-
-
-def building(plan: Plan) -> str:
-    """Say how pip builds: from wheels where there are any, for GPUs that no build sees, with git over https."""
-    python = plan.python
-    lines: list[str] = []
-    if plan.compatible:
-        return ""
-    if python.day:
-        lines.append(f"# What pip installs without a version is of {python.day}: `pip_date` in roslab.yaml says which")
-    if python.clones and (python.day or plan.as_of):
-        lines.append(shell.copy_script("git-as-of").rstrip())
-    if python.manager != "system" or _installs(plan):
-        lines += ["# An older wheel is taken before the source of a newer release", "ENV PIP_PREFER_BINARY=1"]
-    if python.cuda_architectures:
-        lines.append("# No GPU is seen while an image is built: extensions are compiled for all of these")
-        lines.append(f"ENV FORCE_CUDA=1 \\\n    TORCH_CUDA_ARCH_LIST={quote.docker(python.cuda_architectures)}")
-    if python.git_hosts:
-        # A build with a key uses the addresses of ssh as they are
-        closed = [("git://", "/")] + ([] if SSH in plan.secrets else [("ssh://git@", "/"), ("git@", ":")])
-        commands = [
-            f"git config --system --add url.https://{host}/.insteadOf {quote.shell(written + host + end)}"
-            for host in python.git_hosts
-            for written, end in closed
-        ]
-        lines.append(shell.run(*commands, comment="Public repositories that are named by git:// or ssh://"))
-    return "\n".join(lines)
-
-
-def _installs(plan: Plan) -> bool:
-    """Tell whether pip installs anything for the image's own Python."""
-    python = plan.python
-    return bool(python.pip or python.pip_guessed or python.first or python.requirements or python.projects)
 
 
 def environment(plan: Plan) -> str:
@@ -67,7 +33,7 @@ def environment(plan: Plan) -> str:
             )
         )
     lines = []
-    installs = _installs(plan)
+    installs = building.installs(plan)
     if installs or plan.rosdep or plan.compatible:
         lines.append("# The image is the environment: packages go beside the distribution's own")
         lines.append("ENV PIP_BREAK_SYSTEM_PACKAGES=1")
@@ -138,10 +104,11 @@ def _tools(plan: Plan) -> tuple[str, ...]:
 
 def _conda(plan: Plan) -> str:
     python = plan.python
-    copy, source = "", f"--channel conda-forge {quote.shell(f'python={python.version}')} pip"
+    pip = f"pip<{OLD_METADATA}" if python.day else "pip"
+    copy, source = "", f"--channel conda-forge {quote.shell(f'python={python.version}')} {quote.shell(pip)}"
     if python.conda_specs:
         channels = "".join(f" --channel {quote.shell(channel)}" for channel in python.conda_channels)
-        source = f"{channels.lstrip()}{shell.words((*python.conda_specs, 'pip'))}"
+        source = f"{channels.lstrip()}{shell.words((*python.conda_specs, pip))}"
     elif python.conda_file:
         copy = manifests.copy(plan, manifests.of_conda(plan))
         source = f"--file {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}"

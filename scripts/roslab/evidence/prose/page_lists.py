@@ -1,0 +1,101 @@
+"""Python packages that a page lists or names with a version, without a command that installs them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslab.evidence.prose import readme
+from roslab.knowledge.prose_names import package_of
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+
+_TITLE = pattern(
+    r"\b(?:requirements?|required|dependenc(?:y|ies)|prerequisites?|pre-requisites?|environments?|packages)\b",
+    re.IGNORECASE,
+)
+"""The heading, or the line that ends in a colon, above a list of what is needed."""
+_HEADING = pattern(r"^\s{0,3}#{1,6}\s+(.*?)\s*#*$")
+_UNDERLINE = pattern(r"^\s{0,3}([=~^\"'`+#*-])\1{3,}\s*$")
+_ITEM = pattern(r"^\s{0,8}(?:[-*+]|\d{1,2}[.)])\s+(.*)$")
+_MARKUP = pattern(r"[*_`]{1,3}|\[([^\[\]\n]{1,80})\]\([^()\s]{0,300}\)")
+_VERSION = r"(?:version\s*|v\.?\s*)?(==|>=|<=|~=|=|≥|<|>|-|:)?\s*(?:version\s*|v\.?\s*)?(\d{1,2}(?:\.\d{1,3}){1,2})"
+_MORE = r"(\.x|\+|\s*(?:or|and)\s+(?:newer|later|above|higher|greater|up))?"
+_LISTED = pattern(
+    rf"^([A-Za-z][\w.-]*?(?:\s[A-Za-z][\w-]+)?)[\s(]*(?:{_VERSION}{_MORE})?(?=$|[\s),.;:])", re.IGNORECASE
+)
+_SAID = pattern(rf"\b(pytorch|tensorflow(?:[- ]gpu)?|jax)[\s(-]*{_VERSION}{_MORE}(?![\w.]*\d)", re.IGNORECASE)
+_MEANT = pattern(
+    r"\b(?:tested|require[sd]?|needs?|develop(?:ed|ment)|depends?|works?|verified|implemented|written|using|runs?)\b",
+    re.IGNORECASE,
+)
+"""A sentence about what the code itself runs with."""
+_NOT = pattern(
+    r"\b(?:not|n't|instead|other|another|older|old|previous|before|branch|port|convert\w*|newer versions?)\b",
+    re.IGNORECASE,
+)
+_AT_LEAST = frozenset({">=", "≥", ">"})
+MAX_LINE = 400
+
+
+def read(repository: Repository) -> tuple[Requirement, ...]:
+    """Return what the pages at the root list or name with a version, each once."""
+    pages = (file for file in readme.pages(repository) if "/" not in file.path)
+    return tuple(dict.fromkeys(asked for file in pages for asked in said(repository.read(file), file.path)))
+
+
+def said(text: str, file: str) -> Iterator[Requirement]:
+    """Yield each package that a list below a title such as "Requirements" names, and each framework with a version.
+
+    Only names that the tables know count: a list may name compilers and devices as well.
+    """
+    titled = fenced = False
+    lines = text.split("\n")
+    for number, line in enumerate(lines, start=1):
+        if line.lstrip()[:3] in {"```", "~~~"}:
+            fenced = not fenced
+        if fenced or not line.strip() or len(line) > MAX_LINE:
+            continue
+        below = lines[number] if number < len(lines) else ""
+        item = _ITEM.match(line)
+        if (heading := _HEADING.match(line)) or _UNDERLINE.match(below):
+            titled = bool(_TITLE.search(heading[1] if heading else line))
+        elif item is None and not line.startswith((" ", "\t")):
+            titled = titled if not line.rstrip().endswith(":") else bool(_TITLE.search(line))
+        plain = _MARKUP.sub(lambda match: match[1] or "", line)
+        if item and titled:
+            yield from _listed(_MARKUP.sub(lambda match: match[1] or "", item[1]), file, number)
+        elif _MEANT.search(plain) and not _NOT.search(plain):
+            for match in _SAID.finditer(plain):
+                yield from _asked(match[1], match, file, number)
+
+
+def _listed(item: str, file: str, line: int) -> Iterator[Requirement]:
+    """Yield the package of one item of a list, or those of several with commas between them."""
+    for part in re.split(r",\s*|\s+and\s+|\s+/\s+", item)[:20]:
+        match = _LISTED.match(part.strip())
+        if match is None:
+            return
+        words = match[1].split()
+        name = match[1] if package_of(match[1]) else words[0]
+        if not package_of(name) or (name != match[1] and words[1:2] and not match[3]):
+            return  # the rest of the item is a sentence
+        yield from _asked(name, match, file, line)
+
+
+def _asked(name: str, match: re.Match[str], file: str, line: int) -> Iterator[Requirement]:
+    """Yield the requirement of a name with the version behind it: ``PyTorch 1.8`` is any 1.8."""
+    sign, number, more = match[2], match[3], match[4]
+    package = package_of(name)
+    if package is None or name.lower() == "python":
+        return
+    specifier = ""
+    if number and (sign in _AT_LEAST or (more and more != ".x")):
+        specifier = f">={number}"
+    elif number and sign in {"<", "<="}:
+        specifier = f"{sign}{number}"
+    elif number:
+        specifier = f"=={number}" if number.count(".") == 2 and more != ".x" else f"=={number}.*"
+    yield stated(package + specifier, "prose", file, line, role="listed")

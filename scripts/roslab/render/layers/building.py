@@ -1,0 +1,41 @@
+"""Layer 4, what all calls of pip share: their day, wheels first, GPUs that no build sees, git over https."""
+
+from __future__ import annotations
+
+from roslab.plan.plan import Plan
+from roslab.render import quote
+from roslab.render.layers import shell
+from roslab.values.secret import SSH
+
+
+def settings(plan: Plan) -> str:
+    """Say how pip builds: from wheels where there are any, for GPUs that no build sees, with git over https."""
+    python = plan.python
+    lines: list[str] = []
+    if plan.compatible:
+        return ""
+    if python.day:
+        lines.append(f"# What pip installs without a version is of {python.day}: `pip_date` in roslab.yaml says which")
+    if python.clones and (python.day or plan.as_of):
+        lines.append(shell.copy_script("git-as-of").rstrip())
+    if python.manager != "system" or installs(plan):
+        lines += ["# An older wheel is taken before the source of a newer release", "ENV PIP_PREFER_BINARY=1"]
+    if python.cuda_architectures:
+        lines.append("# No GPU is seen while an image is built: extensions are compiled for all of these")
+        lines.append(f"ENV FORCE_CUDA=1 \\\n    TORCH_CUDA_ARCH_LIST={quote.docker(python.cuda_architectures)}")
+    if python.git_hosts:
+        # A build with a key uses the addresses of ssh as they are
+        closed = [("git://", "/")] + ([] if SSH in plan.secrets else [("ssh://git@", "/"), ("git@", ":")])
+        commands = [
+            f"git config --system --add url.https://{host}/.insteadOf {quote.shell(written + host + end)}"
+            for host in python.git_hosts
+            for written, end in closed
+        ]
+        lines.append(shell.run(*commands, comment="Public repositories that are named by git:// or ssh://"))
+    return "\n".join(lines)
+
+
+def installs(plan: Plan) -> bool:
+    """Tell whether pip installs anything for the image's own Python."""
+    python = plan.python
+    return bool(python.pip or python.pip_guessed or python.first or python.requirements or python.projects)

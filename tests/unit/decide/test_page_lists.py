@@ -1,0 +1,49 @@
+"""What a page lists as needed, without a command that installs it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.evidence.prose.page_lists import said
+
+Tree = Callable[[dict[str, str]], Decision]
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("## Requirements\n- PyTorch 0.4.0\n- numpy\n- glob\n- a GPU\n", ["torch==0.4.0", "numpy"]),
+        (
+            "# Dependencies\n* Python 3.6\n* [SciPy](https://scipy.org)\n* Tensorflow 1.0\n",
+            ["scipy", "tensorflow==1.0.*"],
+        ),
+        ("Required packages:\n\n* OpenCV (>= 3.4)\n* scikit image\n", ["opencv-python>=3.4", "scikit-image"]),
+        ("## Prerequisites\n1. PyTorch 1.8 or newer\n2. tqdm, matplotlib\n", ["torch>=1.8", "tqdm", "matplotlib"]),
+        ("It is tested with pytorch-1.0.\n", ["torch==1.0.*"]),
+        ("Tested with PyTorch 1.8 / Python 3.6.\n", ["torch==1.8.*"]),
+        ("## Requirements\n- numpy arrays are stored in `data`\n- OpenCV must be built with CUDA\n", []),
+        ("## Features\n- PyTorch 1.8\n- numpy\n", []),
+        ("This does not work with PyTorch 2.0, use another branch.\n", []),
+        ("## Requirements\n```\n- numpy\n```\n", []),
+    ],
+)
+def test_what_is_read(text: str, found: list[str]) -> None:
+    assert [asked.written for asked in said(text, "README.md")] == found
+
+
+def test_a_list_gives_versions_and_what_nothing_imports(tree: Tree) -> None:
+    page = "# Planner\n\n## Requirements\n\n- PyTorch 1.8\n- mujoco-py\n"
+    decision = tree({"main.py": "import torch\n", "README.md": page})
+    asked = {each.written: each.line for each in decision.python.pip_guessed}
+    assert asked == {"torch==1.8.*": 5, "mujoco-py": 6}
+    assert decision.python.version in {"3.8", "3.9"}
+
+
+def test_a_list_of_a_compiled_program_installs_nothing(tree: Tree) -> None:
+    cmake = "cmake_minimum_required(VERSION 3.5)\nproject(robot CXX)\nadd_executable(robot main.cpp)\n"
+    page = "## Dependencies\n\n- OpenCV 3.4\n- protobuf\n"
+    decision = tree({"CMakeLists.txt": cmake, "main.cpp": "int main() {}\n", "README.md": page})
+    assert decision.python.pip_guessed == ()
