@@ -27,6 +27,8 @@ _BRACKETS = pattern(r"<[^<>]{1,80}>|\[[^\[\]]{1,80}\]")
 _OPTIONAL = pattern(r"\[\s*(?:-|\w+:=)")
 _NUMBERS = pattern(r"\[[.,\s-]*\d[\d.,\s-]*\]")
 """A list of numbers: ``--hid [32,32]``."""
+_NAMED_VALUE = pattern(r"([\w-]+) \1[_-](?:name|id|path|dir|folder|file)", re.IGNORECASE)
+"""An option and a value that only says what it is: ``--algo algo_name``."""
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
 """Fewest words of a command that starts something."""
 _LAUNCH = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
@@ -110,6 +112,7 @@ def _filled(command: str) -> tuple[tuple[str, ...], bool]:
     for word in _BRACKETS.sub(_blank, command).split():
         blank = bool(_PLACEHOLDER.search(_NUMBERS.sub("", word))) or word.endswith(":=")
         value = bool(kept) and kept[-1].startswith("-") and not word.startswith("-")
+        blank = blank or (value and bool(_NAMED_VALUE.fullmatch(f"{kept[-1].lstrip('-')} {word}")))
         if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
             kept.append(word)
             continue

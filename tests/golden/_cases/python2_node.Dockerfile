@@ -75,9 +75,7 @@ RUN apt-get update \
 
 # Read in code or prose, declared nowhere: none of them stops the build
 COPY --from=scripts /install-optional-apt /usr/local/bin/
-RUN install-optional-apt \
-      python-serial \
-      ros-melodic-serial
+RUN install-optional-apt python-serial
 
 # An older wheel is taken before the source of a newer release
 ENV PIP_PREFER_BINARY=1

@@ -222,6 +222,12 @@ def test_a_program_that_only_sounds_like_it_is_one(tree: Tree) -> None:
     assert tree(page).command == ("python", "deploy.py")
 
 
+def test_a_value_that_only_says_what_it_is_has_to_be_filled_in(tree: Tree) -> None:
+    page = "```\npython play.py --algo algo_name --env env_id\npython play.py --algo a2c --env Pong-v4\n```\n"
+    files = {"README.md": page, "play.py": "print('plays')\n", "requirements.txt": "numpy\n"}
+    assert tree(files).command == ("python", "play.py", "--algo", "a2c", "--env", "Pong-v4")
+
+
 def test_a_sentence_with_three_backquotes_runs_a_program(tree: Tree) -> None:
     files = {
         "README.md": "- Run ```main.py``` to train the model\n",
