@@ -8,13 +8,12 @@ from __future__ import annotations
 
 from typing import Any
 
-import yaml
-
 from roslab.config.cited import FORBIDDEN, MAX_PROBLEMS, shown
 from roslab.config.node import Mapping, Mark, Node, Scalar, ScalarKind, Sequence, in_file
 from roslab.errors import ConfigurationError, Problem
 from roslab.values.dataclass import dataclass, field
 from roslab.values.origin import Place
+from roslab.values.yaml import yaml
 
 MAX_CHARACTERS = 64 * 1024
 """The longest real file of this program has 2,200 characters, that of another program 17,000."""

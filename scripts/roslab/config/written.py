@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-import yaml
-
 from roslab.config.model import Base, Config, Custom, ProofGoals, ProofLimits, Source
 from roslab.values.dataclass import asdict
+from roslab.values.yaml import yaml
 
 FOLDERS = {"source": "source", "home": "home", "root": "/"}
 """Today's words for the folders in which custom commands run."""

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any, cast
 
 
@@ -26,3 +28,17 @@ def pattern(source: str, flags: int = 0) -> re.Pattern[str]:
     first use; a test compiles every one.
     """
     return cast("re.Pattern[str]", _Lazy(source, flags))
+
+
+@contextmanager
+def postponed() -> Iterator[None]:
+    """Let the patterns that a library makes while it is imported wait for their first use, too.
+
+    For libraries that call methods of their patterns and hand them to nobody, as a look at their code tells.
+    """
+    at_once = re.compile
+    re.compile = pattern  # type: ignore[assignment]
+    try:
+        yield
+    finally:
+        re.compile = at_once

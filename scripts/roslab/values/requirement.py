@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from functools import cache
 from typing import TYPE_CHECKING, Literal
 
 from packaging.version import Version
 
-from roslab.values.dataclass import dataclass, field, replace
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.name import canonicalize_name
+from roslab.values.specifier import Allowed, Specifiers
 from roslab.values.version import version_of
 from roslab.values.wheel import Wheel, wheel_of
 
 if TYPE_CHECKING:
     from packaging.markers import Marker
-    from packaging.specifiers import SpecifierSet
 
 RequirementOrigin = Literal["manifest", "conda", "prose", "import", "build", "configuration", "table"]
 """Who asks: a file made for pip, a conda environment, an install line for humans or for another machine, the code, the
@@ -46,12 +45,8 @@ _EXACT = frozenset({"==", "===", "~="})
 _UPPER = frozenset({"<", "<="})
 
 
-@cache
-def free() -> SpecifierSet:
-    """Return the specifier that every version fulfils."""
-    from packaging.specifiers import SpecifierSet  # noqa: PLC0415 - slow to import
-
-    return SpecifierSet()
+FREE = Specifiers()
+"""What every version fulfils."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -62,7 +57,7 @@ class Requirement:
     """As it is spelled; for a bare URL, what its end suggests; ``""`` if unknown."""
     written: str
     """As pip is given it, without its marker: ``PyYAML>=5``, ``name @ URL``, a bare URL, a path, an option."""
-    specifier: SpecifierSet = field(default_factory=free)
+    specifier: Allowed = FREE
     """Empty if it is not pinned, or if the version follows no standard (then only ``written`` has it)."""
     extras: tuple[str, ...] = ()
     url: str = ""
@@ -126,10 +121,12 @@ class Requirement:
 
     def only_if(self, condition: str) -> Requirement:
         """Return it with an additional marker; one that pip cannot read is ignored."""
+        if not condition.strip():
+            return self
         from packaging.markers import InvalidMarker, Marker  # noqa: PLC0415 - slow to import
 
         try:
-            more = Marker(condition) if condition.strip() else None
+            more: Marker | None = Marker(condition)
         except InvalidMarker:
             more = None
         if more and self.marker:
@@ -138,7 +135,7 @@ class Requirement:
 
     def fetched_from(self, url: str) -> Requirement:
         """Return it with the URL that uv fetches it from."""
-        return replace(self, written=f"{self.key} @ {url}", url=url, specifier=free(), role="source")
+        return replace(self, written=f"{self.key} @ {url}", url=url, specifier=FREE, role="source")
 
     @property
     def limited(self) -> bool:

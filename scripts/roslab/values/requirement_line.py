@@ -8,14 +8,17 @@ from typing import TYPE_CHECKING
 
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
-from roslab.values.requirement import Requirement, RequirementOrigin, Role, free
-from roslab.values.specifier import specifiers
+from roslab.values.requirement import FREE, Requirement, RequirementOrigin, Role
+from roslab.values.specifier import PLAIN, specifiers
 from roslab.values.wheel import wheel_of
 
 if TYPE_CHECKING:
     from packaging.markers import Marker
     from packaging.requirements import Requirement as Parsed
 
+_IDENTIFIER = r"[A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?"
+_PLAIN = pattern(rf"({_IDENTIFIER})\s*(?:\[\s*({_IDENTIFIER}(?:\s*,\s*{_IDENTIFIER})*)\s*\])?\s*({PLAIN})")
+"""A line as most are, which everybody reads alike: no address, no marker, numbers alone."""
 _EDITABLE = pattern(r"^(?:-e|--editable)[ =]*(\S.*)$")
 _PER_LINE = pattern(r"\s+--(?:hash|global-option|install-option|config-settings)[ =]\S+")
 _URL = pattern(r"^(?:(?:git|hg|svn|bzr)\+\S+|https?://\S+|file:\S+|git://\S+|git@\S+)$")
@@ -62,6 +65,10 @@ def stated(
 @cache
 def _read(text: str) -> Requirement | None:
     """Parse a line without its place: by the standard, else as a URL or a path, else after repairs."""
+    if plain := _PLAIN.fullmatch(text):
+        extras = tuple(sorted({each.strip() for each in (plain[2] or "").split(",")} - {""}))
+        written, allowed = re.sub(r"\s+", "", text), specifiers(plain[3])
+        return _NOWHERE(name=plain[1], written=written, specifier=allowed or FREE, extras=extras)
     from packaging.requirements import InvalidRequirement  # noqa: PLC0415 - slow to import
     from packaging.requirements import Requirement as Parsed  # noqa: PLC0415
 
@@ -134,12 +141,10 @@ def _repaired(text: str) -> Requirement | None:
         allowed = specifiers(rest)
         written = re.sub(r"[\s()]+", "", rest) if allowed is None else str(allowed)
         role: Role = "repaired" if allowed else ""
-        return _NOWHERE(
-            name=name, written=name + listed + written, specifier=allowed or free(), extras=extras, role=role
-        )
+        return _NOWHERE(name=name, written=name + listed + written, specifier=allowed or FREE, extras=extras, role=role)
     if exported := _EXPORTED.fullmatch(rest):  # conda list --export: name=version=build
         pinned = specifiers(f"=={exported[1]}")
-        return _NOWHERE(name=name, written=f"{name}=={exported[1]}", specifier=pinned or free(), role="repaired")
+        return _NOWHERE(name=name, written=f"{name}=={exported[1]}", specifier=pinned or FREE, role="repaired")
     return None
 
 

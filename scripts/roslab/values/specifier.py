@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from functools import cache
-from typing import TYPE_CHECKING
+from operator import ge, gt, le, lt
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from packaging.version import Version
 
+from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
 if TYPE_CHECKING:
@@ -15,15 +18,82 @@ if TYPE_CHECKING:
 NEWEST_PATCH = 99
 """Above every patch release of a Python: 3.8 ended at 3.8.20, 3.9 at 3.9.25. https://www.python.org/downloads/."""
 _SERIES = pattern(r"([~^])\s*(\d+(?:\.\d+)*)")
+_ONE = r"(?:[<>]=?\s*\d+(?:\.\d+)*|[=!]=\s*\d+(?:\.\d+)*(?:\.\*)?|~=\s*\d+(?:\.\d+)+)"
+PLAIN = rf"(?:{_ONE}(?:\s*,\s*{_ONE})*)?"
+"""Specifiers of which every version is numbers alone."""
+_PLAIN = pattern(rf"\s*{PLAIN}\s*")
+_PART = pattern(r"([<>=!~]+)\s*([\d.*]+)")
+_NUMBERS = pattern(r"\d+(?:\.\d+)*")
 
 
-def specifiers(text: str) -> SpecifierSet | None:
+_ORDERS: dict[str, Callable[[Any, Any], bool]] = {">=": ge, "<=": le, ">": gt, "<": lt}
+
+
+class Part(NamedTuple):
+    """One specifier, as ``packaging`` names its parts."""
+
+    operator: str
+    version: str
+
+
+@dataclass(frozen=True)
+class Specifiers:
+    """Specifiers whose versions are numbers alone, as most are: ``packaging``'s are slow to import.
+
+    They are used alike. https://packaging.python.org/en/latest/specifications/version-specifiers/
+    """
+
+    parts: tuple[Part, ...] = ()
+
+    def __iter__(self) -> Iterator[Part]:
+        return iter(self.parts)
+
+    def __len__(self) -> int:
+        return len(self.parts)
+
+    def __str__(self) -> str:
+        return ",".join(sorted(set(map("".join, self.parts))))
+
+    def contains(self, version: str, *, prereleases: bool | None = None) -> bool:
+        """Tell whether a version is allowed; ``prereleases`` are if asked for or if nothing else is there."""
+        if _NUMBERS.fullmatch(version):
+            return all(_allows(part, version) for part in self.parts)
+        from packaging.specifiers import SpecifierSet  # noqa: PLC0415 - slow to import
+
+        return SpecifierSet(str(self)).contains(version, prereleases=prereleases)
+
+
+Allowed: TypeAlias = "Specifiers | SpecifierSet"
+"""The versions that are allowed; both kinds list their parts and answer ``contains``."""
+
+
+def _allows(part: Part, version: str) -> bool:
+    """Tell whether a part allows a version, both numbers alone: missing ones are 0."""
+    bound, found = _release(part.version.removesuffix(".*")), _release(version)
+    series = len(bound) - (part.operator == "~=") if part.operator == "~=" or part.version.endswith("*") else 0
+    longest = max(len(bound), len(found))
+    bound, found = (numbers + (0,) * (longest - len(numbers)) for numbers in (bound, found))
+    if part.operator in _ORDERS:
+        return _ORDERS[part.operator](found, bound)
+    same = found[:series] == bound[:series] if series else found == bound
+    if part.operator == "~=":
+        return same and found >= bound
+    return same == (part.operator == "==")
+
+
+def _release(version: str) -> tuple[int, ...]:
+    return tuple(map(int, version.split(".")))
+
+
+def specifiers(text: str) -> Allowed | None:
     """Parse a list of specifiers, ``None`` if ``packaging`` cannot read it even after the repairs.
 
     Repaired are: a bare number (``3.8`` and conda's ``=3.8`` are ``==3.8.*``), a number with ``.*`` after an order
     (``>=3.6.*``, which pip took until version 24.1), and Poetry's ``^3.8`` and ``~3.8``.
     https://python-poetry.org/docs/dependency-specification/.
     """
+    if _PLAIN.fullmatch(text):
+        return Specifiers(tuple(Part(*found.groups()) for found in _PART.finditer(text)))
     from packaging.specifiers import InvalidSpecifier, SpecifierSet  # noqa: PLC0415 - slow to import
 
     try:
@@ -63,7 +133,7 @@ def _series(sign: str, lowest: str) -> str:
 
 
 @cache
-def admits(allowed: SpecifierSet, python: str) -> bool:
+def admits(allowed: Allowed, python: str) -> bool:
     """Tell whether any patch release of a Python (``3.8``) is allowed: an image takes the newest that is.
 
     It is enough to test the first, the newest, and the neighbours of every patch that the specifiers name.

@@ -5,11 +5,12 @@ from __future__ import annotations
 import importlib
 import pkgutil
 import re
+from pathlib import Path
 
 import pytest
 
 import roslab
-from roslab.values.pattern import pattern
+from roslab.values.pattern import pattern, postponed
 
 
 def test_it_is_a_pattern() -> None:
@@ -28,6 +29,18 @@ def test_a_wrong_one_is_told_at_its_first_use() -> None:
     wrong = pattern("(")
     with pytest.raises(re.error):
         wrong.match("(")
+
+
+def test_what_is_imported_meanwhile_waits_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "some_library.py").write_text("import re\nWORD = re.compile('a+', re.I)\nWRONG = re.compile('(')\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    at_once = re.compile
+    with postponed():
+        library = importlib.import_module("some_library")
+    assert re.compile is at_once
+    assert library.WORD.fullmatch("aA")
+    with pytest.raises(re.error):
+        library.WRONG.match("(")
 
 
 def test_every_pattern_of_the_program_can_be_compiled() -> None:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
+from packaging.requirements import Requirement as Standard
+from packaging.specifiers import SpecifierSet
 
 from roslab.values.conda import conda_package
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement_line import requirement, stated
-from roslab.values.specifier import admits, specifiers
+from roslab.values.specifier import Specifiers, admits, specifiers
 
 WHEEL = "https://e.org/whl/cu113/torch-1.10.0%2Bcu113-cp38-cp38-linux_x86_64.whl"
 
@@ -124,3 +128,45 @@ def test_packages_of_conda(text: str, name: str, release: str | None, build: str
 @pytest.mark.parametrize("text", ["", "path/to/env.yml", "<name>", "--file"])
 def test_no_package_of_conda(text: str) -> None:
     assert conda_package(text) is None
+
+
+NUMBERS = ("0", "1", "1.0", "1.2", "1.2.0", "1.2.3", "1.10", "2", "02.0.0.1")
+PARTS = [
+    *(f"{sign}{number}" for sign in ("==", "!=", ">=", "<=", ">", "<") for number in NUMBERS),
+    *(f"{sign}{number}.*" for sign in ("==", "!=") for number in NUMBERS),
+    *(f"~={number}" for number in NUMBERS if "." in number),
+]
+
+
+@pytest.mark.parametrize("text", [*PARTS, *map(",".join, product(PARTS[::7], PARTS[::5])), "", " >=1 , < 2 "])
+def test_plain_numbers_are_compared_as_the_standard_says(text: str) -> None:
+    found, standard = specifiers(text), SpecifierSet(text)
+    assert isinstance(found, Specifiers)
+    for version in (*NUMBERS, "1.2rc1", "1.2.3+cu117", "1.2.post1", "2.dev0"):
+        for early in (None, True, False):
+            asked = (version, early)
+            assert (asked, found.contains(version, prereleases=early)) == (
+                asked,
+                standard.contains(version, prereleases=early),
+            )
+    assert [(each.operator, each.version) for each in found] == [(each.operator, each.version) for each in standard]
+    assert (str(found), bool(found)) == (str(standard), bool(standard))
+
+
+@pytest.mark.parametrize("text", [">=1.0.*", "~=1", "===1", "==1.0rc1", "==1.0+local", ">=1,", "==v1", "> = 1"])
+def test_what_is_not_plain_is_the_librarys(text: str) -> None:
+    assert not isinstance(specifiers(text), Specifiers)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["a", "A.b_c-1", "numpy==1.26.4", "a >= 1 , < 2", "a[b]", "a [ b , c,b ] ~= 1.2", "a==1.*", "python-a9>1"],
+)
+def test_a_plain_line_is_read_as_the_standard_says(text: str) -> None:
+    found, standard = requirement(text, "manifest"), Standard(text)
+    assert found
+    assert isinstance(found.specifier, Specifiers)
+    assert (found.name, found.extras) == (standard.name, tuple(sorted(standard.extras)))
+    assert found.written == "".join(text.split())
+    assert str(found.specifier) == str(standard.specifier)
+    assert (found.url, found.marker, found.role) == ("", None, "")

@@ -12,7 +12,7 @@ from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.not_on_index import NotOnIndex, not_on_index
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.name import canonicalize_name
-from roslab.values.requirement import Requirement, free
+from roslab.values.requirement import FREE, Requirement
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -43,7 +43,7 @@ def right(requirements: Iterable[Requirement]) -> Iterator[Requirement]:
         if row is None:
             yield asked
         elif row.instead:
-            yield replace(asked, name=row.instead, written=row.instead, specifier=free())
+            yield replace(asked, name=row.instead, written=row.instead, specifier=FREE)
 
 
 def repair(

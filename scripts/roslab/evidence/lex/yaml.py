@@ -67,7 +67,7 @@ def _read(text: str, how: Literal["load_all", "compose_all"], *, strict: bool = 
     for match in _BRACKETS.finditer(text):
         depth = max(0, depth + (1 if match[0] in "[{" else -1))
         deepest = max(deepest, depth)
-    import yaml  # noqa: PLC0415 - 20 ms that most repositories never need
+    from roslab.values.yaml import yaml  # noqa: PLC0415 - 20 ms that most repositories never need
 
     try:
         if deepest > MAX_DEPTH or _DEEP.search(text):

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import PackageManifest
+from roslab.evidence.lex import xml
+from roslab.evidence.lex.xml import Element
 from roslab.repository.checkout import File, Repository
-
-if TYPE_CHECKING:
-    from lxml import etree
 
 IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 """Markers that keep a folder from being a package: catkin_pkg and colcon-ros obey all three."""
@@ -41,21 +39,8 @@ def read(repository: Repository) -> tuple[PackageManifest, ...]:
 
 
 def _manifest(repository: Repository, file: File, ignored: frozenset[str]) -> PackageManifest | None:
-    from lxml import etree  # noqa: PLC0415 - slow to import, and only ROS packages have a manifest
-
     text = repository.read(file)
-    # No entities, no DTD, no network, no huge trees: a manifest needs none of them
-    problem: str | None
-    parser = etree.XMLParser(
-        recover=True, resolve_entities=False, no_network=True, load_dtd=False, remove_comments=True, remove_pis=True
-    )
-    try:
-        root = etree.fromstring(text.encode(), parser)
-    except (etree.XMLSyntaxError, ValueError) as error:
-        root = None
-        problem = str(error)
-    else:
-        problem = next((f"line {entry.line}: {entry.message}" for entry in parser.error_log), "") or None
+    root, problem = xml.parse(text)
     if root is None:
         malformed = problem or ("it is empty" if not text.strip() else "no XML element")
         return _empty(file, _below(file, ignored), malformed)
@@ -63,13 +48,13 @@ def _manifest(repository: Repository, file: File, ignored: frozenset[str]) -> Pa
         return None  # another program's package.xml: Node, Symfony, Joomla
     return PackageManifest(
         file=file.path,
-        line=root.sourceline or 1,
-        name=_text(root.find("name")),
+        line=root.line,
+        name=next((_text(name) for name in root.below("name")), None),
         format=int(value) if (value := (root.get("format") or "1").strip()) in {"1", "2", "3"} else 1,
         build_types=_build_types(root),
         dependencies=tuple(_dependencies(root, file.path)),
         sources=tuple(_sources(root, file.path)),
-        metapackage=root.find("export/metapackage") is not None,
+        metapackage=any(root.below("export", "metapackage")),
         ignored=_below(file, ignored),
         malformed=problem,
     )
@@ -99,24 +84,21 @@ def _below(file: File, ignored: frozenset[str]) -> bool:
     return False
 
 
-def _text(element: etree._Element | None) -> str | None:
-    text = (element.text or "").strip() if element is not None else ""
-    return text or None
+def _text(element: Element) -> str | None:
+    return element.text.strip() or None
 
 
-def _build_types(root: etree._Element) -> tuple[tuple[str, str | None], ...]:
+def _build_types(root: Element) -> tuple[tuple[str, str | None], ...]:
     found = tuple(
-        (name, element.get("condition")) for element in root.iterfind("export/build_type") if (name := _text(element))
+        (name, element.get("condition")) for element in root.below("export", "build_type") if (name := _text(element))
     )
     return found or (("catkin", None),)
 
 
-def _dependencies(root: etree._Element, path: str) -> Iterator[Dependency]:
-    for element in root:
-        if not isinstance(element.tag, str) or element.tag not in _ROLES:
-            continue
+def _dependencies(root: Element, path: str) -> Iterator[Dependency]:
+    for element in root.children:
         name = _text(element)
-        if name is None:
+        if element.tag not in _ROLES or name is None:
             continue
         version = next((f"{sign}{value}" for key, sign in _VERSIONS.items() if (value := element.get(key))), None)
         for role in _ROLES[element.tag]:
@@ -125,19 +107,19 @@ def _dependencies(root: etree._Element, path: str) -> Iterator[Dependency]:
                 name=name,
                 strength="declared",
                 file=path,
-                line=element.sourceline or 1,
+                line=element.line,
                 version=version,
                 role=role,
                 condition=element.get("condition"),
             )
 
 
-def _sources(root: etree._Element, path: str) -> Iterator[GitSource]:
+def _sources(root: Element, path: str) -> Iterator[GitSource]:
     """Read ``<git_url target="NAME" url="…" branch="…"/>``, catkin_tools_fetch's way to an unreleased package.
 
     https://github.com/niosus/catkin_tools_fetch
     """
-    for element in root.iter("git_url"):
+    for element in root.all("git_url"):
         url = (element.get("url") or _text(element) or "").strip()
         name = (
             element.get("target") or url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
@@ -149,6 +131,6 @@ def _sources(root: etree._Element, path: str) -> Iterator[GitSource]:
                 ref=element.get("branch") or element.get("tag") or element.get("commit"),
                 strength="declared",
                 file=path,
-                line=element.sourceline or 1,
+                line=element.line,
                 kind="git_url",
             )
