@@ -35,6 +35,9 @@ class Part(NamedTuple):
     operator: str
     version: str
 
+    def __str__(self) -> str:
+        return f"{self.operator}{self.version}"
+
 
 @dataclass(frozen=True)
 class Specifiers:
@@ -52,7 +55,7 @@ class Specifiers:
         return len(self.parts)
 
     def __str__(self) -> str:
-        return ",".join(sorted(set(map("".join, self.parts))))
+        return ",".join(sorted(set(map(str, self.parts))))
 
     def contains(self, version: str, *, prereleases: bool | None = None) -> bool:
         """Tell whether a version is allowed; ``prereleases`` are if asked for or if nothing else is there."""

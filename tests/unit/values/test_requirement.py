@@ -150,6 +150,7 @@ def test_plain_numbers_are_compared_as_the_standard_says(text: str) -> None:
                 standard.contains(version, prereleases=early),
             )
     assert [(each.operator, each.version) for each in found] == [(each.operator, each.version) for each in standard]
+    assert list(map(str, found)) == list(map(str, standard))
     assert (str(found), bool(found)) == (str(standard), bool(standard))
 
 

@@ -63,7 +63,8 @@ def _conditions(said: dict[str, Any]) -> Iterator[str]:
     if isinstance(said.get("platform"), str):
         yield f'sys_platform == "{said["platform"]}"'
     allowed = specifiers(_first(said["python"])) if isinstance(said.get("python"), str) else None
-    for each in sorted(allowed or (), key=str):
+    parts: list[Any] = sorted(allowed or (), key=str)
+    for each in parts:
         series = each.version.removesuffix(".*").count(".") < 2
         yield f'{"python_version" if series else "python_full_version"} {each.operator} "{each.version}"'
 
