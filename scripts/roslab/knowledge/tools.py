@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.table import rows
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 
 INSTALLERS = ("pip", "setuptools", "wheel")
 PIXI = "pixi.toml"
