@@ -85,3 +85,11 @@ def test_how_the_build_tool_is_told(tmp_path: Path, tool: str, arguments: tuple[
     plan = planned(tmp_path, package("driver", SDK, tool=tool) | package("planner", tool=tool))
     assert plan.workspace.ros
     assert plan.workspace.ros.arguments == arguments
+
+
+def test_a_program_that_requires_what_nothing_brings_is_told_with_its_line(tree: Tree) -> None:
+    files = {"CMakeLists.txt": "project(walk)\nfind_package(OddLibrary REQUIRED)\nadd_executable(walk a.cpp)\n"}
+    found = tree(files | {"a.cpp": "int main() {}\n"})
+    told = [(w.message, w.line) for w in found.warnings if "OddLibrary" in w.message]
+    assert [line for _, line in told] == [2]
+    assert "cmake will stop at walk" in told[0][0]

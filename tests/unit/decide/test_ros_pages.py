@@ -227,3 +227,19 @@ def test_the_python_of_nodes_is_that_of_their_first_line(
     files = {"package.xml": CATKIN.format(more=""), "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n"}
     files |= {"README.md": page, "scripts/node.py": f"{first}\nimport scipy\n", "requirements.txt": "scipy\n"}
     assert decided(tmp_path, files).python.version == python
+
+
+CI = "jobs:\n  build:\n    runs-on: ubuntu-latest\n    container: ros:noetic\n    steps:\n      - run: catkin_make\n"
+
+
+@pytest.mark.parametrize(
+    ("ci", "distro"), [(CI, "noetic"), (CI.replace("noetic", "kinetic"), "kinetic"), ("", "kinetic")]
+)
+def test_the_name_of_a_branch_yields_to_a_ci_that_tests_only_others(tmp_path: Path, ci: str, distro: str) -> None:
+    package = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>"
+    files = {"package.xml": package, "CMakeLists.txt": "project(a)\nfind_package(catkin REQUIRED)\n"}
+    for path, text in (files | ({".github/workflows/ci.yml": ci} if ci else {})).items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    found = decide(gather(Repository.open(tmp_path, branch="kinetic-devel")), Config(), folder_name="a")
+    assert found.ros_distro == distro

@@ -144,12 +144,12 @@ def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
 
 
 def _compiling(reason: Reason, lacking: dict[str, tuple[str, ...]]) -> Reason:
-    """Lower the weight of a distribution that a page names and whose libraries the code does not compile with.
+    """Lower the weight of a distribution that a page or a branch names and whose libraries the code does not fit.
 
     Where CI or the author's image builds it, the libraries may come from elsewhere.
     """
     missing = lacking.get(distros()[reason.answer].ubuntu, ())
-    if not missing or reason.weight > Weight.RECOMMENDED:
+    if not missing or (reason.weight > Weight.RECOMMENDED and reason.weight != Weight.BRANCH):
         return reason
     text = f"{reason.reason}; but {reason.answer} has no {missing[0]}"
     return replace(reason, reason=text, weight=max(Weight.DEFAULT, reason.weight - Weight.LACKS_A_KEY))

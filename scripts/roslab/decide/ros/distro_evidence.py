@@ -12,6 +12,7 @@ from roslab.decide.reasons import because
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.knowledge.distros import distros, distros_of, ubuntus
+from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
@@ -91,7 +92,23 @@ def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
             continue
         if reason.answer not in found or reason.weight > found[reason.answer].weight:
             found[reason.answer] = reason
-    return list(found.values())
+    tested = _tested(evidence, ros)
+    return [_untested(reason, tested) for reason in found.values()]
+
+
+def _tested(evidence: Evidence, ros: int) -> set[str]:
+    """Return the distributions of a ROS version that CI builds on."""
+    said = (m for m in evidence.mentions if m.source == "ci" and not places.vendored(m.file))
+    names = {name for m in said for name in ([m.value] if m.topic == "distro" else _names(m.value))}
+    return {name for name in names if name in distros() and distros()[name].ros == ros}
+
+
+def _untested(reason: Reason, tested: set[str]) -> Reason:
+    """Lower the weight of a branch's name where CI tests only other distributions: the branch was named long ago."""
+    if reason.weight != Weight.BRANCH or not tested or reason.answer in tested:
+        return reason
+    others = ", ".join(sorted(tested))
+    return replace(reason, reason=f"{reason.reason}; but CI tests {others} alone", weight=Weight.SPEAKS_OF_IT)
 
 
 def stale(reason: Reason, day: str | None) -> bool:

@@ -107,16 +107,15 @@ class _Chosen:
     empty: list[Source] = field(default_factory=list)
     packages: set[str] = field(default_factory=set)
     """Packages that the table finds in these repositories."""
+    others: set[str] = field(default_factory=set)
+    """Addresses of the table in whose place another repository is cloned."""
 
     def add(self, git: GitSource, why: str) -> bool:
         """Add a repository unless one of that name or URL was added before; tell whether it was added."""
         name = re.sub(r"[^\w.-]+", "_", git.name.strip("/").rpartition("/")[2]).strip(".") or "source"
         urls = {address(source.repo) for source in (*self.sources.values(), *self.empty) if source.repo}
-        if (
-            name in self.sources
-            or address(git.url) in urls
-            or name in {each.name.rpartition("/")[2] for each in self.empty}
-        ):
+        named = self.sources.keys() | {each.name.rpartition("/")[2] for each in self.empty}
+        if name in named or address(git.url) in urls:
             return False
         self.sources[name] = Source(
             name=name,
@@ -138,6 +137,8 @@ class _Chosen:
     def clone(self, git: GitSource, asked: Dependency, elsewhere: frozenset[str]) -> None:
         """Add what a page or a manifest clones; warn if rosdep has a package of that name too."""
         new = self.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
+        tabled = ros_sources(asked.name, 2 if self.build_tool == "colcon" else 1)[-1:]
+        self.others |= {address(found.repo) for found in tabled} - {address(git.url)}
         if new and asked.namespace == "rosdep" and asked.name in elsewhere:
             message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
             more = "rosdep has a package of the same name, which may be another one: the clone is used"
@@ -154,9 +155,8 @@ class _Chosen:
                 why = f"a submodule that is not checked out: it is cloned from {git.url} {commit}"
                 place = Place(file=git.file, line=git.line)
                 ref, before = fixed(git.ref), "" if git.ref else self.before
-                self.empty.append(
-                    Source(name=git.name, repo=git.url, ref=ref, before=before, build="none", place=place)
-                )
+                empty = Source(name=git.name, repo=git.url, ref=ref, before=before, build="none", place=place)
+                self.empty.append(empty)
                 self._linked(git, 2 if self.build_tool == "colcon" else 1)
             self.reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
 
@@ -178,6 +178,8 @@ class _Chosen:
             if asked.namespace not in {"rosdep", "ros", "cmake"} or asked.name in elsewhere:
                 continue
             for found in ros_sources(asked.name, ros):
+                if address(found.repo) in self.others:
+                    continue
                 name = found.repo.rpartition("/")[2].removesuffix(".git")  # as it is called where a page clones it
                 git = GitSource(
                     name=name,
@@ -204,8 +206,7 @@ class _Chosen:
 
     def loose(self) -> tuple[Warning_, ...]:
         """Warn about sources without a ref: a later build may get other code."""
-        open_ = (source for source in self.sources.values() if source.repo and not (source.ref or source.before))
-        names = sorted(source.name for source in open_)
+        names = sorted(s.name for s in self.sources.values() if s.repo and not (s.ref or s.before))
         if not names:
             return ()
         message = f"cloned without a fixed ref: {', '.join(names)}; a later build may get other code"

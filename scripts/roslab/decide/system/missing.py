@@ -7,13 +7,14 @@ from collections.abc import Iterable, Iterator
 
 from roslab.config.model import BuildTool, Kind
 from roslab.decide.decision import Choice, Warning_
+from roslab.decide.programs import top_of
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.rosbuild import ended_in
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.values.dataclass import dataclass
 
 _SKIP: dict[BuildTool, str] = {"colcon": "--packages-skip", "catkin_make": "-DCATKIN_BLACKLIST_PACKAGES="}
@@ -50,14 +51,14 @@ def decide_missing(
     ``provided``: names of everything that is installed, built or cloned; a similar one is taken for the package. What
     cannot be left out is told, for there the build stops.
     """
-    if kind not in {"ros1", "ros2"}:
+    if kind not in {"ros1", "ros2", "cpp"}:
         return Choice(answer=Missing())
     provided = tuple(provided)
     ended = ended_in(packages, target.ros_distro, provided)
     names = {plain(name) for name in provided}
     lacking = {
         package: asked
-        for package, asked in _required(evidence, packages)
+        for package, asked in (_of_program if kind == "cpp" else _required)(evidence, packages)
         if not resolve(asked, target).known and not any(plain(asked.name) in name for name in names)
     }
     needed = {d.name for m in packages.built if m.name not in lacking for d in m.dependencies if d.role != "test"}
@@ -92,10 +93,21 @@ def skipping(build_tool: BuildTool, packages: tuple[str, ...]) -> tuple[str, ...
 def _required(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
     """Yield each package with what its own CMakeLists.txt requires and no file of the tree finds."""
     named = {manifest.file.rpartition("/")[0]: manifest.name for manifest in packages.built}
-    inside = packages.names | {project.name for project in evidence.cmake} | evidence.cmake_modules
     for project in evidence.cmake:
         package = named.get(project.file.rpartition("/")[0]) if "/" in project.file else named.get("")
-        for asked in project.dependencies if package else ():
-            required = asked.namespace == "cmake" and asked.strength == "declared" and asked.role != "test"
-            if package and required and asked.name not in inside:
-                yield package, asked
+        if package:
+            yield from ((package, asked) for asked in _outside(project, evidence, packages))
+
+
+def _of_program(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
+    """Yield the program with what the CMakeLists.txt at its top requires and no file of the tree finds."""
+    if top := top_of(evidence):
+        yield from ((top.name or "the program", asked) for asked in _outside(top, evidence, packages))
+
+
+def _outside(project: CMakeProject, evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
+    inside = packages.names | {each.name for each in evidence.cmake} | evidence.cmake_modules
+    for asked in project.dependencies:
+        required = asked.namespace == "cmake" and asked.strength == "declared" and asked.role != "test"
+        if required and asked.name not in inside:
+            yield asked
