@@ -401,7 +401,7 @@ def test_a_library_built_from_source_gets_the_headers_that_a_ros_package_brings_
     assert ["libopencv-dev" in source.depends for source in found.source if source.name == "odd_library"] == [True]
 
 
-@pytest.mark.parametrize("module", ["serial", "fcl"])
+@pytest.mark.parametrize("module", ["serial", "can"])
 def test_an_import_of_another_projects_module_brings_no_library_of_ros(tmp_path: Path, module: str) -> None:
     package = "<package format='2'><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
     files = {

@@ -157,7 +157,7 @@ def _of_pin(pin: Pin, day: str | None) -> Iterator[Candidate]:
         why = f"{pin.name} {pin.release} {_WHY[table]}"
         weight = Weight.RELEASE[table] + Weight.TRUST * pin.trust
         yield because("cuda", row.cuda[0], why, asked, weight=weight), row.cuda[1:]
-    elif table and (newest := newest_framework(table, day)):
+    elif table and asked.role != "listed" and (newest := newest_framework(table, day)):
         why = f"{pin.name} is not pinned: its newest wheel {f'of {day} ' if day else ''}is for this CUDA"
         yield because("cuda", newest.cuda[0], why, asked, weight=Weight.UNPINNED), newest.cuda[1:]
 

@@ -57,10 +57,15 @@ def ranges_by_syntax(evidence: Evidence) -> Iterator[Range]:
 
 def ranges_at_least(evidence: Evidence) -> Iterator[Range]:
     """Yield the oldest Pythons that pages name, where a day tells which newer ones there were: ``3.5 or newer``."""
-    for mention in evidence.mentions if evidence.worked_on else ():
-        if mention.topic == "python" and only_lowest(mention):
+    for mention in evidence.mentions:
+        if mention.topic == "python" and only_oldest(evidence, mention):
             reason = because("python", f"≥ {mention.value}", f"“{mention.text[:80]}”", mention, weight=Weight.USED)
             yield Range(_between(Version(mention.value), _ANY), reason)
+
+
+def only_oldest(evidence: Evidence, mention: Mention) -> bool:
+    """Tell whether a version is only the oldest one that works, and a commit tells which newer ones there were."""
+    return any(each.source == "commit" for each in evidence.worked_on) and only_lowest(mention)
 
 
 def only_lowest(mention: Mention) -> bool:

@@ -11,7 +11,15 @@ from roslab.config.model import Config
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pythons import PREFERRED
-from roslab.decide.python.ranges import Range, only_lowest, ranges, ranges_at_least, ranges_by_syntax, ranges_by_use
+from roslab.decide.python.ranges import (
+    Range,
+    only_lowest,
+    only_oldest,
+    ranges,
+    ranges_at_least,
+    ranges_by_syntax,
+    ranges_by_use,
+)
 from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because, configured, outweighed
 from roslab.evidence import places
@@ -82,7 +90,7 @@ def _named(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Reason]:
     three = any("Python :: 3" in line for p in evidence.python if not p.folder for line in p.classifiers)
     for mention in evidence.mentions:
         number = version_of(mention.value) if mention.topic == "python" else None
-        if number and number >= _OLDEST and not (evidence.worked_on and only_lowest(mention)):
+        if number and number >= _OLDEST and not only_oldest(evidence, mention):
             yield from _mentioned(mention, three=three)
     yield from _of_images(evidence)
     for pin in pins:

@@ -83,12 +83,12 @@ def started(evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
 
 
 def _of_ros(module: str) -> bool:
-    """Tell whether a ROS package of a module's name may bring it: none does where the index has it by another name.
+    """Tell whether a ROS package of a module's name may bring it: none does where Ubuntu has it by another name.
 
-    ``serial`` is pyserial's, and ROS's serial is a library of C++.
+    ``serial`` is pyserial's, which apt has too, and ROS's serial is a library of C++.
     """
-    package = imports().get(module, (None, None))[0]
-    return package is None or canonicalize_name(package) == canonicalize_name(module)
+    package, apt = imports().get(module, (None, None))
+    return not (package and apt) or canonicalize_name(package) == canonicalize_name(module)
 
 
 def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependency]:

@@ -97,9 +97,8 @@ def _with_files(mention: Mention, repository: Repository) -> Mention:
         if index == 0 and not word.endswith(".sh"):
             continue
         path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", word)) if "/" in word or "." in word else ""
-        if (
-            words[0].startswith("python") and path.endswith(".py") and not (found or repository.has(path))
-        ):  # the page is in another folder by then
+        below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
+        if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = _only(path, repository) or path
         if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):
             words[index] = path
