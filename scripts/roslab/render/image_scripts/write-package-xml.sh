@@ -7,8 +7,8 @@ set -euo pipefail
 while IFS= read -r -d '' manifest; do
   folder="${manifest%/*}"
   {
-    echo "<package format=\"2\"><name>$(basename "${folder}")</name><version>0.0.0</version><description/>"
-    echo '<maintainer email="nobody@localhost">nobody</maintainer><license>unknown</license>'
+    echo "<package format=\"2\"><name>$(basename "${folder}")</name><version>0.0.0</version><description>of rosbuild</description>"
+    echo '<maintainer email="nobody@example.org">nobody</maintainer><license>unknown</license>'
     sed --quiet --regexp-extended \
       's#.*<(depend +package|rosdep +name)="([A-Za-z0-9_.+-]+)".*#<depend>\2</depend>#p' "${manifest}" | sort --unique
     echo '</package>'
