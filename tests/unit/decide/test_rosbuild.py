@@ -118,6 +118,7 @@ def test_rosdep_is_given_what_a_manifest_of_rosbuild_names(tmp_path: Path) -> No
     subprocess.run(["bash", script, tmp_path], check=True, timeout=60)
     written = (tmp_path / "tracker/package.xml").read_text(encoding="utf-8")
     assert "<name>tracker</name>" in written
+    assert not (tmp_path / "tracker/manifest.xml").exists()
     assert "<description/>" not in written  # rosdep stops at one that is empty, and at an address without a host
     assert 'email="nobody@example.org"' in written
     assert [line for line in written.splitlines() if line.startswith("<depend>")] == [

@@ -1,7 +1,7 @@
 #!/bin/bash
 # usage: write-package-xml FOLDER
-# Writes a package.xml beside each manifest.xml of rosbuild below the folder, with what that one names: rosdep, given a
-# folder, reads no manifest.xml.
+# Writes a package.xml in place of each manifest.xml of rosbuild below the folder, with what that one names: rosdep, given
+# a folder, takes keys from package.xml alone, but stops where a manifest.xml beside it names a package that is gone.
 set -euo pipefail
 
 while IFS= read -r -d '' manifest; do
@@ -13,4 +13,5 @@ while IFS= read -r -d '' manifest; do
       's#.*<(depend +package|rosdep +name)="([A-Za-z0-9_.+-]+)".*#<depend>\2</depend>#p' "${manifest}" | sort --unique
     echo '</package>'
   } >"${folder}/package.xml"
+  rm "${manifest}"
 done < <(find "$1" -name manifest.xml -print0)
