@@ -2,38 +2,52 @@
 
 from __future__ import annotations
 
-import re
+from functools import cache
 
-from roslab.values.pattern import pattern
-
-_VENDORED = pattern(
-    r"(?:^|/)(?:third[_-]?part(?:y|ies)|3rd(?:[_-]?party)?|thirdparty|vendor(?:ed)?|externals?|extern|ext|deps|"
-    r"submodules?|_deps|site-packages|node_modules|"
-    r"pybind11|googletest|gtest|contrib|attic|deprecated|archived?|old|legacy)(?:/|$)",
-    re.IGNORECASE,
+_VENDORED = frozenset(
+    (
+        *("third_party", "third-party", "thirdparty", "third_parties", "third-parties", "thirdparties"),
+        *("3rd", "3rdparty", "3rd_party", "3rd-party", "vendor", "vendored", "external", "externals", "extern", "ext"),
+        *("deps", "_deps", "submodule", "submodules", "site-packages", "node_modules"),
+        *("pybind11", "googletest", "gtest", "contrib", "attic", "deprecated", "archive", "archived", "old", "legacy"),
+    )
 )
-_DOCUMENTATION = pattern(
-    r"(?:^|/)(?:\.?docs?\d?|documentation|site|website|sphinx|tutorials?|doxygen)(?:/|$)", re.IGNORECASE
+_DOCUMENTATION = frozenset(
+    (
+        *("doc", "docs", *(f"{name}{number}" for name in ("doc", "docs") for number in range(10)), ".doc", ".docs"),
+        *(f".{name}{number}" for name in ("doc", "docs") for number in range(10)),
+        *("documentation", "site", "website", "sphinx", "tutorial", "tutorials", "doxygen"),
+    )
 )
-_TEST = pattern(r"(?:^|/)(?:tests?|testing|ci|\.ci|\.github|\.circleci|benchmarks?)(?:/|$)", re.IGNORECASE)
-_EXAMPLE = pattern(r"(?:^|/)(?:examples?|demos?|samples?|templates?|tutorials?)(?:/|$)", re.IGNORECASE)
+_TEST = frozenset(
+    ("test", "tests", "testing", "ci", ".ci", ".github", ".circleci", "benchmark", "benchmarks"),
+)
+_EXAMPLE = frozenset(
+    f"{name}{plural}" for name in ("example", "demo", "sample", "template", "tutorial") for plural in ("", "s")
+)
 
 
 def vendored(path: str) -> bool:
     """Tell whether a path belongs to vendored code, copied from another project."""
-    return bool(_VENDORED.search(path.rpartition("/")[0]))
+    return not _VENDORED.isdisjoint(_folders(path.rpartition("/")[0]))
 
 
 def documentation(path: str) -> bool:
     """Tell whether a path lies in a documentation folder."""
-    return bool(_DOCUMENTATION.search(path.rpartition("/")[0]))
+    return not _DOCUMENTATION.isdisjoint(_folders(path.rpartition("/")[0]))
 
 
 def test(path: str) -> bool:
     """Tell whether a path belongs to tests or CI."""
-    return bool(_TEST.search(path.rpartition("/")[0]))
+    return not _TEST.isdisjoint(_folders(path.rpartition("/")[0]))
 
 
 def example(path: str) -> bool:
     """Tell whether a path belongs to an example."""
-    return bool(_EXAMPLE.search(path.rpartition("/")[0]))
+    return not _EXAMPLE.isdisjoint(_folders(path.rpartition("/")[0]))
+
+
+@cache
+def _folders(folder: str) -> frozenset[str]:
+    """Return the names in the path of a folder, which many files share, lower-cased."""
+    return frozenset(folder.lower().split("/"))

@@ -28,7 +28,7 @@ class Limit:
     below: str | None
     what: str
     hints: tuple[str, ...]
-    """Of a name: what stands in every text that holds it, which is looked for first."""
+    """What stands in every text that it matches, one of them, which is looked for first."""
 
 
 @cache

@@ -31,23 +31,18 @@ class Library:
 
 
 @cache
-def _table(naming: Naming) -> dict[str, list[tuple[tuple[str, ...], Library]]]:
+def _table(naming: Naming) -> dict[str, list[dict[str, str]]]:
     """Return the rows by name; rows for certain Ubuntu releases come before the one for all others."""
     name, key = _TABLES[naming]
-    found: dict[str, list[tuple[tuple[str, ...], Library]]] = {}
+    found: dict[str, list[dict[str, str]]] = {}
     for row in rows(name):
-        library = Library(
-            apt=tuple(row["apt"].split()),
-            ros=row.get("ros", ""),
-            recipe=row.get("recipe", ""),
-            beside=tuple(row.get("beside", "").split()),
-        )
-        found.setdefault(row[key], []).append((tuple(row["ubuntu"].split()), library))
+        found.setdefault(row[key], []).append(row)
     for entries in found.values():
-        entries.sort(key=lambda entry: not entry[0])
+        entries.sort(key=lambda row: not row["ubuntu"])
     return found
 
 
+@cache
 def library(naming: Naming, name: str, ubuntu: str | None) -> Library | None:
     """Return where a library comes from on an Ubuntu; ``None`` for a name that is in no table.
 
@@ -56,7 +51,15 @@ def library(naming: Naming, name: str, ubuntu: str | None) -> Library | None:
     entries = _table(naming).get(name)
     if entries is None:
         return None
-    return next((found for releases, found in entries if not releases or ubuntu in releases), Library())
+    row = next((row for row in entries if not row["ubuntu"] or ubuntu in row["ubuntu"].split()), None)
+    if row is None:
+        return Library()
+    return Library(
+        apt=tuple(row["apt"].split()),
+        ros=row.get("ros", ""),
+        recipe=row.get("recipe", ""),
+        beside=tuple(row.get("beside", "").split()),
+    )
 
 
 def header(path: str, ubuntu: str | None) -> Library | None:

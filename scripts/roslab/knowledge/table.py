@@ -23,7 +23,14 @@ def row(name: str, key: str) -> dict[str, str] | None:
 
     The other rows are not parsed; in such a table each stands on a line of its own.
     """
-    with (_FOLDER / f"{name}.csv").open(encoding="utf-8", newline="") as stream:
-        head = next(stream)
-        found = next((line for line in stream if line.startswith(f"{key},")), None)
-    return next(csv.DictReader([head, found])) if found else None
+    text = _text(name)
+    start = text.find(f"\n{key},") + 1
+    if not start:
+        return None
+    head, found = csv.reader([text[: text.index("\n")], text[start : text.index("\n", start)]])
+    return dict(zip(head, found, strict=True))
+
+
+@cache
+def _text(name: str) -> str:
+    return (_FOLDER / f"{name}.csv").read_text(encoding="utf-8")

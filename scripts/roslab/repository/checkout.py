@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import datetime as dt
-import io
 import os
 import re
 from collections.abc import Callable, Collection
@@ -161,12 +160,14 @@ class Repository:
             # O_NOFOLLOW guards the last part; the listing never descended through a link.
             # O_NONBLOCK: never wait for the other end of a pipe.
             descriptor = os.open(
-                self.root / path,
+                f"{self.root}/{path}",
                 os.O_RDONLY | os.O_NONBLOCK | (0 if path in self.listing.links else os.O_NOFOLLOW),
             )
-            with os.fdopen(descriptor, "rb", buffering=0) as stream:
+            try:
                 # Not the whole limit: allocating such a buffer for ten thousand files takes a second
-                return _read_up_to(stream, min(limit, os.fstat(descriptor).st_size))
+                return _read_up_to(descriptor, min(limit, os.fstat(descriptor).st_size))
+            finally:
+                os.close(descriptor)
         except (OSError, ValueError):
             return b""
 
@@ -214,9 +215,9 @@ class Repository:
             return ""
 
 
-def _read_up_to(stream: io.RawIOBase | io.FileIO, size: int) -> bytes:
+def _read_up_to(descriptor: int, size: int) -> bytes:
     parts: list[bytes] = []
-    while size > 0 and (part := stream.read(size)):
+    while size > 0 and (part := os.read(descriptor, size)):
         parts.append(part)
         size -= len(part)
     return b"".join(parts)

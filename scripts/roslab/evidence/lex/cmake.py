@@ -9,30 +9,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from functools import cache
 
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
+_CALL = pattern(r"^[ \t]*(\w+)[ \t]*\(", re.MULTILINE)
 _BRACKET_COMMENT = pattern(r"#\[(=*)\[.*?\]\1\]", re.DOTALL)
 _TOKEN = pattern(r"#[^\n]*|\"((?:[^\"\\]|\\.)*)\"|\[(=*)\[(.*?)\]\2\]|([()])|((?:[^\s()#\"\\]|\\.)+)", re.DOTALL)
 _VARIABLE = pattern(r"\$\{(\w+)\}")
 _OPENERS = frozenset({"if", "while", "function", "macro", "foreach", "block"})
-_CONTROL = (
-    "if",
-    "elseif",
-    "else",
-    "endif",
-    "foreach",
-    "endforeach",
-    "function",
-    "endfunction",
-    "macro",
-    "endmacro",
-    "set",
-    "list",
-    "option",
-)
+_CONTROL = _OPENERS - {"while", "block"} | {
+    *("elseif", "else", "endif", "endforeach", "endfunction", "endmacro", "set", "list", "option")
+}
 MAX_WORDS = 400
 """Most words of one call; a longer one is a list of source files."""
 MAX_EXPANSION = 200
@@ -64,9 +52,13 @@ def calls(text: str, names: frozenset[str]) -> Iterator[Call]:
     if "#[" in text:
         text = _BRACKET_COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text)
     scope = _Scope()
+    beginnings = tuple(name[:-1] for name in names if name.endswith("*"))
     position, line, total = 0, 1, 0
-    for match in _opener(names).finditer(text):
+    for match in _CALL.finditer(text):
         name = match[1].lower()
+        asked = name in names or name.startswith(beginnings)
+        if not asked and name not in _CONTROL:
+            continue
         line += text.count("\n", position, match.start(1))
         position = match.start(1)
         raw = _words(text, match.end())
@@ -74,7 +66,7 @@ def calls(text: str, names: frozenset[str]) -> Iterator[Call]:
         if total > MAX_TOTAL:
             return
         scope.enter(name, raw)
-        if name in names or any(pattern[-1] == "*" and name.startswith(pattern[:-1]) for pattern in names):
+        if asked:
             yield Call(
                 name=name,
                 words=tuple(_filled(raw, scope.variables)),
@@ -144,12 +136,6 @@ def _looped(words: list[str], variables: dict[str, tuple[str, ...]]) -> Iterator
             yield from variables.get(word, ())
         else:
             yield from _filled([word], variables)
-
-
-@cache
-def _opener(names: frozenset[str]) -> re.Pattern[str]:
-    parts = "|".join(sorted((name.replace("*", r"\w*") for name in {*names, *_CONTROL}), key=len, reverse=True))
-    return re.compile(rf"^[ \t]*({parts})[ \t]*\(", re.MULTILINE | re.IGNORECASE)
 
 
 def _words(text: str, start: int) -> list[str]:

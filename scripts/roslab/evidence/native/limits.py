@@ -26,12 +26,16 @@ MAX_PLACES = 100
 @cache
 def _signs(where: str, value: str) -> tuple[Limit, ...]:
     """Return the signs that a header or a standard is; few of them are named in thousands of files."""
-    return tuple(limit for limit in limits() if limit.where == where and limit.pattern.search(value))
+    possible = (limit for limit in limits() if limit.where == where and any(hint in value for hint in limit.hints))
+    return tuple(limit for limit in possible if limit.pattern.search(value))
 
 
 @cache
-def _names() -> tuple[Limit, ...]:
-    return tuple(limit for limit in limits() if limit.where == "name")
+def _names() -> dict[str, tuple[Limit, ...]]:
+    """Return the signs that are names in code, by the words of which one stands in every text with such a name."""
+    named = [limit for limit in limits() if limit.where == "name"]
+    words = dict.fromkeys(hint for limit in named for hint in limit.hints)
+    return {word: tuple(limit for limit in named if word in limit.hints) for word in words}
 
 
 @dataclass
@@ -46,10 +50,8 @@ class Signs:
 
     def source(self, path: str, text: str) -> None:
         """Read a C++ file."""
-        self.guarded = self.guarded or any(word in text for word in _GUARDS)
-        for limit in _names():
-            if not any(hint in text for hint in limit.hints):
-                continue
+        self.guarded = self.guarded or any(map(text.__contains__, _GUARDS))
+        for limit in dict.fromkeys(limit for word in _names() if word in text for limit in _names()[word]):
             if (match := limit.pattern.search(text)) and not _comment(text, match.start()):
                 self._add(limit, path, text.count("\n", 0, match.start()) + 1)
 

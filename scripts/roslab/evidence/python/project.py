@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from roslab.evidence.facts import PythonProject
-from roslab.evidence.python import poetry, requirements, setup_py
+from roslab.evidence.python import poetry, requirements
 from roslab.repository.checkout import Repository
 from roslab.values import toml
 from roslab.values.dataclass import replace
@@ -108,6 +108,8 @@ def from_file(repository: Repository, folder: str, name: str) -> list[Requiremen
 def _setup_py(repository: Repository, path: str, folder: str, text: str) -> PythonProject | None:
     if not re.search(r"\bsetup\s*\(", text):
         return None
+    from roslab.evidence.python import setup_py  # noqa: PLC0415 - it imports Python's own parser
+
     script = setup_py.read(text)
     line_of = _finder(text)
     asked: list[Requirement] = []
@@ -134,10 +136,24 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
         build_requires=tuple(_listed(script.build_requires, path, line_of)),
         requirements=tuple(asked),
         scripts=tuple((name, line_of(name)) for name in script.scripts),
-        extensions=setup_py.extensions(text),
+        extensions=_extensions(text),
         classifiers=script.classifiers,
         setup_imports=tuple(dict.fromkeys(_imported(repository, folder, script.imports))),
     )
+
+
+def _extensions(text: str) -> tuple[str, ...]:
+    """Return what kinds of code a build script compiles, by the names it uses."""
+    found = []
+    if re.search(r"CUDAExtension|\bnvcc\b|\.cu['\"]", text):
+        found.append("cuda")
+    if re.search(r"CppExtension|\bExtension\s*\(|Pybind11Extension|pybind11", text):
+        found.append("c")
+    if re.search(r"cythonize|[Cc]ython", text):
+        found.append("cython")
+    if re.search(r"CMakeExtension|CMakeBuild|skbuild|scikit_build|['\"]cmake['\"]", text):
+        found.append("cmake")
+    return tuple(found)
 
 
 def _imported(repository: Repository, folder: str, modules: tuple[str, ...]) -> Iterator[str]:
@@ -222,7 +238,7 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         build_requires=tuple(_listed(build, path, line_of)),
         requirements=tuple(asked),
         scripts=tuple((script, line_of(script)) for script in scripts),
-        extensions=setup_py.extensions(str(backend) + " ".join(map(str, build))),
+        extensions=_extensions(str(backend) + " ".join(map(str, build))),
         classifiers=tuple(line for line in _list(project, "classifiers") if isinstance(line, str)),
     )
 

@@ -35,20 +35,6 @@ class SetupScript:
     """Modules that it imports at the top, without those of the standard library."""
 
 
-def extensions(text: str) -> tuple[str, ...]:
-    """Return what kinds of code a build script compiles, by the names it uses."""
-    found = []
-    if re.search(r"CUDAExtension|\bnvcc\b|\.cu['\"]", text):
-        found.append("cuda")
-    if re.search(r"CppExtension|\bExtension\s*\(|Pybind11Extension|pybind11", text):
-        found.append("c")
-    if re.search(r"cythonize|[Cc]ython", text):
-        found.append("cython")
-    if re.search(r"CMakeExtension|CMakeBuild|skbuild|scikit_build|['\"]cmake['\"]", text):
-        found.append("cmake")
-    return tuple(found)
-
-
 def read(text: str) -> SetupScript:
     """Read a script; one for Python 2 is read by patterns."""
     script = SetupScript(catkin="catkin_pkg" in text or "generate_distutils_setup" in text)
