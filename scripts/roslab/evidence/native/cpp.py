@@ -32,6 +32,7 @@ def read(repository: Repository, signs: Signs | None = None) -> tuple[Dependency
     """
     found: dict[str, Dependency] = {}
     opened: dict[str, Dependency] = {}
+    outside: dict[str, bool] = {}
     for file in _sources(repository):
         text = repository.read_bytes(file, limit=MAX_READ).decode("utf-8", errors="replace")
         shown = signs if not file.name.endswith((".cu", ".cuh")) else None  # compiled where there is CUDA only
@@ -49,7 +50,9 @@ def read(repository: Repository, signs: Signs | None = None) -> tuple[Dependency
             if shown:
                 shown.header(name, file.path, text, match.start(1))
             key = name if "/" not in name else "/".join(name.split("/")[:2])
-            if key in found or _standard(name) or _local(repository, name):
+            if name not in outside:
+                outside[name] = not (_standard(name) or _local(repository, name))
+            if key in found or not outside[name]:
                 continue
             line += text.count("\n", position, match.start(1))
             position = match.start(1)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.facts import CodeLimit
-from roslab.knowledge.code_limits import Limit, limits
+from roslab.knowledge.code_limits import Limit, Sign, limits
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
@@ -24,18 +25,23 @@ MAX_PLACES = 100
 
 
 @cache
-def _signs(where: str, value: str) -> tuple[Limit, ...]:
+def _signs(where: Sign, value: str) -> tuple[Limit, ...]:
     """Return the signs that a header or a standard is; few of them are named in thousands of files."""
-    possible = (limit for limit in limits() if limit.where == where and any(hint in value for hint in limit.hints))
-    return tuple(limit for limit in possible if limit.pattern.search(value))
+    return tuple(limit for limit in _possible(where, value) if limit.pattern.search(value))
+
+
+def _possible(where: Sign, text: str) -> Iterable[Limit]:
+    """Return the signs of which a hint stands in a text, each once."""
+    hinted = _hinted(where)
+    return dict.fromkeys(limit for word in [word for word in hinted if word in text] for limit in hinted[word])
 
 
 @cache
-def _names() -> dict[str, tuple[Limit, ...]]:
-    """Return the signs that are names in code, by the words of which one stands in every text with such a name."""
-    named = [limit for limit in limits() if limit.where == "name"]
-    words = dict.fromkeys(hint for limit in named for hint in limit.hints)
-    return {word: tuple(limit for limit in named if word in limit.hints) for word in words}
+def _hinted(where: Sign) -> dict[str, tuple[Limit, ...]]:
+    """Return the signs of a kind by their hints."""
+    found = [limit for limit in limits() if limit.where == where]
+    words = dict.fromkeys(hint for limit in found for hint in limit.hints)
+    return {word: tuple(limit for limit in found if word in limit.hints) for word in words}
 
 
 @dataclass
@@ -51,7 +57,7 @@ class Signs:
     def source(self, path: str, text: str) -> None:
         """Read a C++ file."""
         self.guarded = self.guarded or any(map(text.__contains__, _GUARDS))
-        for limit in dict.fromkeys(limit for word in _names() if word in text for limit in _names()[word]):
+        for limit in _possible("name", text):
             if (match := limit.pattern.search(text)) and not _comment(text, match.start()):
                 self._add(limit, path, text.count("\n", 0, match.start()) + 1)
 
