@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import IO
 
-from roslab.explain import matter, names, signatures, steps
+from roslab.explain import matter, names, signatures, stages, steps
 from roslab.explain.reading import Line, lines
 from roslab.explain.steps import Log, Step
 from roslab.knowledge.repairs import complete, repairs
@@ -43,6 +43,8 @@ class Explanation:
     """The command that starts a shell where the step failed."""
     base: str = ""
     """The FROM instruction that the step builds on: ``FROM golang:1.13 AS builder``; ``""`` if the log has none."""
+    user: str = ""
+    """The USER instruction that the step runs under; ``""`` if the log has none."""
     log: str = field(default="", repr=False)
     """The end of the step's lines, for repairs that need more than the captured names."""
 
@@ -89,7 +91,8 @@ def _step(log: Log, step: Step, image: names.Image) -> Explanation:
             error_line=first.number if first else 0,
             lines=tuple(_short(one) for one in matter.telling(said)),
             reproduce=reproduce(log, step),
-            base=log.base(step),
+            base=stages.base(log, step),
+            user=stages.user(log, step),
             log=_kept(step),
         )
     return Explanation(
@@ -106,7 +109,8 @@ def _step(log: Log, step: Step, image: names.Image) -> Explanation:
         certainty=found.failure.certainty,
         repair=_repair(found),
         reproduce=reproduce(log, step),
-        base=log.base(step),
+        base=stages.base(log, step),
+        user=stages.user(log, step),
         log=_kept(step),
     )
 

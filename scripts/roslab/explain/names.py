@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 
+from roslab.explain import worked
 from roslab.knowledge import libraries
 from roslab.knowledge.distros import distro, ubuntus
 from roslab.knowledge.failures import compiled
@@ -100,10 +101,34 @@ def _packages(found: libraries.Library, where: Image) -> tuple[str, ...]:
     return found.apt
 
 
+_STANDARD = pattern(r"This file requires compiler and library support for the ISO C\+\+")
+
+
 def _api(names: Names, _: Image) -> Names:
-    for row in rows("api_changes"):
-        if compiled(row["pattern"]).search(names.get("text", "")):
-            return {"why": row["why"], "repair_words": row["fix"]}
+    """Name the change that the first of several errors tells of: those after it most often follow from it."""
+    said = names.get("text", "")
+    found = [(match.start(), row) for row in rows("api_changes") if (match := compiled(row["pattern"]).search(said))]
+    start, row = min(found, key=lambda each: each[0]) if found else (0, None)
+    standard = _STANDARD.search(
+        said, 0, start
+    )  # what follows from a standard that is too old is no change of an interface
+    return {"why": row["why"], "repair_words": row["fix"]} if row and not standard else {}
+
+
+def _since_go(names: Names, _: Image) -> Names:
+    """Name the first Go whose standard library has a symbol."""
+    said = names.get("symbol", "")
+    row = next((row for row in rows("go_since") if compiled(row["symbol"]).fullmatch(said)), None)
+    return {"needs": f">={row['go']}"} if row else {}
+
+
+def _older_gem(names: Names, _: Image) -> Names:
+    """Name the last version of a gem before one that needs a newer Ruby, unless the log does."""
+    if names.get("hint"):
+        return {"hint": names["hint"].removeprefix(f"gem install {names.get('name', '')} -v ").strip("'")}
+    for row in rows("older_gems"):
+        if row["gem"] == names.get("name") and row["needs"] == names.get("needs", "").replace(" ", ""):
+            return {"hint": row["version"]}
     return {}
 
 
@@ -141,6 +166,8 @@ def _built_with(names: Names, where: Image) -> Names:
     return {"library": f"what it is built against (in {folder[1]})" if folder else "what it is built against"}
 
 
+_ACCOUNT = pattern(r"(?i)(?:^|_)(?:uid|gid|user_?id|group_?id)$")
+"""Arguments for the number of a user or a group; of the first user of a machine, both are 1000."""
 _SECRET = pattern(r"(?i)key|token|licen[cs]e|secret|pass|user|auth|credential")
 _VARIABLE = pattern(r"\$\{?([A-Za-z_]\w{1,60})")
 
@@ -154,7 +181,8 @@ def _argument(names: Names, where: Image) -> Names:
     if package := names.get("package"):
         beside = re.search(rf"{re.escape(package)}={{1,2}}['\"]?\$\{{?(\w{{1,60}})", where.instruction)
         found = [beside[1]] if beside else found
-    return {"name": names["name"]} if names.get("name") else ({"name": found[0]} if found else {})
+    name = names.get("name") or next(iter(found), "")
+    return ({"name": name} | ({"account": name} if _ACCOUNT.search(name) else {})) if name else {}
 
 
 def _secret(_: Names, where: Image) -> Names:
@@ -179,17 +207,6 @@ def _hidden(names: Names, _: Image) -> Names:
 def _advice(names: Names, _: Image) -> Names:
     name = (names.get("package") or names.get("tool") or "").lower().replace("_", "-")
     return {"advice": next((row["advice"] for row in rows("package_advice") if row["package"] == name), "")}
-
-
-_APACHE = pattern(
-    r"(?P<mirror>https?://(?!archive\.)(?:(?:[\w-]+\.)*apache\.org(?:/dist)?|apache\.[\w.-]+|[\w.-]+(?:/pub)?/apache(?:/dist)?))/[a-z]"
-)
-
-
-def _mirror(names: Names, _: Image) -> Names:
-    """Name the beginning of an address at a mirror of Apache's, which keep the newest releases only."""
-    found = _APACHE.match(names.get("address", ""))
-    return {"mirror": found["mirror"]} if found else {}
 
 
 _CUDA = pattern(
@@ -249,17 +266,21 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "api": _api,
     "argument": _argument,
     "cmake": _library("cmake", "name"),
+    "conflict": lambda names, where: worked.conflict(names, where.instruction),
     "apk": _apk,
     "cuda-architecture": _cuda_architecture,
     "cuda-image": _cuda_image,
     "image-moved": _moved_image,
+    "emptied": lambda names, where: worked.emptied(names, where.instruction),
     "header": _library("include", "header"),
+    "go-since": _since_go,
     "hidden": _hidden,
     "include-path": _built_with,
     "link": _library("link", "library"),
-    "mirror": _mirror,
+    "moved": lambda names, where: worked.moved(names, where.instruction),
     "module": _table("imports", "module", "pip", "module"),
     "namespace": _namespace,
+    "older-gem": _older_gem,
     "pkg-config": _library("pkg-config", "module"),
     "program": _table("programs", "program", "apt", "program"),
     "ros": _ros,

@@ -81,36 +81,12 @@ class Log:
         if step in self.steps:
             yield from reversed(self.steps[: self.steps.index(step)])
 
-    def base(self, step: Step) -> str:
-        """Return the FROM instruction of a step's stage as a Dockerfile has it, ``""`` if the log does not show it."""
-        stage = _stage(step)
-        for earlier in self.before(step):
-            if not earlier.command.startswith("FROM ") or _stage(earlier) != stage:
-                continue
-            words = _DIGEST.sub("", _HUB.sub("", earlier.command)).split()
-            named = stage.split()[-1:]
-            if named and "/" not in named[0] and not named[0].startswith("stage-"):
-                words += ["AS", named[0]]
-            return " ".join(words)
-        return ""
-
-
-_HUB = pattern(r"(?<=\s)docker\.io/(?:library/)?")
-_DIGEST = pattern(r"@sha256:[0-9a-f]{1,64}")
-_STAGE = pattern(r"^\[((?:[\w./-]{1,100} ){0,2})\d{1,3}/\d{1,3}\]")
-
-
-def _stage(step: Step) -> str:
-    """Return what a step's name says before its number: BuildKit names the platform and the stage, Docker nothing."""
-    found = _STAGE.match(step.name)
-    return found[1].strip() if found else ""
-
 
 _VERTEX = pattern(r"#(\d{1,6}) (\d{1,7}\.\d{1,3} ?)?")
 _NAMED = pattern(r"(?:\[|importing cache|exporting |resolve image|sha256:|pushing|merging|copy |local:)")
 _CLASSIC = pattern(r"(?:Step|STEP) \d{1,4}(?:/\d{1,4})? ?: ?")
 _REPEATED = pattern(r" > (.{1,2000}?):?$")
-_SECONDS = pattern(r"^\d{1,7}\.\d{1,3} ")
+_SECONDS = pattern(r"^\d{1,7}\.\d{1,3}(?: |$)")
 _PLACE = pattern(r"([^\s:]{1,200}):(\d{1,6})$")
 _FINAL = pattern(
     r"(?:ERROR: |error: |target \S{1,100}: |buildx failed with: |#\d+ ERROR: |Error: ){0,3}failed to (?:solve|build)\b"
@@ -230,8 +206,34 @@ class _Reader:
 
     def _log(self, number: int) -> Log:
         """Return the log with its failed steps, which are found by the most reliable sign available."""
+        _without_seconds(self.rest)
         steps = [*self.vertices.values(), *self.classic]
         failed = [step for step in self.vertices.values() if step.error and not _is_optional(step)]
+        self._join_repetitions(failed, steps)
+        if self.classic and not failed and not self.good:
+            failed = [self.classic[-1]]
+        if not failed and not self.errors:  # the end of the log is missing: take the step that was still running
+            failed = [step for step in self.vertices.values() if step.lines and not step.done][-1:]
+        if not failed and self.errors:
+            failed = self._unfinished()
+        for line, at in self.errors:
+            owner = at if at in failed else (failed[-1] if failed else None)
+            if owner is not None and not owner.error:
+                owner.error = line.text
+        place = self._place()
+        if not failed and self.errors and not self.rest.lines:
+            failed = self._unfinished()
+        if not failed and self.errors:
+            self.rest.error = self.errors[-1][0].text
+            self.rest.lines += [line for line, _ in self.errors]
+            self.rest.name = _named(self.rest.error)
+            self.rest.place = place
+        if place and len(failed) == 1:
+            failed[0].place = place
+        return Log(steps=steps, failed=failed, rest=self.rest, lines=number, succeeded=self.good)
+
+    def _join_repetitions(self, failed: list[Step], steps: list[Step]) -> None:
+        """Add what BuildKit repeats to the steps it belongs to, or as failed steps where the log has no others."""
         for again in self.repeated:
             # If the beginning of the log is missing, a step has a number, no name, and only some of its lines
             step = next((s for s in failed if s.name in {again.name, ""}), None)
@@ -242,23 +244,17 @@ class _Reader:
                 step.name = again.name
                 own = {line.text for line in step.lines}
                 step.lines[:0] = [line for line in again.lines if line.text not in own]
-        if self.classic and not failed and not self.good:
-            failed = [self.classic[-1]]
-        if not failed and not self.errors:  # the end of the log is missing: take the step that was still running
-            failed = [step for step in self.vertices.values() if step.lines and not step.done][-1:]
-        for line, at in self.errors:
-            owner = at if at in failed else (failed[-1] if failed else None)
-            if owner is not None and not owner.error:
-                owner.error = line.text
-        place = self._place()
-        if not failed and self.errors:
-            self.rest.error = self.errors[-1][0].text
-            self.rest.lines += [line for line, _ in self.errors]
-            self.rest.name = _named(self.rest.error)
-            self.rest.place = place
-        if place and len(failed) == 1:
-            failed[0].place = place
-        return Log(steps=steps, failed=failed, rest=self.rest, lines=number, succeeded=self.good)
+
+    def _unfinished(self) -> list[Step]:
+        """Return the step that was still running at the builder's last words, of a log whose lines about it are cut."""
+        named = Step(name=_named(self.errors[-1][0].text)).command
+        running = [step for step in self.vertices.values() if step.lines and not step.done]
+        fitting = [
+            step for step in running if not step.name or " ".join(step.command.split()) == " ".join(named.split())
+        ]
+        for step in fitting[-1:]:
+            step.name = step.name or f"[failed] {named}".strip()
+        return fitting[-1:]
 
     def _place(self) -> tuple[str, int] | None:
         """Return the Dockerfile and the line that BuildKit names after the repetition."""
@@ -270,6 +266,13 @@ def _named(error: str) -> str:
     """Return the name of the step that the builder's last words repeat, of a log that lacks all before them."""
     found = _COMMAND.search(error)
     return f"[failed] RUN {found[1]}".replace('\\"', '"') if found else ""
+
+
+def _without_seconds(step: Step) -> None:
+    """Take the seconds off the lines of a part of BuildKit's repetition that was copied without its first line."""
+    timed = sum(1 for line in step.lines if _SECONDS.match(line.text))
+    if 2 * timed > len(step.lines):
+        step.lines = [Line(line.number, _SECONDS.sub("", line.text)) for line in step.lines]
 
 
 def _is_optional(step: Step) -> bool:

@@ -1,7 +1,8 @@
-"""The tag of a language's official image that fits what a failed step asks for."""
+"""The tag of an image that fits what a failed step asks for, or that took the place of one that is gone."""
 
 from __future__ import annotations
 
+from roslab.decide.mended_bases import nearest
 from roslab.explain.answer import Explanation
 from roslab.explain.signatures import filled
 from roslab.knowledge.distros import ubuntus
@@ -17,6 +18,10 @@ _NEWER = "newer"
 """The next version after that of the image; there is none for an image without a number."""
 _DEVEL = "devel"
 """The same version with its compiler, for images that have both."""
+_ANY_PROCESSOR = "any-processor"
+"""The image that has the same tag for several processors, of one for a single processor: `arm32v7/ubuntu`."""
+_NEAREST = "nearest"
+"""What the planning takes for an image that is gone."""
 _WITHOUT_COMPILER = pattern(r"-(?:base|runtime)(?=-|$)")
 _BELOW = ("<", "<=", "!=")
 
@@ -31,6 +36,12 @@ def fitting(found: Explanation, image: str) -> str:
     name, _, tag = image.partition(":")
     names = dict(found.names)
     names |= {"required": required(names, found.log)}
+    if known is not None and known.tag == _ANY_PROCESSOR:
+        owner, _, plain = image.partition("/")
+        return plain if owner in known.image.split() else ""
+    if known is not None and known.tag == _NEAREST:
+        near = nearest(image) if name in known.image.split() else None
+        return near.image if near else ""
     if known is None or name not in known.image.split() or not complete(known.tag, names):
         return ""
     if known.tag == _DEVEL:
@@ -47,7 +58,8 @@ def fitting(found: Explanation, image: str) -> str:
 def _version(name: str, needs: str, now: str) -> str:
     """Return the version of an image that the first of several alternatives admits, ``""`` if ``now`` is one.
 
-    It is the oldest from the lower limit on; where there are only upper limits, the newest below them.
+    It is the oldest from the lower limit on; where there are only upper limits, the newest below them. A release that
+    is too old within a series that is admitted gives the series.
     """
     row = next((row for row in rows("language_images") if row["image"] == name), None)
     limits = [(found["sign"] or "", found["version"]) for found in _LIMIT.finditer(needs.partition("||")[0])]
@@ -57,8 +69,9 @@ def _version(name: str, needs: str, now: str) -> str:
         return limits[0][1]  # a Gemfile that names one release takes no other
     allowed = specifiers(",".join(_pep440(sign, version) for sign, version in limits))
     admitted = [each for each in row["versions"].split() if allowed is not None and admits(allowed, each)]
-    if any(f"{now}.".startswith(f"{each}.") for each in admitted):
-        return ""
+    series = next((each for each in admitted if f"{now}.".startswith(f"{each}.")), "")
+    if series:
+        return series if allowed is not None and not allowed.contains(now) else ""  # the newest of the same series
     only_above = all(sign in _BELOW for sign, _ in limits)
     return next(iter(reversed(admitted) if only_above else admitted), "")
 

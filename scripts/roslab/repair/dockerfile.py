@@ -12,7 +12,12 @@ from roslab.explain.signatures import filled
 from roslab.explain.words import dockerfile_lines
 from roslab.knowledge.repairs import complete, repairs
 from roslab.repair import base_image
+from roslab.repair.installing import for_base
 from roslab.values.dataclass import dataclass, replace
+from roslab.values.pattern import pattern
+
+_FIRST_AND = pattern(r"^RUN\s*(?:\\\n\s*)?&&\s*(?:\\\n\s*)?")
+"""What is left of `RUN a && b` without its first command."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -68,10 +73,11 @@ def suggested(answer: Answer) -> str:
             " ".join(found.step.split(None, 1)) if found.step.startswith("RUN ") else f"FROM {image}" if image else ""
         )
         if not step:
-            out += [f"+{line}" for line in _before(found, "", dict(found.names))]
+            out += [f"+{line}" for line in for_base(_before(found, "", dict(found.names)), found.base, "")]
             continue
         text = re.sub(r"[ \t]{3,}", " \\\n    ", step) + "\n"
-        text = f"{found.base}\n{text}" if found.base and step.startswith("RUN ") else text
+        if step.startswith("RUN "):
+            text = "".join(f"{above}\n" for above in (found.base, found.user) if above) + text
         changes = edits(replace(answer, explanations=(replace(found, line=None, step=step),)), text, likely=True)
         new = edited(text, changes)
         lines = difflib.unified_diff(text.splitlines(), new.splitlines(), n=1, lineterm="")
@@ -102,20 +108,24 @@ def _edit(found: Explanation, failed: Instruction, text: str) -> Edit | None:
     old = lines[failed.line - 1 : end]
     names = {**dict(found.names), "pip_program": _pip(failed.text)}
     known = repairs().get(found.id or "")
-    before, new = _before(found, failed.text, names), old
+    before, new = for_base(_before(found, failed.text, names), found.base, failed.text), old
     if known is not None:
         for each in _each(names) if known.find else ():
             if complete(known.find, each) and complete(known.replace, {**each, **names}):
                 new = _pattern(known.find, each).sub(_literal(known.replace, each), "\n".join(new)).split("\n")
-    new = [line for line in new if line.strip() != "\\" or line in old]
+    new = _FIRST_AND.sub("RUN ", "\n".join(line for line in new if line.strip() != "\\" or line in old)).split("\n")
+    new = [] if "".join(new).strip() == "RUN" else new
     if not before and new == old:
         return None
-    return Edit(line=failed.line, end=end, new=(*_as_root(before, failed, text), *new))
+    user = _user(failed, text)
+    before = _as_root(before, user)
+    after = [f"USER {user}"] if before == ["USER root"] and user != "root" else []
+    return Edit(line=failed.line, end=end, new=(*before, *new, *after))
 
 
 def _other_base(found: Explanation, failed: Instruction, text: str) -> Edit | None:
-    """Return the edit that takes another tag in the FROM which the failed instruction builds on, if that repairs it."""
-    above = [one for one in instructions(text) if one.name == "FROM" and one.line < failed.line]
+    """Return the edit that takes another tag in the FROM that failed, or that the failed instruction builds on."""
+    above = [one for one in instructions(text) if one.name == "FROM" and one.line <= failed.line]
     if not above:
         return None
     end = _end(above[-1], text)
@@ -182,12 +192,17 @@ def _end(failed: Instruction, text: str) -> int:
     return end
 
 
-def _as_root(before: list[str], failed: Instruction, text: str) -> list[str]:
-    """Let root install packages, if a USER line above has given the step to another user."""
+def _user(failed: Instruction, text: str) -> str:
+    """Return the user that a USER line above gives an instruction to; an image's own user is not known."""
     user = "root"
     for one in instructions(text):
         if one.line >= failed.line:
             break
         user = "root" if one.name == "FROM" else one.text.strip() if one.name == "USER" else user
-    commands = any(line.startswith(("RUN apt", "RUN sed", "RUN rm", "RUN for")) for line in before)
+    return user
+
+
+def _as_root(before: list[str], user: str) -> list[str]:
+    """Let root install packages, if a USER line above has given the step to another user."""
+    commands = any(line.startswith(("RUN (", "RUN apk", "RUN apt", "RUN sed", "RUN rm", "RUN for")) for line in before)
     return ["USER root", *before, f"USER {user}"] if commands and user not in ("root", "0") else before

@@ -358,3 +358,31 @@ def test_the_last_line_of_a_step_says_more_than_its_exit_code() -> None:
 #7 ERROR: process "/bin/sh -c ./plan" did not complete successfully: exit code: 7
 """
     assert said(log).explanations[0].error == "planner: the arm has no elbow (exit code: 7)"
+
+
+def test_of_several_changes_of_an_interface_the_first_is_told() -> None:
+    log = """
+#8 [3/4] RUN make
+#8 1.0 a.cpp:1:5: error: 'PyString_FromString' was not declared in this scope
+#8 1.1 a.cpp:9:5: error: 'uint8_t' does not name a type
+#8 ERROR: process "/bin/sh -c make" did not complete successfully: exit code: 2
+"""
+    assert "Python 2" in said(log).explanations[0].cause
+
+
+def test_what_follows_from_an_old_standard_is_no_change_of_an_interface() -> None:
+    log = """
+#8 [3/4] RUN make
+#8 1.0 warning.h:32:2: error: #error This file requires compiler and library support for the ISO C++ 2011 standard.
+#8 1.1 a.cpp:9:5: error: 'uint8_t' does not name a type
+#8 ERROR: process "/bin/sh -c make" did not complete successfully: exit code: 2
+"""
+    assert [one.id for one in said(log).explanations] == ["cxx-standard"]
+
+
+def test_a_probe_for_a_program_is_no_failure_where_the_step_goes_on() -> None:
+    probe = "which: no helper in (/usr/local/sbin:/usr/bin)"
+    log = "\n".join(["#8 [3/4] RUN ./install", f"#8 1.0 {probe}", *(f"#8 1.{at} fetched {at}" for at in range(1, 9))])
+    end = '#8 ERROR: process "/bin/sh -c ./install" did not complete successfully: exit code: 1\n'
+    assert said(f"{log}\n{end}").explanations[0].id is None
+    assert said(f"#8 [3/4] RUN ./install\n#8 1.0 {probe}\n{end}").explanations[0].id == "program-missing"

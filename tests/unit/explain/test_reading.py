@@ -372,3 +372,20 @@ ERROR: failed to solve: process "/bin/bash -o pipefail -c echo \"a\" && rosdep i
     (found,) = explain(io.BytesIO(log.encode())).explanations
     assert found.step == 'RUN echo "a" && rosdep install'
     assert (found.file, found.line) == ("Dockerfile", 7)
+
+
+def test_the_step_that_was_running_at_the_builder_s_last_words_failed() -> None:
+    log = """#9 177.5 c++: internal compiler error: Killed (program cc1plus)
+#9 357.7 make: *** [all] Error 2
+------
+executor failed running [/bin/sh -c cmake . && make -j4]: exit code: 2
+"""
+    found = said(log).explanations
+    assert [(one.id, one.step) for one in found] == [("memory", "RUN cmake . && make -j4")]
+
+
+def test_a_copied_part_of_a_repetition_loses_its_seconds() -> None:
+    log = "4.1 Get:1 list\n20.2 CMake Error at CMakeLists.txt:3 (message):\n20.2   Lidar > 2 not found.\n20.2 \n"
+    found = said(log).explanations
+    assert [one.error for one in found]
+    assert not found[0].error.startswith("20.2")

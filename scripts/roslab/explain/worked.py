@@ -1,0 +1,61 @@
+"""Names that are worked out from a failed instruction and its lines together, without a table of packages."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from roslab.knowledge.failures import compiled
+from roslab.knowledge.table import rows
+from roslab.values.pattern import pattern
+from roslab.values.specifier import specifiers
+
+_WORD = pattern(r"[^\s;&|()<>'\"]*\$\{?[A-Za-z_]\w{0,60}\}?[^\s;&|()<>'\"]*")
+_VARIABLE = pattern(r"\$(?:\{([A-Za-z_]\w{0,60})\}|([A-Za-z_]\w{0,60}))")
+_FETCHED = pattern(r"\b(?:wget|curl) [^&;|]{0,200}?(?<=[\s'\"])\$\{?([A-Za-z_]\w{0,60})\}?(?=['\"]?(?:[\s;&|]|$))")
+
+
+def emptied(names: Mapping[str, str], instruction: str) -> dict[str, str]:
+    """Name the variable of an instruction without which a word of it is what the log shows.
+
+    ``$VERSION`` is empty where the instruction says ``/tmp/tool-$VERSION.zip`` and the log ``/tmp/tool-.zip``. Both
+    ends of the word must be left, so that a word of the log is not taken for another by chance.
+    """
+    token = names.get("token", "")
+    for word in _WORD.findall(instruction) if token else ():
+        found = _VARIABLE.findall(word)
+        parts = [part for part in _VARIABLE.split(word) if part is not None]
+        plain = _VARIABLE.sub("", word)
+        if len(found) == 1 and len(parts[0]) > 3 and len(parts[-1]) > 2 and token == plain:
+            return {"name": found[0][0] or found[0][1]}
+    return {}
+
+
+def moved(names: Mapping[str, str], instruction: str) -> dict[str, str]:
+    """Name the beginning of an address whose files have moved as a whole, and where they are now.
+
+    Where the instruction holds the address in a variable alone, that is named too, with the whole new address.
+    """
+    address = names.get("address", "")
+    for row in rows("moved_addresses"):
+        if found := compiled(row["pattern"]).match(address):
+            now = found.expand(row["now"])
+            old = {"mirror": found[0], "moved": now}
+            variable = _FETCHED.search(instruction)
+            if found[0] not in instruction and variable:
+                old |= {"variable": variable[1], "whole": now + address[found.end() :]}
+            return old
+    return {}
+
+
+def conflict(names: Mapping[str, str], instruction: str) -> dict[str, str]:
+    """Name what pip says that a pin would have to be, and the file that holds the pin, where both are said.
+
+    Pins of others that contradict each other allow nothing.
+    """
+    wanted = names.get("wanted", "").replace(" and ", ",").replace(" ", "")
+    allowed = specifiers(wanted) if wanted else None
+    file = names.get("file") or next(iter(re.findall(r"(?:-r|--requirement)[ =]?([\w./-]{1,120})", instruction)), "")
+    if allowed is None or len({each.version for each in allowed if each.operator == "=="}) > 1:
+        return {}
+    return {"constraint": wanted, "file": file} if file else {"constraint": wanted}
