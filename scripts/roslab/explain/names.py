@@ -11,9 +11,10 @@ from collections.abc import Callable, Mapping
 
 from roslab.explain import worked
 from roslab.knowledge import libraries
-from roslab.knowledge.distros import distro, ubuntus
+from roslab.knowledge.distros import distro, distros, ubuntus
 from roslab.knowledge.failures import compiled
 from roslab.knowledge.os_releases import moved_to
+from roslab.knowledge.released import released
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -101,18 +102,17 @@ def _packages(found: libraries.Library, where: Image) -> tuple[str, ...]:
     return found.apt
 
 
-_STANDARD = pattern(r"This file requires compiler and library support for the ISO C\+\+")
-
-
 def _api(names: Names, _: Image) -> Names:
-    """Name the change that the first of several errors tells of: those after it most often follow from it."""
+    """Name the change that the first of several errors tells of: those after it most often follow from it.
+
+    Where a header says that the code is compiled with too old a standard, only a change that tells of one counts.
+    """
     said = names.get("text", "")
     found = [(match.start(), row) for row in rows("api_changes") if (match := compiled(row["pattern"]).search(said))]
-    start, row = min(found, key=lambda each: each[0]) if found else (0, None)
-    standard = _STANDARD.search(
-        said, 0, start
-    )  # what follows from a standard that is too old is no change of an interface
-    return {"why": row["why"], "repair_words": row["fix"]} if row and not standard else {}
+    row = min(found, key=lambda each: each[0])[1] if found else None
+    if row is None or (names.get("standard") and "C++" not in row["why"]):
+        return {}
+    return {"why": row["why"], "repair_words": row["fix"]}
 
 
 def _since_go(names: Names, _: Image) -> Names:
@@ -192,11 +192,18 @@ def _secret(_: Names, where: Image) -> Names:
 
 
 def _ros(names: Names, where: Image) -> Names:
-    """Name the apt package of a ROS package; return nothing for a name that is known as a CMake library."""
-    name = names.get("name", "").split(", ")[0]
-    if not name or libraries.library("cmake", name, where.ubuntu) is not None:
+    """Name the apt package of a ROS package; return nothing for a name that is known as a CMake library.
+
+    ``released`` holds those that this distribution, or any where it is not known, has released, as the images of ROS
+    name them: they set ``ROS_DISTRO``.
+    """
+    wanted = [name for name in names.get("name", "").split(", ") if name]
+    if not wanted or libraries.library("cmake", wanted[0], where.ubuntu) is not None:
         return {}
-    return {"package": f"ros-{where.ros}-{name.replace('_', '-')}" if where.ros else ""}
+    known = [where.ros] if where.ros else list(distros())
+    there = [name.replace("_", "-") for name in wanted if any(name in released(each) for each in known)]
+    package = f"ros-{where.ros}-{wanted[0].replace('_', '-')}" if where.ros else ""
+    return {"package": package, "released": " ".join(f"ros-$ROS_DISTRO-{name}" for name in there)}
 
 
 def _hidden(names: Names, _: Image) -> Names:

@@ -86,6 +86,7 @@ _VERTEX = pattern(r"#(\d{1,6}) (\d{1,7}\.\d{1,3} ?)?")
 _NAMED = pattern(r"(?:\[|importing cache|exporting |resolve image|sha256:|pushing|merging|copy |local:)")
 _CLASSIC = pattern(r"(?:Step|STEP) \d{1,4}(?:/\d{1,4})? ?: ?")
 _REPEATED = pattern(r" > (.{1,2000}?):?$")
+_COPIED = pattern(r"^\s{0,8}\d{1,7}\.\d{1,3}(?: |$)")
 _SECONDS = pattern(r"^\d{1,7}\.\d{1,3}(?: |$)")
 _PLACE = pattern(r"([^\s:]{1,200}):(\d{1,6})$")
 _FINAL = pattern(
@@ -270,9 +271,9 @@ def _named(error: str) -> str:
 
 def _without_seconds(step: Step) -> None:
     """Take the seconds off the lines of a part of BuildKit's repetition that was copied without its first line."""
-    timed = sum(1 for line in step.lines if _SECONDS.match(line.text))
+    timed = sum(1 for line in step.lines if _COPIED.match(line.text))
     if 2 * timed > len(step.lines):
-        step.lines = [Line(line.number, _SECONDS.sub("", line.text)) for line in step.lines]
+        step.lines = [Line(line.number, _COPIED.sub("", line.text)) for line in step.lines]
 
 
 def _is_optional(step: Step) -> bool:

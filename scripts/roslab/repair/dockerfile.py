@@ -73,7 +73,8 @@ def suggested(answer: Answer) -> str:
             " ".join(found.step.split(None, 1)) if found.step.startswith("RUN ") else f"FROM {image}" if image else ""
         )
         if not step:
-            out += [f"+{line}" for line in for_base(_before(found, "", dict(found.names)), found.base, "")]
+            names = {**dict(found.names), "pip_program": _pip("")}
+            out += [f"+{line}" for line in for_base(_before(found, "", names), found.base, "")]
             continue
         text = re.sub(r"[ \t]{3,}", " \\\n    ", step) + "\n"
         if step.startswith("RUN "):

@@ -163,3 +163,26 @@ def test_a_key_is_fetched_by_its_number() -> None:
     lines = shown(step("apt-get update", error, base="ubuntu:22.04"))
     assert len(lines) == 1
     assert lines[0].endswith("--recv-keys 0123456789ABCDEF")
+
+
+def test_a_ros_package_is_named_as_the_images_of_ros_do() -> None:
+    text = """Starting >>> robot
+--- stderr: robot
+CMake Error at CMakeLists.txt:10 (find_package):
+  By not providing "Find{}.cmake" in CMAKE_MODULE_PATH this project has asked CMake to find it.
+"""
+    wanted = "RUN apt-get update && apt-get install -y --no-install-recommends ros-$ROS_DISTRO-robot-localization"
+    assert shown(text.format("robot_localization")) == [f"+{wanted}"]
+    assert shown(text.format("robot_that_nobody_released")) == []
+
+
+def test_old_tools_are_taken_for_an_old_release() -> None:
+    error = "error in arm setup command: 'extras_require' must be a dictionary"
+    assert shown(step("pip3 install arm", error)) == ['+RUN pip3 install "setuptools<66" "pip<24.1" "wheel<0.40"']
+
+
+def test_a_pip_that_does_not_know_the_wheels_is_renewed() -> None:
+    error = (
+        "No matching distribution found for torch==1.4.0\nYou are using pip version 9.0.1, however 20.0 is available."
+    )
+    assert shown(f"{error}\n") == ['+RUN pip install --upgrade "pip<21"']
