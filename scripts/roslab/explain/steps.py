@@ -222,8 +222,6 @@ class _Reader:
             if owner is not None and not owner.error:
                 owner.error = line.text
         place = self._place()
-        if not failed and self.errors and not self.rest.lines:
-            failed = self._unfinished()
         if not failed and self.errors:
             self.rest.error = self.errors[-1][0].text
             self.rest.lines += [line for line, _ in self.errors]

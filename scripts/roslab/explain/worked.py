@@ -10,7 +10,7 @@ from roslab.knowledge.table import rows
 from roslab.values.pattern import pattern
 from roslab.values.specifier import specifiers
 
-_WORD = pattern(r"[^\s;&|()<>'\"]*\$\{?[A-Za-z_]\w{0,60}\}?[^\s;&|()<>'\"]*")
+_WORD = pattern(r"[^\s;&|()<>'\"]{0,200}\$\{?[A-Za-z_]\w{0,60}\}?[^\s;&|()<>'\"]{0,200}")
 _VARIABLE = pattern(r"\$(?:\{([A-Za-z_]\w{0,60})\}|([A-Za-z_]\w{0,60}))")
 _FETCHED = pattern(r"\b(?:wget|curl) [^&;|]{0,200}?(?<=[\s'\"])\$\{?([A-Za-z_]\w{0,60})\}?(?=['\"]?(?:[\s;&|]|$))")
 
