@@ -1,8 +1,7 @@
-"""The tag of an image that fits what a failed step asks for, or that took the place of one that is gone."""
+"""The tag of an image that fits what a failed step asks for."""
 
 from __future__ import annotations
 
-from roslab.decide.mended_bases import nearest
 from roslab.explain.answer import Explanation
 from roslab.explain.signatures import filled
 from roslab.knowledge.distros import ubuntus
@@ -20,8 +19,6 @@ _DEVEL = "devel"
 """The same version with its compiler, for images that have both."""
 _ANY_PROCESSOR = "any-processor"
 """The image that has the same tag for several processors, of one for a single processor: `arm32v7/ubuntu`."""
-_NEAREST = "nearest"
-"""What the planning takes for an image that is gone."""
 _WITHOUT_COMPILER = pattern(r"-(?:base|runtime)(?=-|$)")
 _BELOW = ("<", "<=", "!=")
 
@@ -39,9 +36,6 @@ def fitting(found: Explanation, image: str) -> str:
     if known is not None and known.tag == _ANY_PROCESSOR:
         owner, _, plain = image.partition("/")
         return plain if owner in known.image.split() else ""
-    if known is not None and known.tag == _NEAREST:
-        near = nearest(image) if name in known.image.split() else None
-        return near.image if near else ""
     if known is None or name not in known.image.split() or not complete(known.tag, names):
         return ""
     if known.tag == _DEVEL:

@@ -124,12 +124,6 @@ def test_an_image_of_one_processor_is_taken_for_any() -> None:
     assert shown(text.replace("arm32v7/node", "somebody/rpi-node")) == []
 
 
-def test_an_image_that_nvidia_withdrew_becomes_what_planning_takes() -> None:
-    text = "Step 1/9 : FROM nvidia/cuda:10.0-devel-ubuntu18.04\nmanifest for {} not found\n"
-    lines = shown(text.format("nvidia/cuda:10.0-devel-ubuntu18.04"))
-    assert lines == ["-FROM nvidia/cuda:10.0-devel-ubuntu18.04", "+FROM nvidia/cuda:11.0.3-devel-ubuntu18.04"]
-
-
 def test_a_step_for_root_gives_the_user_back() -> None:
     text = step("mkdir logs", "mkdir: cannot create directory 'logs': Permission denied", base="ubuntu", user="robot")
     assert shown(text) == ["+USER root", "+USER robot"]
