@@ -13,6 +13,7 @@ COLOURS = {
     "ours": "#2f6f9f",
     "paper-fresh-runner": "#d99a9a",
     "ours-fresh-runner": "#7fb2d6",
+    "warm-container": "#8a8a8a",
 }
 WIDTH, LEFT, BAR = 720, 130, 11
 
@@ -56,17 +57,21 @@ def picture(cases: dict[str, dict[str, Figures]], title: str) -> str:
                     f'<rect x="{LEFT}" y="{top}" width="{width:.1f}" height="{BAR - 1}" fill="{COLOURS[way]}"/>'
                 )
                 parts.append(
-                    f'<text x="{LEFT + width + 4:.1f}" y="{top + BAR - 2}" font-size="9">{seconds:.0f} s</text>'
+                    f'<text x="{LEFT + width + 4:.1f}" y="{top + BAR - 2}" font-size="9">{_short(seconds)} s</text>'
                 )
             top += BAR
         top += 10
     for index, way in enumerate(WAYS):
-        x = LEFT + 118 * index
+        x = 8 + 118 * index
         parts.append(f'<rect x="{x}" y="28" width="10" height="10" fill="{COLOURS[way]}"/>')
-        parts.append(f'<text x="{x + 14}" y="37">{way}</text>')
+        parts.append(f'<text x="{x + 14}" y="37" font-size="10">{way}</text>')
     head = (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {top}" font-family="sans-serif" font-size="11">'
         f'<title>{title}</title><rect width="{WIDTH}" height="{top}" fill="white"/>'
         f'<text x="8" y="16" font-size="13">{title}</text>'
     )
     return "\n".join((head, *parts, "</svg>")) + "\n"
+
+
+def _short(seconds: float) -> str:
+    return f"{seconds:.1f}" if seconds < 10 else f"{seconds:.0f}"
