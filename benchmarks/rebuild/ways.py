@@ -45,7 +45,7 @@ RUN . /opt/ros/$ROS_DISTRO/setup.sh && cd /catkin_ws && catkin_make
 RUN sed --in-place --expression '$isource "/catkin_ws/devel/setup.bash"' /ros_entrypoint.sh
 CMD ["bash"]
 """
-MAKE = '. /opt/ros/$ROS_DISTRO/setup.sh && cd /catkin_ws && catkin_make -DCMAKE_BUILD_TYPE=Release'
+MAKE = ". /opt/ros/$ROS_DISTRO/setup.sh && cd /catkin_ws && catkin_make -DCMAKE_BUILD_TYPE=Release"
 PAPER_APT = " \\\n  && DEBIAN_FRONTEND=noninteractive apt-get install -y {packages}"
 
 # docker-ros as its documentation describes it: a stage for what is needed, one for the build, each given a token that
