@@ -115,3 +115,17 @@ def test_a_failure_leaves_nothing_to_the_next_build(builder: Builder) -> None:
 def test_without_a_cache_everything_is_compiled(builder: Builder) -> None:
     builder.cache.rmdir()
     assert builder.build(FILES)[0] == builder.build(FILES)[0] == ALL
+
+
+def test_a_build_tree_that_stays_has_no_objects_and_no_logs(builder: Builder) -> None:
+    """A workspace whose programs load a library out of it keeps it; CMake's logs are others at each build."""
+    makes = (
+        "mkdir -p build/CMakeFiles/3.25.1 devel; touch build/{libkept.so,a.o} build/CMakeFiles/{CMakeOutput.log,"
+        'CMakeConfigureLog.yaml,3.25.1/kept.cmake}; echo "$PWD/build/libkept.so" >devel/environment'
+    )
+    workspace = builder.root / "home" / "ws"
+    (workspace / "src").mkdir(parents=True)
+    subprocess.run(["bash", builder.script, "bash", "-c", makes], cwd=workspace, check=True)
+    built = builder.root / "home" / "built"
+    kept = {str(file.relative_to(built)) for file in built.rglob("*") if file.is_file()}
+    assert kept == {"build/libkept.so", "build/CMakeFiles/3.25.1/kept.cmake", "devel/environment"}

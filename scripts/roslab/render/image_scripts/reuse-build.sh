@@ -55,10 +55,11 @@ if [ -d "${cache}" ]; then
   echo "${contents}" >"${cache}/contents"
   mv "${cache}/new" "${cache}/tree"
 fi
-# A program may load a library out of the build tree; then only the compiler's own files go
+# A program may load a library out of the build tree; then only the compiler's own files go, and CMake's logs, which name
+# random targets, others at each build
 mapfile -t found < <(present | grep --line-regexp --invert-match build)
 if [ -d build ] && grep --recursive --quiet --fixed-strings "${PWD}/build/" "${found[@]}"; then
-  find build -name '*.o' -delete
+  find build \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete
   found+=(build)
 fi
 mkdir --parents ../built
