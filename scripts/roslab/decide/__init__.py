@@ -32,7 +32,7 @@ from roslab.decide.ros.workspace import Packages, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.system.by_hand import as_written, by_hand
 from roslab.decide.system.inside import compiled_inside
-from roslab.decide.system.missing import decide_missing
+from roslab.decide.system.missing import decide_missing, marked
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, started
 from roslab.decide.system.packages import decide_system, without_twins
@@ -152,13 +152,15 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         target=target,
         packages=packages,
         provided=(
-            *(*system.answer.apt, *system.answer.apt_guessed, *system.answer.rosdep, *system.answer.brought),
+            *(*system.answer.apt, *system.answer.apt_guessed, *system.answer.brought),
             *(source.name for source in (*sources.answer.sources, *sources.answer.submodules)),
             *(git.name for git in evidence.sources if git.kind != "link"),
             *(each.name for each in evidence.prose),
             *(each.key for each in everything if each.name),
         ),
+        keys=system.answer.rosdep,
         command=command.answer.command,
+        cloned=any(source.build != "cmake" for source in (*sources.answer.sources, *sources.answer.submodules)),
     )
     left_out = () if own.answer else missing.answer.packages
     steps = decide_steps(
@@ -213,6 +215,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         packages=tuple(m.file for m in packages.built if m.name not in left_out) if kind.answer in _ROS else (),
         package_names=tuple(name for name in _names(packages, kind.answer) if name not in left_out),
         left_out=left_out,
+        ignored=marked(build_tool.answer, left_out, packages) if kind.answer in _ROS and not own.answer else (),
         ended=missing.answer.ended,
         workspace=layout.answer.workspace,
         cmake_folder=layout.answer.cmake_folder,

@@ -146,6 +146,8 @@ class Decision:
     """Names of those packages, sorted; without metapackages of ROS 1."""
     left_out: tuple[str, ...] = ()
     """Packages that are not built, because nothing brings what they require and no other one needs them."""
+    ignored: tuple[str, ...] = ()
+    """Folders of packages that are not built, for a build tool that would stop at them."""
     ended: tuple[str, ...] = ()
     """Packages that manifests of rosbuild name and this ROS no longer has."""
     workspace: Literal["none", "overlay", "root"] = "none"

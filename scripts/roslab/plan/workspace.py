@@ -38,6 +38,8 @@ class RosBuild:
     """For all packages: a workspace has one set of them."""
     setup: str
     """The script that makes the compiled workspace known."""
+    ignored: tuple[str, ...] = ()
+    """Folders of the repository that the tool must not look into."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -141,6 +143,7 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
         arguments=(*_of_rosmake(decision), *config.build_args, *skipping(tool, decision.left_out)) if own else (),
         cmake_options=(*(_cmake_options(config) if own else ()), *of_sisters),
         setup=f"{WORKSPACE}/{_SETUP[tool]}",
+        ignored=decision.ignored if own else (),
     )
 
 

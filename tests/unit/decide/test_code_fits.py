@@ -34,6 +34,10 @@ def ros1(cmake: str = "", code: str = "", page: str = "Tested with ROS Kinetic")
         ('set(CMAKE_CXX_FLAGS "-std=c++17")\n', "", "Tested with ROS Kinetic", "melodic"),
         ("# set(CMAKE_CXX_STANDARD 17)\n", "", "Tested with ROS Kinetic", "kinetic"),
         ("", "#include <filesystem>\n", "Tested with ROS Melodic", "noetic"),
+        ("", "#if NEWER\nint a;\n#else\n#include <opencv/cv.h>\n#endif\n", "Tested with ROS Noetic", "noetic"),
+        ("", "#ifdef OLD\nint f = CV_LOAD_IMAGE_COLOR;\n#endif\n", "Tested with ROS Noetic", "noetic"),
+        ("", "#ifndef A_H\n#define A_H\n#include <opencv/cv.h>\n#endif\n", "Tested with ROS Noetic", "melodic"),
+        ("", "#ifdef OLD\n#endif\n#include <opencv/cv.h>\n", "Tested with ROS Noetic", "melodic"),
     ],
 )  # fmt: skip
 def test_a_page_yields_to_the_code(tree: Tree, cmake: str, code: str, page: str, distro: str) -> None:

@@ -93,3 +93,38 @@ def test_a_program_that_requires_what_nothing_brings_is_told_with_its_line(tree:
     told = [(w.message, w.line) for w in found.warnings if "OddLibrary" in w.message]
     assert [line for _, line in told] == [2]
     assert "cmake will stop at walk" in told[0][0]
+
+
+def catkin(name: str, components: str = "", needs: str = "") -> dict[str, str]:
+    found = f"find_package(catkin REQUIRED COMPONENTS roscpp {components})\n"
+    return {f"src/{path}": text for path, text in package(name, found, needs, "catkin").items()}
+
+
+MADE = {"README.md": "ROS Noetic\n```\ncatkin build\n```\n"}
+
+
+@pytest.mark.parametrize("page", [{}, MADE])
+def test_a_ros_package_that_nobody_released(tree: Tree, page: dict[str, str]) -> None:
+    decision = tree(catkin("driver", "acme_msgs") | catkin("planner") | page)
+    assert decision.left_out == ("driver",)
+    assert decision.ignored == (("src/driver",) if page else ())
+    assert any("acme_msgs, which CMake requires: driver is left out" in w.message for w in decision.warnings)
+
+
+def test_what_a_cloned_repository_may_hold(tree: Tree) -> None:
+    listed = "- git: {local-name: acme, uri: 'https://github.com/acme/acme.git', version: main}\n"
+    assert tree(catkin("driver", "acme_msgs") | catkin("planner") | {"a.rosinstall": listed}).left_out == ()
+
+
+def test_what_needs_a_package_that_is_left_out(tree: Tree) -> None:
+    decision = tree(catkin("driver", "acme_msgs") | catkin("user", "driver", "driver") | catkin("planner"))
+    assert decision.left_out == ("driver", "user")
+    assert any("driver is left out of the build, and with it user" in w.message for w in decision.warnings)
+
+
+def test_a_package_that_only_starts_another(tree: Tree) -> None:
+    files = catkin("driver", "acme_msgs") | catkin("planner")
+    files["src/planner/package.xml"] = files["src/planner/package.xml"].replace(
+        "</package>", "<exec_depend>driver</exec_depend></package>"
+    )
+    assert tree(files).left_out == ("driver",)

@@ -18,6 +18,9 @@ RosVersion = Literal[1, 2]
 _ASSET = pattern(r"(?:^|/)(?:assets?|data|resources?|urdfs?|meshes|models)(?:/|$)", re.IGNORECASE)
 """Folders of robot descriptions: programs read a package there, it is not built."""
 
+_SOURCES = pattern(r"((?:[^/]+/)*?[^/]+)/src/.+/package\.xml$")
+"""A package in the ``src`` of a workspace below the root."""
+_MAIN = pattern(r"(?:^|[-_/])main(?:[-_]|$)", re.IGNORECASE)
 _CATKIN = frozenset({"catkin", "catkin_simple", "roscpp", "rospy"})
 _AMENT = frozenset({"ament_cmake", "ament_python", "ament_cmake_auto", "ament_cmake_ros", "rosidl_default_generators"})
 """A package built with one of these is a catkin or ament package, whatever its build type says."""
@@ -35,6 +38,8 @@ class Packages:
 
     names: frozenset[str]
     """Names of all packages, also of those not built: none of them is a key for rosdep."""
+    doubles: tuple[str, ...] = ()
+    """Folders with packages of names that are built already: a build tool that finds both stops."""
 
 
 def packages_of(evidence: Evidence) -> Packages:
@@ -83,12 +88,16 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
     assets: list[PackageManifest] = []
     left_out: list[PackageManifest] = []
     buildable = {file.rpartition("/")[0] for file in cmake} | set(python)
-    kept: set[str] = set()
     seen: set[str] = set()
+    doubles = _other_workspaces(manifests)
+    kept = set(doubles)
     for manifest in sorted(manifests, key=lambda m: (m.file.count("/"), m.file)):
         folder = manifest.file.rpartition("/")[0]
-        if manifest.ignored or manifest.name is None or _below(folder, kept) or manifest.name in seen:
+        if manifest.ignored or manifest.name is None or _below(folder, kept):
             left_out.append(manifest)
+        elif manifest.name in seen:
+            left_out.append(manifest)
+            doubles.add(folder)
         elif (folder not in buildable and not manifest.metapackage) or (_ASSET.search(folder) and len(manifests) > 1):
             assets.append(manifest)
         else:
@@ -105,7 +114,22 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
         assets=tuple(assets),
         left_out=tuple(left_out),
         names=frozenset(m.name for m in manifests if m.name),
+        doubles=tuple(sorted(doubles - {""})),
     )
+
+
+def _other_workspaces(manifests: tuple[PackageManifest, ...]) -> set[str]:
+    """Return the workspaces of a tree that hold packages of the same names as one that is built.
+
+    The one that is called the main one is built, else the one with most packages.
+    """
+    inside: dict[str, set[str]] = {}
+    for manifest in manifests:
+        found = _SOURCES.match(manifest.file)
+        if found and manifest.name and not manifest.ignored:
+            inside.setdefault(found[1], set()).add(manifest.name)
+    best = max(inside, key=lambda root: (bool(_MAIN.search(root)), len(inside[root]), root == min(inside)), default="")
+    return {root for root, names in inside.items() if root != best and names & inside[best]}
 
 
 def _below(folder: str, folders: set[str]) -> bool:

@@ -15,10 +15,16 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import dataclass
 
-_SKIP: dict[BuildTool, str] = {"colcon": "--packages-skip", "catkin_make": "-DCATKIN_BLACKLIST_PACKAGES="}
-"""How a build tool leaves packages out. https://colcon.readthedocs.io/en/released/reference/package-selection-arguments.html
+_SKIP: dict[BuildTool, str] = {
+    "colcon": "--packages-skip",
+    "catkin_make": "-DCATKIN_BLACKLIST_PACKAGES=",
+    "catkin_tools": "",
+}
+"""How a build tool leaves packages out: by an argument, or by a marker in their folders, which all
+releases of catkin_tools know. https://colcon.readthedocs.io/en/released/reference/package-selection-arguments.html
 https://docs.ros.org/en/api/catkin/html/dev_guide/generated_cmake_api.html"""
 
 
@@ -44,49 +50,75 @@ def decide_missing(
     target: Target,
     packages: Packages,
     provided: Iterable[str],
+    keys: Iterable[str] = (),
     command: tuple[str, ...] | str,
+    cloned: bool = False,
 ) -> Choice[Missing]:
-    """Return the packages to leave out of the build because of what they lack, none of which another one needs.
+    """Return the packages to leave out of the build because of what they lack, with those that need these.
 
-    ``provided``: names of everything that is installed, built or cloned; a similar one is taken for the package. What
-    cannot be left out is told, for there the build stops.
+    ``provided``: names of everything that is installed, built or cloned; a similar one is taken for the package.
+    ``keys``: what rosdep is asked for, of which only what its tables or the distribution have is provided.
+    ``cloned``: the image clones packages whose names are not known here. What cannot be left out is told, for there
+    the build stops.
     """
     if kind not in {"ros1", "ros2", "cpp"}:
         return Choice(answer=Missing())
-    provided = tuple(provided)
+    known = released(target.ros_distro or "") | rosdep_keys()
+    provided = (*provided, *(key for key in keys if key in known or kind == "cpp"))
     ended = ended_in(packages, target.ros_distro, provided)
     names = {plain(name) for name in provided}
     lacking = {
         package: asked
         for package, asked in (_of_program if kind == "cpp" else _required)(evidence, packages)
+        if not (cloned and asked.namespace == "ros")
         if not resolve(asked, target).known and not any(plain(asked.name) in name for name in names)
     }
-    needed = {d.name for m in packages.built if m.name not in lacking for d in m.dependencies if d.role != "test"}
-    started = command if isinstance(command, str) else shlex.join(command)
-    skipped: list[str] = []
+    started = (command if isinstance(command, str) else shlex.join(command)).split()
+    out: dict[str, None] = {}
     warnings: list[Warning_] = []
     for package, asked in lacking.items():
-        free = package not in needed and package not in started.split() and len(lacking) < len(packages.built)
-        if free and build_tool in _SKIP:
-            skipped.append(package)
-            then = f"{package} is left out of the build, which no other package needs"
+        with_it = _needing(package, packages)
+        kept = {m.name for m in packages.built} - out.keys() - {*with_it}
+        if build_tool in _SKIP and kept and not {*with_it} & {*started}:
+            out |= dict.fromkeys(with_it)
+            others = f", and with it {', '.join(with_it[1:])}" if with_it[1:] else ", which no other package needs"
+            then = f"{package} is left out of the build{others}"
         else:
             then = f"{build_tool} will stop at {package}"
         hint = "give its repository under `source` in roslab.yaml"
         warnings.append(warn(f"nothing is known that brings {asked.name}, which CMake requires: {then}; {hint}", asked))
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
     return Choice(
-        answer=Missing(packages=tuple(sorted(skipped)), ended=tuple(ended)),
+        answer=Missing(packages=tuple(sorted(out)), ended=tuple(ended)),
         warnings=tuple(warnings),
         reasons=tuple(because("dependencies", name, why, asked, weight=ENDED) for name, asked in ended.items()),
     )
 
 
+def _needing(package: str, packages: Packages) -> list[str]:
+    """Return a package and those of the repository that cannot be built without it; a metapackage builds nothing."""
+    found = [package]
+    for each in found:
+        for manifest in packages.built:
+            builds = (d for d in manifest.dependencies if d.role not in {"test", "exec", "run", "doc"})
+            if manifest.name not in {None, *found} and not manifest.metapackage and any(d.name == each for d in builds):
+                found.append(manifest.name or "")
+    return found
+
+
+def marked(build_tool: BuildTool, left_out: tuple[str, ...], packages: Packages) -> tuple[str, ...]:
+    """Return the folders that a build tool must not look into."""
+    if _SKIP.get(build_tool) != "":
+        return packages.doubles
+    named = (m.file.rpartition("/")[0] for m in packages.built if m.name in left_out)
+    return (*packages.doubles, *named)
+
+
 def skipping(build_tool: BuildTool, packages: tuple[str, ...]) -> tuple[str, ...]:
     """Return the arguments with which a build tool leaves packages out."""
-    if not packages or build_tool not in _SKIP:
+    option = _SKIP.get(build_tool)
+    if not packages or not option:
         return ()
-    option = _SKIP[build_tool]
     return (option + ";".join(packages),) if option.endswith("=") else (option, *packages)
 
 
@@ -108,6 +140,6 @@ def _of_program(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, D
 def _outside(project: CMakeProject, evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     inside = packages.names | {each.name for each in evidence.cmake} | evidence.cmake_modules
     for asked in project.dependencies:
-        required = asked.namespace == "cmake" and asked.strength == "declared" and asked.role != "test"
+        required = asked.namespace in {"cmake", "ros"} and asked.strength == "declared" and asked.role != "test"
         if required and asked.name not in inside:
             yield asked

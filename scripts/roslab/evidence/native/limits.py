@@ -16,6 +16,7 @@ from roslab.values.pattern import pattern
 _STANDARD = pattern(
     r"^[^#\n]*?(?:\bCMAKE_CXX_STANDARD[ \t]+|-std=(?:c|gnu)\+\+|\bcxx_std_|\bCXX_STANDARD[ \t]+)(\d\w)\b", re.MULTILINE
 )
+_DIRECTIVE = pattern(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|endif)\b[ \t]*([^\s(]*)", re.MULTILINE)
 _GUARDS = ("__has_include", "CV_VERSION", "CV_MAJOR_VERSION", "CERES_VERSION", "imgproc/types_c.h", "constants_c.h")
 """The file, or one that it includes, chooses by what is there."""
 
@@ -58,13 +59,15 @@ class Signs:
         """Read a C++ file."""
         self.guarded = self.guarded or any(map(text.__contains__, _GUARDS))
         for limit in _possible("name", text):
-            if (match := limit.pattern.search(text)) and not _comment(text, match.start()):
+            match = limit.pattern.search(text)
+            if match and not _comment(text, match.start()) and not _conditional(text, match.start()):
                 self._add(limit, path, text.count("\n", 0, match.start()) + 1)
 
     def header(self, name: str, path: str, text: str, position: int) -> None:
         """Read an include at a position of a file."""
         self.included.add(name.rpartition("/")[2])
-        for limit in _signs("include", name):
+        found = _signs("include", name)
+        for limit in found if found and not _conditional(text, position) else ():
             self._add(limit, path, text.count("\n", 0, position) + 1)
 
     def all(self, repository: Repository) -> tuple[CodeLimit, ...]:
@@ -94,6 +97,19 @@ class Signs:
         known = self.found.setdefault((sign.library, sign.what), [])
         if all(limit.file != file for limit in known[-1:]) and len(known) < MAX_PLACES:
             known.append(found)
+
+
+def _conditional(text: str, position: int) -> bool:
+    """Tell whether a place is compiled under a condition only, other than the guard of the header itself."""
+    open_: list[bool] = []
+    for match in _DIRECTIVE.finditer(text, 0, position):
+        kind, name = match[1], match[2]
+        if kind == "endif":
+            del open_[-1:]
+        elif kind.startswith("if"):
+            guard = kind == "ifndef" and text[match.end() :].lstrip().startswith(f"#define {name}")
+            open_.append(not guard and name != "__cplusplus")
+    return any(open_)
 
 
 def _comment(text: str, position: int) -> bool:

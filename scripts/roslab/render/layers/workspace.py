@@ -176,6 +176,17 @@ def tree_mount(plan: Plan) -> str:
 
 
 def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
+    return [*_ignoring(plan, build), *_building(plan, build, again)]
+
+
+def _ignoring(plan: Plan, build: RosBuild) -> list[str]:
+    """Return the command that puts the marker of a build tool into the folders that it must not look into."""
+    marker = "COLCON_IGNORE" if build.tool == "colcon" else "CATKIN_IGNORE"
+    files = (quote.shell_with_user(f"{source_folder(plan)}/{folder}/{marker}") for folder in build.ignored)
+    return [f"touch {' '.join(files)}"] if build.ignored else []
+
+
+def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
     options, arguments = _words(build.cmake_options), _words(build.arguments)
     cmake = f" \\\n      --cmake-args{options}" if options else ""
     match build.tool:

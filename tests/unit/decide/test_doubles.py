@@ -1,0 +1,58 @@
+"""Packages of one name in several folders: a build tool stops at them, so that one of each is built."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+
+
+def package(folder: str, name: str) -> dict[str, str]:
+    xml = f"<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend></package>"
+    return {
+        f"{folder}/package.xml": xml,
+        f"{folder}/CMakeLists.txt": f"project({name})\nfind_package(catkin REQUIRED)\n",
+    }
+
+
+MAIN = package("play/main_ws/src/planner", "planner")
+SWARM = package("play/a_ws/src/planner", "planner") | package("play/a_ws/src/map", "map")
+
+
+@pytest.mark.parametrize(
+    ("files", "built", "ignored"),
+    [
+        (MAIN | SWARM, ("play/main_ws/src/planner/package.xml",), ("play/a_ws",)),
+        (
+            SWARM | package("play/b_ws/src/planner", "planner"),
+            ("play/a_ws/src/map/package.xml", "play/a_ws/src/planner/package.xml"),
+            ("play/b_ws",),
+        ),
+        (
+            SWARM | package("play/b_ws/src/other", "other"),
+            (*(f"play/a_ws/src/{name}/package.xml" for name in ("map", "planner")), "play/b_ws/src/other/package.xml"),
+            (),
+        ),
+        (package("a", "map") | package("copy/a", "map"), ("a/package.xml",), ("copy/a",)),
+        (package("a", "map") | package("a/inner", "map"), ("a/package.xml",), ()),
+    ],
+)
+def test_one_of_each_name_is_built(tree: Tree, files: dict[str, str], built: object, ignored: object) -> None:
+    decision = tree(files)
+    assert (decision.packages, decision.ignored) == (built, ignored)
+
+
+def test_the_tool_does_not_look_into_the_others(tmp_path: Path) -> None:
+    for path, text in (MAIN | SWARM).items():
+        target = tmp_path / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert "/play/a_ws/CATKIN_IGNORE \\\n && " in text
