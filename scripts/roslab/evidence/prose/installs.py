@@ -20,13 +20,36 @@ from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
 MentionSource = Literal["dockerfile", "ci", "readme", "script"]
-TRIGGER = pattern(
-    r"\binstall\b|\bclone\b|\bcheckout\b|\broslaunch\b|\brosrun\b|\bros2\s+(?:launch|run)\b|\bcatkin(?:_make|"
-    r"\s+build|\s+init)|"
-    r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s|\bpixi\s+(?:install|shell)\b|\btorchrun\s|\b(?:ba)?sh\s+\S+\.sh\b|"
-    r"\bcolcon\b|\bcd\s|\bconda\b|\bmamba\b|\bpython[\d.]*\s+\S|\bcmake\b|/archive/|\bppa:|\bdpkg\s|\.deb\b|\.t(?:ar|gz)\b|\bdocker\s|(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"
+_TELLING = tuple(
+    (word, pattern(telling))
+    for word, telling in (
+        ("install", r"\binstall\b"),
+        ("clone", r"\bclone\b"),
+        ("checkout", r"\bcheckout\b"),
+        ("roslaunch", r"\broslaunch\b"),
+        ("rosrun", r"\brosrun\b"),
+        ("ros2", r"\bros2\s+(?:launch|run)\b"),
+        ("catkin", r"\bcatkin(?:_make|\s+build|\s+init)"),
+        ("run", r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s"),
+        ("pixi", r"\bpixi\s+shell\b"),
+        ("torchrun", r"\btorchrun\s"),
+        (".sh", r"\b(?:ba)?sh\s+\S+\.sh\b"),
+        ("colcon", r"\bcolcon\b"),
+        ("cd", r"\bcd\s"),
+        ("conda", r"\bconda\b"),
+        ("mamba", r"\bmamba\b"),
+        ("python", r"\bpython[\d.]*\s+\S"),
+        ("cmake", r"\bcmake\b"),
+        ("/archive/", "/archive/"),
+        ("ppa:", r"\bppa:"),
+        ("dpkg", r"\bdpkg\s"),
+        (".deb", r"\.deb\b"),
+        (".t", r"\.t(?:ar|gz)\b"),
+        ("docker", r"\bdocker\s"),
+        ("/", r"(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"),
+    )
 )
-"""A line without any of these words is skipped."""
+"""Signs of a command, each after a word without which it need not be looked for, which takes much less time."""
 _RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
 _BLANK = pattern(r"<[A-Za-z][^<>|&;\n]{0,60}>|<[\w.-]{1,30}(?:\s?\|\s?[\w.-]{1,30}){1,12}>")
 """A placeholder for the reader of a page to fill in, or to choose: ``<small | large>``."""
@@ -43,6 +66,11 @@ _STARTS = pattern(
 )
 """A compiled program or a shell script, by its path."""
 _BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_make", "colcon": "colcon"}
+
+
+def telling(text: str) -> bool:
+    """Tell whether a text may hold a command that tells what to install or to run: nothing else is read."""
+    return any(word in text and sign.search(text) for word, sign in _TELLING)
 
 
 @dataclass
@@ -67,13 +95,13 @@ class Collector:
 
     def text(self, text: str, line: int = 1) -> None:
         """Read every logical line of a shell text whose first line has the given number."""
-        if TRIGGER.search(text):
+        if telling(text):
             for start, logical in logical_lines(text, line):
                 self.logical(logical, start)
 
     def logical(self, text: str, line: int) -> None:
         """Read one logical line."""
-        if TRIGGER.search(text):
+        if telling(text):
             if "<" in text and (self.source == "readme" or _RUN.search(text)):
                 text = _BLANK.sub("$UNKNOWN", text)  # otherwise `<sensor name>` would be read as a redirection
             for command in commands(text, line, self.variables):

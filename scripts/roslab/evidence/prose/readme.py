@@ -14,7 +14,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.prose import mentions
-from roslab.evidence.prose.installs import TRIGGER, Collector, merge
+from roslab.evidence.prose.installs import Collector, merge, telling
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -133,10 +133,9 @@ def _read(text: str, file: File) -> Prose:
     collector = Collector(file.path, "readme")
     if "~~" in text and "~~~" not in text:
         text = _STRUCK.sub(lambda match: "\n" * match[0].count("\n"), text)
-    if TRIGGER.search(text) or _NAMED.search(text) or _NAMED_PYTHON.search(text):
-        for line, code, heading in _code(text):
-            collector.heading = heading
-            collector.text(code, line)
+    for line, code, heading in _code(text):
+        collector.heading = heading
+        collector.text(code, line)
     collector.sources += _links(text, file)
     found = collector.prose()
     return found._replace(mentions=(*found.mentions, *mentions.read(text, file.path, "readme")))
@@ -188,8 +187,8 @@ def _code(text: str) -> Iterator[tuple[int, str, str]]:
 
 def _tells(line: str, *, fenced: bool) -> bool:
     """Tell whether a line may hold a command."""
-    said = (_NAMED, _NAMED_PYTHON, _GO_INTO)
-    return bool(TRIGGER.search(line) or (not fenced and any(each.search(line) for each in said)))
+    said = (_NAMED, _NAMED_PYTHON, _GO_INTO) if not fenced and "`" in line else ()
+    return telling(line) or any(each.search(line) for each in said)
 
 
 def _heading(line: str, below: str) -> tuple[int, str] | None:
@@ -223,7 +222,7 @@ def _shell(line: str, *, fenced: bool) -> Iterator[str]:
         yield line
     else:
         spans = (_PROMPT.sub("", span[2]) for span in _SPAN.finditer(line))
-        yield from (span for span in spans if TRIGGER.search(span) and " " in span)
+        yield from (span for span in spans if telling(span) and " " in span)
         yield from (f"cd {named[1]}" for named in _GO_INTO.finditer(line))
         yield from (f"./{named[1]}" for named in _NAMED.finditer(line))
         yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -60,7 +61,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
             found[f"{library} {file.path}"] = Dependency(
                 namespace="call", name=library, strength="used", file=file.path, line=text.count("\n", 0, position) + 1
             )
-        for match in _IMPORT.finditer(text):
+        for match in _imports(text):
             for top in _modules_of(match):
                 if _standard(top) or top in local or top.startswith("_"):
                     continue
@@ -97,6 +98,18 @@ def _add_notebooks(repository: Repository, local: frozenset[str], found: dict[st
                     found[top] = Dependency(
                         namespace="import", name=top, strength="optional", file=file.path, line=line
                     )
+
+
+def _imports(text: str) -> Iterator[re.Match[str]]:
+    """Yield the statements that import; lines without that word need no pattern, which would read every one."""
+    position = text.find("import")
+    while position >= 0:
+        start = text.rfind("\n", 0, position) + 1
+        match = _IMPORT.match(text, start)
+        if match:
+            yield match
+        end = text.find("\n", match.end() if match else position)
+        position = text.find("import", end) if end >= 0 else -1
 
 
 def _modules_of(match: re.Match[str]) -> list[str]:
