@@ -414,3 +414,26 @@ def test_an_import_of_another_projects_module_brings_no_library_of_ros(tmp_path:
     asked = (*decision.apt, *decision.apt_guessed)
     assert f"ros-noetic-{module}" not in asked
     assert "ros-noetic-tf2-ros" in asked
+
+
+@pytest.mark.parametrize(
+    ("needs", "page", "vcs"),
+    [
+        ("rclcpp", "", ()),
+        ("acme_msgs", "", ("config/board.repos",)),
+        ("rclcpp", "vcs import src < src/demo/config/board.repos\n", ("config/board.repos",)),
+    ],
+)
+def test_a_list_below_the_root_is_imported_where_something_is_lacking_or_a_page_names_it(
+    tmp_path: Path, needs: str, page: str, vcs: tuple[str, ...]
+) -> None:
+    board = "repositories:\n  acme_msgs: {type: git, url: 'https://github.com/lab/acme_msgs.git', version: '1.0'}\n"
+    readme = f"```\n{page}ros2 run micro_board agent\n```\n"
+    package_xml = AMENT.format(name="a").replace("rclcpp", needs)
+    files = {**package(xml=package_xml), "config/board.repos": board, "README.md": readme}
+    assert decided(tmp_path, files, branch="humble").vcs == vcs
+
+
+def test_messages_that_no_distribution_released_are_cloned_as_of_the_last_commit(tmp_path: Path) -> None:
+    found = decided(tmp_path, package(xml=AMENT.replace("rclcpp", "px4_msgs")), branch="humble")
+    assert [(s.name, s.ref) for s in found.source] == [("px4_msgs", None)]

@@ -11,11 +11,11 @@ from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import address, asked_for, fixed, itself_in, plain, wanted_names
+from roslab.decide.ros.vcs_files import distros_in, vcs_files
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
-from roslab.knowledge.distros import distros
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.knowledge.ros_sources import RosSource, ros_sources
 from roslab.values.dataclass import dataclass, field, replace
@@ -23,12 +23,8 @@ from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 from roslab.values.secret import SSH
 
-_EXTRA = pattern(
-    r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
-)
 _CLONED = pattern(r"https?://")
 _PATH = pattern(r"(?!\.\.?(?:/|$))[\w.+-]+(?:/(?!\.\.?(?:/|$))[\w.+-]+)*")
-_WORDS = pattern(r"[a-z]+")
 _IN_WORKSPACE: dict[BuildTool, Literal["catkin_make", "catkin_tools", "colcon"]] = {
     "catkin_make": "catkin_make",
     "catkin_tools": "catkin_tools",
@@ -77,11 +73,11 @@ def decide_sources(
     if kind not in {"ros1", "ros2"}:
         return chosen.choice(())
     itself = {folder_name.lower(), *(name.lower() for name in own if len(own) == 1)}
-    files = _vcs_files(evidence, config, ros_distro)
+    known = released(ros_distro or "") | own
+    files = vcs_files(evidence, config, ros_distro, lacking=_lacking(needed, known | rosdep_keys()))
     for git in evidence.sources:
         if git.kind == "vcs" and git.file in files and not itself_in(git, itself):
             chosen.add(git, f"{git.file} lists it")
-    known = released(ros_distro or "") | own
     wanted = wanted_names(needed)
     for git in _clones(evidence, ros_distro):
         asked = None if itself_in(git, itself) or plain(git.name) in own else asked_for(git, wanted, known)
@@ -227,6 +223,12 @@ class _Chosen:
         )
 
 
+def _lacking(needed: Iterable[Dependency], known: frozenset[str]) -> bool:
+    """Tell whether a manifest, the code or a launch file needs a package that no distribution released."""
+    named = (asked for asked in needed if asked.namespace in {"rosdep", "ros"} and asked.strength != "prose")
+    return any(asked.name not in known for asked in named)
+
+
 def _used(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependency]:
     """Yield the names that the build uses: a package.xml may name what its CMakeLists.txt, which has a list, does not.
 
@@ -250,37 +252,12 @@ def _clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
 
     Clones in a Dockerfile for another distribution are left out.
     """
-    dockerfiles = {authored.file: _distros(authored.base or "") for authored in evidence.dockerfiles}
+    dockerfiles = {authored.file: distros_in(authored.base or "") for authored in evidence.dockerfiles}
     found = [git for git in evidence.sources if git.kind in {"clone", "git_url"} and not places.vendored(git.file)]
     found = [git for git in found if not git.installed and "/archive/" not in git.url]
     found += [clone for authored in evidence.dockerfiles if authored.purpose == "project" for clone in authored.clones]
     found = [git for git in found if not dockerfiles.get(git.file) or ros_distro in dockerfiles[git.file]]
     return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))
-
-
-def _distros(image: str) -> set[str]:
-    return set(_WORDS.findall(image.lower())) & distros().keys()
-
-
-def _vcs_files(evidence: Evidence, config: Config, ros_distro: str | None) -> tuple[str, ...]:
-    """Return the vcs files to import: roslab.yaml's, else those for this distribution, else the plainest ones."""
-    if config.vcs is not None:
-        return config.vcs
-    files = list(dict.fromkeys(source.file for source in evidence.sources if source.kind == "vcs"))
-    distinct = [(file, _distros(file.rpartition("/")[2])) for file in files]
-    named = [file for file, words in distinct if ros_distro in words]
-    plainest = _plainest(named or [file for file, words in distinct if not words])
-    said = {m.value for m in evidence.mentions if m.topic == "vcs_file" and m.source == "readme"}
-    plainest = [file for file in plainest if file.rpartition("/")[2].lower() in said] or plainest
-    nearest = min((file.count("/") for file in plainest), default=0)
-    return tuple(file for file in plainest if file.count("/") == nearest)
-
-
-def _plainest(files: list[str]) -> list[str]:
-    """Return the lists of unreleased packages if there are any, else all lists, without those for tests or tools."""
-    files = [file for file in files if "not-released" in file] or files
-    plain = [file for file in files if not _EXTRA.search(file.rpartition("/")[2])]
-    return plain or [file for file in files if "ssh" not in file] or files
 
 
 def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]]) -> Choice[Sources]:
