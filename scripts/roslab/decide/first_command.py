@@ -24,7 +24,8 @@ _ASIDE = pattern(
 _SERVES = pattern(
     r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre-?proc\w*|prepare\w*|extract\w*|install\w*|set-?up|format|"
     r"record\w*|collect\w*|tokenize\w*|generate\w*|gen|export\w*|annotate\w*|"
-    r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|env|lint|tidy)(?:[_.-]|$)",
+    r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|lint|tidy)(?:[_.-]|$)|"
+    r"^(?:(?:source|load|activate|export)[_-])?v?env$",
     re.IGNORECASE,
 )
 """The name of a program that serves the one that is meant."""
@@ -62,12 +63,15 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
 
     Pages nearer to the root come first, then sections about running it, then the order of the page. What needs a file
     that the tree lacks comes after what needs none, except for Python, whose READMEs usually name data; another
-    that is given with blanks to fill in comes last; programs that only serve others are never returned.
+    that is given with blanks to fill in comes last; programs that only serve others are never returned. What is
+    named like a test is returned where a section about running it has nothing else: the purpose may be to test.
     """
     written = [
         c for c in candidates if c.strong and not _helps(c) and not upkeep(c) and not any(map(_HELP.match, c.argv))
     ]
-    rest = [c for c in written if not _after(c)] or [c for c in written if c.argv[0].startswith("python")]
+    rest = [c for c in written if not _after(c)] or [
+        c for c in written if c.argv[0].startswith("python") or (_section(c.heading) > 0 and not _named(c, _AFTER))
+    ]
     whole = {program_of(c.argv) for c in rest if not c.cut}
     return min((c for c in rest if not c.cut or program_of(c.argv) not in whole), key=_order, default=None)
 

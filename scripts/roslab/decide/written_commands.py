@@ -22,8 +22,8 @@ _PLACEHOLDER = pattern(
     re.IGNORECASE,
 )
 """Also ``yyy-yy``: a repeated letter stands for a value that the reader fills in."""
-_BRACKETS = pattern(r"<[^<>]{1,80}>|\[[^\[\]]{1,80}\]")
-"""A blank of several words: ``<path to the data>``, ``[--option VALUE]``."""
+_BRACKETS = pattern(r"<[^<>]{1,80}>|\[[^\[\]]{1,80}\]|\$\([^()]{1,80}\)")
+"""A blank of several words: ``<path to the data>``, ``[--option VALUE]``, ``$(rospack find demo)``."""
 _OPTIONAL = pattern(r"\[\s*(?:-|\w+:=)")
 _NUMBERS = pattern(r"\[[.,\s-]*\d[\d.,\s-]*\]")
 """A list of numbers: ``--hid [32,32]``."""

@@ -246,3 +246,31 @@ def test_a_program_below_the_folder_that_the_page_went_to(tree: Tree) -> None:
         "setup.py": "from setuptools import setup\nsetup()\n",
     }
     assert tree(files).command == ("python", "utils/train.py")
+
+
+def test_a_learning_environment_is_what_is_run_and_a_file_of_variables_is_not(tree: Tree) -> None:
+    page = "# Demos\n```\nbash env.sh\npython demo_reach_env.py --render\npython demo_path.py\n```\n"
+    code = {"demo_reach_env.py": "import numpy\n", "demo_path.py": "import numpy\n", "env.sh": "export A=1\n"}
+    assert tree({**code, "README.md": page}).command == ("python", "demo_reach_env.py", "--render")
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("# How to run\n## Scenarios\nros2 launch demo scenario_test.launch.py\n", "scenario_test.launch.py"),
+        ("# Testing\nros2 launch demo scenario_test.launch.py\n", ""),
+        ("# Run\nros2 launch demo scenario_test.launch.py\nros2 launch demo map.launch.py\n", "map.launch.py"),
+    ],
+)
+def test_what_is_named_like_a_test_is_run_where_a_section_about_running_has_nothing_else(
+    tree: Tree, page: str, command: str
+) -> None:
+    launch = {f"launch/{name}.launch.py": "from launch import LaunchDescription\n" for name in ("scenario_test", "b")}
+    files = {**ROS2, "launch/bringup.launch.py": "pass\n", **launch, "README.md": page}
+    found = tree(files).command
+    assert (found[-1] if command else found[0]) == (command or "bash")
+
+
+def test_an_argument_that_a_shell_works_out_is_left_out_whole(tree: Tree) -> None:
+    page = "# Run\nros2 launch demo map.launch.py file:='$(find-pkg-share demo)/a.yaml' robot:=a\n"
+    assert tree({**ROS2, "README.md": page}).command == ("ros2", "launch", "demo", "map.launch.py", "robot:=a")

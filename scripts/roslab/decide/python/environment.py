@@ -12,6 +12,7 @@ from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
+from roslab.decide.python.lost import lost
 from roslab.decide.python.manifests import beside, with_includes
 from roslab.decide.python.own import OwnPython, manager_of, outvoted
 from roslab.decide.python.packages import Chosen, with_guess
@@ -118,7 +119,12 @@ def decide_python(
             *build.reasons,
             *numpy.reasons,
         ),
-        warnings=(*outvoted(own, ubuntu, ros_distro), *repaired.warnings, *lists.warnings),
+        warnings=(
+            *outvoted(own, ubuntu, ros_distro),
+            *repaired.warnings,
+            *lists.warnings,
+            *lost(evidence, kind, chosen),
+        ),
     )
 
 

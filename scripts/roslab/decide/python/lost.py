@@ -1,0 +1,48 @@
+"""Imports of the code that nothing in the image brings: each is told, with the line that imports it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.config.model import Kind
+from roslab.decide.decision import Warning_
+from roslab.decide.python.guesses import known_names
+from roslab.decide.python.packages import Chosen
+from roslab.decide.reasons import warn
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.frameworks import imports
+from roslab.knowledge.not_on_index import not_on_index
+from roslab.values.name import canonicalize_name
+
+MOST = 8
+"""Most modules that are named in one warning."""
+
+
+def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
+    """Yield a warning for each imported module that pip's index is known to lack, and one for those of no table.
+
+    The second only where no manifest declares anything, and no submodule is missing: both may bring modules of any
+    name.
+    """
+    known = known_names(evidence, chosen.files, chosen.projects, chosen.conda) | {asked.key for asked in chosen.guessed}
+    known |= {canonicalize_name(git.name.rpartition("/")[2]) for git in evidence.sources if git.kind != "link"}
+    known |= {part for name in known for part in name.split("-")}
+    unknown: list[Dependency] = []
+    for used in evidence.code if kind in {"cuda", "python"} else ():
+        name = canonicalize_name(used.name)
+        aside = places.test(used.file) or places.example(used.file) or places.vendored(used.file)
+        if used.namespace != "import" or used.strength != "used" or aside or name in known:
+            continue
+        row = not_on_index().get(name)
+        if row and not row.instead:
+            then = f"install it with `custom` or `source` in roslab.yaml ({row.source})"
+            yield warn(f"the code imports {used.name}, which pip cannot install: {row.why}; {then}", used)
+        elif row is None and used.name not in imports():
+            unknown.append(used)
+    declared = chosen.files or chosen.conda or any(project.requirements for project in chosen.projects)
+    if unknown and not (declared or any(git.kind == "submodule" and git.absent for git in evidence.sources)):
+        names = ", ".join(each.name for each in unknown[:MOST]) + (", …" if unknown[MOST:] else "")
+        message = f"imported and declared nowhere, and no table knows which package brings it: {names}"
+        yield warn(f"{message}; name the package under `pip` in roslab.yaml if it is needed", unknown[0])
