@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import io
 import json
 import os
 import shutil
@@ -11,6 +12,7 @@ import signal
 import subprocess
 import sys
 import threading
+import zipfile
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -36,16 +38,36 @@ FILES = {
 }
 
 
+def wheel(file: str) -> bytes:
+    """Return an empty wheel of that name."""
+    name, version = file.split("-")[:2]
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w") as archive:
+        folder = f"{name}-{version}.dist-info"
+        for part, text in (
+            ("METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n"),
+            ("WHEEL", "Wheel-Version: 1.0\nGenerator: test\nRoot-Is-Purelib: true\nTag: py3-none-any\n"),
+            ("RECORD", f"{folder}/METADATA,,\n{folder}/WHEEL,,\n{folder}/RECORD,,\n"),
+        ):
+            archive.writestr(zipfile.ZipInfo(f"{folder}/{part}"), text)
+    return made.getvalue()
+
+
 class Index(BaseHTTPRequestHandler):
     """PEP 691's pages; below /old they do not tell the times of PEP 700."""
 
     def do_GET(self) -> None:
         name = self.path.strip("/").rpartition("/")[2]
+        if name.endswith(".whl"):
+            self.send_response(200)
+            self.end_headers()
+            self.wfile.write(wheel(name))
+            return
         files = [
             {
                 "filename": file,
                 "url": f"/files/{file}",
-                "hashes": {"sha256": hashlib.sha256(file.encode()).hexdigest()},
+                "hashes": {"sha256": hashlib.sha256(wheel(file)).hexdigest()},
                 **({} if self.path.startswith("/old") else {"upload-time": f"{day}T08:00:00Z"}),
             }
             for file, day in FILES.get(name, {}).items()
@@ -127,6 +149,22 @@ def test_a_later_version_is_there_for_its_exact_number(
 ) -> None:
     output = ran(step, tmp_path, f"{index}/simple/", 'curl --silent --user-agent pip/23.0 "${PIP_INDEX_URL}plain/"')
     assert 'data-yanked="uploaded after 2021-01-10">plain-2.0' in output
+
+
+@pytest.mark.parametrize(("asked", "got"), [("plain", "1.0"), ("'plain>=1.5'", "2.0"), ("plain==2.0", "2.0")])
+def test_a_lower_bound_that_is_newer_than_the_day_gets_newer_versions(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, asked: str, got: str
+) -> None:
+    install = f"python3 -m pip install --quiet --no-cache-dir --target {tmp_path}/got {asked}"
+    output = ran(step, tmp_path, f"{index}/simple/", f"{install}\nls {tmp_path}/got")
+    assert f"plain-{got}.dist-info" in output
+    assert ("no version of plain" in (tmp_path / "said").read_text()) == (">" in asked)
+
+
+def test_what_no_day_has_fails_as_before(step: list[subprocess.Popen[str]], tmp_path: Path, index: str) -> None:
+    install = f"python3 -m pip install --quiet --no-cache-dir --target {tmp_path}/got 'plain>=3'"
+    assert ran(step, tmp_path, f"{index}/simple/", f"{install} || echo failed").strip() == "failed"
+    assert (tmp_path / "said").read_text().count("No matching distribution found for plain>=3") == 2
 
 
 def test_an_index_that_tells_no_times_is_taken_as_it_is(

@@ -3,7 +3,8 @@
 # Gives every pip of this step, whatever its version, the index as it was at the end of a day (UTC): a server that lasts as
 # long as the step leaves out each file that the index got later. The index must tell when (PEP 700, as PyPI does).
 # With --or-today no package is missing for it: where the index does not tell, or has nothing of the day for this Python,
-# that is said and newer ones are taken; and a later version can still be had by its exact number.
+# that is said and newer ones are taken; and a later version can still be had by its exact number. Where pip finds no
+# version that is asked for, by a lower bound that is newer than the day, it is called again with that package's newer ones.
 # Where git-as-of is in the image, what pip clones without naming a commit is of the day too.
 set -euo pipefail
 
@@ -19,7 +20,8 @@ except ImportError: from pip.models.index import PyPI
 print(PyPI.simple_url)'
 index="${PIP_INDEX_URL:-$("${python}" -m pip config get global.index-url 2>/dev/null || "${python}" -c "${usual}")}"
 ready="$(mktemp)"
-"${python}" - "$1" "${index%/}/" "${ready}" "${2:-}" <<'PYTHON' 3>&2 >/dev/null 2>/dev/shm/index-as-of.log &
+free="$(mktemp -u /dev/shm/index-as-of.XXXXXX)"
+"${python}" - "$1" "${index%/}/" "${ready}" "${2:-}" "${free}" <<'PYTHON' 3>&2 >/dev/null 2>/dev/shm/index-as-of.log &
 import json
 import os
 import re
@@ -47,7 +49,8 @@ except ImportError:
     TAGS = set()
 
 DAY, INDEX, READY = sys.argv[1:4]
-OR_TODAY = sys.argv[4:] == ["--or-today"]
+OR_TODAY = sys.argv[4:5] == ["--or-today"]
+FREE = sys.argv[-1]
 JSON = "application/vnd.pypi.simple.v1+json"
 SAID = set()
 
@@ -104,9 +107,17 @@ def of_day(name, files):
     return then + [file for file in later if version(file) == version(first)]
 
 
+def free(name):
+    """Tell whether pip found no version of the day for what was asked of a package."""
+    if not OR_TODAY or not os.path.exists(FREE):
+        return False
+    with open(FREE) as names:
+        return name in [re.sub("[-_.]+", "-", line.strip()).lower() for line in names]
+
+
 def page(name, knows_yanked):
     address, files = files_of(name)
-    kept = of_day(name, files)
+    kept = files if free(name) else of_day(name, files)
     names = set(file["filename"] for file in kept)
     lines = []
     for file in files if OR_TODAY and knows_yanked else kept:
@@ -187,3 +198,23 @@ echo "export PIP_INDEX_URL=http://127.0.0.1:$(cat "${ready}")/simple/ PIP_TRUSTE
 # shellcheck disable=SC2016 # for the shell that evaluates it
 echo 'export no_proxy="127.0.0.1${no_proxy:+,${no_proxy}}"'
 rm -f "${ready}"
+if [ "${2:-}" = --or-today ]; then
+  echo "INDEX_AS_OF=${free}"
+  cat <<'BASH'
+roslab_pip() {
+  local free="${INDEX_AS_OF}" log="${INDEX_AS_OF}.log" name
+  if [ "${2:-} ${3:-}" != '-m pip' ]; then
+    command "$@"
+    return
+  fi
+  until rm -f "${log}" && PIP_LOG="${log}" command "$@"; do
+    name="$(sed -n 's/.*No matching distribution found for \([A-Za-z0-9._-]*\).*/\1/p' "${log}" 2>/dev/null | tail -n 1)"
+    if [ -z "${name}" ] || grep -q -x -F "${name}" "${free}" 2>/dev/null; then return 1; fi
+    echo "${name}" >>"${free}"
+    echo "roslab: no version of ${name} that was there on the day fits what is asked for: newer ones are taken" >&2
+  done
+}
+python3() { roslab_pip python3 "$@"; }
+python2() { roslab_pip python2 "$@"; }
+BASH
+fi
