@@ -146,6 +146,8 @@ class Decision:
     """Names of those packages, sorted; without metapackages of ROS 1."""
     left_out: tuple[str, ...] = ()
     """Packages that are not built, because nothing brings what they require and no other one needs them."""
+    cmake_options: tuple[str, ...] = ()
+    """What a page tells CMake for the repository itself, where it is no ROS package."""
     ignored: tuple[str, ...] = ()
     """Folders of packages that are not built, for a build tool that would stop at them."""
     ended: tuple[str, ...] = ()

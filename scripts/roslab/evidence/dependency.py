@@ -49,6 +49,8 @@ class GitSource:
     installed: bool = False
     """The page compiles it by hand with CMake and installs it, with these options."""
     options: str = ""
+    beside: bool = False
+    """It is cloned into the ``src`` of a workspace, beside the repository itself."""
     absent: bool = False
     """A submodule that is not checked out; its ``ref`` is the commit that the repository records, if git tells it."""
     by_ssh: str = ""

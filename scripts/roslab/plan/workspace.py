@@ -162,10 +162,16 @@ def _program(decision: Decision, config: Config, folder: str) -> Program:
         folder=decision.cmake_folder,
         build=f"{inside}/build" if config.compatible else f"{folder}-build",
         arguments=config.build_args,
-        cmake_options=_cmake_options(config),
+        cmake_options=(*_cmake_options(config), *_of_page(decision, config)),
         on_path=not config.compatible,
         programs=() if config.compatible else programs[:MAX_FOLDERS],
     )
+
+
+def _of_page(decision: Decision, config: Config) -> tuple[str, ...]:
+    """Return the options of the page that roslab.yaml does not set."""
+    said = {word.partition("=")[0].partition(":")[0] for word in shlex.split(config.cmake_options)}
+    return tuple(word for word in decision.cmake_options if word.partition("=")[0].partition(":")[0] not in said)
 
 
 def _cmake_options(config: Config) -> tuple[str, ...]:

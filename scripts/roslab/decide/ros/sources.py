@@ -9,10 +9,10 @@ from typing import Literal
 from roslab.config.model import BuildTool, Config, Kind, Source
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
+from roslab.decide.ros.clones import beside, clones, unreleased
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import address, asked_for, fixed, itself_in, plain, wanted_names
-from roslab.decide.ros.vcs_files import distros_in, vcs_files
-from roslab.evidence import places
+from roslab.decide.ros.vcs_files import vcs_files
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
@@ -74,15 +74,22 @@ def decide_sources(
         return chosen.choice(())
     itself = {folder_name.lower(), *(name.lower() for name in own if len(own) == 1)}
     known = released(ros_distro or "") | own
-    files = vcs_files(evidence, config, ros_distro, lacking=_lacking(needed, known | rosdep_keys()))
+    files = vcs_files(evidence, config, ros_distro, lacking=bool(unreleased(needed, known | rosdep_keys())))
     for git in evidence.sources:
         if git.kind == "vcs" and git.file in files and not itself_in(git, itself):
             chosen.add(git, f"{git.file} lists it")
     wanted = wanted_names(needed)
-    for git in _clones(evidence, ros_distro):
+    answered: set[str] = set()
+    for git in clones(evidence, ros_distro):
         asked = None if itself_in(git, itself) or plain(git.name) in own else asked_for(git, wanted, known)
         if asked is not None:
+            answered.add(asked.name)
             chosen.clone(git, asked, known | rosdep_keys())
+    if unknown := unreleased(needed, known | rosdep_keys() | answered | {*chosen.sources}):
+        for git in beside(evidence, ros_distro):
+            if not itself_in(git, itself) and plain(git.name) not in own and git.name not in known:
+                why = f"{git.file} clones it into the workspace, and no distribution released {unknown.name}"
+                chosen.add(git, f"{why} ({unknown.file}:{unknown.line})")
     chosen.known(_used(evidence, needed), known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
     return chosen.choice(files)
 
@@ -223,12 +230,6 @@ class _Chosen:
         )
 
 
-def _lacking(needed: Iterable[Dependency], known: frozenset[str]) -> bool:
-    """Tell whether a manifest, the code or a launch file needs a package that no distribution released."""
-    named = (asked for asked in needed if asked.namespace in {"rosdep", "ros"} and asked.strength != "prose")
-    return any(asked.name not in known for asked in named)
-
-
 def _used(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependency]:
     """Yield the names that the build uses: a package.xml may name what its CMakeLists.txt, which has a list, does not.
 
@@ -245,19 +246,6 @@ def _used(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependen
     for dependency in needed:
         if dependency.name in used or dependency.file.rpartition("/")[0] not in listing:
             yield dependency
-
-
-def _clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
-    """Return what manifests and pages clone: from a package.xml first, then with a ref, then from the nearest page.
-
-    Clones in a Dockerfile for another distribution are left out.
-    """
-    dockerfiles = {authored.file: distros_in(authored.base or "") for authored in evidence.dockerfiles}
-    found = [git for git in evidence.sources if git.kind in {"clone", "git_url"} and not places.vendored(git.file)]
-    found = [git for git in found if not git.installed and "/archive/" not in git.url]
-    found += [clone for authored in evidence.dockerfiles if authored.purpose == "project" for clone in authored.clones]
-    found = [git for git in found if not dockerfiles.get(git.file) or ros_distro in dockerfiles[git.file]]
-    return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))
 
 
 def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]]) -> Choice[Sources]:

@@ -54,7 +54,7 @@ def by_hand(
 
     ``taken``: names that come from elsewhere. Each is built as it was at the time of the repository's last commit.
     """
-    if config.compatible or kind not in {"ros1", "ros2", "cpp"}:
+    if config.compatible or kind == "python":
         return ()
     date = dated(evidence)
     offered: dict[str, GitSource] = {}
@@ -70,8 +70,9 @@ def by_hand(
         git = offered[name]
         if {name, plain(asked.name), plain(git.name)} & taken:
             continue
-        if not _unknown(asked, target, pinned=git.installed and bool(fixed(git.ref))):
-            continue
+        by_file = git.installed and (asked.namespace, asked.strength) == ("link", "declared")
+        if not by_file and not _unknown(asked, target, pinned=git.installed and bool(fixed(git.ref))):
+            continue  # what is named by its file below /usr/local is there only where it was built
         ref = fixed(git.ref)
         source = Source(
             name=git.name,

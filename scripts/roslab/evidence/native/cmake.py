@@ -41,6 +41,7 @@ _NAMES = (
             "cmake_minimum_required",
             "enable_language",
             "add_subdirectory",
+            "include",
             "set",
             "set_target_properties",
             "catkin_package",
@@ -68,6 +69,8 @@ _OUTPUT = pattern(
 )
 _MODULE = pattern(r"^(?:Find([\w.+-]+)|([\w.+-]+?)-?[cC]onfig)\.cmake(?:\.in)?$")
 _TARGET = pattern(r"[A-Za-z][\w.+-]*$")
+_OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Google")
+"""How names of CMake's own modules begin."""
 
 
 @dataclass
@@ -93,7 +96,7 @@ def read(repository: Repository) -> tuple[CMakeProject, ...]:
     files = sorted(repository.named("CMakeLists.txt"), key=lambda file: (file.path.count("/"), file.path))
     added: set[str] = set()
     found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
-    kept = (p for p in found if p.name or p.dependencies or p.executables or p.macros)
+    kept = (p for p in found if p.name or p.top_level or p.dependencies or p.executables or p.macros)
     return tuple(sorted(kept, key=lambda project: project.file))
 
 
@@ -121,9 +124,13 @@ def fetching(repository: Repository) -> tuple[Dependency, ...]:
 def _project(repository: Repository, file: File, added: set[str]) -> CMakeProject:
     """Read one file; the folders that it adds go into ``added``, so parents must be read first."""
     reading = _Reading()
+    adds = False
     for call in calls(repository.read(file), _NAMES):
         if call.name == "add_subdirectory" and call.words:
+            adds = True
             added.add(_joined(file.folder, call.words[0]))
+        elif call.name == "include":
+            _include(call, repository, file, reading)
         else:
             _note(call, file.path, reading)
     own = reading.libraries | reading.executables.keys() | {reading.name}
@@ -131,7 +138,8 @@ def _project(repository: Repository, file: File, added: set[str]) -> CMakeProjec
         file=file.path,
         line=1,
         name=reading.name,
-        top_level=reading.name is not None and file.folder not in added,
+        top_level=(reading.name is not None or (adds and not file.folder and reading.minimum is not None))
+        and file.folder not in added,
         languages=tuple(dict.fromkeys(reading.languages)),
         macros=tuple(reading.macros | ({"cuda": None} if "CUDA" in reading.languages else {})),
         executables=tuple((reading.outputs.get(name, name), line) for name, line in reading.executables.items()),
@@ -145,6 +153,18 @@ def _project(repository: Repository, file: File, added: set[str]) -> CMakeProjec
     )
 
 
+def _include(call: Call, repository: Repository, file: File, reading: _Reading) -> None:
+    """Note the folder that a file of the tree, which is included, gives programs."""
+    written = call.words[0] if call.words else ""
+    name = written.rpartition("/")[2].removesuffix(".cmake")
+    if not _TARGET.match(name) or (written == name and name.startswith(_OF_CMAKE)):
+        return
+    for module in repository.named(f"{name}.cmake")[:1]:
+        text = repository.read(module) if module.size <= MAX_MODULE else ""
+        for inner in calls(text, frozenset({"set"})) if any(word in text for word in _PROGRAMS_IN) else ():
+            _place_programs(inner, file.folder, reading)
+
+
 def _note(call: Call, path: str, reading: _Reading) -> None:
     name, words = call.name, call.words
     if name == "project" and words:
@@ -152,6 +172,7 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.languages += [word for word in words[1:] if word in _LANGUAGES]
     elif name in {"set", "set_target_properties"}:
         _place_programs(call, path.rpartition("/")[0], reading)
+        reading.dependencies += cmake_needs.files(call, path)
     elif name == "cmake_minimum_required":
         reading.minimum = reading.minimum or _minimum(call, path)
     elif name == "enable_language":
@@ -200,7 +221,7 @@ def _output(written: str, folder: str) -> str | None:
     ``source/…`` is relative to the root of the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, and
     ``build/…`` to the build folder's part for the root of the repository.
     """
-    match = _OUTPUT.match(written.rstrip("/"))
+    match = _OUTPUT.match(written.replace("${CMAKE_INSTALL_BINDIR}", "bin").rstrip("/"))
     if match is None:
         return None
     variable, rest = match[1] or "", match[2].strip("/")

@@ -74,6 +74,7 @@ _ELSEWHERE = pattern(r"^(?:WIN32|MSVC|APPLE)\b")
 _HERE = pattern(r"^(?:UNIX\b(?! AND (?:APPLE))|NOT \(?(?:WIN32|MSVC|APPLE)\)?$|NOT (?:WIN32|MSVC|APPLE)\b)")
 _NAME = pattern(r"^[A-Za-z][\w.+-]*$")
 _LINK = pattern(r"^(?:-l)?([A-Za-z_][\w.+-]*)$")
+_LOCAL = pattern(r"^/usr/local/lib/(?:[\w+-]+/)?lib([A-Za-z][\w+-]*)\.(?:so|a)$")
 _VERSION = pattern(r"^\d+(?:\.\d+)*$")
 _MODULE = pattern(r"^([A-Za-z][\w.+-]*?)(?:(?:>=|<=|=|>|<)[\d.]+)?$")
 MAX_LINKED = 60
@@ -102,6 +103,14 @@ def needs(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
         for word in words[0 if call.name == "link_libraries" else 1 :][:MAX_LINKED]:
             if word not in _LINK_WORDS and (match := _LINK.match(word)):
                 yield _dependency("link", match[1], "optional" if vague else "used", call, path)
+        yield from files(call, path)
+
+
+def files(call: Call, path: str) -> Iterator[Dependency]:
+    """Yield the libraries that a call names by their files below /usr/local: only what is built by hand lies there."""
+    for word in call.words[:MAX_LINKED]:
+        if match := _LOCAL.match(word):
+            yield _dependency("link", match[1], _strength(call, required=True), call, path)
 
 
 def fetched(call: Call, path: str) -> Iterator[GitSource]:

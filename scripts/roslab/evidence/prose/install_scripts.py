@@ -27,8 +27,14 @@ _LIST = pattern(
     r"^(?:apt|debian|ubuntu|system|os)?[-_]?(?:additional[-_]?)?(?:apt|debs?|packages|"
     r"dependencies)(?:[-_]?(?:packages|requirements|dependencies|list|deps))?\.txt$"
 )
-_KEPT = frozenset({"compiled", "step", "image_built", "image_pulled"})
+_KEPT = frozenset({"build_tool", "compiled", "step", "image_built", "image_pulled"})
 """What is believed of a script that nobody may run."""
+_ASSIGNED = pattern(
+    r"^[ \t]*(?:export[ \t]+|readonly[ \t]+|local[ \t]+)?([A-Za-z_]\w*)=(\"[^\"`]*\"|'[^'$`]*'|[\w./:${}~-]+)",
+    re.MULTILINE,
+)
+_HOME = pattern(r"\$HOME\b|\$\{HOME\}")
+_USED = pattern(r"\$\{?(\w+)\}?")
 _ROS = pattern(r"ros-([a-z]+)-")
 _NAMES = pattern(r"[a-z0-9][a-z0-9+.-]+")
 
@@ -90,14 +96,11 @@ def _of_one_branch(asked: tuple[Requirement, ...], text: str) -> tuple[Requireme
 
 def _assignments(text: str, collector: Collector) -> None:
     """Pass the script's assignments to the collector: package lists are often kept in a variable."""
-    known = {
-        match[1]: " ".join(match[2].strip("\"'()").replace("\\\n", " ").split())
-        for match in re.finditer(
-            r"^[ \t]*(?:export[ \t]+|readonly[ \t]+|local[ \t]+)?([A-Za-z_]\w*)=(\"[^\"$`]*\"|'[^'$`]*'|[\w./:-]+)",
-            fill_placeholders(text),
-            re.MULTILINE,
-        )
-    }
+    known: dict[str, str] = {}
+    for match in _ASSIGNED.finditer(fill_placeholders(text)):
+        value = _USED.sub(lambda used: known.get(used[1], used[0]), _HOME.sub("~", match[2]))
+        if "$" not in value:
+            known[match[1]] = " ".join(value.strip("\"'()").replace("\\\n", " ").split())
     collector.variables = known
 
 

@@ -13,6 +13,7 @@ from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.runners import started
+from roslab.evidence.prose.workspaces import beside, of_packages
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks
 from roslab.knowledge.tools import PIXI
 from roslab.values.dataclass import dataclass, field, replace
@@ -86,6 +87,8 @@ class Collector:
     mentions: list[Mention] = field(default_factory=list)
     folder: str = ""
     """The folder after ``cd``, as far as known; paths given to pip are relative to it."""
+    inside: bool = False
+    """The folder is the ``src`` of a workspace."""
     heading: str = ""
     """The sections that the text stands in."""
     options: str = ""
@@ -213,6 +216,7 @@ class Collector:
         return posixpath.join(self.folder, path.removeprefix("./")) if self.folder and path[:1] not in "/~" else path
 
     def _cd(self, target: str) -> None:
+        self.inside = of_packages(target)
         if target.startswith(("/", "~", "$", "-")) or UNKNOWN in target or "<" in target:
             self.folder = "" if target in {"~", "-"} else target.rstrip("/").rpartition("/")[2].replace(UNKNOWN, "")
         else:
@@ -253,6 +257,7 @@ class Collector:
                 file=self.file,
                 line=command.line,
                 kind="clone",
+                beside=beside(words[-1] if words[-1] != url else "", self.heading, inside=self.inside),
             )
         )
 
@@ -264,8 +269,9 @@ class Collector:
             return
         if program == "cmake":
             self._mention("build_tool", "cmake", command)
-            self.options = " ".join(word for word in words if _OPTION.fullmatch(word)) or self.options
-            self._compiled(command)
+            if not {"--build", "--install"} & {*words}:
+                self.options = " ".join(word for word in words if _OPTION.fullmatch(word))
+                self._compiled(command)
         if not {"install", "--install"} & {*words}:
             return
         here = {re.sub(r"[-_.]+", "_", part).lower() for part in self.folder.split("/")}
@@ -276,12 +282,10 @@ class Collector:
                 return
 
     def _compiled(self, command: Command) -> None:
-        """Note a folder in which CMake is run, with its options: it may hold a library of the tree."""
-        if folder := _BUILD_FOLDER.sub("", self.folder):
-            said = Mention(
-                topic="compiled", value=folder, source=self.source, file=self.file, line=command.line, text=self.options
-            )
-            self.mentions.append(said)
+        """Note a folder in which CMake is run, ``.`` where the text begins, with its options: it may be a library's."""
+        here, line = _BUILD_FOLDER.sub("", self.folder) or ".", command.line
+        said = Mention(topic="compiled", value=here, source=self.source, file=self.file, line=line, text=self.options)
+        self.mentions.append(said)
 
     def _program(self, program: str, command: Command) -> None:
         words = command.words

@@ -1,0 +1,44 @@
+"""The repositories that manifests, pages and lists name for the workspace, those for its distribution first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from collections.abc import Set as AbstractSet
+
+from roslab.decide.ros.vcs_files import distros_in
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.libraries import library
+
+
+def clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
+    """Return what manifests and pages clone: from a package.xml first, then with a ref, then from the nearest page.
+
+    Clones in a Dockerfile for another distribution are left out.
+    """
+    dockerfiles = {authored.file: distros_in(authored.base or "") for authored in evidence.dockerfiles}
+    found = [git for git in evidence.sources if git.kind in {"clone", "git_url"} and not places.vendored(git.file)]
+    found = [git for git in found if not git.installed and "/archive/" not in git.url]
+    found += [clone for authored in evidence.dockerfiles if authored.purpose == "project" for clone in authored.clones]
+    found = [git for git in found if not dockerfiles.get(git.file) or ros_distro in dockerfiles[git.file]]
+    return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))
+
+
+def beside(evidence: Evidence, ros_distro: str | None) -> Iterator[GitSource]:
+    """Yield what the page at the root, or a script that it runs, clones into the workspace; first those of this ROS."""
+    run = {word.rpartition("/")[2] for m in evidence.mentions if "/" not in m.file for word in m.value.split()[:2]}
+    found = [git for git in evidence.sources if git.beside and not places.vendored(git.file)]
+    found = [git for git in found if "/" not in git.file or git.file.rpartition("/")[2] in run]
+    for git in sorted(found, key=lambda git: ros_distro not in distros_in(git.ref or "")):
+        if not (others := distros_in(git.ref or "")) or ros_distro in others:
+            yield git
+
+
+def unreleased(needed: Iterable[Dependency], known: AbstractSet[str]) -> Dependency | None:
+    """Return a package of ROS that the repository needs or starts and that nothing brings so far, if there is any."""
+    for asked in needed:
+        of_ros = asked.namespace in {"rosdep", "ros"} and asked.role not in {"test", "doc"}
+        if of_ros and asked.strength != "prose" and asked.name not in known and not library("cmake", asked.name, None):
+            return asked
+    return None

@@ -1,0 +1,78 @@
+"""What a page, or a script that it runs, clones beside the repository into the workspace."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+MADE = "project(demo)\nfind_package(catkin REQUIRED)\n"
+LAUNCH = "<launch><node pkg='acme_control' type='control' name='c'/></launch>"
+SHOWN = {"package.xml": PACKAGE, "CMakeLists.txt": MADE, "launch/demo.launch": LAUNCH}
+PAGE = """\
+ROS Noetic
+## Installation
+```
+cd ~/catkin_ws/src
+git clone https://github.com/me/demo.git
+git clone https://github.com/lab/vehicles.git
+cd ..
+git clone https://github.com/lab/firmware.git
+catkin_make
+```
+"""
+SCRIPT = """\
+SRC=${HOME}/catkin_ws/src
+if [ ! -d "$SRC/vehicles" ]; then
+    cd $SRC
+    git clone https://github.com/lab/vehicles.git
+else
+    cd $SRC/vehicles
+    git pull
+fi
+cd $SRC/vehicles
+git checkout for_noetic
+cd $HOME
+git clone https://github.com/lab/firmware.git
+catkin build
+"""
+
+
+def cloned(decision: Decision) -> list[tuple[str, str | None]]:
+    return [(source.name, source.ref) for source in decision.source]
+
+
+def test_a_page_clones_beside_it(tree: Tree) -> None:
+    assert cloned(tree(SHOWN | {"README.md": PAGE})) == [("vehicles", None)]
+
+
+def test_nothing_unknown_is_needed(tree: Tree) -> None:
+    known = SHOWN | {"launch/demo.launch": LAUNCH.replace("acme_control", "map_server")}
+    assert not cloned(tree(known | {"README.md": PAGE}))
+
+
+@pytest.mark.parametrize("title", ["## Optional", "### Simulation", "## With Docker"])
+def test_a_section_that_not_everybody_follows(tree: Tree, title: str) -> None:
+    assert not cloned(tree(SHOWN | {"README.md": PAGE.replace("## Installation", title)}))
+
+
+def test_a_script_that_the_page_runs(tree: Tree) -> None:
+    run = {"README.md": "ROS Noetic\n```\ncd install\n./setup.sh\n```\n", "install/setup.sh": SCRIPT}
+    decision = tree(SHOWN | run)
+    assert cloned(decision) == [("vehicles", "for_noetic")]
+    assert decision.build_tool == "catkin_tools"
+
+
+def test_a_script_that_no_page_runs(tree: Tree) -> None:
+    assert not cloned(tree(SHOWN | {"README.md": "ROS Noetic\n", "install/setup.sh": SCRIPT}))
+
+
+def test_a_clone_for_another_distribution(tree: Tree) -> None:
+    page = PAGE.replace("git clone https://github.com/lab/v", "git clone -b melodic-devel https://github.com/lab/v")
+    assert not cloned(tree(SHOWN | {"README.md": page}))
+    both = page.replace("cd ..", "git clone -b noetic-devel https://github.com/lab/vehicles.git\ncd ..")
+    assert cloned(tree(SHOWN | {"README.md": both})) == [("vehicles", "noetic-devel")]

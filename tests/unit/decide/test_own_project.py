@@ -1,0 +1,77 @@
+"""A CMake project as its page builds it: its options, where its programs are, and what only /usr/local has."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+MADE = "cmake_minimum_required(VERSION 3.10)\nproject(Demo)\nadd_executable(solve a.cpp)\n"
+CODE = {"CMakeLists.txt": MADE, "a.cpp": "#include <vector>\nint main() {}\n"}
+
+
+@pytest.mark.parametrize(
+    ("page", "options"),
+    [
+        ("mkdir build\ncd build\ncmake -DDEMO_GUI=ON ..\nmake", ("-DDEMO_GUI=ON",)),
+        ("cd demo\nmkdir build && cd build\ncmake .. -DDEMO_GUI:BOOL=ON\nmake", ("-DDEMO_GUI:BOOL=ON",)),
+        ("cmake -S . -B build -DDEMO_GUI=ON -DCMAKE_BUILD_TYPE=Debug\ncmake --build build", ("-DDEMO_GUI=ON",)),
+        ("cmake ..\nmake\n```\nWith CUDA:\n```\ncmake -DDEMO_CUDA=ON ..", ()),
+        ("git clone https://github.com/a/other\ncd other/build\ncmake -DOTHER=ON ..", ()),
+        ("cmake -DQt5_DIR=/opt/qt -DACME_ROOT=/home/me -DDEMO_DATA=/data ..", ()),
+        ("cmake -DCMAKE_CXX_COMPILER=clang++-12 -DCMAKE_INSTALL_PREFIX=out ..", ()),
+    ],
+)
+def test_the_options_of_the_page(tree: Tree, page: str, options: tuple[str, ...]) -> None:
+    assert tree(CODE | {"README.md": f"```\n{page}\n```\n"}).cmake_options == options
+
+
+def test_the_options_of_roslab_yaml_win(tmp_path: Path) -> None:
+    page = {"README.md": "```\ncmake -DDEMO_GUI=ON -DDEMO_FAST=ON ..\n```\n"}
+    yaml = {"roslab.yaml": "format: 3\ncmake_options: -DDEMO_GUI=OFF\n"}
+    for path, text in (CODE | page | yaml).items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert "cmake -DCMAKE_BUILD_TYPE=Release -DDEMO_GUI=OFF -DDEMO_FAST=ON" in text
+
+
+@pytest.mark.parametrize("written", ["include(Options)", "include(cmake/Options.cmake)"])
+def test_a_file_that_is_included_places_the_programs(tree: Tree, written: str) -> None:
+    place = "set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR})\n"
+    files = CODE | {"CMakeLists.txt": f"{MADE}{written}\n", "cmake/Options.cmake": place}
+    assert tree(files).program_folders == ("build/bin",)
+
+
+def test_a_root_that_names_no_project(tree: Tree) -> None:
+    root = "cmake_minimum_required(VERSION 3.5)\nadd_subdirectory(sim)\n"
+    files = {
+        "CMakeLists.txt": root,
+        "sim/CMakeLists.txt": "add_executable(sim a.cpp)\n",
+        "sim/a.cpp": "#include <vector>\n#include <Eigen/Core>\n",
+        "scripts/read_log.py": "import scipy\nif __name__ == '__main__':\n    pass\n",
+    }
+    decision = tree(files)
+    assert (decision.kind, decision.build_tool, decision.program_folders) == ("cpp", "cmake", ("build/sim",))
+
+
+BY_HAND = "```\ngit clone -b v2.7.1 https://github.com/a/nlopt.git\ncd nlopt/build\ncmake ..\nsudo make install\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("cmake", "built"),
+    [
+        ('set(NLOPT_LIBRARY "/usr/local/lib/libnlopt.so")', ["nlopt"]),
+        ("target_link_libraries(solve /usr/local/lib/libnlopt.a)", ["nlopt"]),
+        ("target_link_libraries(solve nlopt)", []),
+        ("if(APPLE)\nset(NLOPT_LIBRARY /usr/local/lib/libnlopt.so)\nendif()", []),
+    ],
+)
+def test_a_library_that_is_named_by_its_file(tree: Tree, cmake: str, built: list[str]) -> None:
+    files = CODE | {"CMakeLists.txt": f"{MADE}{cmake}\n", "README.md": BY_HAND}
+    assert [source.name for source in tree(files).source] == built
