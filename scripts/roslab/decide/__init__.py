@@ -36,6 +36,7 @@ from roslab.decide.system.missing import decide_missing, marked
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, started
 from roslab.decide.system.own_options import own_options
+from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, without_twins
 from roslab.decide.system.recipes import of_another_release, recipes_for
 from roslab.errors import NothingToBuildError, Problem
@@ -138,6 +139,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     system = without_twins(system, frozenset(source.name for source, _ in (*libraries, *linked)))
 
     inside = compiled_inside(evidence, config, kind.answer)
+    scripts = decide_scripts(evidence, config, kind.answer)
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else NO_CUDA
     compiling = decide_compiling(
@@ -194,7 +196,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         sources,
         system,
         inside,
-        *(() if own.answer else (missing, steps)),
+        *(() if own.answer else (scripts, missing, steps)),
     )
     return Decision(
         kind=kind.answer,
@@ -213,6 +215,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         vcs=sources.answer.vcs,
         submodules=() if own.answer else sources.answer.submodules,
         inside=inside.answer,
+        scripts=() if own.answer else scripts.answer,
         packages=tuple(m.file for m in packages.built if m.name not in left_out) if kind.answer in _ROS else (),
         package_names=tuple(name for name in _names(packages, kind.answer) if name not in left_out),
         left_out=left_out,

@@ -113,6 +113,17 @@ class Python:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class OwnScript:
+    """A script that compiles something in the repository, or in a submodule of it."""
+
+    folder: str
+    """In which it is run, ``""`` for the root."""
+    path: str
+    """Of the script, from the root."""
+    command: str
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Decision:
     """All decisions about a repository; ``plan`` turns them into what is built."""
 
@@ -140,6 +151,8 @@ class Decision:
     """Submodules that are not checked out and are cloned in the image, each at its path."""
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of copied libraries that are compiled where they lie, each with the options of CMake."""
+    scripts: tuple[OwnScript, ...] = ()
+    """Scripts of the repository that compile something, in the order of the README."""
     packages: tuple[str, ...] = ()
     """Paths of the package.xml files that are built (neither ignored nor an asset)."""
     package_names: tuple[str, ...] = ()

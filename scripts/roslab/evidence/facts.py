@@ -167,6 +167,7 @@ class Mention:
         "vcs_file",
         "compiled",
         "step",
+        "build_script",
         "image_built",
         "image_pulled",
     ]

@@ -57,10 +57,11 @@ def _compilers(decision: Decision, *, own_python: bool) -> list[str]:
 
     ``own_python``: the base brings its Python with its headers, as conda's has them too.
     """
-    if not decision.compiling.compiler:
+    if not (decision.compiling.compiler or decision.scripts):
         return []
     has_one = decision.kind in ("ros1", "ros2") or "-devel" in decision.base_image
     needs = [] if has_one else ["build-essential"]
+    needs += ["cmake"] if decision.scripts else []
     if decision.python.manager != "conda" and not own_python:
         needs.append("python-dev" if (decision.python.version or "").startswith("2") else "python3-dev")
     return needs + (["cargo"] if decision.compiling.rust else [])

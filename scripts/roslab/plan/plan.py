@@ -132,7 +132,8 @@ class Plan:
     def compiled_apart(self) -> bool:
         """Whether nothing but the compilation needs the source while the image is made: it gets a stage of its own."""
         place = self.workspace
-        needed_later = self.custom or self.compatible or place.python_projects or place.submodules or place.inside
+        compiled_here = place.python_projects or place.submodules or place.inside or place.scripts
+        needed_later = self.custom or self.compatible or compiled_here
         beside = place.ros is not None and place.ros.tool == "rosmake"  # it compiles where the source lies
         return bool(place.ros or place.program) and not needed_later and not beside
 

@@ -75,6 +75,8 @@ class Workspace:
     """Submodules that are not checked out: cloned into the repository's folder, each at the path that is its name."""
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of the repository, each with CMake's options, that are compiled where they lie before all else."""
+    scripts: tuple[tuple[str, str], ...] = ()
+    """Folders of the repository, ``""`` for its own, each with a command that compiles something there."""
     python_projects: tuple[str, ...]
     unread: tuple[str, ...] = ()
     """Names at the top of the repository that no build file names."""
@@ -106,6 +108,7 @@ def workspace(
         sources=sisters,
         submodules=decision.submodules,
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
+        scripts=tuple((script.folder, script.command) for script in decision.scripts),
         python_projects=decision.python.projects,
         unread=unread,
         links=tuple(links),

@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from roslab.config.model import Base, Config, Custom, Source
-from roslab.decide.decision import Decision, Python
+from roslab.decide.decision import Decision, OwnScript, Python
 from roslab.decide.python.compiling import Compiling
 from roslab.errors import ConfigurationError
 from roslab.plan.plan import Plan, from_json, image_name, make_plan, to_json
@@ -464,3 +464,26 @@ def test_conda_installs_what_a_manifest_of_pixi_names(plan: Callable[..., Plan])
     assert "'numpy<2'" in text
     assert "COPY pixi.toml" not in text
     assert "--file /tmp/manifests" not in text
+
+
+def test_a_script_that_compiles_is_run_as_root_and_stops_nothing() -> None:
+    script = OwnScript(folder="lib", path="lib/make.sh", command="bash make.sh")
+    venv = Python(version="3.10", manager="venv")
+    found = plan(
+        kind="python",
+        ros_distro=None,
+        base_image="ubuntu:22.04",
+        ubuntu="jammy",
+        build_tool="pip",
+        python=venv,
+        packages=(),
+        package_names=(),
+        rosdep=(),
+        workspace="none",
+        scripts=(script,),
+    )
+    text = written(found)
+    run = "RUN cd /home/${NB_USER}/paper/lib \\\n && { bash make.sh || echo 'roslab: left out: bash make.sh failed'; }"
+    source, root, script_at, owner = positions(text, "COPY --chown", "USER root\nRUN cd /home", run, 'RUN find "/home/')
+    assert source < root < script_at < owner < text.index("CMD ")
+    assert positions(text, "      build-essential", "      cmake", "      python3-dev")

@@ -1,4 +1,4 @@
-"""Steps of an installation that are neither apt, pip, conda nor a clone, and images that a page builds or fetches."""
+"""Steps of an installation that are neither apt, pip, conda nor a clone: scripts that compile, images, downloads."""
 
 from __future__ import annotations
 
@@ -10,19 +10,28 @@ from roslab.evidence.lex.shell import Command
 from roslab.evidence.prose.archives import is_release
 from roslab.values.pattern import pattern
 
-Topic = Literal["step", "image_built", "image_pulled"]
+Topic = Literal["step", "image_built", "image_pulled", "build_script"]
 _PACKAGES = pattern(r"\.(?:deb|run|sh|tar(?:\.\w+)?|tgz|zip|AppImage)$")
 _INSTALLATION = pattern(r"instal|depend|prereq|requir|setup|set up|compil|getting started", re.IGNORECASE)
 _NO_LIBRARY = pattern(r"data|model|weight|vocabular|bag\b|map\b|example|troubl|optional|docker", re.IGNORECASE)
+_SCRIPT = pattern(
+    r"^(?:[\w./-]*/)?(?:build|make|compile|install)(?:[_-]\w+)*\.(?:sh|py)$|^[\w./-]*_(?:build|compile)\.sh$"
+)
+"""A script that compiles something, by its name."""
+_RUNNERS = frozenset({"bash", "sh", "python", "python3"})
 
 
-def steps(command: Command, heading: str) -> Iterator[tuple[Topic, str]]:
+def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[Topic, str]]:
     """Yield what a command does: a step that only a person can repeat, or the image that ``docker`` builds or pulls.
 
-    ``heading``: the sections that it stands in; what is fetched outside of an installation is data.
+    ``heading``: the sections that it stands in; what is fetched outside of an installation is data. ``folder``: where
+    the page is by then, which comes first in what is told of a script that compiles.
     """
     words = command.words
     program = words[0].rpartition("/")[2]
+    called = words[1:] if program in _RUNNERS else words
+    if called and _SCRIPT.match(called[0]) and (called is not words or "/" in called[0]):
+        yield "build_script", " ".join((folder or ".", *called))
     if program == "docker":
         yield from _docker(words)
     elif program in {"add-apt-repository", "apt-add-repository"}:

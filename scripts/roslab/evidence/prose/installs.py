@@ -108,7 +108,7 @@ class Collector:
             if "<" in text and (self.source == "readme" or _RUN.search(text)):
                 text = _BLANK.sub("$UNKNOWN", text)  # otherwise `<sensor name>` would be read as a redirection
             for command in commands(text, line, self.variables):
-                for topic, value in steps(command, self.heading):
+                for topic, value in steps(command, self.heading, self.folder):
                     self._mention(topic, value.replace(UNKNOWN, "…"), command)
                 self.command(command)
 

@@ -15,6 +15,7 @@ from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import Collector, merge, telling
+from roslab.evidence.prose.own_scripts import checked
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -85,9 +86,14 @@ def read(repository: Repository) -> Prose:
 
 def _rooted(prose: Prose, repository: Repository) -> Prose:
     """Make the arguments of commands that are files of the tree relative to its root: ``../map.yaml``, ``map.yaml``."""
-    return prose._replace(
-        mentions=tuple(_with_files(m, repository) if m.topic == "command" else m for m in prose.mentions)
-    )
+    return prose._replace(mentions=tuple(each for m in prose.mentions for each in _checked(m, repository)))
+
+
+def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
+    if mention.topic == "build_script":
+        yield from checked(mention, repository)
+    else:
+        yield _with_files(mention, repository) if mention.topic == "command" else mention
 
 
 def _with_files(mention: Mention, repository: Repository) -> Mention:

@@ -145,6 +145,19 @@ def compile_inside(plan: Plan) -> str:
     return "\n".join(["# Libraries inside the repository", "USER ${NB_USER}", *runs])
 
 
+def own_scripts(plan: Plan) -> str:
+    """Run the scripts with which the README compiles something; one that fails is told and stops nothing."""
+    if not plan.workspace.scripts:
+        return ""
+    runs = []
+    for folder, command in plan.workspace.scripts:
+        where = quote.shell_with_user(f"{source_folder(plan)}/{folder}".rstrip("/"))
+        left_out = quote.shell(f"roslab: left out: {command} failed")
+        runs.append(shell.run(f"cd {where}", f"{{ {command} || echo {left_out}; }}"))
+    head = "# What the README compiles by scripts of the repository"
+    return "\n".join([head, "USER root", *runs, own_home(plan)])
+
+
 def compile_workspace(plan: Plan) -> str:
     """Compile the ROS workspace as the user, who can then compile it again."""
     build = plan.workspace.ros

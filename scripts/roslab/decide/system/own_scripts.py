@@ -1,0 +1,65 @@
+"""Scripts of a Python repository that its README runs to compile something: the image runs them too."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+import shlex
+
+from roslab.config.model import Config, Kind
+from roslab.decide.decision import Choice, OwnScript
+from roslab.decide.reasons import because
+from roslab.evidence import places
+from roslab.evidence.facts import Evidence, Mention
+from roslab.values.pattern import pattern
+
+WEIGHT = 300
+"""Sources do not compete, so it only orders the report."""
+MOST = 6
+_UNREAD = pattern(r"(?:^|/)(?:build|make|compile)(?:[_-]\w+)*\.(?:sh|py)$")
+"""What is run though nobody has read it, because it lies in a submodule that the image clones."""
+_ASIDE = pattern(
+    r"\b(?:docker|docs?|documentation|tests?|wheels?|release|optional|windows?|mac\w*|jetson|real)\b", re.IGNORECASE
+)
+_PLAIN = pattern(r"[\w./=+-]+")
+
+
+def decide_scripts(evidence: Evidence, config: Config, kind: Kind) -> Choice[tuple[OwnScript, ...]]:
+    """Return the scripts that the pages nearest to the root run to compile, in their order; for plain Python alone."""
+    if config.compatible or config.custom or config.build or kind not in {"python", "cuda"}:
+        return Choice(answer=())
+    absent = tuple(git.name for git in evidence.sources if git.kind == "submodule" and git.absent)
+    said = [m for m in evidence.mentions if m.topic == "build_script" and m.source == "readme"]
+    said = [m for m in said if not places.vendored(m.file) and not _ASIDE.search(m.heading)]
+    nearest = min((mention.file.count("/") for mention in said), default=0)
+    found: dict[str, tuple[OwnScript, Mention]] = {}
+    for mention in said:
+        script = _script(mention, absent) if mention.file.count("/") == nearest else None
+        if script:
+            found.setdefault(script.path, (script, mention))
+    chosen = list(found.values())[:MOST]
+    why = "the README runs it to compile"
+    return Choice(
+        answer=tuple(script for script, _ in chosen),
+        reasons=tuple(because("source", script.path, why, mention, weight=WEIGHT) for script, mention in chosen),
+    )
+
+
+def _script(mention: Mention, absent: tuple[str, ...]) -> OwnScript | None:
+    """Return how a script is run from the root; ``None`` for one that is neither in the tree nor in a submodule."""
+    folder, script, *words = mention.value.split()
+    folder = "" if folder == "." else folder
+    if not all(map(_PLAIN.fullmatch, (script, *words))):
+        return None
+    if mention.files:
+        path = mention.files[0]
+    else:
+        path = posixpath.normpath(posixpath.join(folder, script))
+        inside = next((name for name in absent if f"/{name}/" in f"/{path}"), None)
+        if inside is None or not _UNREAD.search(path):
+            return None
+        above = f"/{path}".index(f"/{inside}/")  # a page may begin above the root
+        path, folder = path[above:], folder[above:] if inside in folder else ""
+    program = "bash" if script.endswith(".sh") else "python3"
+    command = shlex.join((program, posixpath.relpath(path, folder or "."), *words))
+    return OwnScript(folder=folder, path=path, command=command)

@@ -1,0 +1,43 @@
+"""Scripts of the tree that a page runs to compile something: found in the tree, and read before they are believed."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from roslab.evidence.facts import Mention
+from roslab.repository.checkout import Repository
+from roslab.values.dataclass import replace
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 64 * 1024
+_COMPILES = pattern(r"\b(?:c?make|ninja|g\+\+|gcc|clang|nvcc|cython|setup\.py|build_ext)\b")
+_ASKS = pattern(
+    r"\b(?:sudo|apt|apt-get|yum|dnf|brew|docker|conda|mamba|catkin\w*|colcon|rosdep|roslaunch|wget|curl|gdown|scp|"
+    r"xcodebuild|emcc|idf\.py)\b|\bread\s+-|\binput\(|rm\s+-rf?\s+[/~]"
+)
+"""What a script must not do: ask for privileges or for an answer, fetch, or build something else than a library."""
+
+
+def checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
+    """Yield a script that a page runs, its folder and its words from the root; nothing for one that does more.
+
+    One that is not in the tree may lie in a submodule: it is yielded without a file.
+    """
+    folder, script, *words = mention.value.split()
+    for start in _starts("" if folder == "." else folder):
+        path = posixpath.normpath(posixpath.join(start, script))
+        if not repository.has(path):
+            continue
+        text = repository.read(path, limit=MAX_SIZE)
+        if _COMPILES.search(text) and not _ASKS.search(text):
+            yield replace(mention, value=" ".join((start or ".", script, *words)), files=(path,))
+        return
+    yield mention
+
+
+def _starts(folder: str) -> Iterator[str]:
+    """Yield a folder, then its ends: a page may begin above the root."""
+    parts = [part for part in folder.split("/") if part]
+    for first in range(len(parts) + 1):
+        yield "/".join(parts[first:])

@@ -1,0 +1,44 @@
+"""Scripts of the tree with which the README of a Python project compiles something are run in the image."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+CODE = {"play.py": "import numpy\n"}
+MAKE = "cd src\nnvcc -c a.cu\npython setup.py build_ext --inplace\n"
+MODULE = {".gitmodules": '[submodule "planner"]\n\tpath = planner\n\turl = https://github.com/a/planner.git\n'}
+
+
+@pytest.mark.parametrize(
+    ("files", "page", "scripts"),
+    [
+        ({"lib/make.sh": MAKE}, "cd lib\nsh make.sh\n", [("lib", "lib/make.sh", "bash make.sh")]),
+        ({"lib/make.sh": MAKE}, "cd demo/lib && ./make.sh 3\n", [("lib", "lib/make.sh", "bash make.sh 3")]),
+        ({"build.py": "run('cmake ..')\n"}, "python build.py\n", [("", "build.py", "python3 build.py")]),
+        ({"lib/make.sh": "sudo make install\n"}, "bash lib/make.sh\n", []),
+        ({"build_data.py": "import numpy\n"}, "python build_data.py\n", []),
+        ({}, "sh make.sh\n", []),
+        (MODULE, "./planner/build.py\n", [("", "planner/build.py", "python3 planner/build.py")]),
+        (MODULE, "cd demo/planner && ./build.sh\n", [("planner", "planner/build.sh", "bash build.sh")]),
+        (MODULE, "./planner/install.sh\n", []),
+        ({"lib/make.sh": MAKE, "setup.cfg": "", "roslab.yaml": ""}, "# Docker\nsh lib/make.sh\n", []),
+    ],
+)
+def test_what_the_readme_compiles_by_a_script(
+    tree: Tree, files: dict[str, str], page: str, scripts: list[tuple[str, str, str]]
+) -> None:
+    fence = "" if page.startswith("#") else "```\n"
+    readme = f"{fence}{page}{fence}".replace("# Docker\n", "# Docker\n```\n")
+    found = tree({**CODE, **files, "README.md": readme})
+    assert [(each.folder, each.path, each.command) for each in found.scripts] == scripts
+
+
+def test_a_package_of_ros_is_compiled_by_its_build_tool(tree: Tree) -> None:
+    manifest = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+    files = {"package.xml": manifest, "CMakeLists.txt": "project(demo)\nfind_package(catkin)\n", "make.sh": MAKE}
+    assert not tree({**files, "README.md": "```\nsh make.sh\n```\n"}).scripts
