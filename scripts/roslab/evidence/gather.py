@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from roslab.evidence import submodules
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import cmake, cpp, cpu
 from roslab.evidence.native.limits import Signs
@@ -26,7 +27,10 @@ def gather(repository: Repository) -> Evidence:
     manifests = package_xml.read(repository) or rosbuild.read(repository)
     signs = Signs()
     cmake_projects = cmake.read(repository)
-    prose = merge(reader(repository) for reader in PROSE)
+    own = submodules.without(repository)
+    if any(own.has(manifest.file) for manifest in manifests) or any("/" not in p.file for p in cmake_projects):
+        own = repository  # of what is compiled, the submodules are a part
+    prose = merge(reader(own) for reader in PROSE)
     sources = (
         *(source for manifest in manifests if not manifest.ignored for source in manifest.sources),
         *vcs.read(repository),
@@ -36,9 +40,9 @@ def gather(repository: Repository) -> Evidence:
         manifests=manifests,
         cmake=cmake_projects,
         python=project.read(repository),
-        requirements=requirements.read(repository),
-        conda=(*conda.read(repository), *pixi.read(repository)),
-        dockerfiles=author_dockerfile.read(repository),
+        requirements=submodules.named(requirements.read(repository), own, prose.requirements),
+        conda=(*conda.read(own), *pixi.read(own)),
+        dockerfiles=author_dockerfile.read(own),
         launch=launch.read(repository),
         programs=imports.programs(repository),
         tests=tests.read(repository),
@@ -50,16 +54,16 @@ def gather(repository: Repository) -> Evidence:
         ),
         prose=prose.dependencies,
         prose_pip=prose.requirements,
-        listed=page_lists.read(repository) if not manifests else (),
+        listed=page_lists.read(own) if not manifests else (),
         sources=sources,
         mentions=(
             *distro_names.read(repository),
             *prose.mentions,
-            *print_statement.read(repository),
+            *print_statement.read(own),
             *(commit_date.read(repository) if manifests or cmake_projects else ()),
         ),
         worked_on=worked_on.read(repository),
-        bounds=removed.read(repository),
+        bounds=removed.read(own),
         limits=(*signs.all(repository), *limits.read(repository)),
         cmake_modules=cmake.modules(repository),
         cuda_files=cpp.cuda_files(repository),

@@ -62,6 +62,11 @@ def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
     return ()
 
 
+def submodules(repository: Repository) -> tuple[str, ...]:
+    """Return the paths of the submodules that .gitmodules names, whether they are checked out or not."""
+    return tuple(module.name for file in repository.named(".gitmodules") for module in _submodules(repository, file))
+
+
 def https(url: str, origin: str | None = None) -> str:
     """Return a URL that anybody can clone: https in place of ssh and git, relative ones resolved against ``origin``."""
     url = url.strip()
