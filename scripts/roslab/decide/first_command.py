@@ -50,6 +50,7 @@ _CLOUD = pattern(r"\b(?:azure|aws|gcp|cloud|clusters?|slurm|kubernetes|singulari
 """Sections about somebody else's machines."""
 _DATA = pattern(r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya?ml|png|mp4|avi|pcd|ply|obj|csv|json)$")
 """An argument that names a file."""
+_LAUNCHERS = ("roslaunch", "rosrun", "ros2")
 _HELP = pattern(r"^(?:--help|-h|--show-args|-s)$")
 _VALUE = pattern(r"^-{0,2}[\w-]+:?=[-.]*$|^-{3,}$")
 """A value that the reader fills in: ``name:=---``."""
@@ -66,14 +67,18 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     that is given with blanks to fill in comes last; programs that only serve others are never returned. What is
     named like a test is returned where a section about running it has nothing else: the purpose may be to test.
     """
-    written = [
-        c for c in candidates if c.strong and not _helps(c) and not upkeep(c) and not any(map(_HELP.match, c.argv))
-    ]
+    written = [c for c in candidates if c.strong and not _helps(c) and not upkeep(c)]
+    written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in _LAUNCHERS]
     rest = [c for c in written if not _after(c)] or [
         c for c in written if c.argv[0].startswith("python") or (_section(c.heading) > 0 and not _named(c, _AFTER))
     ]
     whole = {program_of(c.argv) for c in rest if not c.cut}
     return min((c for c in rest if not c.cut or program_of(c.argv) not in whole), key=_order, default=None)
+
+
+def _explains(candidate: Candidate) -> bool:
+    """Tell whether a program only prints its arguments: no page means that where it runs the program otherwise too."""
+    return any(map(_HELP.match, candidate.argv))
 
 
 def _order(candidate: Candidate) -> tuple[bool, bool, bool, int, int, str, int]:

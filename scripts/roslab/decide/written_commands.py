@@ -55,6 +55,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
         compiled=in_packages(evidence) if ros else dict.fromkeys((p.name for p in programs_of(evidence)), ""),
         launched=_launch_files(evidence),
         packages=packages_of(evidence).names,
+        installed=frozenset(name for project in evidence.python if project.installable for name, _ in project.scripts),
         tasks={name: command for environment in evidence.conda for name, command, _ in environment.tasks},
     )
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
@@ -90,6 +91,8 @@ class _Tree:
     launched: Mapping[str, frozenset[str]]
     """The launch files of each package, by their names."""
     packages: frozenset[str]
+    installed: frozenset[str]
+    """Programs that pip installs with the repository."""
     tasks: Mapping[str, str]
     """pixi's, by their names."""
 
@@ -150,7 +153,8 @@ def _runnable(
     if argv[0] in _WORDS:
         return _of_ros(argv, tree) if ros else None
     if not argv[0].startswith("python"):
-        return (_built(argv, tree) if ros or compiled else None) or (None if compiled else _shell(argv, mention))
+        installed = argv if argv[0] in tree.installed and not ros else None
+        return (_built(argv, tree) if ros or compiled else None) or installed or _shell(argv, mention, compiled)
     named = (file for file in mention.files if file.endswith(".py"))  # a script needs no guard to be run
     here = _here(argv, tuple(dict.fromkeys((*tree.programs, *named))), mention.file.rpartition("/")[0])
     if here is None or (compiled and _tests(here)):
@@ -169,10 +173,10 @@ def _task(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...]:
     return (*words, *argv[3:]) if words else argv
 
 
-def _shell(argv: tuple[str, ...], mention: Mention) -> tuple[str, ...] | None:
-    """Return the call of a shell script of the tree: ``sh run.sh``, ``./run.sh``."""
+def _shell(argv: tuple[str, ...], mention: Mention, compiled: bool) -> tuple[str, ...] | None:
+    """Return the call of a shell script of the tree, which is none of compiled code's: ``sh run.sh``, ``./run.sh``."""
     script = argv[1:] if argv[0] in {"bash", "sh"} else argv
-    known = bool(script) and script[0] in mention.files and script[0].endswith(".sh")
+    known = bool(script) and not compiled and script[0] in mention.files and script[0].endswith(".sh")
     return ("bash", *script) if known else None
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from roslab.evidence import submodules
+from roslab.evidence import places, submodules
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import cmake, cpp, cpu
 from roslab.evidence.native.limits import Signs
@@ -31,6 +31,9 @@ def gather(repository: Repository) -> Evidence:
     if any(own.has(manifest.file) for manifest in manifests) or any("/" not in p.file for p in cmake_projects):
         own = repository  # of what is compiled, the submodules are a part
     prose = merge(reader(own) for reader in PROSE)
+    python_projects = project.read(repository)
+    programs = {name for each in python_projects if not places.vendored(each.file) for name, _ in each.scripts}
+    programs |= {name for each in cmake_projects if not manifests for name, _ in each.executables}
     sources = (
         *(source for manifest in manifests if not manifest.ignored for source in manifest.sources),
         *vcs.read(repository),
@@ -39,7 +42,7 @@ def gather(repository: Repository) -> Evidence:
     return Evidence(
         manifests=manifests,
         cmake=cmake_projects,
-        python=project.read(repository),
+        python=python_projects,
         requirements=submodules.named(requirements.read(repository), own, prose.requirements),
         conda=(*conda.read(own), *pixi.read(own)),
         dockerfiles=author_dockerfile.read(own),
@@ -59,6 +62,7 @@ def gather(repository: Repository) -> Evidence:
         mentions=(
             *distro_names.read(repository),
             *prose.mentions,
+            *readme.named(own, programs),
             *print_statement.read(own),
             *(commit_date.read(repository) if manifests or cmake_projects else ()),
         ),

@@ -37,6 +37,8 @@ class PythonPlan:
     conda_pip: bool = True
     git_hosts: tuple[str, ...] = ()
     """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
+    copied: tuple[str, ...] = ()
+    """Own projects that are not installed editable."""
     cuda_architectures: str = ""
     day: str | None = None
     clones: bool = False
@@ -67,6 +69,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_local=python.conda_local,
         conda_pip=python.conda_pip,
         git_hosts=compiling.hosts,
+        copied=compiling.copied,
         cuda_architectures=compiling.architectures,
         day=python.day,
         clones=compiling.git,

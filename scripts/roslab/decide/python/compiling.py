@@ -14,6 +14,11 @@ from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
 _RUST = frozenset({"maturin", "setuptools-rust"})
+_COMPILED_ON_IMPORT = frozenset({"meson-python", "scikit-build-core"})
+"""What they need for it is gone by then.
+
+https://mesonbuild.com/meson-python/how-to-guides/editable-installs.html
+https://scikit-build-core.readthedocs.io/en/latest/configuration/index.html#editable-installs, 2026-11-22"""
 _CLOSED = pattern(r"(?:\w+\+)?(?:git|ssh)://(?:[^@/]*@)?([\w.-]+)/|(?:\w+\+)?git@([\w.-]+):")
 """An address that needs a key, or a protocol that GitHub ended on 2022-03-15.
 
@@ -30,6 +35,8 @@ class Compiling:
     git: bool = False
     hosts: tuple[str, ...] = ()
     """Public hosts that a line names by ``git://`` or ``ssh://``; all of them answer to https."""
+    copied: tuple[str, ...] = ()
+    """Folders of projects that are not installed editable: they would compile themselves again when imported."""
     architectures: str = ""
     """``TORCH_CUDA_ARCH_LIST`` for extensions of torch: it asks the GPU otherwise, and a build sees none."""
 
@@ -51,6 +58,9 @@ def decide_compiling(
         compiler=bool(extensions) or rust or any(each.vcs or each.key not in prebuilt() for each in packages),
         rust=rust,
         git=any(each.vcs for each in packages),
+        copied=tuple(
+            p.folder or "." for p in projects if {each.key for each in p.build_requires} & _COMPILED_ON_IMPORT
+        ),
         hosts=tuple(sorted({host for host in closed if host in public_hosts()})),
         architectures=_architectures(cuda) if cuda and on_torch else "",
     )

@@ -1,4 +1,4 @@
-"""catkin_make, catkin_tools or rosmake for ROS 1: by what people type to build, and by what the packages need."""
+"""The build tool for ROS 1: by what people type to build, and by what the packages need."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from typing import ClassVar
 from roslab.config.model import BuildTool
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because, ranked, strongest
-from roslab.decide.ros.workspace import of_rosbuild, packages_of, types
+from roslab.decide.ros.workspace import of_rosbuild, packages_of, ros_versions, types
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.distros import distros
 from roslab.values.origin import Place
 
 
@@ -44,6 +45,9 @@ def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
         for mention in evidence.mentions
         if mention.topic == "build_tool" and mention.value in {"catkin_make", "catkin_tools"}
     ]
+    if not reasons and (said := _colcon(evidence)):
+        reasons.append(because("build_tool", "colcon", said.text[:120], said, weight=_weight(said)))
+        return Choice(answer="colcon", reasons=tuple(reasons))
     if plain := next((m for m in packages_of(evidence).built if types(m, 1) == {"cmake"}), None):
         why = "a plain CMake package, which catkin_make refuses"
         reasons.append(because("build_tool", "catkin_tools", why, plain, weight=Weight.PLAIN_CMAKE))
@@ -56,6 +60,17 @@ def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
         reasons.append(because("build_tool", "catkin_make", "ROS 1's own", weight=Weight.DEFAULT))
     answer: BuildTool = "catkin_tools" if strongest(reasons).answer == "catkin_tools" else "catkin_make"
     return Choice(answer=answer, reasons=ranked(reasons, answer))
+
+
+def _colcon(evidence: Evidence) -> Mention | None:
+    """Return where somebody builds with colcon, in a repository of which nothing is for ROS 2, whose tool it is."""
+    named = {m.value for m in evidence.mentions if m.topic == "distro"}
+    if any(found.ros == 2 and name in named for name, found in distros().items()):
+        return None
+    if any(2 in ros_versions(manifest) for manifest in packages_of(evidence).built):
+        return None
+    said = [m for m in evidence.mentions if m.topic == "build_tool" and m.value == "colcon" and m.source != "script"]
+    return max(said, key=_weight, default=None)
 
 
 def _weight(mention: Mention) -> int:

@@ -20,6 +20,19 @@ def fixed(ref: str | None) -> str | None:
     return ref if ref and re.fullmatch(r"[\w./+-]+", ref) and not ref.startswith("-") else None
 
 
+def fixed_at(ref: str | None, day: str) -> str | None:
+    """Return a fixed ref, ``None`` for the newest branch where a day tells which commit of it is meant.
+
+    Such a branch has moved since, and may have been renamed.
+    """
+    return None if day and moves(ref) else fixed(ref)
+
+
+def moves(ref: str | None) -> bool:
+    """Tell whether a ref is the usual name of the newest branch."""
+    return ref in {"master", "main"}
+
+
 def address(url: str) -> str:
     """Return an address in the one spelling in which two are compared."""
     return https(url).removesuffix(".git").rstrip("/").lower()

@@ -11,7 +11,7 @@ from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
 from roslab.decide.ros.clones import beside, clones, unreleased
 from roslab.decide.ros.distro_dates import dated
-from roslab.decide.ros.source_names import address, asked_for, fixed, itself_in, plain, wanted_names
+from roslab.decide.ros.source_names import address, asked_for, fixed, fixed_at, itself_in, plain, wanted_names
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
@@ -67,7 +67,12 @@ def decide_sources(
 ) -> Choice[Sources]:
     """Return the sources; ``needed``: names that a manifest or CMake asks for, ``own``: the repository's packages."""
     date = None if config.compatible else dated(evidence)
-    chosen = _Chosen(build_tool=build_tool, by_ssh=SSH in config.secrets, before=date.value if date else "")
+    chosen = _Chosen(
+        build_tool=build_tool,
+        ros=2 if kind == "ros2" else 1,
+        by_ssh=SSH in config.secrets,
+        before=date.value if date else "",
+    )
     chosen.configure(config)
     chosen.submodules(evidence, config)
     if kind not in {"ros1", "ros2"}:
@@ -99,6 +104,7 @@ class _Chosen:
     """The sources chosen so far."""
 
     build_tool: BuildTool
+    ros: int
     by_ssh: bool
     """The build has a key: addresses of ssh stay as they are."""
     before: str = ""
@@ -120,12 +126,13 @@ class _Chosen:
         named = self.sources.keys() | {each.name.rpartition("/")[2] for each in self.empty}
         if name in named or address(git.url) in urls:
             return False
+        ref = fixed_at(git.ref, self.before)
         self.sources[name] = Source(
             name=name,
             repo=git.by_ssh if self.by_ssh and git.by_ssh else https(git.url),
-            ref=fixed(git.ref),
+            ref=ref,
             build=_IN_WORKSPACE.get(self.build_tool, "none"),
-            before="" if fixed(git.ref) else self.before,
+            before="" if ref else self.before,
             place=Place(file=git.file, line=git.line),
         )
         self.reasons.append(because("source", name, why, git, weight=Weight.LISTED))
@@ -140,7 +147,7 @@ class _Chosen:
     def clone(self, git: GitSource, asked: Dependency, elsewhere: frozenset[str]) -> None:
         """Add what a page or a manifest clones; warn if rosdep has a package of that name too."""
         new = self.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
-        tabled = ros_sources(asked.name, 2 if self.build_tool == "colcon" else 1)[-1:]
+        tabled = ros_sources(asked.name, self.ros)[-1:]
         self.others |= {address(found.repo) for found in tabled} - {address(git.url)}
         if new and asked.namespace == "rosdep" and asked.name in elsewhere:
             message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
@@ -160,7 +167,7 @@ class _Chosen:
                 ref, before = fixed(git.ref), "" if git.ref else self.before
                 empty = Source(name=git.name, repo=git.url, ref=ref, before=before, build="none", place=place)
                 self.empty.append(empty)
-                self._linked(git, 2 if self.build_tool == "colcon" else 1)
+                self._linked(git, self.ros)
             self.reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
 
     def _linked(self, git: GitSource, ros: int) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.distro_dates import dated
-from roslab.decide.ros.source_names import address, fixed, plain
+from roslab.decide.ros.source_names import address, fixed, fixed_at, moves, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
@@ -39,6 +39,7 @@ def _like(source: Source, git: GitSource | None) -> Source:
     said = {word.partition("=")[0] for word in git.options.split()}
     ours = (word for word in source.cmake_options.split() if word.partition("=")[0] not in said)
     place = Place(file=git.file, line=git.line)
+    ref = source.ref if moves(ref) and source.ref else ref
     return replace(source, ref=ref, cmake_options=" ".join((*ours, git.options)).strip(), place=place)
 
 
@@ -73,7 +74,7 @@ def by_hand(
         by_file = git.installed and (asked.namespace, asked.strength) == ("link", "declared")
         if not by_file and not _unknown(asked, target, pinned=git.installed and bool(fixed(git.ref))):
             continue  # what is named by its file below /usr/local is there only where it was built
-        ref = fixed(git.ref)
+        ref = fixed_at(git.ref, "" if date is None else date.value)
         source = Source(
             name=git.name,
             repo=git.url,

@@ -52,7 +52,7 @@ _TELLING = tuple(
 )
 """Signs of a command, each after a word without which it need not be looked for, which takes much less time."""
 _RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
-_BLANK = pattern(r"<[A-Za-z][^<>|&;\n]{0,60}>|<[\w.-]{1,30}(?:\s?\|\s?[\w.-]{1,30}){1,12}>")
+BLANK = pattern(r"<[A-Za-z][^<>|&;\n]{0,60}>|<[\w.-]{1,30}(?:\s?\|\s?[\w.-]{1,30}){1,12}>")
 """A placeholder for the reader of a page to fill in, or to choose: ``<small | large>``."""
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
@@ -106,7 +106,7 @@ class Collector:
         """Read one logical line."""
         if telling(text):
             if "<" in text and (self.source == "readme" or _RUN.search(text)):
-                text = _BLANK.sub("$UNKNOWN", text)  # otherwise `<sensor name>` would be read as a redirection
+                text = BLANK.sub("$UNKNOWN", text)  # otherwise `<sensor name>` would be read as a redirection
             for command in commands(text, line, self.variables):
                 for topic, value in steps(command, self.heading, self.folder):
                     self._mention(topic, value.replace(UNKNOWN, "…"), command)

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
+from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
 from roslab.evidence.prose import mentions
-from roslab.evidence.prose.installs import Collector, merge, telling
+from roslab.evidence.prose.installs import BLANK, Collector, merge, telling
 from roslab.evidence.prose.own_scripts import checked
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -82,6 +83,32 @@ _RST_LINE = pattern(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
 def read(repository: Repository) -> Prose:
     """Return the install and run lines and the versions of the pages that explain how to install."""
     return merge(_rooted(_read(repository.read(file), file), repository) for file in pages(repository))
+
+
+def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, ...]:
+    """Return the lines in the blocks of pages that run one of these programs, which the repository installs."""
+    if not programs:
+        return ()
+    called = re.compile(rf"^\s*(?:[$>]\s+)?(?:{'|'.join(map(re.escape, sorted(programs)))})(?:\s|$)", re.MULTILINE)
+    found: list[Mention] = []
+    for file in pages(repository):
+        text = repository.read(file)
+        for line, code, heading in _code(text, called) if called.search(text) else ():
+            for start, logical in logical_lines(BLANK.sub("$UNKNOWN", code), line):
+                found += (
+                    Mention(
+                        topic="command",
+                        value=" ".join(command.words).replace(UNKNOWN, "…"),
+                        source="readme",
+                        file=file.path,
+                        line=command.line,
+                        text=" ".join(command.words).replace(UNKNOWN, "…")[:200],
+                        heading=heading,
+                    )
+                    for command in commands(logical, start)
+                    if command.words[0] in programs
+                )
+    return tuple(_with_files(mention, repository) for mention in found)
 
 
 def _rooted(prose: Prose, repository: Repository) -> Prose:
@@ -159,10 +186,11 @@ def _links(text: str, file: File) -> list[GitSource]:
     return list(found.values())[:MAX_LINKS]
 
 
-def _code(text: str) -> Iterator[tuple[int, str, str]]:
+def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int, str, str]]:
     """Yield ``(line, shell text, titles above it)``.
 
-    That is the lines of fenced and indented blocks, lines that begin with a command, and inline code.
+    That is the lines of fenced and indented blocks, lines that begin with a command, and inline code; with ``also``,
+    only the lines of fenced blocks in which it is found.
     """
     lines = text.split("\n")
     titles: dict[int, str] = {}
@@ -181,7 +209,8 @@ def _code(text: str) -> Iterator[tuple[int, str, str]]:
                 titles = {level: title for level, title in titles.items() if level < heading[0]} | {
                     heading[0]: heading[1]
                 }
-        if elsewhere or len(line) > MAX_LINE or not _tells(line, fenced=fenced):
+        tells = (fenced and also.search(line)) if also else _tells(line, fenced=fenced)
+        if elsewhere or len(line) > MAX_LINE or not tells:
             continue
         first = index
         while line.rstrip().endswith("\\") and index < len(lines) and len(line) < 4 * MAX_LINE:

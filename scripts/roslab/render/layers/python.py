@@ -227,16 +227,17 @@ def projects(plan: Plan) -> str:
     pip = f"{interpreter(plan)} -m pip install --no-cache-dir{isolation}{_options(plan.python.options)}"
     whole = [folder for folder in folders if folder not in plan.python.alone]
     alone = [folder for folder in folders if folder in plan.python.alone]
-    commands = [f"{pip}{_editable(whole)}"] if whole else []
-    commands += [f"{pip} --no-deps{_editable(alone)}"] if alone else []
+    copied = frozenset(plan.python.copied)
+    commands = [f"{pip}{_own(whole, copied)}"] if whole else []
+    commands += [f"{pip} --no-deps{_own(alone, copied)}"] if alone else []
     run = shell.run(*commands, secrets=secrets.for_pip(plan))
-    return f"# The repository's own Python packages, editable\nUSER root\n{run}"
+    editable = "" if copied.issuperset(folders) else ", editable"
+    return f"# The repository's own Python packages{editable}\nUSER root\n{run}"
 
 
-def _editable(folders: Sequence[str]) -> str:
-    return "".join(
-        f" --editable {quote.shell('./' + folder if folder not in ('', '.') else '.')}" for folder in folders
-    )
+def _own(folders: Sequence[str], copied: frozenset[str]) -> str:
+    paths = ((folder, quote.shell(f"./{folder}" if folder not in ("", ".") else ".")) for folder in folders)
+    return "".join(f" {path}" if folder in copied else f" --editable {path}" for folder, path in paths)
 
 
 def jupyter(plan: Plan) -> str:

@@ -1,0 +1,45 @@
+"""colcon for ROS 1, and branches that move."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+MADE = "project(demo)\nfind_package(catkin REQUIRED)\n"
+LIST = "repositories:\n  acme: {type: git, url: 'https://github.com/acme/acme.git', version: master}\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "tool"),
+    [
+        ("ROS Melodic\n```\ncolcon build\n```\n", "colcon"),
+        ("ROS Melodic\n```\ncatkin_make\n```\n```\ncolcon build\n```\n", "catkin_make"),
+        ("ROS Melodic\n```\ncatkin_make\n```\nROS 2 Foxy\n```\ncolcon build\n```\n", "catkin_make"),
+        ("ROS Melodic and, on another branch, ROS Foxy\n```\ncolcon build\n```\n", "catkin_make"),
+    ],
+)
+def test_colcon_builds_ros_1_where_nothing_is_for_ros_2(tree: Tree, page: str, tool: str) -> None:
+    decision = tree({"package.xml": PACKAGE, "CMakeLists.txt": MADE, "README.md": page})
+    assert (decision.kind, decision.build_tool) == ("ros1", tool)
+
+
+def test_the_newest_branch_is_taken_as_of_the_last_commit(tmp_path: Path, tree: Tree) -> None:
+    files = {"package.xml": PACKAGE, "CMakeLists.txt": MADE, "a.repos": LIST, "README.md": "ROS Melodic\n"}
+    assert [(source.ref, source.before) for source in tree(files).source] == [("master", "")]
+    git = ("git", "-c", "user.name=a", "-c", "user.email=a@b", "-C", str(tmp_path))
+    subprocess.run((*git, "init", "-q"), check=True)
+    subprocess.run((*git, "add", "."), check=True)
+    day = {
+        "GIT_COMMITTER_DATE": "2020-06-24T12:00:00Z",
+        "GIT_AUTHOR_DATE": "2020-06-24T12:00:00Z",
+        "PATH": "/usr/bin:/bin",
+    }
+    subprocess.run((*git, "commit", "-qm", "a"), check=True, env=day)
+    assert [(source.ref, source.before) for source in tree(files).source] == [(None, "2020-06-24")]

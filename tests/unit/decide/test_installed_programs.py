@@ -1,0 +1,63 @@
+"""Programs that pip installs and that a page runs by their names, and projects that compile when they are imported."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+PROJECT = """\
+[build-system]
+requires = ["{backend}"]
+build-backend = "{backend}"
+[project]
+name = "acme"
+version = "1"
+[project.scripts]
+acme-track = "acme.cli:main"
+acme-dump = "acme.cli:dump"
+"""
+
+
+def project(page: str, backend: str = "hatchling") -> dict[str, str]:
+    code = {"acme/__init__.py": "", "acme/cli.py": "import numpy\n"}
+    return {"python/pyproject.toml": PROJECT.format(backend=backend), "README.md": page} | code
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("```\npip install acme\nacme-track --help\n```\n", ("acme-track", "--help")),
+        ("```\nacme-track --help\n```\nThen:\n```\nacme-track --fast\n```\n", ("acme-track", "--fast")),
+        ("```bash\n$ acme-track <your data>\n```\n", ("acme-track",)),
+        ("The program acme-track does it.\n", ("bash",)),
+        ("```\nother-track --help\n```\n", ("bash",)),
+        ("## Windows\n```\nacme-track --fast\n```\n", ("bash",)),
+    ],
+)
+def test_a_program_that_the_page_runs(tree: Tree, page: str, command: tuple[str, ...]) -> None:
+    assert tree(project(page)).command == command
+
+
+def test_a_compiled_program_by_its_name(tree: Tree) -> None:
+    made = "cmake_minimum_required(VERSION 3.10)\nproject(a)\nadd_executable(solve a.cpp)\nadd_executable(mesh b.cpp)\n"
+    files = {"CMakeLists.txt": made, "a.cpp": "#include <vector>\n", "README.md": "```\nsolve --iterations 9\n```\n"}
+    assert tree(files).command == ("solve", "--iterations", "9")
+
+
+@pytest.mark.parametrize(
+    ("backend", "installed"),
+    [("hatchling", " --editable ./python"), ("scikit-build-core", " ./python"), ("meson-python", " ./python")],
+)
+def test_what_compiles_when_imported_is_not_editable(tmp_path: Path, backend: str, installed: str) -> None:
+    for path, text in project("", backend).items():
+        target = tmp_path / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    assert f"pip install --no-cache-dir{installed}" in dockerfile(plan_repository(tmp_path).plan)
