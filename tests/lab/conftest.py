@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 from collections.abc import Iterator
 
 import pytest
 
-from . import laboratory
+from . import laboratory, packages
 from .laboratory import Laboratory
 
 
@@ -17,3 +19,13 @@ def lab() -> Iterator[Laboratory]:
         pytest.skip(reason)
     with laboratory.laboratory() as running:
         yield running
+
+
+@pytest.fixture(scope="module")
+def x_server() -> None:
+    """Have Xvfb on this machine, as its owner would who read what to install."""
+    if shutil.which("Xvfb"):
+        return
+    if os.geteuid() != 0:
+        pytest.skip("Xvfb is not installed, and only root can install it")
+    packages.install(["xvfb"])

@@ -7,9 +7,7 @@ from __future__ import annotations
 
 import io
 import json
-import os
 import re
-import shutil
 import signal
 import socket
 import subprocess
@@ -24,7 +22,7 @@ from subprocess import CompletedProcess
 import pytest
 from PIL import Image
 
-from lab import doors, packages
+from lab import doors
 from lab.act import Result, run_workflow
 from lab.home import CHECKOUT
 from lab.kept_artifacts import artifacts
@@ -54,16 +52,6 @@ WINDOW = {
     "roslab.yaml": "format: 3\nkind: python\ndockerfile: Dockerfile\n",
 }
 NAME = "screenshot-{}-default-command-starts.png"
-
-
-@pytest.fixture(scope="module")
-def x_server() -> None:
-    """Have Xvfb on this machine, as its owner would who read what to install."""
-    if shutil.which("Xvfb"):
-        return
-    if os.geteuid() != 0:
-        pytest.skip("Xvfb is not installed, and only root can install it")
-    packages.install(["xvfb"])
 
 
 OTHERS = 60.0
