@@ -158,6 +158,12 @@ def build_needs() -> dict[str, tuple[str, ...]]:
 
 
 @cache
+def unstated() -> dict[str, str]:
+    """Return what a pip package needs and does not ask pip for, since people choose their build of it."""
+    return {row["pip"]: row["needs"] for row in rows("unstated")}
+
+
+@cache
 def kept_for_build_types() -> dict[str, tuple[tuple[str, str], ...]]:
     """Return, for each build type of a ROS package, what pip must not replace with a newer one, and why."""
     types = dict.fromkeys(row["build_type"] for row in rows("build_types"))

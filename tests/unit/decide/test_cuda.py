@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -10,7 +11,7 @@ from roslab.config.model import Base, Config
 from roslab.decide.cuda.toolkit import decide_toolkit
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.cuda.version import decide_cuda as from_pins
-from roslab.decide.decision import Choice
+from roslab.decide.decision import Choice, Decision
 from roslab.decide.python.base import base_for
 from roslab.decide.python.packages import Chosen
 from roslab.decide.python.pins import pins
@@ -157,3 +158,45 @@ def test_torch_fits_the_toolkit_that_compiles_its_extensions(
 ) -> None:
     found = torch_build([stated(line)], cuda, python).answer
     assert ([each.written for each in found[0]], list(found[1])) == (limits, options)
+
+
+LIBRARY = (
+    '[project]\nname = "high-way"\nversion = "1"\ndependencies = [{needs}]\n'
+    '[project.optional-dependencies]\nnn = ["jax"]\n'
+)
+
+
+@pytest.mark.parametrize(
+    ("files", "kind"),
+    [
+        ({"pyproject.toml": LIBRARY.format(needs='"numpy"'), "scripts/train.py": "import torch\n"}, "python"),
+        ({"pyproject.toml": LIBRARY.format(needs='"numpy"'), "high_way/net.py": "import torch\n"}, "cuda"),
+        ({"pyproject.toml": LIBRARY.format(needs=""), "scripts/train.py": "import torch\n"}, "cuda"),
+        ({"pyproject.toml": LIBRARY.format(needs='"numpy", "torch"'), "high_way/a.py": ""}, "cuda"),
+        ({"requirements.txt": "numpy\n", "requirements-dev.txt": "torch\n", "a.py": "import numpy\n"}, "python"),
+        (
+            {
+                "requirements.txt": "-r a/base.txt\n# -r a/more_requirements.txt\n",
+                "a/base.txt": "numpy\n",
+                "a/more_requirements.txt": "torch\n",
+            },
+            "python",
+        ),
+        ({"requirements.txt": "-r a/more_requirements.txt\n", "a/more_requirements.txt": "torch\n"}, "cuda"),
+    ],
+)
+def test_a_framework_of_examples_and_extras_alone_asks_for_no_cuda(
+    tree: Callable[[dict[str, str]], Decision], files: dict[str, str], kind: str
+) -> None:
+    assert tree(files).kind == kind
+
+
+def test_what_a_requirement_file_has_in_a_comment_is_not_installed(
+    tree: Callable[[dict[str, str]], Decision],
+) -> None:
+    page = (
+        "```\npip install -r requirements.txt\n```\nFor prediction:\n```\npip install -r more_requirements.txt\n```\n"
+    )
+    own = {"requirements.txt": "-r base_requirements.txt\n# -r more_requirements.txt  # prediction\n"}
+    files = {**own, "base_requirements.txt": "numpy\n", "more_requirements.txt": "scipy\n", "README.md": page}
+    assert tree(files).python.requirements == ("requirements.txt",)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, PythonProject
 from roslab.knowledge.accelerated import accelerated
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
+
+_SCRIPTS = pattern(r"(?:scripts?|notebooks?|tools?|experiments?|benchmarks?)/", re.IGNORECASE)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -35,14 +39,18 @@ def sign_of_cuda(evidence: Evidence) -> Sign | None:
 
 
 def _named(evidence: Evidence) -> Iterator[Sign]:
-    """Yield where a framework is named: to pip, to ``import``, to conda."""
+    """Yield where a framework is named: to pip, to ``import``, to conda.
+
+    A library that declares what it needs, without one, does not need that of its examples and scripts.
+    """
     names = accelerated()
+    declares = any(p.installable and not p.folder and _declared(p) for p in evidence.python)
     for asked in _pip(evidence):
         if asked.key in names and ANY.may(asked):
             yield Sign(file=asked.file, line=asked.line, why=f"it needs {asked.key}")
     for used in evidence.code:
         name = canonicalize_name(used.name) if used.namespace == "import" and used.strength == "used" else ""
-        if name in names:
+        if name in names and not (declares and _aside(used.file)):
             yield Sign(file=used.file, line=used.line, why=f"it needs {name}")
     for environment in evidence.conda:
         for package in environment.packages:
@@ -51,12 +59,20 @@ def _named(evidence: Evidence) -> Iterator[Sign]:
                 yield Sign(file=environment.file, line=environment.line, why=why)
 
 
+def _declared(project: PythonProject) -> list[Requirement]:
+    return [asked for asked in project.requirements if asked.role not in {"extra", "test"}]
+
+
+def _aside(path: str) -> bool:
+    return bool(_SCRIPTS.match(path)) or places.example(path) or places.test(path)
+
+
 def _pip(evidence: Evidence) -> Iterator[Requirement]:
     for project in evidence.python:
         if not places.vendored(project.file):
-            yield from project.requirements
+            yield from _declared(project) or project.requirements
     for file in evidence.requirements:
-        if file.purpose != "vendored":
+        if file.purpose == "run":
             yield from file.requirements
     for environment in evidence.conda:
         yield from environment.requirements

@@ -26,6 +26,7 @@ def guesses(
 ) -> tuple[Requirement, ...]:
     """Return the packages that only prose, Dockerfiles and imports name, each once, from the best source."""
     found: dict[str, Requirement] = {}
+    own = {canonicalize_name(project.name).replace("-", "") for project in evidence.python if project.name}
     urls = {_repository(pin.requirement.url) for pin in pins if pin.trust >= 2} - {""}
     for pin in sorted((pin for pin in pins if pin.trust == 1), key=_specific):
         aside = bool(_FOR_DEVELOPERS.search(pin.requirement.file))
@@ -33,6 +34,7 @@ def guesses(
             pin.requirement.origin != "prose"
             or _repository(pin.requirement.url) in urls
             or pin.name in known
+            or (pin.requirement.vcs and pin.name.replace("-", "") in own)
             or pin.name == "pip"
             or (pin.name in tooling("installers") and not pin.release)
             or (aside and pin.name in tooling("developers"))

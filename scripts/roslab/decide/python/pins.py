@@ -8,7 +8,7 @@ from typing import NamedTuple
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence
-from roslab.knowledge.frameworks import conda_names, imports
+from roslab.knowledge.frameworks import conda_names, imports, tabled, unstated
 from roslab.knowledge.guesses import same_module
 from roslab.values.conda import CondaPackage
 from roslab.values.name import canonicalize_name
@@ -47,8 +47,18 @@ def pins(evidence: Evidence) -> tuple[Pin, ...]:
     Requirements whose markers exclude every image are left out.
     """
     found = [*_of_files(evidence), *_of_projects(evidence), *_of_conda(evidence), *_of_prose(evidence)]
-    kept = (pin for pin in found if pin.requirement.name and ANY.may(pin.requirement))
-    return tuple(sorted(kept, key=lambda pin: -pin.trust))
+    kept = [pin for pin in found if pin.requirement.name and ANY.may(pin.requirement)]
+    return tuple(sorted((*kept, *_unstated(kept)), key=lambda pin: -pin.trust))
+
+
+def _unstated(found: list[Pin]) -> Iterator[Pin]:
+    """Yield what packages need and do not ask pip for, each as a line of a page beside theirs, unless it is named."""
+    names = {tabled(pin.name) for pin in found if pin.trust}
+    for pin in found:
+        needs = unstated().get(pin.name) if pin.trust else None
+        if needs and (asked := stated(needs, "prose", pin.requirement.file, pin.requirement.line)).key not in names:
+            names.add(asked.key)
+            yield Pin(asked, 1)
 
 
 def _of_files(evidence: Evidence) -> Iterator[Pin]:

@@ -35,6 +35,7 @@ _OPTION = pattern(
 )
 _LONG = {"-i": "--index-url", "-f": "--find-links"}
 _NESTED = pattern(r"^(?:-r|--requirement)[ =]*(\S+)$")
+_COMMENTED = pattern(r"^[ \t]*#[ \t]*(?:-r|--requirement)[ =]*(\S+)", re.MULTILINE)
 _CONSTRAINT = pattern(r"^(?:-c|--constraint)[ =]*(\S+)$")
 
 
@@ -55,7 +56,18 @@ def read(repository: Repository) -> tuple[RequirementFile, ...]:
         there = tuple(constraint for constraint in file.constraints if repository.has(constraint))
         found[path] = replace(file, constraints=there)
         pending += found[path].includes
-    return tuple(found[path] for path in sorted(found))
+    included = {path for file in found.values() for path in file.includes}
+    aside = {path for file in found.values() for path in _left_out(repository, file)} - included
+    return tuple(
+        replace(found[path], purpose="dev") if path in aside and found[path].purpose == "run" else found[path]
+        for path in sorted(found)
+    )
+
+
+def _left_out(repository: Repository, file: RequirementFile) -> list[str]:
+    """Return the files that a file includes in comments alone: only who needs them installs them."""
+    lines = _COMMENTED.findall(repository.read(file.file, limit=MAX_SIZE)) if file.includes else []
+    return [_inside(file.file.rpartition("/")[0], line) for line in lines]
 
 
 def purpose_of(path: str) -> Purpose:

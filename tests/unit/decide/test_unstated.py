@@ -1,0 +1,34 @@
+"""What packages need and do not ask pip for is installed, and decides on the Python."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+CODE = {"train.py": "import stable_baselines\n", "README.md": "```\npython train.py\n```\n"}
+
+
+@pytest.mark.parametrize(
+    ("listed", "guessed", "python"),
+    [
+        ("stable-baselines>=2.10\n", ["tensorflow<2"], "3.7"),
+        ("stable-baselines\ntensorflow-gpu==1.15.0\n", [], "3.7"),
+        ("stable-baselines3\n", [], "3.10"),
+        ("numpy\n", [], "3.10"),
+    ],
+)
+def test_the_framework_behind_a_library(tree: Tree, listed: str, guessed: list[str], python: str) -> None:
+    found = tree({**CODE, "train.py": "import numpy\n", "requirements.txt": listed}).python
+    assert [each.written for each in found.pip_guessed if each.key.startswith("tensorflow")] == guessed
+    assert found.version == python
+
+
+def test_the_repository_itself_is_no_package_to_fetch(tree: Tree) -> None:
+    own = "[project]\nname = 'high-way'\nversion = '1'\ndependencies = ['numpy']\n"
+    page = "```\npip install git+https://github.com/lab/HighWay\npip install git+https://github.com/lab/other\n```\n"
+    found = tree({"pyproject.toml": own, "high_way.py": "import numpy\n", "README.md": page}).python
+    assert [each.name for each in found.pip_guessed] == ["other"]
