@@ -99,6 +99,8 @@ class Python:
     """Folders of the tree that the conda file installs, as it writes them; they are ``projects``."""
     conda_pip: bool = True
     """The conda file has pip install something else."""
+    conda_old_pip: str = ""
+    """The version of pip that the conda file pins and that is not taken: it knows no wheels of today."""
     first: tuple[Requirement, ...] = ()
     """What must be installed before the others are built (numpy, torch, Cython)."""
     bounds: tuple[Requirement, ...] = ()

@@ -35,6 +35,7 @@ class PythonPlan:
     conda_defaults: bool = False
     conda_local: tuple[str, ...] = ()
     conda_pip: bool = True
+    conda_old_pip: str = ""
     git_hosts: tuple[str, ...] = ()
     """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
     copied: tuple[str, ...] = ()
@@ -68,6 +69,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_defaults=python.conda_defaults,
         conda_local=python.conda_local,
         conda_pip=python.conda_pip,
+        conda_old_pip=python.conda_old_pip,
         git_hosts=compiling.hosts,
         copied=compiling.copied,
         cuda_architectures=compiling.architectures,

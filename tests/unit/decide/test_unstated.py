@@ -32,3 +32,9 @@ def test_the_repository_itself_is_no_package_to_fetch(tree: Tree) -> None:
     page = "```\npip install git+https://github.com/lab/HighWay\npip install git+https://github.com/lab/other\n```\n"
     found = tree({"pyproject.toml": own, "high_way.py": "import numpy\n", "README.md": page}).python
     assert [each.name for each in found.pip_guessed] == ["other"]
+
+
+@pytest.mark.parametrize(("pip", "old"), [("pip=9.0.1=py35_4", "9.0.1"), ("pip=21.2", ""), ("pip", ""), ("pip>=9", "")])
+def test_a_pip_that_knows_no_wheels_of_later_days(tree: Tree, pip: str, old: str) -> None:
+    environment = f"name: a\ndependencies:\n  - python=3.5\n  - {pip}\n  - pip:\n    - numpy\n"
+    assert tree({"environment.yml": environment, "a.py": "import numpy\n"}).python.conda_old_pip == old

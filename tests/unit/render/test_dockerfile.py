@@ -487,3 +487,14 @@ def test_a_script_that_compiles_is_run_as_root_and_stops_nothing() -> None:
     source, root, script_at, owner = positions(text, "COPY --chown", "USER root\nRUN cd /home", run, 'RUN find "/home/')
     assert source < root < script_at < owner < text.index("CMD ")
     assert positions(text, "      build-essential", "      cmake", "      python3-dev")
+
+
+def test_an_old_pip_of_a_conda_file_is_not_taken(plan: Callable[..., Plan], tmp_path: Path) -> None:
+    text = dockerfile(plan(manager="conda", conda_file="environment.yml", conda_old_pip="9.0.1"))
+    command = next(line for line in text.splitlines() if " && sed --in-place --regexp" in line or "RUN sed" in line)
+    assert text.index(command) < text.index("micromamba create")
+    file = tmp_path / "environment.yml"
+    file.write_text("dependencies:\n  - pip=9.0.1=py35_4  # old\n  - 'pip==10'\n  - pipx=1\n  - pip:\n    - numpy\n")
+    command = command.strip("RUN &\\").replace("/tmp/manifests/environment.yml", str(file))
+    subprocess.run(["bash", "-c", command], check=True)
+    assert file.read_text() == "dependencies:\n  - pip  # old\n  - 'pip'\n  - pipx=1\n  - pip:\n    - numpy\n"

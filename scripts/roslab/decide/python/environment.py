@@ -35,6 +35,8 @@ from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 from roslab.values.version import minor_of
 
+NEW_WHEELS = Version("20.3")
+"""The first pip that takes every kind of wheel for Linux (PEP 600). https://github.com/pypa/manylinux#readme"""
 _WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}
 _WITH_LOCAL_VERSIONS = frozenset({"torch", "torchvision", "torchaudio"})
 
@@ -98,6 +100,7 @@ def decide_python(
         conda_channels=pixi.channels if pixi else (),
         conda_local=tuple(each.written for each in listed if each.role == "project"),
         conda_pip=any(each.role != "project" for each in listed),
+        conda_old_pip=_old_pip(evidence, conda),
         conda_defaults=not pixi and _default_channels(evidence, conda),
         first=first(everything, chosen.projects),
         bounds=(*bounds.answer, *exact.answer, *build.answer[0], *numpy.answer),
@@ -113,6 +116,7 @@ def decide_python(
         reasons=(
             *own.reasons,
             *_reasons(chosen),
+            *_of_old_pip(answer),
             *kept.values(),
             *bounds.reasons,
             *exact.reasons,
@@ -126,6 +130,19 @@ def decide_python(
             *lost(evidence, kind, chosen),
         ),
     )
+
+
+def _old_pip(evidence: Evidence, conda: str | None) -> str:
+    """Return the pip that an environment pins, if it is too old for the wheels of later days; else ``""``."""
+    packages = (package for each in evidence.conda if each.file == conda for package in each.packages)
+    pinned = next((package.release for package in packages if package.name == "pip" and package.release), "")
+    return pinned if pinned and Version(pinned) < NEW_WHEELS else ""
+
+
+def _of_old_pip(answer: Python) -> Iterator[Reason]:
+    if answer.conda_old_pip and answer.conda_file:
+        why = f"{answer.conda_file} pins {answer.conda_old_pip}, which knows no wheels of later days: it is the newest"
+        yield because("dependencies", "pip", why, Place(file=answer.conda_file), weight=Weight.CONDA_FILE)
 
 
 def _default_channels(evidence: Evidence, conda: str | None) -> bool:

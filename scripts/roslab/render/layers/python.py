@@ -113,6 +113,8 @@ def _conda(plan: Plan) -> str:
         copy = manifests.copy(plan, manifests.of_conda(plan))
         source = f"--file {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}"
     without = _without(python.conda_local, f"{manifests.FOLDER}/{python.conda_file}", others=python.conda_pip)
+    if python.conda_old_pip:
+        without = (*without, _newer_pip(f"{manifests.FOLDER}/{python.conda_file}"))
     more = "CONDA_CHANNELS=defaults " if python.conda_defaults else ""
     lists, file = locks.conda(plan)
     if file:
@@ -138,6 +140,12 @@ def _without(folders: Sequence[str], file: str, *, others: bool) -> tuple[str, .
     entry += "" if others else "|^ *- *pip: *$"
     script = f"\\%{entry}%d"
     return (f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}",)
+
+
+def _newer_pip(file: str) -> str:
+    """Return the command that takes the version off the pip of a conda file."""
+    script = "s/^( *- *[\"']?)pip *= *[^ \"'#]*/\\1pip/"
+    return f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}"
 
 
 def locked(plan: Plan) -> str:
