@@ -272,6 +272,39 @@ def test_vcs_files_for_the_distribution_without_the_repository_itself(tmp_path: 
     ]
 
 
+def _sister(name: str) -> str:
+    return f"repositories:\n  {name}: {{type: git, url: 'https://github.com/lab/{name}.git', version: main}}\n"
+
+
+def test_a_list_that_ci_builds_downstream_names_who_needs_the_repository(tmp_path: Path) -> None:
+    ci = "on: push\njobs:\n  build:\n    uses: lab/ci/.github/workflows/b.yml@v1\n    with:\n"
+    ci += "      upstream_workspace: sisters.jazzy.repos\n      downstream_workspace: users.jazzy.repos\n"
+    files = {"sisters.jazzy.repos": _sister("x"), "users.jazzy.repos": _sister("y"), ".github/workflows/b.yml": ci}
+    found = decided(tmp_path, {**package("a", xml=AMENT), **files}, branch="jazzy")
+    assert found.vcs == ("sisters.jazzy.repos",)
+    both = ci + "      extra: {upstream_workspace: users.jazzy.repos}\n"
+    again = decided(tmp_path, {".github/workflows/b.yml": both}, branch="jazzy")
+    assert again.vcs == ("sisters.jazzy.repos", "users.jazzy.repos")
+
+
+@pytest.mark.parametrize(
+    ("plain", "extra"),
+    [("toolbox.repos", "tools.repos"), ("all.repos", "all_simulation.repos"), ("a.repos", "a-ci.repos")],
+)
+def test_a_list_for_tools_or_tests_is_known_by_whole_words(tmp_path: Path, plain: str, extra: str) -> None:
+    files = {**package("a", xml=AMENT), plain: _sister("x"), extra: _sister("y")}
+    assert decided(tmp_path, files, branch="jazzy").vcs == (plain,)
+
+
+def test_the_repositorys_own_name_says_nothing_of_its_lists(tmp_path: Path) -> None:
+    files = {
+        **package("test_tools", xml=AMENT),
+        "test_tools.repos": _sister("x"),
+        "test_tools_extra.repos": _sister("y"),
+    }
+    assert decided(tmp_path, files, branch="jazzy").vcs == ("test_tools.repos",)
+
+
 def test_a_library_without_a_package_is_built_from_the_table(tmp_path: Path) -> None:
     files = {**package(), "CMakeLists.txt": CMAKE.format(name="demo") + "find_package(Pangolin REQUIRED)\n"}
     (source,) = decided(tmp_path, files).source

@@ -79,7 +79,8 @@ def decide_sources(
         return chosen.choice(())
     itself = {folder_name.lower(), *(name.lower() for name in own if len(own) == 1)}
     known = released(ros_distro or "") | own
-    files = vcs_files(evidence, config, ros_distro, lacking=bool(unreleased(needed, known | rosdep_keys())))
+    lacking = bool(unreleased(needed, known | rosdep_keys()))
+    files = vcs_files(evidence, config, ros_distro, lacking=lacking, itself=itself)
     for git in evidence.sources:
         if git.kind == "vcs" and git.file in files and not itself_in(git, itself):
             chosen.add(git, f"{git.file} lists it")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Set as AbstractSet
 
 from roslab.config.model import Config
 from roslab.evidence.facts import Evidence
@@ -10,23 +11,36 @@ from roslab.knowledge.distros import distros
 from roslab.values.pattern import pattern
 
 _EXTRA = pattern(
-    r"nightly|tools?|simulat|extra|optional|\bci\b|test|debug|docs?|develop|ssh|upstream|example|demo", re.IGNORECASE
+    r"(?<![a-z])(?:nightly|tools?|simulat\w*|extras?|optionals?|ci|test(?:s|ing)?|debug|doc(?:s|umentation)?|develop\w*|"
+    r"ssh|upstream|examples?|demos?)(?![a-z])",
+    re.IGNORECASE,
 )
 _WORDS = pattern(r"[a-z]+")
 
 
-def vcs_files(evidence: Evidence, config: Config, ros_distro: str | None, *, lacking: bool) -> tuple[str, ...]:
+def vcs_files(
+    evidence: Evidence,
+    config: Config,
+    ros_distro: str | None,
+    *,
+    lacking: bool,
+    itself: AbstractSet[str] = frozenset(),
+) -> tuple[str, ...]:
     """Return the vcs files to import: roslab.yaml's, else those for this distribution, else the plainest ones.
 
     ``lacking``: something is needed that no distribution has. Otherwise a list below the root is imported only where a
-    page, a Dockerfile or CI names it: it may be data of a program.
+    page, a Dockerfile or CI names it: it may be data of a program. ``itself``: the repository's names, in lower case,
+    which say nothing of what a list is for. A list that CI builds as its downstream workspace names who needs the
+    repository: https://github.com/ros-industrial/industrial_ci/blob/master/doc/index.rst
     """
     if config.vcs is not None:
         return config.vcs
     files = list(dict.fromkeys(source.file for source in evidence.sources if source.kind == "vcs"))
+    using = _downstream(evidence)
+    files = [file for file in files if _name(file).lower() not in using]
     distinct = [(file, distros_in(_name(file))) for file in files]
     named = [file for file, words in distinct if ros_distro in words]
-    plainest = _plainest(named or [file for file, words in distinct if not words])
+    plainest = _plainest(named or [file for file, words in distinct if not words], itself)
     said = [mention for mention in evidence.mentions if mention.topic == "vcs_file"]
     pages = {mention.value for mention in said if mention.source == "readme"}
     plainest = [file for file in plainest if _name(file).lower() in pages] or plainest
@@ -42,11 +56,22 @@ def distros_in(text: str) -> set[str]:
     return set(_WORDS.findall(text.lower())) & distros().keys()
 
 
-def _plainest(files: list[str]) -> list[str]:
+def _downstream(evidence: Evidence) -> set[str]:
+    """Return the lists that CI names for a downstream workspace, and never for an upstream one."""
+    lines = [(m.value, m.text.lower()) for m in evidence.mentions if m.topic == "vcs_file" and m.source == "ci"]
+    below = {value for value, text in lines if "downstream_workspace" in text}
+    return below - {value for value, text in lines if "upstream_workspace" in text}
+
+
+def _plainest(files: list[str], itself: AbstractSet[str]) -> list[str]:
     """Return the lists of unreleased packages if there are any, else all lists, without those for tests or tools."""
     files = [file for file in files if "not-released" in file] or files
-    plain = [file for file in files if not _EXTRA.search(_name(file))]
+    plain = [file for file in files if not _EXTRA.search(_without(_name(file).lower(), itself))]
     return plain or [file for file in files if "ssh" not in file] or files
+
+
+def _without(name: str, itself: AbstractSet[str]) -> str:
+    return next((name.removeprefix(own) for own in sorted(itself, key=len, reverse=True) if name.startswith(own)), name)
 
 
 def _name(path: str) -> str:
