@@ -35,7 +35,7 @@ from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.missing import decide_missing, marked
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, started
-from roslab.decide.system.own_options import own_options
+from roslab.decide.system.own_options import own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, without_twins
 from roslab.decide.system.recipes import of_another_release, recipes_for
@@ -225,6 +225,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cmake_folder=layout.answer.cmake_folder,
         program_folders=layout.answer.program_folders,
         cmake_options=own_options(evidence, config, folder_name) if build_tool.answer == "cmake" else (),
+        compilers=own_compilers(evidence, config, folder_name) if build_tool.answer == "cmake" else (),
         dockerfile=own.answer.file if own.answer else None,
         context=own.answer.context if own.answer else None,
         bases=mended.answer,

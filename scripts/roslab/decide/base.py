@@ -69,7 +69,7 @@ def decide_base(
         return Choice(answer=BaseImage(image=base.image, ubuntu=ubuntu), reasons=(said,))
     if chosen.answer:
         return _ros(evidence, config, chosen.answer, chosen.reasons[0], cuda)
-    if kind == "cpp" and not cuda.version:
+    if kind == "cpp" and not base.cuda:  # of CUDA's version a page may speak, for those who want it
         return _cpp(evidence, config)
     python = None if kind == "cpp" else python  # for C++ the Ubuntu is chosen without regard to Python
     cudnn = cuda.cudnn if cuda.cudnn_named else None

@@ -10,7 +10,7 @@ from roslab.decide.author_command import entry_point, startable, started
 from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
-from roslab.decide.first_command import first_of, named_like_it, serves, upkeep
+from roslab.decide.first_command import first_of, named_like_it, pointed_at, serves, upkeep
 from roslab.decide.reasons import because, configured
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
@@ -106,6 +106,8 @@ def _obvious(
         others = len({program_of(c.argv) for c in ours if c.strong}) - 1
         why = f"{first.why}, before {others} other{'s' * (others > 1)}" if others else f"the only one: {first.why}"
         return first.argv, because("command", shlex.join(first.argv), why, first, weight=Weight.FIRST)
+    if not dockerfile and (pointed := pointed_at(evidence, kind)) and not upkeep(pointed):
+        return pointed.argv, because("command", shlex.join(pointed.argv), pointed.why, pointed, weight=Weight.FIRST)
     if kind in {"ros1", "ros2", "cpp"} and (named := named_like_it(ours)):
         why = f"{named.why}, named like its package or like a demonstration"
         return named.argv, because("command", shlex.join(named.argv), why, named, weight=Weight.ONLY_ONE)

@@ -163,6 +163,8 @@ class Decision:
     """Packages that are not built, because nothing brings what they require and no other one needs them."""
     cmake_options: tuple[str, ...] = ()
     """What a page tells CMake for the repository itself, where it is no ROS package."""
+    compilers: tuple[tuple[str, str], ...] = ()
+    """The compilers that it names there: the variable and the program."""
     ignored: tuple[str, ...] = ()
     """Folders of packages that are not built, for a build tool that would stop at them."""
     ended: tuple[str, ...] = ()

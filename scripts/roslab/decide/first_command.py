@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate, program_of
+from roslab.evidence.facts import Evidence
 from roslab.values.pattern import pattern
 
 _USAGE = pattern(
@@ -55,6 +57,8 @@ _HELP = pattern(r"^(?:--help|-h|--show-args|-s)$")
 _VALUE = pattern(r"^-{0,2}[\w-]+:?=[-.]*$|^-{3,}$")
 """A value that the reader fills in: ``name:=---``."""
 _DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "simulation", "sim", "system", "example")
+_RUNS = pattern(r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|\.sh$)", re.IGNORECASE)
+"""A script that starts something."""
 MANY = 8
 _SUFFIX = pattern(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?$")
 
@@ -136,6 +140,29 @@ def _lacks(candidate: Candidate) -> bool:
     """Tell whether an argument names a file that the tree does not have, or a value to fill in."""
     arguments = candidate.argv[len(program_of(candidate.argv)) :]
     return any((_DATA.search(word) and word not in candidate.files) or _VALUE.match(word) for word in arguments)
+
+
+def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
+    """Return the launch file, else the script, that a page at the root names without running it.
+
+    A section about running it names the first; elsewhere it must be the only one.
+    """
+    owners = {launch.file: launch for launch in evidence.launch if launch.package and kind == f"ros{launch.ros}"}
+    found: list[Candidate] = []
+    for said in evidence.mentions:
+        argv: tuple[str, ...] = ()
+        if said.topic == "pointed" and (launch := owners.get(said.value)):
+            start = ("roslaunch",) if kind == "ros1" else ("ros2", "launch")
+            argv = (*start, launch.package or "", said.value.rpartition("/")[2])
+        elif said.topic == "pointed" and kind not in {"ros1", "ros2"} and _RUNS.match(said.value.rpartition("/")[2]):
+            argv = ("bash", said.value)
+        if argv:
+            why = "the README names it"
+            found.append(
+                Candidate(argv=argv, why=why, file=said.file, line=said.line, strong=True, heading=said.heading)
+            )
+    shown = [c for c in found if _section(c.heading) > 0]
+    return next(iter(shown or (found if len(found) == 1 and found[0].argv[0] != "bash" else [])), None)
 
 
 def named_like_it(candidates: Iterable[Candidate]) -> Candidate | None:

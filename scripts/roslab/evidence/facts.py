@@ -170,6 +170,7 @@ class Mention:
         "build_script",
         "image_built",
         "image_pulled",
+        "pointed",
     ]
     value: str
     source: Literal[

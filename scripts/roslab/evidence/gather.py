@@ -8,7 +8,7 @@ from roslab.evidence import places, submodules
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import cmake, cpp, cpu
 from roslab.evidence.native.limits import Signs
-from roslab.evidence.prose import author_dockerfile, ci, install_scripts, page_lists, readme, worked_on
+from roslab.evidence.prose import author_dockerfile, ci, install_scripts, page_lists, pointed, readme, worked_on
 from roslab.evidence.prose.installs import merge
 from roslab.evidence.python import conda, imports, limits, pixi, print_statement, project, removed, requirements, tests
 from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, rosbuild, vcs
@@ -63,6 +63,7 @@ def gather(repository: Repository) -> Evidence:
             *distro_names.read(repository),
             *prose.mentions,
             *readme.named(own, programs),
+            *pointed.read(own),
             *print_statement.read(own),
             *(commit_date.read(repository) if manifests or cmake_projects else ()),
         ),

@@ -57,6 +57,8 @@ class Program:
     """A program is called by its name."""
     programs: tuple[str, ...] = ()
     """Further folders that hold its programs."""
+    compilers: tuple[tuple[str, str], ...] = ()
+    """Variables of the environment, each with the compiler that it names if the image has it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -168,6 +170,7 @@ def _program(decision: Decision, config: Config, folder: str) -> Program:
         cmake_options=(*_cmake_options(config), *_of_page(decision, config)),
         on_path=not config.compatible,
         programs=() if config.compatible else programs[:MAX_FOLDERS],
+        compilers=decision.compilers,
     )
 
 

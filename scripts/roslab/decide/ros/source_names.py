@@ -8,10 +8,12 @@ from collections.abc import Iterable
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.released import rosdep_keys
+from roslab.values.pattern import pattern
 
 SHORTEST = 4
 """Fewest letters of a word that can identify a family of packages."""
 _COMMON = frozenset({"msgs", "driver", "drivers", "common", "robot", "core", "tools", "utils", "ros1", "ros2"})
+_BRANCH = pattern(r"(?:[a-z]+[-_])?(?:dev|devel|develop|development|testing|nightly)")
 _TOOLS = frozenset({"catkin", "ament_cmake", "ament_package", "cmake"})
 
 
@@ -26,6 +28,11 @@ def fixed_at(ref: str | None, day: str) -> str | None:
     Such a branch has moved since, and may have been renamed.
     """
     return None if day and moves(ref) else fixed(ref)
+
+
+def drifts(ref: str | None) -> bool:
+    """Tell whether a ref is a branch by its name, whose commits go on: ``develop``, ``noetic-devel``."""
+    return moves(ref) or bool(ref and _BRANCH.fullmatch(ref))
 
 
 def moves(ref: str | None) -> bool:

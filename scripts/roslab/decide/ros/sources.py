@@ -11,7 +11,7 @@ from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
 from roslab.decide.ros.clones import beside, clones, unreleased
 from roslab.decide.ros.distro_dates import dated
-from roslab.decide.ros.source_names import address, asked_for, fixed, fixed_at, itself_in, plain, wanted_names
+from roslab.decide.ros.source_names import address, asked_for, drifts, fixed, fixed_at, itself_in, plain, wanted_names
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
@@ -133,7 +133,7 @@ class _Chosen:
             repo=git.by_ssh if self.by_ssh and git.by_ssh else https(git.url),
             ref=ref,
             build=_IN_WORKSPACE.get(self.build_tool, "none"),
-            before="" if ref else self.before,
+            before="" if ref and not drifts(ref) else self.before,
             place=Place(file=git.file, line=git.line),
         )
         self.reasons.append(because("source", name, why, git, weight=Weight.LISTED))

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.distro_dates import dated
-from roslab.decide.ros.source_names import address, fixed, fixed_at, moves, plain
+from roslab.decide.ros.source_names import address, drifts, fixed, fixed_at, moves, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
@@ -79,7 +79,7 @@ def by_hand(
             name=git.name,
             repo=git.url,
             ref=ref,
-            before="" if ref or date is None else date.value,
+            before="" if (ref and not drifts(ref)) or date is None else date.value,
             build="cmake",
             cmake_options=git.options,
             place=Place(file=git.file, line=git.line),

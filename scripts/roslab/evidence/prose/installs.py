@@ -54,11 +54,14 @@ _TELLING = tuple(
 _RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
 BLANK = pattern(r"<[A-Za-z][^<>|&;\n]{0,60}>|<[\w.-]{1,30}(?:\s?\|\s?[\w.-]{1,30}){1,12}>")
 """A placeholder for the reader of a page to fill in, or to choose: ``<small | large>``."""
+_CHOICE = pattern(r"(?<==)\{\s*([\w.-]+)\s*(?:[,|/]\s*[\w.-]+\s*){1,12}\}")
+"""Values of which the reader chooses one: ``rviz:={true, false}``."""
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
 _APT_NAME = pattern(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
 _PYTHON = pattern(r"^(?:i?python)(\d(?:\.\d+)?)?$")
 _OPTION = pattern(r"-D[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
+_SEPARATE = pattern(r" -D +(?=[A-Za-z_])")
 _BUILD_FOLDER = pattern(r"(?:^|/)build[\w-]*(?:/.*)?$")
 _BUILT = pattern(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
 """The path of a compiled program."""
@@ -107,6 +110,7 @@ class Collector:
         if telling(text):
             if "<" in text and (self.source == "readme" or _RUN.search(text)):
                 text = BLANK.sub("$UNKNOWN", text)  # otherwise `<sensor name>` would be read as a redirection
+            text = _CHOICE.sub(r"\1", text) if "={" in text else text
             for command in commands(text, line, self.variables):
                 for topic, value in steps(command, self.heading, self.folder):
                     self._mention(topic, value.replace(UNKNOWN, "…"), command)
@@ -270,7 +274,8 @@ class Collector:
         if program == "cmake":
             self._mention("build_tool", "cmake", command)
             if not {"--build", "--install"} & {*words}:
-                self.options = " ".join(word for word in words if _OPTION.fullmatch(word))
+                joined = _SEPARATE.sub(" -D", " ".join(words)).split()
+                self.options = " ".join(word for word in joined if _OPTION.fullmatch(word))
                 self._compiled(command)
         if not {"install", "--install"} & {*words}:
             return

@@ -33,7 +33,7 @@ _TEXTS = (".md", ".mdx", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
 _DOCS_PAGE = pattern(
     r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite"
 )
-_FENCE = pattern(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
+FENCE = pattern(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
 """Backquotes that are closed on their own line are inline code. https://spec.commonmark.org/0.31.2/#fenced-code-blocks"""
 _START = pattern(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
@@ -199,13 +199,13 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     while index < len(lines):
         line = lines[index]
         index += 1
-        if _FENCE.match(line[:MAX_LINE]):
+        if FENCE.match(line[:MAX_LINE]):
             fenced = not fenced
             continue
         if not fenced:
             below = lines[index] if index < len(lines) else ""
-            elsewhere = _section(line, below, elsewhere)
-            if heading := _heading(line, below):
+            elsewhere = section_of(line, below, elsewhere)
+            if heading := heading_of(line, below):
                 titles = {level: title for level, title in titles.items() if level < heading[0]} | {
                     heading[0]: heading[1]
                 }
@@ -226,7 +226,7 @@ def _tells(line: str, *, fenced: bool) -> bool:
     return telling(line) or any(each.search(line) for each in said)
 
 
-def _heading(line: str, below: str) -> tuple[int, str] | None:
+def heading_of(line: str, below: str) -> tuple[int, str] | None:
     """Return the level and the title of a heading: ``## Title``, or a line above a line of ``===``."""
     if heading := _HEADING.match(line[:200]):
         return len(heading[1]), heading[2]
@@ -235,9 +235,9 @@ def _heading(line: str, below: str) -> tuple[int, str] | None:
     return None
 
 
-def _section(line: str, below: str, elsewhere: int) -> int:
+def section_of(line: str, below: str, elsewhere: int) -> int:
     """Return the level of the heading under which the text is for another system, 0 if it is for this one."""
-    heading = _heading(line, below)
+    heading = heading_of(line, below)
     if heading is None:
         return elsewhere
     level, title = heading

@@ -227,6 +227,11 @@ def _words(items: Iterable[str]) -> str:
     return "".join(f" {quote.shell(item)}" for item in items)
 
 
+def _compiler(variable: str, name: str) -> str:
+    """Return the command that names a compiler to CMake, the usual one where the image does not have it."""
+    return f'export {variable}="$(command -v {quote.shell(name)} || command -v {"cc" if variable == "CC" else "c++"})"'
+
+
 def compile_program(plan: Plan) -> str:
     """Compile a plain CMake project as the user."""
     program = plan.workspace.program
@@ -238,6 +243,7 @@ def compile_program(plan: Plan) -> str:
         *(f"source {setup}" for setup in setups(plan)),
         f"mkdir --parents {build}",
         f"cd {build}",
+        *(_compiler(variable, name) for variable, name in program.compilers),
         f"cmake{_words(program.cmake_options)} {quote.shell_with_user(source)}",
         f"make --jobs={shell.JOBS}{_words(program.arguments)}",
         TIDY,

@@ -1,0 +1,66 @@
+"""Launch files and scripts of the tree that a page at the root only names in its sentences."""
+
+from __future__ import annotations
+
+from roslab.evidence.facts import Mention
+from roslab.evidence.prose.readme import FENCE, MAX_LINE, heading_of, pages, section_of
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+_FILE = pattern(r"(?<![\w./-])(?:[\w-]+/)*[\w-]+(?:\.launch(?:\.(?:py|xml))?|\.sh)(?![\w/-])")
+_COMMAND = pattern(r"\b(?:roslaunch|rosrun|rosbag|ros2)\s")
+"""A line that runs something: it is read as a command."""
+MOST = 20
+"""Most files that are kept."""
+
+
+def read(repository: Repository) -> tuple[Mention, ...]:
+    """Return each such file once, by its path, with the titles that it stands under."""
+    found: dict[str, Mention] = {}
+    for page in pages(repository):
+        text = repository.read(page) if "/" not in page.path else ""
+        for number, line, heading in _sentences(text) if _FILE.search(text) else ():
+            for match in _FILE.finditer(line):
+                if (path := _path(match[0], repository)) and len(found) < MOST:
+                    said = Mention(
+                        topic="pointed",
+                        value=path,
+                        source="readme",
+                        file=page.path,
+                        line=number,
+                        text=line.strip()[:200],
+                        heading=heading,
+                    )
+                    found.setdefault(path, said)
+    return tuple(found.values())
+
+
+def _path(written: str, repository: Repository) -> str | None:
+    """Return the path of a file of the tree, ``None`` if there is none or several of its name."""
+    if repository.has(written):
+        return written
+    named = [
+        file.path for file in repository.named(written.rpartition("/")[2]) if f"/{file.path}".endswith(f"/{written}")
+    ]
+    return named[0] if len(named) == 1 else None
+
+
+def _sentences(text: str) -> list[tuple[int, str, str]]:
+    """Return the lines outside of blocks and of sections for other systems, each with the titles above it."""
+    lines = text.split("\n")
+    titles: dict[int, str] = {}
+    found: list[tuple[int, str, str]] = []
+    elsewhere, fenced = 0, False
+    for number, line in enumerate(lines, 1):
+        if FENCE.match(line[:MAX_LINE]):
+            fenced = not fenced
+            continue
+        below = lines[number] if number < len(lines) else ""
+        if fenced or len(line) > MAX_LINE:
+            continue
+        elsewhere = section_of(line, below, elsewhere)
+        if title := heading_of(line, below):
+            titles = {level: known for level, known in titles.items() if level < title[0]} | {title[0]: title[1]}
+        elif not elsewhere and not _COMMAND.search(line):
+            found.append((number, line, " / ".join(titles.values())))
+    return found

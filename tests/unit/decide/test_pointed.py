@@ -1,0 +1,87 @@
+"""Launch files and scripts that a page only names, choices in braces, and the compiler of a page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+ROS1 = {
+    "package.xml": PACKAGE,
+    "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+    "launch/track.launch": "<launch/>",
+    "launch/drive.launch": "<launch/>",
+    "launch/debug.launch": "<launch/>",
+}
+CPP = {
+    "CMakeLists.txt": "project(Demo)\nadd_executable(a a.cpp)\nadd_executable(b b.cpp)\n",
+    "a.cpp": "#include <vector>\n",
+    "scripts/run_stereo.sh": "./a\n",
+    "scripts/run_mono.sh": "./b\n",
+    "scripts/make_docs.sh": "doxygen\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("The track.launch file loads the parameters.\n", "roslaunch demo track.launch"),
+        ("See `launch/track.launch`.\n", "roslaunch demo track.launch"),
+        ("Edit track.launch or drive.launch.\n", "bash"),
+        ("Edit track.launch.\n# Usage\nStart drive.launch, then track.launch.\n", "roslaunch demo drive.launch"),
+        ("See other.launch.\n", "bash"),
+        ("```\ncat track.launch\n```\n", "bash"),
+        ("See track.launch.\n```\nroslaunch demo drive.launch\n```\n", "roslaunch demo drive.launch"),
+    ],
+)
+def test_a_launch_file_that_a_sentence_names(tree: Tree, page: str, command: str) -> None:
+    assert " ".join(tree(ROS1 | {"README.md": f"ROS Noetic\n{page}"}).command) == command
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("# Run\nRefer to scripts/run_stereo.sh, or scripts/run_mono.sh.\n", "bash scripts/run_stereo.sh"),
+        ("# About\nRefer to scripts/run_stereo.sh.\n", "bash"),
+        ("# Run\nRefer to scripts/make_docs.sh.\n", "bash"),
+    ],
+)
+def test_a_script_that_a_section_about_running_names(tree: Tree, page: str, command: str) -> None:
+    assert " ".join(tree(CPP | {"README.md": page}).command) == command
+
+
+@pytest.mark.parametrize("choice", ["{true, false}", "{true|false}", "{true,false}"])
+def test_the_first_of_a_choice_is_taken(tree: Tree, choice: str) -> None:
+    page = f"ROS Noetic\n```\nroslaunch demo track.launch rviz:={choice} rate:=9\n```\n"
+    command = tree(ROS1 | {"README.md": page}).command
+    assert command == ("roslaunch", "demo", "track.launch", "rviz:=true", "rate:=9")
+
+
+@pytest.mark.parametrize(
+    ("options", "exported"),
+    [
+        ("-D CMAKE_CXX_COMPILER=g++-10", ['export CXX="$(command -v g++-10 || command -v c++)"']),
+        ("-DCMAKE_C_COMPILER:STRING=/usr/bin/clang-12", ['export CC="$(command -v clang-12 || command -v cc)"']),
+        ("-DCMAKE_CXX_COMPILER=/opt/mine/g++", []),
+    ],
+)
+def test_the_compiler_of_the_page(tmp_path: Path, options: str, exported: list[str]) -> None:
+    for path, text in (CPP | {"README.md": f"```\ncmake -B build {options}\n```\n"}).items():
+        target = tmp_path / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    lines = dockerfile(plan_repository(tmp_path).plan).split("\n")
+    found = [line.strip(" &\\") for line in lines if "command -v" in line and "export C" in line]
+    assert found == exported
+
+
+def test_a_page_that_speaks_of_cuda_changes_no_ubuntu(tree: Tree) -> None:
+    files = CPP | {"README.md": "Ubuntu 18.04. CUDA 7.0 is optional.\n"}
+    assert (tree(files).kind, tree(files).ubuntu) == ("cpp", "bionic")
