@@ -9,14 +9,11 @@ from __future__ import annotations
 
 import argparse
 import dataclasses
-import fcntl
 import json
 import os
 import sys
 import tempfile
-import time
 from pathlib import Path
-from typing import TextIO
 
 from benchmarks.rebuild.builds import Figures
 from benchmarks.rebuild.page import Results, picture, table
@@ -24,8 +21,6 @@ from benchmarks.rebuild.repositories import REPOSITORIES, Change
 from benchmarks.rebuild.ways import CASES, WAYS, measure
 
 RESULTS = Path(__file__).resolve().parent.parent / "results" / "rebuild.json"
-LONGEST_TURN = 400.0
-"""Seconds after which a shared machine is given to others between two builds."""
 
 
 def read() -> Results:
@@ -50,31 +45,6 @@ def write(results: Results) -> None:
         (RESULTS.parent / f"rebuild-{name}.svg").write_text(picture(cases, f"{name}: seconds until it is pushed"))
 
 
-@dataclasses.dataclass
-class Turn:
-    """A lock on a machine that is shared, held for one build after the other until somebody else should have it."""
-
-    file: Path | None
-    handle: TextIO | None = None
-    since: float = 0.0
-
-    def take(self) -> None:
-        """Wait for the lock, unless it is held and not for long yet."""
-        if self.handle and time.monotonic() - self.since > LONGEST_TURN:
-            self.give()
-            time.sleep(2)
-        if self.file and not self.handle:
-            self.handle = self.file.open("w")
-            fcntl.flock(self.handle, fcntl.LOCK_EX)
-            self.since = time.monotonic()
-
-    def give(self) -> None:
-        """Let others have it."""
-        if self.handle:
-            self.handle.close()
-            self.handle = None
-
-
 def main() -> int:
     """Measure what was asked for, keep it, print all that is known."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -83,12 +53,10 @@ def main() -> int:
     parser.add_argument("--way", choices=WAYS, action="append", help="default: all")
     parser.add_argument("--case", choices=CASES, action="append", help="default: all; cold is always built")
     parser.add_argument("--format", choices=("table", "json"), default="table")
-    parser.add_argument("--lock", type=Path, help="a file to lock during each build, where a machine is shared")
     parser.add_argument("--show", action="store_true", help="build nothing, print the last figures")
     options = parser.parse_args()
     cases = tuple(case for case in CASES if case in {"cold", *(options.case or CASES)})
 
-    turn = Turn(options.lock)
     results = read()
     print(f"load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores", file=sys.stderr)
     for repository in REPOSITORIES if not options.show else ():
@@ -99,10 +67,9 @@ def main() -> int:
                 root, place = Path(folder, repository.name), Path(folder, "output")
                 place.mkdir()
                 repository.make(root)
-                for case, found in measure(way, Change(repository, root), place, cases, turn.take):
+                for case, found in measure(way, Change(repository, root), place, cases):
                     results.setdefault(repository.name, {}).setdefault(case, {})[way] = found
                     write(results)
-            turn.give()
     print(dump(results) if options.format == "json" else table(results), end="")
     return 0
 

@@ -7,7 +7,7 @@ import secrets
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
@@ -78,24 +78,20 @@ class Job:
     case: str
 
 
-def measure(
-    way: str, change: Change, place: Path, cases: tuple[str, ...], begin: Callable[[], None]
-) -> Iterator[tuple[str, Figures]]:
+def measure(way: str, change: Change, place: Path, cases: tuple[str, ...]) -> Iterator[tuple[str, Figures]]:
     """Build a repository one way, cold and again after each change, in turn; the changes add up.
 
-    ``place`` is an empty folder, ``begin`` is called before each build. Raises ``FailedBuildError``.
+    ``place`` is an empty folder. Raises ``FailedBuildError``.
     """
     if way == WARM:
-        yield from _measure_container(change, place, cases, begin)
+        yield from _measure_container(change, place, cases)
         return
     with ExitStack() as stack:
-        begin()
         pushed = stack.enter_context(registry())
         runner = None if way.endswith(FRESH) else stack.enter_context(builder())
         for case in cases:
             change.make(case)
             job = Job(way=way, dockerfile=_dockerfile(way, change, place), context=change.root, case=case)
-            begin()
             if runner:
                 found = _build(runner, pushed, job)
             else:
@@ -105,13 +101,10 @@ def measure(
             yield case, found
 
 
-def _measure_container(
-    change: Change, place: Path, cases: tuple[str, ...], begin: Callable[[], None]
-) -> Iterator[tuple[str, Figures]]:
+def _measure_container(change: Change, place: Path, cases: tuple[str, ...]) -> Iterator[tuple[str, Figures]]:
     """Compile in one container, again after each change of what it compiles: no image, no push, nothing installed."""
     name = f"roslab-bench-{secrets.token_hex(4)}"
     (place / "Dockerfile").write_text(INSTALLED.replace("{apt}", ""))
-    begin()
     _docker("buildx", "build", "--load", "--tag", name, "--file", place / "Dockerfile", change.root)
     _docker("run", "--detach", "--name", name, "--volume", f"{change.root}:/catkin_ws/src", name, "sleep", "infinity")
     try:
@@ -119,7 +112,6 @@ def _measure_container(
             if case in {"add-apt", "add-package-xml"}:
                 continue
             change.make(case)
-            begin()
             started = time.monotonic()
             _docker("exec", name, "bash", "-c", MAKE)
             found = Figures(round(time.monotonic() - started, 1), 0, 0, 0, 0)

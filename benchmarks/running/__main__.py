@@ -53,7 +53,7 @@ def main() -> int:
     parser.add_argument("--reading", default="first", metavar="NAME", help="default: first")
     parser.add_argument("--limit", type=int, default=900, metavar="SECONDS", help="for one repository; default: 900")
     parser.add_argument("--logs", type=Path, metavar="FOLDER", help="keep logs and screenshots")
-    parser.add_argument("--most", type=int, metavar="NUMBER", help="measure so many and end: for a shared machine")
+    parser.add_argument("--most", type=int, metavar="NUMBER", help="measure so many and end")
     parser.add_argument("--format", choices=("table", "json"), default="table")
     parser.add_argument("--output", type=Path, default=RESULTS, metavar="FOLDER")
     options = parser.parse_args()
