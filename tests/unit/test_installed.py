@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from roslab.pipeline import plan_repository
-from roslab.plan.installed import IMPORT_SCRIPT, LIBRARIES_SCRIPT, PREFIXES
+from roslab.plan.installed import AMENT_SCRIPT, IMPORT_SCRIPT, LIBRARIES_SCRIPT, PREFIXES
 from roslab.plan.proof import Proof
 
 MANIFEST = (
@@ -91,3 +91,33 @@ def test_what_a_package_lists_and_what_of_it_is_there(
     answer = subprocess.run(words, env={"PYTHONPATH": str(tmp_path)}, capture_output=True, text=True, check=False)
     assert (answer.returncode == 0) == (not failed), answer.stderr
     assert failed in answer.stderr
+
+
+@pytest.mark.parametrize(
+    ("files", "code"),
+    [
+        ((), 1),  # never built
+        (("share/colcon-core/packages/empty", "share/empty/package.sh", "share/empty/hook/a.dsv"), 0),
+        (("share/colcon-core/packages/empty", "share/empty/package.sh", "lib/empty/program"), 1),
+        (("share/colcon-core/packages/empty", "share/empty/package.xml"), 1),
+        (("share/ament_index/resource_index/packages/empty", "share/empty/package.xml"), 0),
+    ],
+)
+def test_a_package_that_was_built_and_installs_nothing_is_told_and_does_not_fail(
+    tmp_path: Path, files: tuple[str, ...], code: int
+) -> None:
+    """Its CMakeLists.txt returns where something optional is absent: no fault, where another package is found."""
+    for file in ("full/share/ament_index/resource_index/packages/full", *(f"empty/{file}" for file in files)):
+        (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / file).touch()
+
+    def asked(*names: str) -> subprocess.CompletedProcess[str]:
+        words = [sys.executable, "-c", AMENT_SCRIPT, *names]
+        path = f"{tmp_path}/full:{tmp_path}/empty"
+        return subprocess.run(words, env={"AMENT_PREFIX_PATH": path}, capture_output=True, text=True, check=False)
+
+    answer = asked("full", "empty")
+    assert answer.returncode == code, answer.stdout
+    indexed = any("ament_index" in file for file in files)
+    assert ("built and install nothing: empty\n" in answer.stdout) == (code == 0 and not indexed)
+    assert asked("empty").returncode == (0 if indexed else 1)

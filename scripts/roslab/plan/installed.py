@@ -49,17 +49,31 @@ A list that was made where the package was built may name folders that were neve
 
 AMENT_SCRIPT = """\
 import os, sys
-prefixes = os.environ.get("AMENT_PREFIX_PATH", "").split(":")
-failed = 0
+prefixes = [prefix for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(":") if prefix]
+spaces = sorted({os.path.dirname(prefix) for prefix in prefixes})
+def empty(name):
+    for top in (os.path.join(space, name) for space in spaces):
+        if os.path.exists(os.path.join(top, "share", "colcon-core", "packages", name)):
+            files = {os.path.relpath(os.path.join(at, file), top) for at, _, here in os.walk(top) for file in here}
+            told = (f"share/{name}/hook/", f"share/{name}/package.", "share/colcon-core/")
+            return f"share/{name}/package.xml" not in files and all(file.startswith(told) for file in files)
+    return False
+found, nothing, failed = [], [], []
 for name in sys.argv[1:]:
     marker = os.path.join("share", "ament_index", "resource_index", "packages", name)
-    found = [prefix for prefix in prefixes if os.path.exists(os.path.join(prefix, marker))]
-    print(name, "in", found[0] if found else "none of AMENT_PREFIX_PATH")
-    failed |= not found
-sys.exit(failed)
+    place = next((prefix for prefix in prefixes if os.path.exists(os.path.join(prefix, marker))), None)
+    (found if place else nothing if empty(name) else failed).append(name)
+    print(name, "in", place or "none of AMENT_PREFIX_PATH")
+if nothing:
+    print("packages that were built and install nothing:", *nothing)
+sys.exit(1 if failed or not found else 0)
 """
 """The index that ``ros2 pkg`` and ament_index_python read; a base without ros2cli has it too.
-https://github.com/ament/ament_cmake/blob/rolling/ament_cmake_core/doc/resource_index.md"""
+https://github.com/ament/ament_cmake/blob/rolling/ament_cmake_core/doc/resource_index.md
+
+A package whose CMakeLists.txt returns early, where something optional is absent, is built and installs nothing: colcon
+then leaves its own files alone below the package's prefix. https://colcon.readthedocs.io/en/released/user/isolated-vs-merged-workspaces.html
+"""
 
 LIBRARIES_SCRIPT = """\
 export LC_ALL=C

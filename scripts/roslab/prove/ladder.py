@@ -61,8 +61,9 @@ def _commands(number: int, proofs: Sequence[Proof], seen: dict[str, Outcome]) ->
 
 
 def _looked_at(outcome: Outcome) -> str:
-    """Return how much a proof looked at, where it says it: nothing is wrong with none."""
-    found = re.search(r"^[a-z ]{1,40} looked at: \d{1,9}$", outcome.output, re.MULTILINE)
+    """Return how much a proof looked at, or which packages are empty, where it says it: nothing is wrong with none."""
+    told = r"^(?:[a-z ]{1,40} looked at: \d{1,9}|packages that were built and install nothing: [\w. -]{1,300})$"
+    found = re.search(told, outcome.output, re.MULTILINE)
     return f" ({found[0]})" if found else ""
 
 
