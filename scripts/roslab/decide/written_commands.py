@@ -13,6 +13,7 @@ from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.prose import copies
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
@@ -68,6 +69,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
             strong = not compiled or not any(places.example(part) for part in argv[:2])
             strong = strong and not (compiled and argv[0].startswith("python"))
             strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)
+            strong = strong and not copies.below(mention.file, evidence.copies)
             yield Candidate(
                 argv=argv,
                 why="the README runs it",

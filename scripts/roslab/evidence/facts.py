@@ -275,9 +275,11 @@ class Evidence:
     bounds: tuple[Removed, ...] = ()
     """Upper bounds of Python packages, from removed names that the code uses."""
     limits: tuple[CodeLimit, ...] = ()
+    """Versions of compilers and libraries that the C++ code compiles with."""
     cmake_modules: frozenset[str] = frozenset()
     """Names that a file of the tree finds for CMake: ``FindNAME.cmake``, ``NAMEConfig.cmake``."""
-    """Versions of compilers and libraries that the C++ code compiles with."""
+    copies: tuple[str, ...] = ()
+    """Folders with packages of somebody else."""
     cuda_files: tuple[str, ...] = ()
     worked_on: tuple[Mention, ...] = ()
     """Days of the repository's commit and of its citation file, in this order."""

@@ -8,7 +8,7 @@ from roslab.evidence import places, submodules
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import cmake, cpp, cpu
 from roslab.evidence.native.limits import Signs
-from roslab.evidence.prose import author_dockerfile, ci, install_scripts, page_lists, pointed, readme, worked_on
+from roslab.evidence.prose import author_dockerfile, ci, copies, install_scripts, page_lists, pointed, readme, worked_on
 from roslab.evidence.prose.installs import merge
 from roslab.evidence.python import conda, imports, limits, pixi, print_statement, project, removed, requirements, tests
 from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, rosbuild, vcs
@@ -71,6 +71,7 @@ def gather(repository: Repository) -> Evidence:
         bounds=removed.read(own),
         limits=(*signs.all(repository), *limits.read(repository)),
         cmake_modules=cmake.modules(repository),
+        copies=copies.read(repository, manifests),
         cuda_files=cpp.cuda_files(repository),
         problems=(
             *repository.problems,

@@ -89,3 +89,23 @@ def test_a_dockerfile_in_a_copy_of_another_project_is_not_the_authors(tmp_path: 
 
     assert purpose({}) == "project"
     assert purpose({"src/other/LICENCE": "GPL\n"}) == "vendored"
+
+
+@pytest.mark.parametrize(
+    ("text", "lacks"),
+    [
+        ("ARG owner\nRUN adduser $owner\n", "line 3 needs a value for owner"),
+        ("ARG OWNER\nRUN apt-get update\nUSER ${OWNER}\n", "line 4 needs a value for OWNER"),
+        ("ARG OWNER=ros\nRUN adduser $OWNER\n", ""),
+        ("ARG OWNER\nENV OWNER=ros\nRUN adduser $OWNER\n", ""),
+        ("ARG OWNER\nRUN adduser ${OWNER:-ros}\n", ""),
+        ("ARG STAMP\nRUN echo $STAMP\n", ""),
+        ("ARG TARGETARCH\nRUN chown $TARGETARCH /tmp\n", ""),
+    ],
+)
+def test_a_value_that_only_the_author_gives(tmp_path: Path, text: str, lacks: str) -> None:
+    (tmp_path / "Dockerfile").write_text(f"FROM ros:noetic-ros-base\n{text}COPY . /ws/src/\n", encoding="utf-8")
+    (tmp_path / "package.xml").write_text("<package><name>a</name></package>", encoding="utf-8")
+    authored = gather(Repository.open(tmp_path)).dockerfiles[0]
+    assert (authored.problem or "").startswith(lacks)
+    assert bool(authored.problem) == bool(lacks)

@@ -274,3 +274,21 @@ def test_what_is_named_like_a_test_is_run_where_a_section_about_running_has_noth
 def test_an_argument_that_a_shell_works_out_is_left_out_whole(tree: Tree) -> None:
     page = "# Run\nros2 launch demo map.launch.py file:='$(find-pkg-share demo)/a.yaml' robot:=a\n"
     assert tree({**ROS2, "README.md": page}).command == ("ros2", "launch", "demo", "map.launch.py", "robot:=a")
+
+
+def test_the_page_of_a_copied_package_says_nothing_about_the_whole(tree: Tree) -> None:
+    def package(folder: str, name: str) -> dict[str, str]:
+        xml = f"<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend></package>"
+        made = f"project({name})\nfind_package(catkin REQUIRED)\n"
+        return {
+            f"{folder}/package.xml": xml,
+            f"{folder}/CMakeLists.txt": made,
+            f"{folder}/launch/{name}.launch": "<launch/>",
+        }
+
+    own = package("src/planner", "planner") | package("src/terrain", "terrain") | {"README.md": "See our page.\n"}
+    copied = package("src/lidar", "lidar") | {"src/lidar/README.md": "```\nroslaunch lidar lidar.launch\n```\n"}
+    assert tree(own | copied).command == ("roslaunch", "lidar", "lidar.launch")
+    assert tree(own | copied | {"src/lidar/LICENSE": "BSD"}).command == ("bash",)
+    both = {"src/terrain/LICENSE": "BSD", "src/terrain/README.md": "Terrain.\n"}
+    assert tree(own | copied | both | {"src/lidar/LICENSE": "BSD"}).command == ("roslaunch", "lidar", "lidar.launch")

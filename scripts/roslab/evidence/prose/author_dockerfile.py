@@ -13,6 +13,7 @@ from roslab.evidence.lex.balance import unbalanced
 from roslab.evidence.lex.dockerfile import Instruction, argv, instructions, sources
 from roslab.evidence.lex.shell import expand
 from roslab.evidence.prose import mentions
+from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field, replace
@@ -119,12 +120,14 @@ class _Reading:
     """Why it does not parse."""
     updates_rosdep: int | None = None
     secrets: list[tuple[str, int]] = field(default_factory=list)
+    values: Values = field(default_factory=Values)
     needs: str | None = None
     """What it needs that a build cannot give it."""
 
     def take(self, instruction: Instruction) -> None:
         """Read one instruction."""
         name, body, line = instruction.name, instruction.text, instruction.line
+        self.needs = self.needs or self.values.missing(name, body, line)
         if not name:
             self.problem = self.problem or f"line {line} is no instruction: {body.strip()[:60]!r}"
         elif self.base is None and name not in {"ARG", "FROM"}:
@@ -140,7 +143,7 @@ class _Reading:
             if _UPDATE.search(body):
                 self.updates_rosdep = self.updates_rosdep or line
             mounts = _MOUNT.findall(body)
-            self.secrets += [(_secret(mount), line) for mount in mounts]
+            self.secrets += [(secret_of(mount), line) for mount in mounts]
             if not mounts and _PRIVATE.search(body):
                 self.needs = self.needs or f"line {line} needs a private key or token"
         elif name in {"COPY", "ADD"}:
@@ -224,18 +227,6 @@ def _collect(collector: Collector, instruction: Instruction) -> None:
         collector.text(text, instruction.line)
     else:
         collector.logical(text, instruction.line)
-
-
-def _secret(mount: str) -> str:
-    """Return the name of the secret that a mount asks for, by BuildKit's own rules for what is left out.
-
-    https://docs.docker.com/reference/dockerfile/#run---mounttypesecret
-    """
-    said = dict(part.partition("=")[::2] for part in mount.split(","))
-    if said.get("type") == "ssh":
-        return "ssh"
-    target = said.get("target") or said.get("dst") or said.get("destination") or ""
-    return said.get("id") or said.get("source") or said.get("src") or target.rpartition("/")[2]
 
 
 def _itself(repository: Repository, clone: GitSource) -> bool:
