@@ -15,6 +15,8 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.values.pattern import pattern
 
+_TOOLS = pattern(r"(?:scripts?|tools?|utils?|bin|misc|dev|etc)/", re.IGNORECASE)
+"""A folder whose programs serve a library, where no page runs them."""
 _TEST = pattern(r"(?:^|[_-])(?:g?tests?|unittests?)(?:[_-]|$)", re.IGNORECASE)
 
 
@@ -86,8 +88,10 @@ def _installed(evidence: Evidence) -> Iterator[Candidate]:
             for script, line in project.scripts:
                 why = "a program that the project installs"
                 yield Candidate(argv=(script,), why=why, file=project.file, line=line, strong=False)
+    library = any(project.installable and not project.folder and project.requirements for project in evidence.python)
     for program in evidence.programs:
         path = program.file
-        if program.kind == "main" and path.count("/") <= 1 and not places.vendored(path) and not places.example(path):
+        aside = places.vendored(path) or places.example(path) or (library and _TOOLS.match(path))
+        if program.kind == "main" and path.count("/") <= 1 and not aside:
             why = "it has a __main__ guard"
             yield Candidate(argv=("python3", path), why=why, file=path, line=program.line, strong=False)

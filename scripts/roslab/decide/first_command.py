@@ -34,7 +34,7 @@ _SERVES = pattern(
 _UPKEEP = pattern(
     r"(?:^|/)(?:\.\w[\w-]*|build[_-]?(?:tools?|utils?|scripts?)|ci|continuous_integration|docs?|documentation|sphinx\w*|"
     r"packaging|releases?|deploy\w*|dev(?:[_-]?tools?)?|maint\w*|admin|debian|conda(?:[._-]recipe)?|recipe)/|"
-    r"(?:^|[/_.-])(?:changelog|release(?:_?notes)?|bump(?:_?version)?|(?:get|update|set)_version|versioneer|publish|upload|"
+    r"(?:^|[/_.-])(?:changelog|release(?:_?notes)?|bump(?:_?version)?|(?:get|update|set|sync|check)_(?:\w+_)?version|versioneer|publish|upload|"
     r"coverage|codecov|stubgen|pre_?commit|git_?hook|noxfile|fabfile|conftest|setup|conf|gen_?docs?|make_?docs?)\.(?:py|sh)$",
     re.IGNORECASE,
 )

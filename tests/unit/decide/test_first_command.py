@@ -292,3 +292,24 @@ def test_the_page_of_a_copied_package_says_nothing_about_the_whole(tree: Tree) -
     assert tree(own | copied | {"src/lidar/LICENSE": "BSD"}).command == ("bash",)
     both = {"src/terrain/LICENSE": "BSD", "src/terrain/README.md": "Terrain.\n"}
     assert tree(own | copied | both | {"src/lidar/LICENSE": "BSD"}).command == ("roslaunch", "lidar", "lidar.launch")
+
+
+@pytest.mark.parametrize(
+    ("start", "command"),
+    [
+        ("torchpack dist-run -np 8 python tools/a.py b.yaml", "python tools/a.py b.yaml"),
+        ("accelerate launch --num_processes 2 tools/a.py b.yaml", "python tools/a.py b.yaml"),
+        ("horovodrun -np 4 -H localhost:4 python tools/a.py", "python tools/a.py"),
+        ("torchpack convert tools/a.py", "bash"),
+    ],
+)
+def test_what_starts_a_program_on_several_gpus_is_not_the_program(tree: Tree, start: str, command: str) -> None:
+    files = {"tools/a.py": "import torch\n", "b.yaml": "a: 1\n", "README.md": f"# Run\n```\n{start}\n```\n"}
+    assert " ".join(tree(files).command) == command
+
+
+def test_a_script_beside_a_library_is_no_program_of_it(tree: Tree) -> None:
+    main = "import numpy\nif __name__ == '__main__':\n    pass\n"
+    own = "[project]\nname = 'swing'\nversion = '1'\ndependencies = ['numpy']\n"
+    assert tree({"pyproject.toml": own, "scripts/gather.py": main}).command == ("bash",)
+    assert tree({"pyproject.toml": own, "scripts/gather.py": main, "simulate.py": main}).command[1] == "simulate.py"

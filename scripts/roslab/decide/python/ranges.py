@@ -76,7 +76,15 @@ def only_lowest(mention: Mention) -> bool:
 
 
 def ranges_by_use(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Range]:
-    """Yield the Pythons of the last wheels that have a name the code uses, if the author does not pin the package."""
+    """Yield the Pythons that still have what the code uses, themselves or in the last wheels of a package.
+
+    A package that the author pins tells nothing.
+    """
+    for limit in evidence.limits:
+        if limit.library == "Python" and limit.below:
+            why = f"the code has {limit.what}, which Python {limit.below} dropped"
+            reason = because("python", f"< {limit.below}", why, limit, weight=Weight.USED)
+            yield Range(_below(Version(limit.below)), reason)
     pinned = {pin.name for pin in pins if pin.trust and (pin.release or pin.requirement.below)}
     for use in evidence.bounds:
         below = use.bound.below
@@ -135,6 +143,10 @@ def _up_to(row: Framework, answer: str, why: str, at: Placed, weight: int) -> Ra
 
 def _between(lowest: Version, highest: Version) -> frozenset[str]:
     return _those(lambda python: lowest <= Version(python) <= highest)
+
+
+def _below(version: Version) -> frozenset[str]:
+    return _those(lambda python: Version(python) < version)
 
 
 def _those(fits: Callable[[str], bool]) -> frozenset[str]:

@@ -34,6 +34,7 @@ _TELLING = tuple(
         ("run", r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s"),
         ("pixi", r"\bpixi\s+shell\b"),
         ("torchrun", r"\btorchrun\s"),
+        ("accelerate", r"\baccelerate\s+launch\s"),
         (".sh", r"\b(?:ba)?sh\s+\S+\.sh\b"),
         ("colcon", r"\bcolcon\b"),
         ("cd", r"\bcd\s"),

@@ -8,9 +8,14 @@ from roslab.values.pattern import pattern
 _PYTHON = pattern(r"^i?python\d?(?:\.\d+)?$")
 _RUNNERS = frozenset({"uv", "poetry", "pipenv", "pdm", "pixi", "rye", "hatch"})
 """Managers of environments: the image is the environment."""
+_LAUNCHERS = {"torchpack": ("dist-run",), "accelerate": ("launch",), "horovodrun": (), "deepspeed": (), "srun": ()}
+"""Programs that start another one on several GPUs, each with the word that says so."""
 _WRAPPERS = frozenset({"xvfb-run", "mpirun", "mpiexec", "torchrun", "nohup", "time"})
 _RUNNER_VALUED = frozenset(
-    {"-n", "-np", "-c", "-s", "-e", "-p", "--with", "--extra", "--group", "--environment", "--python", "--package"}
+    (
+        *("-n", "-np", "-c", "-s", "-e", "-p", "-H", "--num_processes", "--config_file", "--num_gpus"),
+        *("--with", "--extra", "--group", "--environment", "--python", "--package"),
+    )
 )
 """Options whose next word is their value."""
 
@@ -22,6 +27,8 @@ def started(command: Command) -> Command:
         return Command(("python", words[0].removeprefix("./"), *words[1:]), (lines[0], *lines))
     program = words[0].rpartition("/")[2]
     start = 2 if program in _RUNNERS and words[1:2] == ("run",) else 1 if program in _WRAPPERS else 0
+    if program in _LAUNCHERS and words[1 : 1 + len(_LAUNCHERS[program])] == _LAUNCHERS[program]:
+        start = 1 + len(_LAUNCHERS[program])
     while 0 < start < len(words) and words[start].startswith("-"):
         start += 2 if words[start] in _RUNNER_VALUED else 1
     if not 0 < start < len(words):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from packaging.version import Version
+
 from roslab.evidence import places
 from roslab.evidence.facts import CodeLimit
 from roslab.evidence.python.imports import MAX_READ, modules
@@ -27,6 +29,8 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
         for sign in signs:
             if (sign.where == "launch") != launch or not any(hint in text for hint in sign.hints):
                 continue
+            if sign.below and node and not launch:
+                continue  # a node of ROS has the Python of its distribution, whatever one of its modules needs
             library = NODES if node and not launch else sign.library
             if (library, sign.what) not in found and (place := _first(sign, text)):
                 line = text.count("\n", 0, place) + 1
@@ -39,8 +43,15 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
                     line=line,
                 )
     all_found = tuple(found.values())
-    both = {limit.library for limit in all_found if limit.below} & {each.library for each in all_found if each.at_least}
-    return tuple(limit for limit in all_found if limit.library not in both)
+    return tuple(limit for limit in all_found if not _contradicted(limit, all_found))
+
+
+def _contradicted(limit: CodeLimit, others: tuple[CodeLimit, ...]) -> bool:
+    """Tell whether other code needs what this limit rules out: the tree is written for both."""
+    same = [other for other in others if other.library == limit.library]
+    lowest = max((Version(other.at_least) for other in same if other.at_least), default=None)
+    highest = min((Version(other.below) for other in same if other.below), default=None)
+    return lowest is not None and highest is not None and highest <= lowest
 
 
 def _first(sign: Limit, text: str) -> int | None:
