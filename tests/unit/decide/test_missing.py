@@ -128,3 +128,12 @@ def test_a_package_that_only_starts_another(tree: Tree) -> None:
         "</package>", "<exec_depend>driver</exec_depend></package>"
     )
     assert tree(files).left_out == ("driver",)
+
+
+@pytest.mark.parametrize(("key", "left_out"), [("acme_client", ()), ("rclcpp", ("driver",))])
+def test_what_a_cloned_package_brings_may_have_another_name_for_cmake(
+    tree: Tree, key: str, left_out: tuple[str, ...]
+) -> None:
+    listed = "repositories:\n  acme: {type: git, url: 'https://github.com/acme/acme.git', version: '1.0'}\n"
+    files = package("driver", "find_package(AcmeClientLibrary REQUIRED)\n", needs=key) | package("planner")
+    assert tree({**files, "a.repos": listed}).left_out == left_out

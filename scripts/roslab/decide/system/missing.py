@@ -67,10 +67,11 @@ def decide_missing(
     provided = (*provided, *(key for key in keys if key in known or kind == "cpp"))
     ended = ended_in(packages, target.ros_distro, provided)
     names = {plain(name) for name in provided}
+    unsure = {m.name for m in packages.built if any(_of_a_clone(d, known | packages.names) for d in m.dependencies)}
     lacking = {
         package: asked
         for package, asked in (_of_program if kind == "cpp" else _required)(evidence, packages)
-        if not (cloned and asked.namespace == "ros")
+        if not (cloned and (asked.namespace == "ros" or package in unsure))
         if not resolve(asked, target).known and not any(plain(asked.name) in name for name in names)
     }
     started = (command if isinstance(command, str) else shlex.join(command)).split()
@@ -93,6 +94,11 @@ def decide_missing(
         warnings=tuple(warnings),
         reasons=tuple(because("dependencies", name, why, asked, weight=ENDED) for name, asked in ended.items()),
     )
+
+
+def _of_a_clone(asked: Dependency, known: frozenset[str]) -> bool:
+    """Tell whether a key may be a cloned package's, which CMake may find by a name of its own."""
+    return asked.namespace == "rosdep" and asked.role not in {"test", "doc"} and asked.name not in known
 
 
 def _needing(package: str, packages: Packages) -> list[str]:

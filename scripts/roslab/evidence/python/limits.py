@@ -48,10 +48,11 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
 
 def _contradicted(limit: CodeLimit, others: tuple[CodeLimit, ...]) -> bool:
     """Tell whether other code needs what this limit rules out: the tree is written for both."""
-    same = [other for other in others if other.library == limit.library]
-    lowest = max((Version(other.at_least) for other in same if other.at_least), default=None)
-    highest = min((Version(other.below) for other in same if other.below), default=None)
-    return lowest is not None and highest is not None and highest <= lowest
+    lowest = [other.at_least for other in others if other.library == limit.library and other.at_least]
+    highest = [other.below for other in others if other.library == limit.library and other.below]
+    if not (lowest and highest):
+        return False
+    return limit.library != "Python" or min(map(Version, highest)) <= max(map(Version, lowest))
 
 
 def _first(sign: Limit, text: str) -> int | None:
