@@ -42,6 +42,7 @@ from roslab.decide.system.recipes import of_another_release, recipes_for
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.evidence.native.cpu import told
 from roslab.values.dataclass import replace
 
 _ROS: frozenset[Kind] = frozenset({"ros1", "ros2"})
@@ -225,6 +226,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cmake_folder=layout.answer.cmake_folder,
         program_folders=layout.answer.program_folders,
         cmake_options=own_options(evidence, config, folder_name) if build_tool.answer == "cmake" else (),
+        native=told(evidence.problems) and not config.compatible,
         compilers=own_compilers(evidence, config, folder_name) if build_tool.answer == "cmake" else (),
         dockerfile=own.answer.file if own.answer else None,
         context=own.answer.context if own.answer else None,

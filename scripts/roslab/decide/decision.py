@@ -163,6 +163,8 @@ class Decision:
     """Packages that are not built, because nothing brings what they require and no other one needs them."""
     cmake_options: tuple[str, ...] = ()
     """What a page tells CMake for the repository itself, where it is no ROS package."""
+    native: bool = False
+    """CMake files compile for the processor of the machine that builds."""
     compilers: tuple[tuple[str, str], ...] = ()
     """The compilers that it names there: the variable and the program."""
     ignored: tuple[str, ...] = ()

@@ -82,6 +82,8 @@ class Workspace:
     python_projects: tuple[str, ...]
     unread: tuple[str, ...] = ()
     """Names at the top of the repository that no build file names."""
+    native: bool
+    """What is compiled for the processor of the machine that builds is compiled for all processors of a platform."""
     links: tuple[tuple[str, str], ...]
     """Name and target of the links that keep the paths of an image in an old format."""
 
@@ -113,6 +115,7 @@ def workspace(
         scripts=tuple((script.folder, script.command) for script in decision.scripts),
         python_projects=decision.python.projects,
         unread=unread,
+        native=decision.native,
         links=tuple(links),
     )
 

@@ -75,6 +75,7 @@ TODAY = Order(
         python.versions,
         python.projects,
         workspace.own_projects,
+        workspace.any_processor,
         workspace.own_scripts,
         workspace.compile_inside,
         *END,

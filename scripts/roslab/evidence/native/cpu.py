@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.repository.checkout import Repository
@@ -15,6 +15,12 @@ MAX_SIZE = 64 * 1024
 _NATIVE = pattern(r"^[^#\n]*?(-m(?:arch|cpu)=native)\b", re.MULTILINE)
 
 
+_WHY = (
+    " compiles for the processor of the machine that builds the image: on another one its programs may stop with an "
+    "illegal instruction; a generated Dockerfile compiles for usual PCs since 2013, or for ARM of 64 bits, in its place"
+)
+
+
 def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
     """Yield what the author should know of the first such option: the message, the file and the line."""
     files = [*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake")]
@@ -22,9 +28,10 @@ def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
     for file in sorted(kept, key=lambda f: (places.vendored(f.path), f.path.count("/"), f.path))[:MAX_FILES]:
         text = repository.read(file)
         if "=native" in text and (match := _NATIVE.search(text)):
-            message = (
-                f"{match[1]} compiles for the processor of the machine that builds the image: on another one its "
-                "programs may stop with an illegal instruction; take it out, or name an older processor"
-            )
-            yield message, file.path, text.count("\n", 0, match.start(1)) + 1
+            yield f"{match[1]}{_WHY}", file.path, text.count("\n", 0, match.start(1)) + 1
             return
+
+
+def told(problems: Iterable[tuple[str, str | None, int | None]]) -> bool:
+    """Tell whether ``read`` found such an option."""
+    return any(message.endswith(_WHY) for message, _, _ in problems)

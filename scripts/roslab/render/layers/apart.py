@@ -29,7 +29,8 @@ def source_stage(plan: Plan) -> str:
 def compiled(plan: Plan) -> str:
     """Compile what the source holds."""
     copy = workspace.source_copied(plan, f"--from={SOURCE} ", "/")
-    parts = (copy, workspace.compile_again(plan), workspace.compile_program(plan))
+    compile_all = (workspace.any_processor(plan), workspace.compile_again(plan), workspace.compile_program(plan))
+    parts = (copy, *compile_all)
     return "\n".join(part for part in parts if part)
 
 

@@ -133,6 +133,16 @@ def setups(plan: Plan) -> list[str]:
     return found
 
 
+def any_processor(plan: Plan) -> str:
+    """Let what is compiled run on all machines of a platform."""
+    place = plan.workspace
+    if not place.native or not (place.ros or place.program or place.inside):
+        return ""
+    folder = f"{WS}/src" if place.ros else quote.shell_with_user(source_folder(plan))
+    comment = "For every machine of the platform, not only for the one that builds"
+    return f"USER ${{NB_USER}}\n{shell.call('any-processor', f' {folder}', comment=comment)}"
+
+
 def compile_inside(plan: Plan) -> str:
     """Compile the libraries that lie in the repository, where the build looks for them."""
     if not plan.workspace.inside:

@@ -1,0 +1,52 @@
+"""What is compiled for the processor of the machine that builds is compiled for all of its platform."""
+
+from __future__ import annotations
+
+import platform
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from roslab.pipeline import plan_repository
+from roslab.render import image_scripts
+from roslab.render.dockerfile import dockerfile
+
+NATIVE = 'set(CMAKE_CXX_FLAGS "-O3 -march=native")\n'
+CPP = {"CMakeLists.txt": f"project(demo)\n{NATIVE}add_executable(a a.cpp)\n", "a.cpp": "int main() {}\n"}
+ROS1 = {
+    "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "CMakeLists.txt": f"project(demo)\nfind_package(catkin REQUIRED)\n{NATIVE}",
+}
+
+
+def written(folder: Path, files: dict[str, str]) -> str:
+    for path, text in files.items():
+        (folder / path).write_text(text, encoding="utf-8")
+    return dockerfile(plan_repository(folder).plan)
+
+
+@pytest.mark.parametrize(("files", "folder"), [(CPP, "/home/${NB_USER}/"), (ROS1, "/home/${NB_USER}/ws/src\n")])
+def test_the_option_is_replaced_before_anything_is_compiled(tmp_path: Path, files: dict[str, str], folder: str) -> None:
+    text = written(tmp_path, files)
+    assert f"\nRUN any-processor {folder}" in text
+    compiled = text.index("catkin_make -j") if files is ROS1 else text.index(" && cmake -D")
+    assert text.index("\nRUN any-processor") < compiled
+
+
+def test_nothing_is_replaced_where_nothing_is_said(tmp_path: Path) -> None:
+    files = {name: text.replace("native", "x86-64") for name, text in CPP.items()}
+    assert "any-processor" not in written(tmp_path, files)
+
+
+@pytest.mark.skipif(platform.machine() != "x86_64", reason="the words are those of a PC")
+def test_the_script_replaces_the_option_in_cmake_files_only(tmp_path: Path) -> None:
+    said = "add_compile_options(-march=native -mtune=native -marchnative)\n"
+    (tmp_path / "a folder").mkdir()
+    for name in ("a folder/CMakeLists.txt", "flags.cmake", "README.md"):
+        (tmp_path / name).write_text(said, encoding="utf-8")
+    script = Path(image_scripts.__path__[0]) / "any-processor.sh"
+    subprocess.run(["bash", str(script), str(tmp_path)], check=True)
+    other = "add_compile_options(-march=core-avx2 -mtune=native -marchnative)\n"
+    found = [(tmp_path / name).read_text() for name in ("a folder/CMakeLists.txt", "flags.cmake", "README.md")]
+    assert found == [other, other, said]
