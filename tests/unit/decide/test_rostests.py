@@ -102,3 +102,33 @@ def test_ctest(tmp_path: Path) -> None:
     assert [(proof.name, proof.command[4:]) for proof in plan.proofs if proof.rung == 4] == [
         ("the repository's tests of CMake", ("arm-build",))
     ]
+
+
+LISTED = "cmake_minimum_required(VERSION 3.8)\nproject(arm)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+
+
+@pytest.mark.parametrize(
+    ("registered", "tried"),
+    [
+        ("add_launch_test(test/a_test.py)\n# add_launch_test(test/b_test.py)\n", ["test/a_test.py"]),
+        ('add_ros_test(\n  "test/b_test.py" TIMEOUT 9)\n', ["test/b_test.py"]),
+        ("add_launch_test(${each})\n", ["test/a_test.py", "test/b_test.py"]),
+        ("add_test(test/a_test.py)\n", ["test/a_test.py", "test/b_test.py"]),
+        ("", ["test/a_test.py", "test/b_test.py"]),
+    ],
+)
+def test_a_launch_test_that_its_package_does_not_register_is_left_out(
+    tmp_path: Path, registered: str, tried: list[str]
+) -> None:
+    """It may be a leftover: the author's own test run does not start it."""
+    launched = "import launch_testing\ndef generate_test_description():\n    pass\n"
+    manifest = "<buildtool_depend>ament_cmake</buildtool_depend><export><build_type>ament_cmake</build_type></export>"
+    xml = (
+        f"<package format='3'><name>arm</name><version>1.0.0</version><description>x</description>{manifest}</package>"
+    )
+    files = {"package.xml": xml, "CMakeLists.txt": LISTED + registered}
+    for name, text in {**files, "test/a_test.py": launched, "test/b_test.py": launched}.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    found = [proof for proof in plan_repository(tmp_path, branch="jazzy").plan.proofs if proof.rung == 4]
+    assert [list(proof.command[4:]) for proof in found] == [tried]
