@@ -470,3 +470,20 @@ def test_a_list_below_the_root_is_imported_where_something_is_lacking_or_a_page_
 def test_messages_that_no_distribution_released_are_cloned_as_of_the_last_commit(tmp_path: Path) -> None:
     found = decided(tmp_path, package(xml=AMENT.replace("rclcpp", "px4_msgs")), branch="humble")
     assert [(s.name, s.ref) for s in found.source] == [("px4_msgs", None)]
+
+
+def test_the_dockerfiles_of_copied_packages_are_no_family(tmp_path: Path) -> None:
+    copied: dict[str, str] = {}
+    for name, distro in (("x", "humble"), ("y", "foxy"), ("z", "iron")):
+        copied |= package(name, AMENT, f"src/lib/{name}") | {
+            f"src/lib/{name}/Dockerfile": f"FROM ros:{distro}\nCOPY . /w\n"
+        }
+        copied |= {f"src/lib/{name}/README.md": "A.\n", f"src/lib/{name}/LICENSE": "MIT\n"}
+    files = {**copied, **package("b", AMENT, "src/b"), "README.md": "[![ROS Version Jazzy](https://x/ROS-Jazzy)](x)\n"}
+    assert decided(tmp_path, files, branch="main").ros_distro == "jazzy"
+
+
+def test_the_channel_of_conda_s_packages_names_the_distribution(tmp_path: Path) -> None:
+    pixi = '[workspace]\nchannels = ["robostack-jazzy", "conda-forge"]\n[dependencies]\nros-jazzy-desktop = "*"\n'
+    files = {**package(xml=AMENT), "pixi.toml": pixi, "README.md": "Tested with ROS 2 Humble.\n"}
+    assert decided(tmp_path, files, branch="main").ros_distro == "jazzy"

@@ -59,6 +59,7 @@ class Weight:
     }
     COPIES = 20  # added for a Dockerfile that copies this source
     CI_IMAGE = 520  # of ROS's own; somebody's image for a tool may be older than what CI tests
+    CHANNEL = 510  # of conda's packages of ROS: it is what the author runs
     FAMILY = 440  # one of a family of images, one for each distribution
     PLACE: ClassVar = {
         "ci": 500,  # it is tested there at every push
@@ -86,7 +87,8 @@ class Weight:
 def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
     """Return the best reason for each distribution of a ROS version that is named anywhere."""
     found: dict[str, Reason] = {}
-    for reason in (*_dockerfiles(evidence), *_mentions(evidence, ros), *_branches(evidence, ros)):
+    read = (*_dockerfiles(evidence), *_mentions(evidence, ros), *_branches(evidence, ros), *_channels(evidence))
+    for reason in read:
         known = distros().get(reason.answer)
         if known is None or known.ros != ros:
             continue
@@ -128,10 +130,12 @@ def stale(reason: Reason, day: str | None) -> bool:
 
 def _dockerfiles(evidence: Evidence) -> Iterator[Reason]:
     """Yield the distributions of the author's Dockerfiles: the project's before CI's, then by depth."""
-    named = {name for authored in evidence.dockerfiles for name in _names(authored.base or "")}
+    own = [authored for authored in evidence.dockerfiles if authored.purpose != "vendored"]
+    named = {name for authored in own for name in _names(authored.base or "")}
     for authored in evidence.dockerfiles:
         for name in _names(authored.base or ""):
-            weight = _dockerfile_weight(authored) if len(named) <= FAMILY else Weight.FAMILY
+            family = authored in own and len(named) > FAMILY
+            weight = Weight.FAMILY if family else _dockerfile_weight(authored)
             why = f"the author's image starts from {authored.base}"
             place = Place(file=authored.file, line=authored.base_line)
             yield because("ros_distro", name, why, place, weight=weight)
@@ -148,9 +152,11 @@ def _names(image: str) -> list[str]:
 
 
 def _mentions(evidence: Evidence, ros: int) -> Iterator[Reason]:
+    copied = {authored.file for authored in evidence.dockerfiles if authored.purpose == "vendored"}
     for mention in evidence.mentions:
         if mention.topic == "distro" and mention.value in distros():
             why, weight = _weighed(mention)
+            weight = min(weight, Weight.VENDORED) if mention.file in copied else weight
             yield because("ros_distro", mention.value, why, mention, weight=weight)
         elif mention.topic == "ubuntu" and mention.source in Weight.UBUNTU:
             yield from _ubuntu(mention, ros)
@@ -205,6 +211,15 @@ def _spoken(sentence: str) -> int:
         return Weight.EXAMPLE
     weight = Weight.RECOMMENDED if _RECOMMENDED.search(sentence) else weight
     return weight - (Weight.AGAINST if _AGAINST.search(sentence) else 0)
+
+
+def _channels(evidence: Evidence) -> Iterator[Reason]:
+    """Yield the distribution whose packages a conda environment or pixi takes: ``robostack-jazzy``."""
+    for environment in evidence.conda:
+        for channel in environment.channels if not places.vendored(environment.file) else ():
+            for name in _names(channel) if "robostack" in channel else ():
+                weight = Weight.CHANNEL - Weight.DEEPER * environment.file.count("/")
+                yield because("ros_distro", name, f"its packages come from {channel}", environment, weight=weight)
 
 
 def _branches(evidence: Evidence, ros: int) -> Iterator[Reason]:
