@@ -36,6 +36,13 @@ class Recipe:
     options: tuple[str, ...]
 
 
+@cache
+def recipe_at(url: str) -> str | None:
+    """Return the name of the library that the table builds from an address, in lower case and without ``.git``."""
+    found = ((name, row["repo"]) for name, row in _table().items() if isinstance(row, dict))
+    return next((name for name, repo in found if repo.lower().removesuffix(".git") == url), None)
+
+
 def recipe(name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]] = NO_BOUNDS) -> tuple[Recipe, ...]:
     """Return what to build for a library, its own needs first; empty if the table does not have it.
 

@@ -7,6 +7,7 @@ import shlex
 from collections.abc import Iterable
 from typing import Any
 
+from roslab.config.model import Source
 from roslab.decide.decision import Decision, Reason
 from roslab.plan.plan import Plan
 from roslab.repository.checkout import printable
@@ -79,7 +80,7 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
     lines += _section("upstreams that no longer answer → what replaces them", gone, rows=True)
     lines += _section(
         "from source",
-        (f"{s.name} {s.repo or s.zip or ''} {s.ref or '(no fixed ref)'}".strip() for s in decision.source),
+        (f"{s.name} {s.repo or s.zip or ''} {_ref(s)}".strip() for s in decision.source),
         rows=True,
     )
     command = decision.command if isinstance(decision.command, str) else shlex.join(decision.command)
@@ -162,3 +163,8 @@ def _section(title: str, items: Iterable[str], *, rows: bool = False) -> list[st
             current = " "
         current += f" {value}"
     return ["", f"{title} ({len(values)}):", *lines, current]
+
+
+def _ref(source: Source) -> str:
+    day = f"as of {source.before}" if source.before else ""
+    return " ".join(word for word in (source.ref, day) if word) or "(no fixed ref)"

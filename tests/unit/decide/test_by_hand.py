@@ -183,3 +183,18 @@ def test_a_copy_that_the_page_clones_is_the_only_one(tree: Tree) -> None:
 def test_what_only_a_package_xml_names_is_not_cloned(tree: Tree) -> None:
     listed = "find_package(catkin REQUIRED COMPONENTS roscpp)\n"
     assert tree(ros1(listed, "") | {"package.xml": NEEDS_VIKIT}).source == ()
+
+
+LISTED = """\
+- git: {local-name: gtsam, uri: 'https://github.com/borglab/gtsam.git', version: VERSION}
+- git: {local-name: acme, uri: 'https://github.com/lab/acme.git', version: v1}
+"""
+
+
+@pytest.mark.parametrize(("version", "ref"), [("4.1.1", "4.1.1"), ("develop", "develop"), ("master", "4.0.3")])
+def test_a_library_in_a_list_is_built_before_the_workspace(tree: Tree, version: str, ref: str) -> None:
+    files = ros1("find_package(GTSAM REQUIRED)\n", "") | {"demo.rosinstall": LISTED.replace("VERSION", version)}
+    assert [(s.name, s.ref, s.build) for s in tree(files).source] == [
+        ("gtsam", ref, "cmake"),
+        ("acme", "v1", "catkin_make"),
+    ]

@@ -16,6 +16,7 @@ from roslab.decide.ros.vcs_files import vcs_files
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
+from roslab.knowledge.recipes import recipe_at
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.knowledge.ros_sources import RosSource, ros_sources
 from roslab.values.dataclass import dataclass, field, replace
@@ -83,7 +84,11 @@ def decide_sources(
     files = vcs_files(evidence, config, ros_distro, lacking=lacking, itself=itself)
     for git in evidence.sources:
         if git.kind == "vcs" and git.file in files and not itself_in(git, itself):
-            chosen.add(git, f"{git.file} lists it")
+            library = recipe_at(address(git.url)) if kind == "ros1" and not config.compatible else None
+            if library:  # plain CMake, in which catkin sees no package
+                chosen.library(library, git)
+            else:
+                chosen.add(git, f"{git.file} lists it")
     wanted = wanted_names(needed)
     answered: set[str] = set()
     for git in clones(evidence, ros_distro):
@@ -170,6 +175,13 @@ class _Chosen:
                 self.empty.append(empty)
                 self._linked(git, self.ros)
             self.reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
+
+    def library(self, name: str, git: GitSource) -> None:
+        """Note a library of the table that a list names: it is built before the workspace."""
+        asked = Dependency(
+            namespace="cmake", name=git.name, strength="declared", file=git.file, line=git.line, role="build"
+        )
+        self.libraries.setdefault(name, asked)
 
     def _linked(self, git: GitSource, ros: int) -> None:
         """Note the library that a submodule links, if the table of unreleased packages knows the submodule."""

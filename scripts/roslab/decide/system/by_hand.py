@@ -24,23 +24,27 @@ SHORTEST = 3
 def as_written(
     sources: Iterable[tuple[Source, Dependency]], evidence: Evidence
 ) -> tuple[tuple[Source, Dependency], ...]:
-    """Give the libraries of the table the ref and the options with which a page builds them by hand."""
-    by_url = {address(git.url): git for git in _installed(evidence)}
-    return tuple((_like(source, by_url.get(address(source.repo or ""))), asked) for source, asked in sources)
+    """Give the libraries of the table the ref of a list, or the ref and the options with which a page builds them."""
+    by_url = {address(git.url): git for git in evidence.sources if git.kind == "vcs"}
+    by_url |= {address(git.url): git for git in _installed(evidence)}
+    date = dated(evidence)
+    day = date.value if date else ""
+    return tuple((_like(source, by_url.get(address(source.repo or "")), day), asked) for source, asked in sources)
 
 
 def _installed(evidence: Evidence) -> Iterator[GitSource]:
     return (git for git in evidence.sources if git.installed and not places.vendored(git.file))
 
 
-def _like(source: Source, git: GitSource | None) -> Source:
+def _like(source: Source, git: GitSource | None, day: str) -> Source:
     if git is None or not (ref := fixed(git.ref)):
         return source
     said = {word.partition("=")[0] for word in git.options.split()}
     ours = (word for word in source.cmake_options.split() if word.partition("=")[0] not in said)
     place = Place(file=git.file, line=git.line)
     ref = source.ref if moves(ref) and source.ref else ref
-    return replace(source, ref=ref, cmake_options=" ".join((*ours, git.options)).strip(), place=place)
+    before = day if drifts(ref) else source.before
+    return replace(source, ref=ref, before=before, cmake_options=" ".join((*ours, git.options)).strip(), place=place)
 
 
 def _bare(name: str) -> str:
