@@ -16,11 +16,13 @@ from roslab.decide.mended_bases import decide_bases
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.proof import compiled, decide_test, rostests
+from roslab.decide.python.cloned import with_cloned
 from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
 from roslab.decide.python.fetched import with_fetched
 from roslab.decide.python.installed import installed
 from roslab.decide.python.own import decide_version
+from roslab.decide.python.paths import python_path
 from roslab.decide.python.pins import pins
 from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
@@ -58,7 +60,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence, config = narrowed(evidence, config)
     day, pip_day, evidence = decide_days(evidence, config)
     kind = decide_kind(evidence, config, folder_name)
-    evidence = with_fetched(evidence)
+    evidence = with_cloned(with_fetched(evidence), kind.answer, folder_name)
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
     mentioned = pins(evidence)
@@ -216,6 +218,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         vcs=sources.answer.vcs,
         submodules=() if own.answer else sources.answer.submodules,
         inside=inside.answer,
+        python_path=python_path(evidence, config, kind.answer),
         scripts=() if own.answer else scripts.answer,
         packages=tuple(m.file for m in packages.built if m.name not in left_out) if kind.answer in _ROS else (),
         package_names=tuple(name for name in _names(packages, kind.answer) if name not in left_out),

@@ -153,6 +153,8 @@ class Decision:
     """Submodules that are not checked out and are cloned in the image, each at its path."""
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of copied libraries that are compiled where they lie, each with the options of CMake."""
+    python_path: tuple[str, ...] = ()
+    """Folders of the repository on PYTHONPATH, ``.`` for the root."""
     scripts: tuple[OwnScript, ...] = ()
     """Scripts of the repository that compile something, in the order of the README."""
     packages: tuple[str, ...] = ()

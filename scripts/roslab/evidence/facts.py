@@ -168,6 +168,7 @@ class Mention:
         "compiled",
         "step",
         "build_script",
+        "python_path",
         "image_built",
         "image_pulled",
         "pointed",

@@ -79,6 +79,8 @@ class Workspace:
     """Folders of the repository, each with CMake's options, that are compiled where they lie before all else."""
     scripts: tuple[tuple[str, str], ...] = ()
     """Folders of the repository, ``""`` for its own, each with a command that compiles something there."""
+    python_path: tuple[str, ...] = ()
+    """Folders of the repository on PYTHONPATH, ``.`` for its own."""
     python_projects: tuple[str, ...]
     unread: tuple[str, ...] = ()
     """Names at the top of the repository that no build file names."""
@@ -113,6 +115,7 @@ def workspace(
         submodules=decision.submodules,
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
         scripts=tuple((script.folder, script.command) for script in decision.scripts),
+        python_path=decision.python_path,
         python_projects=decision.python.projects,
         unread=unread,
         native=decision.native,

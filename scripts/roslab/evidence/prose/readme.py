@@ -14,7 +14,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
-from roslab.evidence.prose import mentions
+from roslab.evidence.prose import mentions, python_path
 from roslab.evidence.prose.installs import BLANK, Collector, merge, telling
 from roslab.evidence.prose.own_scripts import checked
 from roslab.repository.checkout import File, Repository
@@ -82,7 +82,10 @@ _RST_LINE = pattern(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
 
 def read(repository: Repository) -> Prose:
     """Return the install and run lines and the versions of the pages that explain how to install."""
-    return merge(_rooted(_read(repository.read(file), file), repository) for file in pages(repository))
+    found = pages(repository)
+    paths = (mention for file in found for mention in python_path.read(repository, file, repository.read(file)))
+    read = merge(_rooted(_read(repository.read(file), file), repository) for file in found)
+    return read._replace(mentions=(*read.mentions, *paths))
 
 
 def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, ...]:

@@ -68,6 +68,9 @@ def _variables(plan: Plan) -> str:
         path += ":" + quote.docker(f"{plan.run.matlab.host_path}/bin").strip('"')
     if path != "${PATH}":
         pairs.append(("PATH", f'"{path}"', False))
+    if plan.workspace.python_path:
+        own = (f"{source_folder(plan)}/{folder}".removesuffix("/.") for folder in plan.workspace.python_path)
+        pairs.append(("PYTHONPATH", f'"{quote.docker_path(":".join(own))}"', False))
     pairs += [(name, value, True) for name, value in plan.env]
     body = " \\\n    ".join(f"{name}={quote.docker(value) if literal else value}" for name, value, literal in pairs)
     return f"{home}\nENV {body}" if pairs else home

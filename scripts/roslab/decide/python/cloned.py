@@ -1,0 +1,43 @@
+"""Libraries that a page clones and installs by pip from the folder of the clone: pip installs them from git."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from roslab.config.model import Kind
+from roslab.decide.ros.source_names import itself_in
+from roslab.evidence.facts import Evidence
+from roslab.evidence.ros.vcs import https
+from roslab.values.dataclass import replace
+from roslab.values.name import canonicalize_name
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+
+
+def with_cloned(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
+    """Return the evidence with a line of pip for each; ``folder_name`` is the repository's, which is none of them."""
+    if kind not in {"python", "cuda"}:
+        return evidence
+    names = {project.name for project in evidence.python if project.name} | {folder_name}
+    found = tuple(_asked(evidence, {name.lower() for name in names}))
+    return replace(evidence, prose_pip=(*evidence.prose_pip, *found)) if found else evidence
+
+
+def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
+    clones = [git for git in evidence.sources if git.kind == "clone" and git.strength == "prose"]
+    clones = [git for git in clones if not itself_in(git, itself)]
+    named = {asked.key for asked in evidence.prose_pip if asked.name}
+    for asked in evidence.prose_pip:
+        if asked.role != "project" or asked.file.count("/") > 1:
+            continue
+        folder = f"/{posixpath.normpath(asked.written.partition('[')[0])}/"
+        before = [g for g in clones if g.file == asked.file and g.line < (asked.line or 0) and f"/{g.name}/" in folder]
+        git = max(before, key=lambda g: folder.rindex(f"/{g.name}/"), default=None)
+        if git is None or canonicalize_name(git.name) in named:
+            continue
+        below = folder[folder.rindex(f"/{git.name}/") + len(git.name) + 2 :].strip("/")
+        if below and any(project.folder == below for project in evidence.python):
+            continue  # a page may go into the repository itself after it
+        url = f"git+{https(git.url)}" + (f"@{git.ref}" if git.ref else "") + (f"#subdirectory={below}" if below else "")
+        yield stated(f"{git.name} @ {url}", "prose", asked.file, asked.line or 1)

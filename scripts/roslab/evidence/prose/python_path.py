@@ -1,0 +1,41 @@
+"""Folders of the tree that a page puts on PYTHONPATH."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.evidence.facts import Mention
+from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
+
+DEEPEST = 1
+"""A page below is about a part."""
+_SET = pattern(r"\bPYTHONPATH=([^\n#`]{1,300})")
+_END = pattern(r"[\"'\s]")
+_HERE = pattern(r"^(?:\.|\./|\$\(pwd\)|\$\{?PWD\}?)$")
+
+
+def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
+    """Yield each folder, ``.`` for the root; what does not end with a folder of the tree is another project's."""
+    if "PYTHONPATH=" not in text or file.path.count("/") > DEEPEST:
+        return
+    text = text.replace("`pwd`", "$(pwd)")
+    for match in _SET.finditer(text):
+        line = text.count("\n", 0, match.start()) + 1
+        value = match[1].lstrip("\"'")
+        said = _END.split(value, maxsplit=1)[0] if "<" not in value else value.replace(" ", "")
+        for part in said.split(":"):
+            folder = _folder(part.strip("\"'<>"), repository)
+            if folder:
+                yield Mention(
+                    topic="python_path", value=folder, source="readme", file=file.path, line=line, text=match[0][:80]
+                )
+
+
+def _folder(path: str, repository: Repository) -> str:
+    """Return the folder of the tree that a path ends with, ``.`` for the root, ``""`` for none."""
+    if _HERE.match(path):
+        return "."
+    parts = [part for part in path.rstrip("/").split("/") if part not in {"", "."}]
+    tails = ("/".join(parts[start:]) for start in range(len(parts)))
+    return next((tail for tail in tails if tail in repository.folders), "")

@@ -1,0 +1,55 @@
+"""What a page clones and installs by pip is installed from git; PYTHONPATH is as a page sets it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide.decision import Decision
+from roslab.plan.plan import make_plan
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+CODE = {"play.py": "import numpy\n", "src/arm/__init__.py": "", "requirements.txt": "numpy\n"}
+API = "git clone https://github.com/lab/graspAPI.git\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "urls"),
+    [
+        (f"{API}cd graspAPI\npip install .\n", ["git+https://github.com/lab/graspAPI.git"]),
+        (f"cd src\n{API}cd graspAPI && pip install -e .\n", ["git+https://github.com/lab/graspAPI.git"]),
+        (
+            "git clone -b v1 https://github.com/lab/sim.git\ncd sim/python\npip install .\n",
+            ["git+https://github.com/lab/sim.git@v1#subdirectory=python"],
+        ),
+        ("git clone https://github.com/lab/demo.git\ncd demo\npip install -e .\n", []),
+        (f"{API}pip install -r requirements.txt\n", []),
+    ],
+)
+def test_a_clone_that_pip_installs(tree: Tree, page: str, urls: list[str]) -> None:
+    found = tree({**CODE, "README.md": f"```\n{page}```\n"}).python
+    assert [each.url for each in found.pip_guessed] == urls
+
+
+@pytest.mark.parametrize(
+    ("page", "folders"),
+    [
+        ("export PYTHONPATH=$PYTHONPATH:$(pwd)/src\n", ("src",)),
+        ("echo 'export PYTHONPATH=</path/to/demo/src>:$PYTHONPATH' >> ~/.bashrc\n", ("src",)),
+        ('export PYTHONPATH="${PYTHONPATH}:$HOME/demo/src"\n', ("src",)),
+        ("export PYTHONPATH=`pwd`:$PYTHONPATH\n", (".",)),
+        ("PYTHONPATH=. python play.py\n", (".",)),
+        ("export PYTHONPATH=/opt/caffe/python:$PYTHONPATH\n", ()),
+    ],
+)
+def test_the_folders_that_a_page_puts_on_the_path(tree: Tree, page: str, folders: tuple[str, ...]) -> None:
+    assert tree({**CODE, "README.md": f"```\n{page}```\n"}).python_path == folders
+
+
+def test_the_image_has_the_path(tree: Tree) -> None:
+    decision = tree({**CODE, "README.md": "```\nexport PYTHONPATH=$PWD:$PWD/src\n```\n"})
+    text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
+    assert 'PYTHONPATH="/home/${NB_USER}/demo:/home/${NB_USER}/demo/src"' in text
