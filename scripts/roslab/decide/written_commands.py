@@ -40,12 +40,13 @@ TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "down
 def written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> tuple[Candidate, ...]:
     """Return what READMEs run; a subfolder's page, examples and helper scripts of compiled code are weaker.
 
-    So is a file of Python that no package has, beside nodes.
+    So is a file of Python that no package has, beside nodes or on a page below the root of a repository of ROS.
     """
     found = tuple(_said(evidence, kind, ros=ros, compiled=compiled))
     nodes = ros and any(each.strong and not each.argv[0].startswith("python") for each in found)
     folders = tuple(f"{m.file.rpartition('/')[0]}/" for m in packages_of(evidence).built if "/" in m.file)
-    weak = [nodes and c.argv[0].startswith("python") and not c.argv[1].startswith(folders) for c in found]
+    lone = [c.argv[0].startswith("python") and not c.argv[1].startswith(folders) for c in found]
+    weak = [(nodes or (ros and "/" in c.file)) and outside for c, outside in zip(found, lone, strict=True)]
     return tuple(replace(c, strong=False) if outside else c for c, outside in zip(found, weak, strict=True))
 
 

@@ -313,3 +313,13 @@ def test_a_script_beside_a_library_is_no_program_of_it(tree: Tree) -> None:
     own = "[project]\nname = 'swing'\nversion = '1'\ndependencies = ['numpy']\n"
     assert tree({"pyproject.toml": own, "scripts/gather.py": main}).command == ("bash",)
     assert tree({"pyproject.toml": own, "scripts/gather.py": main, "simulate.py": main}).command[1] == "simulate.py"
+
+
+@pytest.mark.parametrize(("page", "command"), [("README.md", "python3"), ("scripts/README.md", "bash")])
+def test_a_script_of_no_package_is_run_where_the_page_at_the_root_says_so(tree: Tree, page: str, command: str) -> None:
+    xml = "<package><name>{}</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    files = {f"src/{name}/package.xml": xml.format(name) for name in ("arm", "leg")}
+    files |= {f"src/{name}/CMakeLists.txt": "project(a)\nfind_package(ament_cmake)\n" for name in ("arm", "leg")}
+    files |= {f"src/arm/launch/{name}.launch.py": "from launch import LaunchDescription\n" for name in ("a", "b")}
+    script = {"scripts/send_robots.py": "import numpy\nif __name__ == '__main__':\n    pass\n"}
+    assert tree({**files, **script, page: "```\npython3 scripts/send_robots.py nuc1\n```\n"}).command[0] == command
