@@ -13,6 +13,7 @@ from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.runners import started
+from roslab.evidence.prose.telling import telling
 from roslab.evidence.prose.workspaces import beside, of_packages
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks
 from roslab.knowledge.tools import PIXI
@@ -21,37 +22,6 @@ from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
 MentionSource = Literal["dockerfile", "ci", "readme", "script"]
-_TELLING = tuple(
-    (word, pattern(telling))
-    for word, telling in (
-        ("install", r"\binstall\b"),
-        ("clone", r"\bclone\b"),
-        ("checkout", r"\bcheckout\b"),
-        ("roslaunch", r"\broslaunch\b"),
-        ("rosrun", r"\brosrun\b"),
-        ("ros2", r"\bros2\s+(?:launch|run)\b"),
-        ("catkin", r"\bcatkin(?:_make|\s+build|\s+init)"),
-        ("run", r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s"),
-        ("pixi", r"\bpixi\s+shell\b"),
-        ("torchrun", r"\btorchrun\s"),
-        ("accelerate", r"\baccelerate\s+launch\s"),
-        (".sh", r"\b(?:ba)?sh\s+\S+\.sh\b"),
-        ("colcon", r"\bcolcon\b"),
-        ("cd", r"\bcd\s"),
-        ("conda", r"\bconda\b"),
-        ("mamba", r"\bmamba\b"),
-        ("python", r"\bpython[\d.]*\s+\S"),
-        ("cmake", r"\bcmake\b"),
-        ("/archive/", "/archive/"),
-        ("ppa:", r"\bppa:"),
-        ("dpkg", r"\bdpkg\s"),
-        (".deb", r"\.deb\b"),
-        (".t", r"\.t(?:ar|gz)\b"),
-        ("docker", r"\bdocker\s"),
-        ("/", r"(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"),
-    )
-)
-"""Signs of a command, each after a word without which it need not be looked for, which takes much less time."""
 _RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
 BLANK = pattern(r"<[A-Za-z][^<>|&;\n]{0,60}>|<[\w.-]{1,30}(?:\s?\|\s?[\w.-]{1,30}){1,12}>")
 """A placeholder for the reader of a page to fill in, or to choose: ``<small | large>``."""
@@ -71,11 +41,6 @@ _STARTS = pattern(
 )
 """A compiled program or a shell script, by its path."""
 _BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_make", "colcon": "colcon"}
-
-
-def telling(text: str) -> bool:
-    """Tell whether a text may hold a command that tells what to install or to run: nothing else is read."""
-    return any(word in text and sign.search(text) for word, sign in _TELLING)
 
 
 @dataclass

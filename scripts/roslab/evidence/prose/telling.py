@@ -1,0 +1,42 @@
+"""Whether a text may hold a command that tells what to install or to run."""
+
+from __future__ import annotations
+
+from roslab.values.pattern import pattern
+
+_TELLING = tuple(
+    (word, pattern(telling))
+    for word, telling in (
+        ("install", r"\binstall\b"),
+        ("clone", r"\bclone\b"),
+        ("checkout", r"\bcheckout\b"),
+        ("roslaunch", r"\broslaunch\b"),
+        ("rosrun", r"\brosrun\b"),
+        ("ros2", r"\bros2\s+(?:launch|run)\b"),
+        ("catkin", r"\bcatkin(?:_make|\s+build|\s+init)"),
+        ("run", r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s"),
+        ("pixi", r"\bpixi\s+shell\b"),
+        ("torchrun", r"\btorchrun\s"),
+        ("accelerate", r"\baccelerate\s+launch\s"),
+        (".sh", r"\b(?:ba)?sh\s+\S+\.sh\b"),
+        ("colcon", r"\bcolcon\b"),
+        ("cd", r"\bcd\s"),
+        ("conda", r"\bconda\b"),
+        ("mamba", r"\bmamba\b"),
+        ("python", r"\bpython[\d.]*\s+\S"),
+        ("cmake", r"\bcmake\b"),
+        ("/archive/", "/archive/"),
+        ("ppa:", r"\bppa:"),
+        ("dpkg", r"\bdpkg\s"),
+        (".deb", r"\.deb\b"),
+        (".t", r"\.t(?:ar|gz)\b"),
+        ("docker", r"\bdocker\s"),
+        ("/", r"(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"),
+    )
+)
+"""Signs of a command, each after a word without which it need not be looked for, which takes much less time."""
+
+
+def telling(text: str) -> bool:
+    """Tell whether a text may hold a command that tells what to install or to run: nothing else is read."""
+    return any(word in text and sign.search(text) for word, sign in _TELLING)
