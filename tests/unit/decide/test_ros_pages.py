@@ -243,3 +243,27 @@ def test_the_name_of_a_branch_yields_to_a_ci_that_tests_only_others(tmp_path: Pa
         (tmp_path / path).write_text(text, encoding="utf-8")
     found = decide(gather(Repository.open(tmp_path, branch="kinetic-devel")), Config(), folder_name="a")
     assert found.ros_distro == distro
+
+
+@pytest.mark.parametrize(
+    ("branch", "tested", "distro"),
+    [
+        ("ros2-jazzy", "humble, iron, rolling", "jazzy"),
+        ("ros2-humble", "iron, jazzy", "jazzy"),
+        ("jazzy", "rolling", "rolling"),
+    ],
+)
+def test_a_branch_for_a_newer_distribution_than_ci_has_is_no_old_name(
+    tmp_path: Path, branch: str, tested: str, distro: str
+) -> None:
+    """It was just made, and its CI not yet changed."""
+    package = "<package format='3'><name>a</name><version>1.0.0</version><description>x</description>"
+    package += "<buildtool_depend>ament_cmake</buildtool_depend>"
+    package += "<export><build_type>ament_cmake</build_type></export></package>"
+    ci = f"jobs:\n  build:\n    strategy:\n      matrix:\n        distro: [{tested}]\n    runs-on: ubuntu-latest\n"
+    cmake = "project(a)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+    for path, text in {"package.xml": package, "CMakeLists.txt": cmake, ".github/workflows/ci.yml": ci}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    found = decide(gather(Repository.open(tmp_path, branch=branch)), Config(), folder_name="a")
+    assert found.ros_distro == distro

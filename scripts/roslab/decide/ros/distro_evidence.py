@@ -106,8 +106,14 @@ def _tested(evidence: Evidence, ros: int) -> set[str]:
 
 
 def _untested(reason: Reason, tested: set[str]) -> Reason:
-    """Lower the weight of a branch's name where CI tests only other distributions: the branch was named long ago."""
+    """Lower the weight of a branch's name where CI tests only other distributions: the branch was named long ago.
+
+    A branch for a distribution newer than all that CI names was just made, and CI is to follow; rolling has no age.
+    """
     if reason.weight != Weight.BRANCH or not tested or reason.answer in tested:
+        return reason
+    dated = [distros()[name].released for name in tested if not distros()[name].never_ends]
+    if dated and distros()[reason.answer].released > max(dated):
         return reason
     others = ", ".join(sorted(tested))
     return replace(reason, reason=f"{reason.reason}; but CI tests {others} alone", weight=Weight.SPEAKS_OF_IT)
