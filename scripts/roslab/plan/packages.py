@@ -8,6 +8,7 @@ from roslab.config.model import Config, Source
 from roslab.decide.decision import Decision
 from roslab.knowledge.distros import distro
 from roslab.knowledge.on_request import packages
+from roslab.knowledge.package_data import PackageData, package_data
 from roslab.values.dataclass import dataclass
 from roslab.values.secret import SSH
 
@@ -96,5 +97,15 @@ def _ros_tools(decision: Decision, in_workspace: tuple[Source, ...]) -> list[str
     if bare and (decision.packages or in_workspace):
         tools += ["build-essential", f"{python}-rosdep"]
         tools += [f"ros-{release.name}-rosmake", f"ros-{release.name}-mk"] if "rosmake" in used else []
-        tools += ["python3-colcon-common-extensions"] if "colcon" in used else []
-    return tools
+    if "colcon" in used and (decision.packages or in_workspace) and (bare or release.ros == 1):
+        tools.append("python3-colcon-common-extensions")
+    return tools + [name for data in data_of(decision) for name in data.needs]
+
+
+def data_of(decision: Decision) -> tuple[PackageData, ...]:
+    """Return the data that packages of the image need and do not bring."""
+    if decision.kind not in ("ros1", "ros2") or decision.dockerfile:
+        return ()
+    apt = {name.removeprefix(f"ros-{decision.ros_distro}-") for name in (*decision.apt, *decision.apt_guessed)}
+    names = {*decision.rosdep, *(name.replace("-", "_") for name in apt)}
+    return tuple(data for data in package_data() if data.package in names)

@@ -25,7 +25,7 @@ from roslab.plan.as_of import AsOf, as_of, lacking, of_day
 from roslab.plan.author_bases import Base, author_bases
 from roslab.plan.locked import Lock
 from roslab.plan.package_sources import PackageSources, package_sources
-from roslab.plan.packages import image_packages
+from roslab.plan.packages import data_of, image_packages
 from roslab.plan.proof import Proof
 from roslab.plan.proofs import proofs
 from roslab.plan.python import PythonPlan, python_plan
@@ -98,6 +98,8 @@ class Plan:
     """Built from source before the workspace, in this order."""
     rosdep: Rosdep | None
     rosdep_keys: tuple[str, ...]
+    package_data: tuple[tuple[str, str], ...]
+    """Packages that need data, each with its own script that fetches them."""
     python: PythonPlan
     python_tools: PythonTools
     source_version: SourceVersion | None
@@ -217,6 +219,9 @@ def make_plan(
         apt_tools=packages.tools,
         apt=packages.named,
         apt_guessed=decision.apt_guessed,
+        package_data=()
+        if config.compatible
+        else tuple((each.package, each.script.format(distro=decision.ros_distro)) for each in data_of(decision)),
         libraries=tuple(of_day(library(source, config), decision.day) for source in libraries),
         rosdep=(
             Rosdep(manifests=decision.packages, skip_keys=decision.skip_keys, rosdistro_tag=rosdistro_tag)

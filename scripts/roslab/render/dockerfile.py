@@ -65,6 +65,7 @@ TODAY = Order(
         workspace.sister_sources,
         workspace.submodules,
         workspace.rosdep,  # 4. what the manifests name
+        system.package_data,
         python.constraints,
         python.locked,
         python.packages,

@@ -60,6 +60,17 @@ def icub(plan: Plan) -> str:
     return shell.call("install-icub", f" {quote.shell(plan.ubuntu)}", comment=comment, secrets=given, around=around)
 
 
+def package_data(plan: Plan) -> str:
+    """Fetch what packages need and do not bring; where it is not served, that is told and stops nothing."""
+    runs = []
+    for package, script in plan.package_data:
+        left_out = quote.shell(f"roslab: left out: the data of {package} cannot be fetched")
+        path = quote.shell(script)
+        fetched = f"if [ -x {path} ]; then {path} || echo {left_out}; fi"
+        runs.append(shell.run(fetched, comment=f"What {package} needs at its start and does not bring"))
+    return "\n".join(runs)
+
+
 def newer_cmake(plan: Plan) -> str:
     """Build the CMake that ``base.cmake_update`` asks for over the distribution's."""
     if not plan.cmake_update:
