@@ -154,25 +154,10 @@ class Mention:
     """A mention of a distribution, an Ubuntu, a CUDA or Python version or the like."""
 
     topic: Literal[
-        "distro",
-        "ubuntu",
-        "cuda",
-        "cudnn",
-        "python",
-        "build_tool",
-        "base",
-        "framework",
-        "command",
-        "date",
-        "vcs_file",
-        "compiled",
-        "step",
-        "build_script",
-        "python_path",
-        "image_built",
-        "image_pulled",
+        "distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command", "date",
+        "vcs_file", "compiled", "step", "build_script", "python_path", "image_built", "image_pulled",
         "pointed",
-    ]
+    ]  # fmt: skip
     value: str
     source: Literal[
         "branch", "dockerfile", "ci", "readme", "vcs", "filename", "manifest", "launch", "script", "code", "commit"
