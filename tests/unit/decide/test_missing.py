@@ -137,3 +137,24 @@ def test_what_a_cloned_package_brings_may_have_another_name_for_cmake(
     listed = "repositories:\n  acme: {type: git, url: 'https://github.com/acme/acme.git', version: '1.0'}\n"
     files = package("driver", "find_package(AcmeClientLibrary REQUIRED)\n", needs=key) | package("planner")
     assert tree({**files, "a.repos": listed}).left_out == left_out
+
+
+@pytest.mark.parametrize(
+    ("more", "left_out"),
+    [
+        ({"README.md": "```\ncolcon build --packages-skip driver other --symlink-install\n```\n"}, ("driver",)),
+        ({"docs/build.md": "```\ncolcon build --packages-skip driver\n```\n"}, ()),
+        ({"README.md": "```\ncolcon build --packages-skip driver\nros2 run driver node\n```\n"}, ()),
+        (
+            {
+                "pixi.toml": '[workspace]\nchannels = ["robostack-humble"]\n[dependencies]\npython = "*"\n'
+                '[tasks.build]\ncmd = "colcon build --packages-skip driver"\n'
+            },
+            ("driver",),
+        ),
+    ],
+)
+def test_what_the_author_s_build_skips_is_not_built(
+    tree: Tree, more: dict[str, str], left_out: tuple[str, ...]
+) -> None:
+    assert tree({**package("driver"), **package("planner"), **more}).left_out == left_out

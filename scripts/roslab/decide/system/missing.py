@@ -10,6 +10,7 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.rosbuild import ended_in
+from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
@@ -75,9 +76,13 @@ def decide_missing(
         if not resolve(asked, target).known and not any(plain(asked.name) in name for name in names)
     }
     started = (command if isinstance(command, str) else shlex.join(command)).split()
-    out: dict[str, None] = {}
+    left = skipped(evidence, packages) if build_tool == "colcon" else {}
+    left = {name: place for name, place in left.items() if name not in started}
+    out: dict[str, None] = dict.fromkeys(left)
     warnings: list[Warning_] = []
     for package, asked in lacking.items():
+        if package in left:
+            continue
         with_it = _needing(package, packages)
         kept = {m.name for m in packages.built} - out.keys() - {*with_it}
         if build_tool in _SKIP and kept and not {*with_it} & {*started}:
@@ -92,7 +97,10 @@ def decide_missing(
     return Choice(
         answer=Missing(packages=tuple(sorted(out)), ended=tuple(ended)),
         warnings=tuple(warnings),
-        reasons=tuple(because("dependencies", name, why, asked, weight=ENDED) for name, asked in ended.items()),
+        reasons=(
+            *(because("dependencies", name, why, asked, weight=ENDED) for name, asked in ended.items()),
+            *(because("workspace", name, "the author's build skips it", at, weight=ENDED) for name, at in left.items()),
+        ),
     )
 
 
