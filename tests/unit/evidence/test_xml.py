@@ -22,7 +22,6 @@ OTHERS = {
     "prefix": "<p><x:c/></p>",
     "prefixed attribute": "<p x:a='1'/>",
     "encoding": "<?xml version='1.0' encoding='ISO-8859-1'?><p>ä</p>",
-    "version": "<?xml version='1.1'?><p/>",
     "blank first": "\n<?xml version='1.0'?><p/>",
     "unclosed": "<p><name>a</name><depend>b</depend>",
     "mismatched": "<p>\n<name>a</nam>\n<depend>b</depend></p>",
@@ -66,3 +65,12 @@ def test_lines_and_paths() -> None:
     assert [(each.text, each.line) for each in root.below("export", "build_type")] == [("b", 4)]
     assert [each.line for each in root.all("name")] == [2, 4]
     assert not list(root.below("build_type"))
+
+
+@pytest.mark.parametrize("version", ["1.1", "0.1.0"])
+def test_a_package_s_own_version_in_the_declaration_is_no_error(version: str) -> None:
+    """catkin and colcon read it with Python's own reader, too."""
+    root, problem = xml.parse(f"<?xml version='{version}'?><package><name>a</name></package>")
+    assert problem is None
+    assert root is not None
+    assert [each.text for each in root.below("name")] == ["a"]

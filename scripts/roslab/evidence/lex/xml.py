@@ -68,8 +68,8 @@ def _plain(text: str) -> Element | None:
         if not opened[-1].children:
             opened[-1].text += said
 
-    def declare(version: str, encoding: str | None, _: int) -> None:
-        if version != "1.0" or (encoding or "utf-8").lower() != "utf-8":
+    def declare(_version: str, encoding: str | None, _: int) -> None:  # some give their package's own version
+        if (encoding or "utf-8").lower() != "utf-8":
             refuse()
 
     def refuse(*_: Any) -> NoReturn:
