@@ -73,7 +73,7 @@ def decide_missing(
         package: asked
         for package, asked in (_of_program if kind == "cpp" else _required)(evidence, packages)
         if not (cloned and (asked.namespace == "ros" or package in unsure))
-        if not resolve(asked, target).known and not any(plain(asked.name) in name for name in names)
+        if not resolve(asked, target).known and not _similar(plain(asked.name), names)
     }
     started = (command if isinstance(command, str) else shlex.join(command)).split()
     left = skipped(evidence, packages) if build_tool == "colcon" else {}
@@ -157,3 +157,8 @@ def _outside(project: CMakeProject, evidence: Evidence, packages: Packages) -> I
         required = asked.namespace in {"cmake", "ros"} and asked.strength == "declared" and asked.role != "test"
         if required and asked.name not in inside:
             yield asked
+
+
+def _similar(wanted: str, names: Iterable[str]) -> bool:
+    """Tell whether a name is another's, or a part of it."""
+    return any(wanted in name for name in names)
