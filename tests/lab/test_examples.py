@@ -18,7 +18,7 @@ REAL_BASE_ONLY = {"cuda_saxpy"}
 NEEDS_ROS_2 = {"ros2_talker"}
 """They need rclcpp, which a stand-in has where the lab was given packages of it; `live` has it always."""
 NAMES = sorted(path.name for path in EXAMPLES.iterdir() if path.is_dir() and path.name not in REAL_BASE_ONLY)
-SAME_BITS = ["no_config", "own_dockerfile", "python_filter", "ros1_talker", "ros2_filter", "ros2_talker"]
+SAME_BITS = ["monorepo", "no_config", "own_dockerfile", "python_filter", "ros1_talker", "ros2_filter", "ros2_talker"]
 """Examples that are built twice and compared; those of ROS 2 on its own packages."""
 SNAPSHOT = "failed to prepare extraction snapshot"
 """The engine's unpacking fails so now and then while another image of the same name goes away; again, it works."""

@@ -138,7 +138,9 @@ USER ${NB_USER}
 WORKDIR /home/${NB_USER}/ws
 COPY --from=scripts /compile-jobs /usr/local/bin/
 RUN source "/opt/ros/${ROS_DISTRO}/setup.bash" \
- && catkin_make -j"$(compile-jobs)"
+ && catkin_make -j"$(compile-jobs)" \
+ && find build \( -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete \
+ && rm -rf log logs
 
 # ROS and the workspace, for every command and every shell in the container
 USER root

@@ -17,8 +17,12 @@ ROSMAKE = "rosmake-workspace"
 """The script that compiles packages of rosbuild."""
 BUILD_CACHE = "/var/cache/roslab-build"
 WITHOUT_TESTS = "leave-out-tests"
-TIDY = r"find . \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete"
-"""Removes what no program needs of a build folder; CMake's logs name random targets, another at each build."""
+_LOGS = "-path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml"
+"""CMake's logs, which name random targets, others at each build."""
+TIDY = rf"find . \( -name '*.o' -o {_LOGS} \) -delete"
+"""Removes what no program needs of a build folder."""
+WITHOUT_LOGS = (rf"find build \( {_LOGS} \) -delete", "rm -rf log logs")
+"""Removes what differs between two builds of a workspace and is not needed to compile it again."""
 
 
 def source_folder(plan: Plan) -> str:
@@ -173,7 +177,8 @@ def compile_workspace(plan: Plan) -> str:
     build = plan.workspace.ros
     if build is None:
         return ""
-    run = shell.run(f"source {setups(plan)[0]}", *_commands(plan, build))
+    left = () if build.tool == "rosmake" else WITHOUT_LOGS
+    run = shell.run(f"source {setups(plan)[0]}", *_commands(plan, build), *left)
     called = (WITHOUT_TESTS,) if WITHOUT_TESTS in run else ("compile-jobs", ROSMAKE) if ROSMAKE in run else ()
     scripts = "".join(map(shell.copy_script, called))
     return f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{scripts}{run}"
