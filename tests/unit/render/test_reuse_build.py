@@ -117,6 +117,38 @@ def test_without_a_cache_everything_is_compiled(builder: Builder) -> None:
     assert builder.build(FILES)[0] == builder.build(FILES)[0] == ALL
 
 
+def test_what_a_build_leaves_is_what_is_kept(builder: Builder) -> None:
+    """The kept tree is brought up to date by what has changed: added, edited, removed, or now of another type."""
+    compiler = builder.root / "compiler"
+    once = "mkdir -p build/gone build/other; touch build/gone/file build/link build/other/file build/stays"
+    compiler.write_text(f"{once}; echo 1 >build/edited; mkdir -p devel; ln -sfn edited build/points")
+    builder.build(FILES)
+    tree = builder.cache / "tree" / "build"
+    before = (tree / "stays").stat().st_ino
+    again = (
+        "rm -r build/gone build/other build/link; echo 22 >build/other; ln -s other build/link; echo 2 >build/edited"
+    )
+    compiler.write_text(
+        f"set -e; {again}; ln -sfn other build/points; mkdir -p 'build/new folder'; touch 'build/new folder/a b'"
+    )
+    builder.build(FILES)
+    found = {str(path.relative_to(tree)) for path in tree.rglob("*")}
+    assert found == {"edited", "link", "new folder", "new folder/a b", "other", "points", "stays"}
+    assert (tree / "edited").read_text() == "2\n"
+    assert (tree / "link").readlink() == (tree / "points").readlink() == Path("other")
+    assert (tree / "other").read_text() == "22\n"
+    assert (tree / "stays").stat().st_ino == before, "it was not copied as a whole"
+
+
+def test_what_has_not_changed_is_not_written_again(builder: Builder) -> None:
+    builder.build(FILES)
+    kept = builder.cache / "tree" / "build" / "a.cpp.o"
+    before = kept.stat().st_ino
+    builder.build({**FILES, "a/b.cpp": "more"})
+    assert kept.stat().st_ino == before
+    assert (kept.parent / "b.cpp.o").read_text() == "more"
+
+
 def test_a_build_tree_that_stays_has_no_objects_and_no_logs(builder: Builder) -> None:
     """A workspace whose programs load a library out of it keeps it; CMake's logs are others at each build."""
     makes = (

@@ -34,26 +34,42 @@ fingerprint() {
 
 now="$(fingerprint "$@" | sha256sum)"
 contents="$(tracked -regex "${code}" | xargs --null --no-run-if-empty sha256sum)"
-if [ -d "${cache}/tree" ] && [ "$(cat "${cache}/fingerprint")" = "${now}" ]; then
+# Brings the kept tree up to date by what has changed alone, which is quicker than to copy all of it
+listing() { (cd "$1" && find "${found[@]}" -printf '%y %m %s %T@ %l\t%p\n' | sort); }
+renew() {
+  local made kept
+  made="$(listing .)" && kept="$(listing "${cache}/tree")" &&
+    comm -13 <(cut --fields=2- <<<"${made}" | sort) <(cut --fields=2- <<<"${kept}" | sort) |
+    (cd "${cache}/tree" && xargs --delimiter='\n' --no-run-if-empty rm -rf) &&
+    comm -23 <(echo "${made}") <(echo "${kept}") | cut --fields=2- |
+    tar --create --no-recursion --no-unquote --files-from=- |
+      tar --extract --same-permissions --directory="${cache}/tree"
+}
+
+reused=''
+if [ -d "${cache}/tree" ] && [ "$(cat "${cache}/fingerprint" 2>/dev/null)" = "${now}" ]; then
   echo "roslab: only code has changed since the last build: its build tree is used again"
-  cp --archive "${cache}/tree/." .
+  reused=yes
   # A checkout gives every file a time of its own. To make, the tree is newer than all of it but what has changed.
-  mapfile -t found < <(present)
-  find "${found[@]}" -exec touch --no-dereference --date='2 seconds ago' {} +
+  find "${cache}/tree" -exec touch --no-dereference --date='2 seconds ago' {} +
+  cp --archive "${cache}/tree/." .
   comm -13 <(sort "${cache}/contents") <(sort <<<"${contents}") | cut --characters=67- |
     xargs --delimiter='\n' --no-run-if-empty touch --date='1 second ago'
 fi
 
-if [ -d "${cache}" ]; then rm -rf "${cache}/tree"; fi # what fails is not used again
+rm --force "${cache}/fingerprint" # what fails is not used again
 "$@"
 
 if [ -d "${cache}" ]; then
-  mkdir "${cache}/new"
   mapfile -t found < <(present)
-  cp --archive "${found[@]}" "${cache}/new"
-  echo "${now}" >"${cache}/fingerprint"
+  if [ -z "${reused}" ] || ! renew; then
+    rm -rf "${cache}/tree" "${cache}/new"
+    mkdir "${cache}/new"
+    cp --archive "${found[@]}" "${cache}/new"
+    mv "${cache}/new" "${cache}/tree"
+  fi
   echo "${contents}" >"${cache}/contents"
-  mv "${cache}/new" "${cache}/tree"
+  echo "${now}" >"${cache}/fingerprint"
 fi
 # A program may load a library out of the build tree; then only the compiler's own files go, and CMake's logs, which name
 # random targets, others at each build

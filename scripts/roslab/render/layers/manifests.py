@@ -10,6 +10,7 @@ from roslab.render import quote
 from roslab.render.layers import shell
 
 FOLDER = "/tmp/manifests"  # noqa: S108 - a folder of the image while it is built
+"""Not at the root: BuildKit reads the whole folder around what is copied out of a stage, to know whether it changed."""
 MOST_FOLDERS = 4
 """Each takes a COPY, which is a layer. From more of them the manifests are set apart in a stage and copied at once."""
 
@@ -38,11 +39,11 @@ def stage(plan: Plan) -> str:
     files = _all(plan)
     if len(_folders(files)) <= MOST_FOLDERS:
         return ""
-    copy = f"cp --parents --target-directory=/manifests{shell.words(quote.path(name) for name in files)}"
+    copy = f"cp --parents --target-directory={FOLDER}{shell.words(quote.path(name) for name in files)}"
     source = "COPY --from=source / ." if plan.compiled_apart else "COPY . ."
     why = "# The manifests alone: what is installed from them is installed again only when one of them changes"
     return "\n".join(
-        (why, "FROM base AS manifests", "WORKDIR /repository", source, shell.run("mkdir /manifests", copy))
+        (why, "FROM base AS manifests", "WORKDIR /repository", source, shell.run(f"mkdir {FOLDER}", copy))
     )
 
 
@@ -52,7 +53,7 @@ def copy(plan: Plan, files: Iterable[str]) -> str:
     if not folders:
         return ""
     if len(_folders(_all(plan))) > MOST_FOLDERS:
-        return f"COPY --from=manifests /manifests/ {FOLDER}/\n"
+        return f"COPY --from=manifests {FOLDER}/ {FOLDER}/\n"
     return "".join(
         f"COPY {quote.copy(names, posixpath.normpath(posixpath.join(FOLDER, folder)) + '/')}\n"
         for folder, names in folders.items()
