@@ -52,6 +52,9 @@ def main() -> int:
     parser.add_argument("--repository", choices=names, action="append", help="default: both")
     parser.add_argument("--way", choices=WAYS, action="append", help="default: all")
     parser.add_argument("--case", choices=CASES, action="append", help="default: all; cold is always built")
+    parser.add_argument(
+        "--rounds", type=int, default=1, help="measure each edit as often, the median counts (default: 1)"
+    )
     parser.add_argument("--format", choices=("table", "json"), default="table")
     parser.add_argument("--show", action="store_true", help="build nothing, print the last figures")
     options = parser.parse_args()
@@ -67,7 +70,7 @@ def main() -> int:
                 root, place = Path(folder, repository.name), Path(folder, "output")
                 place.mkdir()
                 repository.make(root)
-                for case, found in measure(way, Change(repository, root), place, cases):
+                for case, found in measure(way, Change(repository, root), place, cases, options.rounds):
                     results.setdefault(repository.name, {}).setdefault(case, {})[way] = found
                     write(results)
     print(dump(results) if options.format == "json" else table(results), end="")

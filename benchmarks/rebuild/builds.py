@@ -164,4 +164,4 @@ def figures(log: str, seconds: float, received: int, size: int) -> Figures:
     """Return the figures of a build."""
     steps = executed(log)
     installing = [name for name in steps if INSTALLS.search(name)]
-    return Figures(round(seconds, 1), len(steps), len(installing), received, size)
+    return Figures(round(seconds, 2), len(steps), len(installing), received, size)

@@ -78,30 +78,47 @@ class Job:
     case: str
 
 
-def measure(way: str, change: Change, place: Path, cases: tuple[str, ...]) -> Iterator[tuple[str, Figures]]:
+def measure(
+    way: str, change: Change, place: Path, cases: tuple[str, ...], rounds: int = 1
+) -> Iterator[tuple[str, Figures]]:
     """Build a repository one way, cold and again after each change, in turn; the changes add up.
 
-    ``place`` is an empty folder. Raises ``FailedBuildError``.
+    ``place`` is an empty folder. An edit is made and measured ``rounds`` times, and the median of the seconds counts.
+    Raises ``FailedBuildError``.
     """
     if way == WARM:
-        yield from _measure_container(change, place, cases)
+        yield from _measure_container(change, place, cases, rounds)
         return
     with ExitStack() as stack:
         pushed = stack.enter_context(registry())
         runner = None if way.endswith(FRESH) else stack.enter_context(builder())
-        for case in cases:
+
+        def build(case: str) -> Figures:
             change.make(case)
             job = Job(way=way, dockerfile=_dockerfile(way, change, place), context=change.root, case=case)
             if runner:
-                found = _build(runner, pushed, job)
-            else:
-                with builder() as empty:
-                    found = _build(empty, pushed, job)
+                return _build(runner, pushed, job)
+            with builder() as empty:
+                return _build(empty, pushed, job)
+
+        for case in cases:
+            found = _median([build(case) for _ in range(_times(case, rounds))])
             print(f"{change.of.name} {way} {case}: {found}", file=sys.stderr, flush=True)
             yield case, found
 
 
-def _measure_container(change: Change, place: Path, cases: tuple[str, ...]) -> Iterator[tuple[str, Figures]]:
+def _times(case: str, rounds: int) -> int:
+    """How often a case is measured: what is added is there after the first time."""
+    return rounds if case.startswith("edit-") else 1
+
+
+def _median(found: list[Figures]) -> Figures:
+    return sorted(found, key=lambda one: one.seconds)[len(found) // 2]
+
+
+def _measure_container(
+    change: Change, place: Path, cases: tuple[str, ...], rounds: int
+) -> Iterator[tuple[str, Figures]]:
     """Compile in one container, again after each change of what it compiles: no image, no push, nothing installed."""
     name = f"roslab-bench-{secrets.token_hex(4)}"
     (place / "Dockerfile").write_text(INSTALLED.replace("{apt}", ""))
@@ -111,10 +128,13 @@ def _measure_container(change: Change, place: Path, cases: tuple[str, ...]) -> I
         for case in cases:
             if case in {"add-apt", "add-package-xml"}:
                 continue
-            change.make(case)
-            started = time.monotonic()
-            _docker("exec", name, "bash", "-c", MAKE)
-            found = Figures(round(time.monotonic() - started, 1), 0, 0, 0, 0)
+            seconds = []
+            for _ in range(_times(case, rounds)):
+                change.make(case)
+                started = time.monotonic()
+                _docker("exec", name, "bash", "-c", MAKE)
+                seconds.append(time.monotonic() - started)
+            found = _median([Figures(round(one, 2), 0, 0, 0, 0) for one in seconds])
             print(f"{change.of.name} {WARM} {case}: {found}", file=sys.stderr, flush=True)
             yield case, found
     finally:

@@ -171,7 +171,7 @@ def test_many_manifests_are_one_layer() -> None:
     assert "COPY --from=source / .\n" in stage, "what no build file names repeats nothing here either"
     assert all(name in stage for name in names)
     assert "package.xml" not in image.replace("# What the package.xml files name", "")
-    assert "COPY --from=manifests /manifests/ /tmp/manifests/\n" in image
+    assert "COPY --from=manifests /tmp/manifests/ /tmp/manifests/\n" in image
 
 
 def test_what_no_build_file_names_is_blank_for_the_compilation_and_whole_in_the_image() -> None:

@@ -149,6 +149,16 @@ def test_what_has_not_changed_is_not_written_again(builder: Builder) -> None:
     assert (kept.parent / "b.cpp.o").read_text() == "more"
 
 
+def test_no_file_of_a_reused_tree_is_newer_than_another(builder: Builder) -> None:
+    """Also where they are more than a command line holds: CMake begins anew where a file that it read is newer."""
+    times = "find build devel -printf '%T@\\n' | sort --unique | wc --lines"
+    long = "x" * 200
+    fill = f"mkdir -p build devel; if [ ! -e build/times ]; then touch build/{long}{{1..900}}; fi"
+    (builder.root / "compiler").write_text(f'{fill}; times="$({times})"; echo $times >devel/times; touch build/times')
+    builder.build(FILES)
+    assert builder.build(FILES)[1]["times"] == "1\n"
+
+
 def test_a_build_tree_that_stays_has_no_objects_and_no_logs(builder: Builder) -> None:
     """A workspace whose programs load a library out of it keeps it; CMake's logs are others at each build."""
     makes = (

@@ -50,8 +50,9 @@ reused=''
 if [ -d "${cache}/tree" ] && [ "$(cat "${cache}/fingerprint" 2>/dev/null)" = "${now}" ]; then
   echo "roslab: only code has changed since the last build: its build tree is used again"
   reused=yes
-  # A checkout gives every file a time of its own. To make, the tree is newer than all of it but what has changed.
-  find "${cache}/tree" -exec touch --no-dereference --date='2 seconds ago' {} +
+  # A checkout gives every file a time of its own. To make, the tree is newer than all of it but what has changed, and
+  # no file of the tree newer than another: CMake would begin anew.
+  find "${cache}/tree" -exec touch --no-dereference --date="$(date --date='2 seconds ago' '+%F %T.%N')" {} +
   cp --archive "${cache}/tree/." .
   comm -13 <(sort "${cache}/contents") <(sort <<<"${contents}") | cut --characters=67- |
     xargs --delimiter='\n' --no-run-if-empty touch --date='1 second ago'

@@ -42,9 +42,7 @@ def stage(plan: Plan) -> str:
     copy = f"cp --parents --target-directory={FOLDER}{shell.words(quote.path(name) for name in files)}"
     source = "COPY --from=source / ." if plan.compiled_apart else "COPY . ."
     why = "# The manifests alone: what is installed from them is installed again only when one of them changes"
-    return "\n".join(
-        (why, "FROM base AS manifests", "WORKDIR /repository", source, shell.run(f"mkdir {FOLDER}", copy))
-    )
+    return "\n".join((why, "FROM base AS manifests", "WORKDIR /repository", source, shell.run(f"mkdir {FOLDER}", copy)))
 
 
 def copy(plan: Plan, files: Iterable[str]) -> str:
