@@ -50,7 +50,7 @@ def limits() -> tuple[Limit, ...]:
 
 @cache
 def _versions() -> dict[str, dict[str, str]]:
-    return {row["library"]: {key: row[key] for key in row.keys() - _OWN} for row in rows("library_versions")}
+    return {row["library"]: {key: row[key] for key in row if key not in _OWN} for row in rows("library_versions")}
 
 
 @cache
@@ -65,10 +65,12 @@ def version_of(library: str, ubuntu: str, *, ros: bool = False) -> str | None:
 
 
 def fits(library: str, ubuntu: str, *, at_least: str | None, below: str | None, ros: bool = False) -> bool:
-    """Tell whether an Ubuntu's version lies in the bounds; unknown ones do."""
+    """Tell whether an Ubuntu's version lies in the bounds; unknown ones do, but no Ubuntu goes back to an older one."""
     found = version_of(library, ubuntu, ros=ros)
     if found is None:
-        return True
+        known = _versions().get(library, {})
+        newest = next(reversed(known.values()), "") if ubuntu not in known else ""
+        return below is None or not newest or Version(newest) < Version(below)
     version = Version(found)
     return (at_least is None or version >= Version(at_least)) and (below is None or version < Version(below))
 

@@ -44,6 +44,20 @@ def test_a_page_yields_to_the_code(tree: Tree, cmake: str, code: str, page: str,
     assert tree(ros1(cmake, code, page)).ros_distro == distro
 
 
+def test_a_name_that_the_code_defines_itself_is_no_sign(tree: Tree) -> None:
+    files = ros1(code='#include "a.h"\nvoid f() { cvtColor(a, b, CV_GRAY2RGB); }\n', page="Tested with ROS Noetic")
+    files["src/a.h"] = "#define  CV_GRAY2RGB cv::COLOR_GRAY2BGR\n"
+    assert tree(files).ros_distro == "noetic"
+    files["src/a.cpp"] = files["src/a.cpp"].replace("}", "imread(c, CV_LOAD_IMAGE_COLOR); }")
+    assert tree(files).ros_distro == "melodic"
+
+
+def test_an_ubuntu_whose_libraries_are_not_listed_has_no_older_ones() -> None:
+    for ubuntu, old, new in (("bionic", True, True), ("noble", False, True), ("resolute", False, True)):
+        assert fits("OpenCV", ubuntu, at_least=None, below="4") is old
+        assert fits("OpenCV", ubuntu, at_least="3", below=None) is new
+
+
 def test_a_newer_cmake_cannot_come_from_pip_everywhere(tree: Tree) -> None:
     files = ros1(page="Tested with ROS Indigo")
     files["CMakeLists.txt"] = files["CMakeLists.txt"].replace("2.8.3", "3.1.3")

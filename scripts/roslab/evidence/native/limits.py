@@ -49,7 +49,10 @@ def _hinted(where: Sign) -> dict[str, tuple[Limit, ...]]:
 class Signs:
     """The signs that were found so far, each with its places."""
 
-    found: dict[tuple[str, str], list[CodeLimit]] = field(default_factory=dict)
+    found: dict[tuple[str, str], list[tuple[str, CodeLimit]]] = field(default_factory=dict)
+    """Each with the name of C++ that it is, empty for others."""
+    defined: set[str] = field(default_factory=set)
+    """The names that the code defines itself, which it then does not need of a library."""
     included: set[str] = field(default_factory=set)
     """The last parts of the headers that any file includes."""
     guarded: bool = False
@@ -59,9 +62,16 @@ class Signs:
         """Read a C++ file."""
         self.guarded = self.guarded or any(map(text.__contains__, _GUARDS))
         for limit in _possible("name", text):
-            match = limit.pattern.search(text)
-            if match and not _comment(text, match.start()) and not _conditional(text, match.start()):
-                self._add(limit, path, text.count("\n", 0, match.start()) + 1)
+            names: dict[str, int] = {}
+            for match in limit.pattern.finditer(text):
+                before = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
+                if before.lstrip(" \t#").startswith("define") and not before.partition("define")[2].strip():
+                    self.defined.add(match[0])
+                elif match[0] not in names and not _comment(before):
+                    names[match[0]] = match.start()
+            for name, start in names.items():
+                if not _conditional(text, start):
+                    self._add(limit, path, text.count("\n", 0, start) + 1, name)
 
     def header(self, name: str, path: str, text: str, position: int) -> None:
         """Read an include at a position of a file."""
@@ -83,20 +93,23 @@ class Signs:
                 for match in _STANDARD.finditer(text):
                     for sign in _signs("standard", match[1]):
                         self._add(sign, file.path, text.count("\n", 0, match.start(1)) + 1)
-        first = (next((limit for limit in each if self._compiled(limit.file)), None) for each in self.found.values())
+        first = (
+            next((limit for name, limit in each if name not in self.defined and self._compiled(limit.file)), None)
+            for each in self.found.values()
+        )
         return tuple(limit for limit in first if limit)
 
     def _compiled(self, file: str) -> bool:
         name = file.rpartition("/")[2]
         return not name.endswith((".h", ".hpp", ".hh")) or name in self.included
 
-    def _add(self, sign: Limit, file: str, line: int) -> None:
+    def _add(self, sign: Limit, file: str, line: int, name: str = "") -> None:
         found = CodeLimit(
             library=sign.library, at_least=sign.at_least, below=sign.below, what=sign.what, file=file, line=line
         )
         known = self.found.setdefault((sign.library, sign.what), [])
-        if all(limit.file != file for limit in known[-1:]) and len(known) < MAX_PLACES:
-            known.append(found)
+        if all((name, file) != (other, limit.file) for other, limit in known[-1:]) and len(known) < MAX_PLACES:
+            known.append((name, found))
 
 
 def _conditional(text: str, position: int) -> bool:
@@ -112,6 +125,6 @@ def _conditional(text: str, position: int) -> bool:
     return any(open_)
 
 
-def _comment(text: str, position: int) -> bool:
-    line = text[text.rfind("\n", 0, position) + 1 : position]
-    return "//" in line or line.lstrip().startswith("*")
+def _comment(before: str) -> bool:
+    """Tell it from what stands before a name on its line."""
+    return "//" in before or before.lstrip().startswith("*")
