@@ -198,3 +198,36 @@ def test_a_library_in_a_list_is_built_before_the_workspace(tree: Tree, version: 
         ("gtsam", ref, "cmake"),
         ("acme", "v1", "catkin_make"),
     ]
+
+
+NEWER = """\
+#!/bin/bash
+DIR="/tmp/dependencies"
+install_pcl()
+{
+  PCL_DIR="pcl"
+  BUILD_DIR="build"
+  cd $DIR
+  git clone https://github.com/PointCloudLibrary/pcl.git
+  cd $PCL_DIR
+  git checkout pcl-1.11.1
+  mkdir -p $BUILD_DIR
+  cd $BUILD_DIR
+  cmake .. -DBUILD_tools=OFF
+  cd $DIR/$PCL_DIR/$BUILD_DIR
+  sudo make install
+}
+"""
+
+
+@pytest.mark.parametrize(("asked", "distro", "built"), [("1.11", "noetic", ["pcl"]), ("1.8", "melodic", [])])
+def test_a_release_that_no_ubuntu_has_is_built_as_a_script_builds_it(
+    tree: Tree, asked: str, distro: str, built: list[str]
+) -> None:
+    code = "" if asked == "1.8" else "#include <filesystem>\n"
+    files = ros1(f"find_package(PCL {asked} REQUIRED)\n", "")
+    files |= {"README.md": "Tested with ROS Melodic\n", "install_deps.sh": NEWER, "a.cpp": code}
+    decision = tree(files)
+    assert decision.ros_distro == distro
+    assert [(source.name, source.build) for source in decision.source] == [(name, "cmake") for name in built]
+    assert all(source.cmake_options == "-DBUILD_tools=OFF" for source in decision.source)

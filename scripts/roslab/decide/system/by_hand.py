@@ -14,6 +14,7 @@ from roslab.decide.system.needs import code_needs
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.code_limits import satisfies
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 
@@ -75,8 +76,9 @@ def by_hand(
         git = offered[name]
         if {name, plain(asked.name), plain(git.name)} & taken:
             continue
+        pinned = git.installed and bool(fixed(git.ref))
         by_file = git.installed and (asked.namespace, asked.strength) == ("link", "declared")
-        if not by_file and not _unknown(asked, target, pinned=git.installed and bool(fixed(git.ref))):
+        if not by_file and not (pinned and _newer(asked, target)) and not _unknown(asked, target, pinned=pinned):
             continue  # what is named by its file below /usr/local is there only where it was built
         ref = fixed_at(git.ref, "" if date is None else date.value)
         source = Source(
@@ -90,6 +92,13 @@ def by_hand(
         )
         found.setdefault(name, (source, asked))
     return tuple(found.values())
+
+
+def _newer(asked: Dependency, target: Target) -> bool:
+    """Tell whether the build requires a release that this Ubuntu does not have: the page builds it for that."""
+    if asked.namespace != "cmake" or asked.strength != "declared" or not asked.version or not target.ubuntu:
+        return False
+    return not satisfies(asked.name, target.ubuntu, asked.version, ros=bool(target.ros_distro))
 
 
 def _unknown(asked: Dependency, target: Target, *, pinned: bool) -> bool:

@@ -33,7 +33,7 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
         if needs_newer_cmake(evidence, ubuntu, cmake):
             lacks[f"CMake {needs_newer_cmake(evidence, ubuntu, cmake)}"] = None
         for name, version, place in _asked(evidence):
-            if not satisfies(name, ubuntu, version, ros=ros):
+            if not satisfies(name, ubuntu, version, ros=ros) and not _compiled(name, evidence):
                 lacks[f"{name} {version} ({place})"] = None
     return {ubuntu: tuple(lacks) for ubuntu, lacks in found.items() if lacks}
 
@@ -42,6 +42,12 @@ def _brought(library: str, evidence: Evidence) -> bool:
     """Tell whether the repository builds a library from its source, in a version that no Ubuntu may have."""
     name = library.lower().rstrip("3")
     return any(git.kind != "link" and git.name.lower().startswith(name) for git in evidence.sources)
+
+
+def _compiled(library: str, evidence: Evidence) -> bool:
+    """Tell whether a page or a script compiles and installs a library at a fixed release."""
+    names = {library.lower(), library.lower().rstrip("3")}
+    return any(git.installed and git.ref and git.name.lower() in names for git in evidence.sources)
 
 
 def unlaunchable(evidence: Evidence) -> dict[str, frozenset[str]]:

@@ -34,6 +34,8 @@ _PYTHON = pattern(r"^(?:i?python)(\d(?:\.\d+)?)?$")
 _OPTION = pattern(r"-D[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
 _SEPARATE = pattern(r" -D +(?=[A-Za-z_])")
 _BUILD_FOLDER = pattern(r"(?:^|/)build[\w-]*(?:/.*)?$")
+_IN_BUILD = pattern(r"[^/]/build[\w-]*/?$")
+"""A folder in which CMake builds what the folder above it, whose name tells more, is."""
 _BUILT = pattern(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
 """The path of a compiled program."""
 _STARTS = pattern(
@@ -188,7 +190,8 @@ class Collector:
     def _cd(self, target: str) -> None:
         self.inside = of_packages(target)
         if target.startswith(("/", "~", "$", "-")) or UNKNOWN in target or "<" in target:
-            self.folder = "" if target in {"~", "-"} else target.rstrip("/").rpartition("/")[2].replace(UNKNOWN, "")
+            known = "/".join(target.rstrip("/").split("/")[-1 - bool(_IN_BUILD.search(target)) :])
+            self.folder = "" if target in {"~", "-"} else known.replace(UNKNOWN, "").strip("/")
         else:
             self.folder = posixpath.normpath(posixpath.join(self.folder, target)).removeprefix("../").strip(".")
 
