@@ -76,6 +76,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     rest = [c for c in written if not _after(c)] or [
         c for c in written if c.argv[0].startswith("python") or (_section(c.heading) > 0 and not _named(c, _AFTER))
     ]
+    rest = rest or [c for c in written if _purpose(c)]
     whole = {program_of(c.argv) for c in rest if not c.cut}
     return min((c for c in rest if not c.cut or program_of(c.argv) not in whole), key=_order, default=None)
 
@@ -127,6 +128,16 @@ def _helps(candidate: Candidate) -> bool:
 def _after(candidate: Candidate) -> bool:
     python = candidate.argv[0].startswith("python")
     return _named(candidate, _AFTER) or (not python and _named(candidate, _TEST))
+
+
+def _purpose(candidate: Candidate) -> bool:
+    """Tell whether a node or a launch file has the name of its package: what that is called is what it is for."""
+    words = program_of(candidate.argv)
+    return words[0] in _LAUNCHERS and _plain(words[-1]).startswith(_plain(words[-2]))
+
+
+def _plain(name: str) -> str:
+    return re.sub(r"[^a-z0-9]", "", name.lower())
 
 
 def _named(candidate: Candidate, names: re.Pattern[str]) -> bool:

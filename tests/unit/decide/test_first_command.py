@@ -49,10 +49,25 @@ ROS2 = {
         ("roslaunch launch/map.launch\n", "roslaunch demo map.launch"),
         ("Start it:\n```\n./devel/lib/demo/demo_node --fast\n```\n", "rosrun demo demo_node --fast"),
         ("roslaunch demo gone.launch\n", "bash"),
+        ('1. Run "roslaunch demo replay.launch a:=1", then see.\n', "roslaunch demo replay.launch a:=1"),
+        ("Then start roslaunch demo map.launch.\n", "roslaunch demo map.launch"),
+        ("Here roslaunch demo map.launching is no command.\n", "bash"),
     ],
 )
 def test_the_first_command_of_a_page_for_ros_1(tree: Tree, page: str, command: str) -> None:
     assert " ".join(tree({**ROS1, "README.md": page}).command) == command
+
+
+def test_a_package_may_be_for_what_others_only_do_after_it(tree: Tree) -> None:
+    files = {path: text.replace("demo", "arm_calibration") for path, text in ROS1.items() if "launch" not in path}
+    page = "# Examples\n```\n./build/arm_calibration_node --fast\n```\n```\n./build/arm_calibration_node\n```\n"
+    assert tree({**files, "README.md": page}).command == (
+        "rosrun", "arm_calibration", "arm_calibration_node", "--fast",
+    )  # fmt: skip
+    page = page.replace("arm_calibration_node", "teleop_node")
+    files["CMakeLists.txt"] = files["CMakeLists.txt"].replace("${PROJECT_NAME}_node", "teleop_node")
+    files["CMakeLists.txt"] += "add_executable(mapper b.cpp)\n"
+    assert tree({**files, "README.md": page}).command == ("rosrun", "arm_calibration", "mapper")
 
 
 def test_the_root_page_comes_before_those_of_folders(tree: Tree) -> None:

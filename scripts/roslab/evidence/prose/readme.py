@@ -65,6 +65,11 @@ _NAMED_PYTHON = pattern(
     re.IGNORECASE,
 )
 """A sentence that runs a file of Python."""
+_SAID_LAUNCH = pattern(
+    r"(?<![`\w/-])(?:roslaunch|ros2 launch) +[a-z]\w+ +[\w./-]+(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.py)"
+    r"(?: +\w+:=[^\s\"'\u201d`,;)]+)*(?![\w`])"
+)
+"""A launch in a sentence: ``Run "roslaunch demo map.launch" to start``."""
 _SPAN = pattern(r"(`+)(.+?)\1")
 _HEADING = pattern(r"^(#{1,6})\s+(.*?)\s*#*$")
 _ELSEWHERE = pattern(
@@ -262,6 +267,7 @@ def _shell(line: str, *, fenced: bool) -> Iterator[str]:
     else:
         spans = (_PROMPT.sub("", span[2]) for span in _SPAN.finditer(line))
         yield from (span for span in spans if telling(span) and " " in span)
+        yield from (said[0] for said in (_SAID_LAUNCH.finditer(line) if "launch " in line else ()))
         yield from (f"cd {named[1]}" for named in _GO_INTO.finditer(line))
         yield from (f"./{named[1]}" for named in _NAMED.finditer(line))
         yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
