@@ -231,3 +231,33 @@ def test_a_release_that_no_ubuntu_has_is_built_as_a_script_builds_it(
     assert decision.ros_distro == distro
     assert [(source.name, source.build) for source in decision.source] == [(name, "cmake") for name in built]
     assert all(source.cmake_options == "-DBUILD_tools=OFF" for source in decision.source)
+
+
+RELEASED = """\
+WIRE="1.4.2"
+wget https://github.com/lab/libwire/releases/download/v"${WIRE}"/wire-"${WIRE}".zip -O wire.zip
+unzip wire.zip && cd "wire-${WIRE}"
+mkdir build && cd build
+cmake .. && sudo make -j4 install
+cd ../..
+wget https://github.com/zeromq/cppzmq/archive/v4.4.1.zip
+unzip v4.4.1.zip && cd cppzmq-4.4.1
+mkdir build && cd build
+cmake .. && sudo make install
+"""
+
+
+@pytest.mark.parametrize(
+    ("asked", "built"),
+    [
+        ("wire 1.4.2 REQUIRED", ["https://github.com/lab/libwire v1.4.2"]),
+        ("cppzmq 4.4.1 REQUIRED EXACT", ["https://github.com/zeromq/cppzmq v4.4.1"]),
+        ("cppzmq 4.3 REQUIRED", []),
+        ("cppzmq REQUIRED", []),
+    ],
+)
+def test_the_release_that_cmake_asks_for_is_built_where_a_script_builds_it(
+    tree: Tree, asked: str, built: list[str]
+) -> None:
+    files = {**ros1(f"find_package({asked})\n", ""), "scripts/install/bridge.sh": RELEASED}
+    assert [f"{source.repo} {source.ref}" for source in tree(files).source] == built

@@ -30,6 +30,8 @@ SWARM = package("play/a_ws/src/planner", "planner") | package("play/a_ws/src/map
     ("files", "built", "ignored"),
     [
         (MAIN | SWARM, ("play/main_ws/src/planner/package.xml",), ("play/a_ws",)),
+        (package("test/ws/src/b", "b") | package("ros/src/a", "a"), ("ros/src/a/package.xml",), ("test/ws",)),
+        (package("test/ws/src/b", "b"), ("test/ws/src/b/package.xml",), ()),
         (
             SWARM | package("play/b_ws/src/planner", "planner"),
             ("play/a_ws/src/map/package.xml", "play/a_ws/src/planner/package.xml"),

@@ -119,7 +119,7 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
 
 
 def _other_workspaces(manifests: tuple[PackageManifest, ...]) -> set[str]:
-    """Return the workspaces of a tree that hold packages of the same names as one that is built.
+    """Return the workspaces of a tree that hold packages of the same names as one that is built, and those of tests.
 
     The one that is called the main one is built, else the one with most packages.
     """
@@ -128,8 +128,11 @@ def _other_workspaces(manifests: tuple[PackageManifest, ...]) -> set[str]:
         found = _SOURCES.match(manifest.file)
         if found and manifest.name and not manifest.ignored:
             inside.setdefault(found[1], set()).add(manifest.name)
-    best = max(inside, key=lambda root: (bool(_MAIN.search(root)), len(inside[root]), root == min(inside)), default="")
-    return {root for root, names in inside.items() if root != best and names & inside[best]}
+    tests = {root for root in inside if places.test(f"{root}/src")}
+    tests = tests if len(tests) < len(inside) else set()
+    left = inside.keys() - tests
+    best = max(left, key=lambda root: (bool(_MAIN.search(root)), len(inside[root]), root == min(left)), default="")
+    return {root for root in left if root != best and inside[root] & inside[best]} | tests
 
 
 def _below(folder: str, folders: set[str]) -> bool:

@@ -14,7 +14,7 @@ from roslab.decide.system.needs import code_needs
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.code_limits import satisfies
+from roslab.knowledge.code_limits import satisfies, version_of
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 
@@ -78,7 +78,11 @@ def by_hand(
             continue
         pinned = git.installed and bool(fixed(git.ref))
         by_file = git.installed and (asked.namespace, asked.strength) == ("link", "declared")
-        if not by_file and not (pinned and _newer(asked, target)) and not _unknown(asked, target, pinned=pinned):
+        if (
+            not by_file
+            and not (pinned and _newer(asked, target, fixed(git.ref) or ""))
+            and not _unknown(asked, target, pinned=pinned)
+        ):
             continue  # what is named by its file below /usr/local is there only where it was built
         ref = fixed_at(git.ref, "" if date is None else date.value)
         source = Source(
@@ -94,11 +98,17 @@ def by_hand(
     return tuple(found.values())
 
 
-def _newer(asked: Dependency, target: Target) -> bool:
-    """Tell whether the build requires a release that this Ubuntu does not have: the page builds it for that."""
+def _newer(asked: Dependency, target: Target, ref: str) -> bool:
+    """Tell whether the build requires a release that this Ubuntu does not have: the page builds it for that.
+
+    Where no table tells which one the Ubuntu has, that is so where the page builds the very release.
+    """
     if asked.namespace != "cmake" or asked.strength != "declared" or not asked.version or not target.ubuntu:
         return False
-    return not satisfies(asked.name, target.ubuntu, asked.version, ros=bool(target.ros_distro))
+    ros = bool(target.ros_distro)
+    if version_of(asked.name, target.ubuntu, ros=ros) is None:
+        return ref.removeprefix("v") == asked.version
+    return not satisfies(asked.name, target.ubuntu, asked.version, ros=ros)
 
 
 def _unknown(asked: Dependency, target: Target, *, pinned: bool) -> bool:

@@ -9,21 +9,29 @@ from roslab.evidence.lex.shell import Command
 from roslab.values.pattern import pattern
 
 _ARCHIVE = pattern(r"(https://github\.com/[\w-]+/([\w.-]+))/archive/(?:refs/tags/)?([\w.+-]+?)\.(?:zip|tar\.gz|tgz)$")
+_RELEASE = pattern(
+    r"(https://github\.com/[\w-]+/[\w.-]+)/releases/download/(v?([\d.]+))/"
+    r"([A-Za-z]\w*)-v?\3\.(?:zip|tgz|tar\.(?:gz|bz2|xz))$"
+)
+"""A file of a release whose name is that of the project and the release only: its source, and no program."""
 
 
 def is_release(url: str) -> bool:
     """Tell whether an address is that of a repository's archive."""
-    return bool(_ARCHIVE.match(url))
+    return bool(_ARCHIVE.match(url) or _RELEASE.match(url))
 
 
 def archives(command: Command, file: str) -> Iterator[GitSource]:
-    """Yield the repositories and tags whose archives ``wget`` or ``curl`` fetches."""
+    """Yield the repositories and tags whose archives ``wget`` or ``curl`` fetches, each by the name of its folder."""
     for word in command.words:
-        if match := _ARCHIVE.match(word):
+        archive, release = _ARCHIVE.match(word), _RELEASE.match(word)
+        found = archive.group(1, 2, 3) if archive else release.group(1, 4, 2) if release else ()
+        if found:
+            url, name, ref = found
             yield GitSource(
-                name=match[2],
-                url=match[1],
-                ref=match[3],
+                name=name,
+                url=url,
+                ref=ref,
                 strength="prose",
                 file=file,
                 line=command.line,

@@ -26,6 +26,7 @@ _TELLING = tuple(
         ("python", r"\bpython[\d.]*\s+\S"),
         ("cmake", r"\bcmake\b"),
         ("/archive/", "/archive/"),
+        ("/releases/", r"/releases/download/[^/\s]+/\S+\.zip\b"),
         ("ppa:", r"\bppa:"),
         ("dpkg", r"\bdpkg\s"),
         (".deb", r"\.deb\b"),
