@@ -63,6 +63,24 @@ def test_options_includes_and_constraints(tmp_path: Path) -> None:
     assert found["requirements/base.txt"].includes == ("requirements/all.txt",)
 
 
+def test_several_packages_in_one_line(tmp_path: Path) -> None:
+    text = (
+        "torch==1.10.1+cu111 torchvision==0.11.2+cu111 -f https://wheels.example/whl/torch.html\n"
+        "jax -f https://wheels.example/jax.html\n"
+        "# tqdm scipy\ninstall these first\n"
+    )
+    file = read(tmp_path, {"requirements.txt": text})["requirements.txt"]
+    assert [(each.written, each.role, each.line) for each in file.requirements] == [
+        ("torch==1.10.1+cu111", "repaired", 1),
+        ("torchvision==0.11.2+cu111", "repaired", 1),
+        ("jax", "repaired", 2),
+    ]
+    assert file.options == (
+        "--find-links https://wheels.example/whl/torch.html",
+        "--find-links https://wheels.example/jax.html",
+    )
+
+
 @pytest.mark.parametrize(
     ("path", "purpose"),
     [

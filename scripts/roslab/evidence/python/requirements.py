@@ -33,6 +33,8 @@ _OPTION = pattern(
     r"^(-i|--index-url|--extra-index-url|-f|--find-links|--pre|--trusted-host|--no-index|--no-binary|"
     r"--only-binary|--prefer-binary|--use-feature)\b[ =]*(.*)$"
 )
+_INDEX = pattern(r"(?:^|\s)(-i|--index-url|--extra-index-url|-f|--find-links)[ =]+(https?://\S+)")
+"""An option that says where packages lie, wherever it stands in a line."""
 _LONG = {"-i": "--index-url", "-f": "--find-links"}
 _NESTED = pattern(r"^(?:-r|--requirement)[ =]*(\S+)$")
 _COMMENTED = pattern(r"^[ \t]*#[ \t]*(?:-r|--requirement)[ =]*(\S+)", re.MULTILINE)
@@ -98,6 +100,10 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
             options.append(f"{_LONG.get(option[1], option[1])} {option[2].strip()}".strip())
         elif asked := requirement(line, "manifest", path, number):
             found.append(asked)
+        else:
+            several, given = _several(line, path, number)
+            found += several
+            options += given
     return RequirementFile(
         file=path,
         line=1,
@@ -107,6 +113,21 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
         options=tuple(dict.fromkeys(options)),
         purpose=purpose,
     )
+
+
+def _several(line: str, path: str, number: int) -> tuple[list[Requirement], list[str]]:
+    """Return the packages and options of a line written like the words after ``pip install``; none of any other line.
+
+    pip reads one requirement a line, and knows ``-f`` and the like only on lines of their own:
+    https://pip.pypa.io/en/stable/reference/requirements-file-format/, read 2026-11-22.
+    """
+    options = [f"{_LONG.get(found[1], found[1])} {found[2]}" for found in _INDEX.finditer(line)]
+    words = _INDEX.sub(" ", line).split()
+    asked = [requirement(word, "manifest", path, number, repair=False) for word in words]
+    read = all(each and not each.role for each in asked)
+    if not words or not read or not (options or any(each and each.specifier for each in asked)):
+        return [], []  # a sentence is words too
+    return [replace(each, role="repaired") for each in asked if each], options
 
 
 def _lines(text: str) -> list[tuple[int, str]]:
