@@ -41,6 +41,7 @@ from roslab.decide.system.own_options import own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, without_twins
 from roslab.decide.system.recipes import of_another_release, recipes_for
+from roslab.decide.variables import decide_variables
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
@@ -142,7 +143,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     system = without_twins(system, frozenset(source.name for source, _ in (*libraries, *linked)))
 
     inside = compiled_inside(evidence, config, kind.answer)
-    scripts = decide_scripts(evidence, config, kind.answer)
+    scripts, variables = decide_scripts(evidence, config, kind.answer), decide_variables(evidence, config)
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else NO_CUDA
     compiling = decide_compiling(
@@ -199,7 +200,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         sources,
         system,
         inside,
-        *(() if own.answer else (scripts, missing, steps)),
+        *(() if own.answer else (scripts, missing, steps, variables)),
     )
     return Decision(
         kind=kind.answer,
@@ -219,6 +220,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         submodules=() if own.answer else sources.answer.submodules,
         inside=inside.answer,
         python_path=python_path(evidence, config, kind.answer),
+        variables=() if own.answer else variables.answer,
         scripts=() if own.answer else scripts.answer,
         packages=tuple(m.file for m in packages.built if m.name not in left_out) if kind.answer in _ROS else (),
         package_names=tuple(name for name in _names(packages, kind.answer) if name not in left_out),

@@ -155,6 +155,8 @@ class Decision:
     """Folders of copied libraries that are compiled where they lie, each with the options of CMake."""
     python_path: tuple[str, ...] = ()
     """Folders of the repository on PYTHONPATH, ``.`` for the root."""
+    variables: tuple[tuple[str, str], ...] = ()
+    """Variables that a page sets and the build or a launch file reads, each with its value."""
     scripts: tuple[OwnScript, ...] = ()
     """Scripts of the repository that compile something, in the order of the README."""
     packages: tuple[str, ...] = ()

@@ -81,6 +81,8 @@ class Workspace:
     """Folders of the repository, ``""`` for its own, each with a command that compiles something there."""
     python_path: tuple[str, ...] = ()
     """Folders of the repository on PYTHONPATH, ``.`` for its own."""
+    variables: tuple[tuple[str, str], ...] = ()
+    """Variables of the environment that the build or a launch file reads, each with its value."""
     python_projects: tuple[str, ...]
     unread: tuple[str, ...] = ()
     """Names at the top of the repository that no build file names."""
@@ -116,6 +118,7 @@ def workspace(
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
         scripts=tuple((script.folder, script.command) for script in decision.scripts),
         python_path=decision.python_path,
+        variables=decision.variables,
         python_projects=decision.python.projects,
         unread=unread,
         native=decision.native,

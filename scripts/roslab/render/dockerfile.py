@@ -70,6 +70,7 @@ TODAY = Order(
         python.locked,
         python.packages,
         python.guessed_packages,
+        building.variables,
     ),
     source=(
         workspace.copy_source,  # 5.

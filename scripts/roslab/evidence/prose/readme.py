@@ -14,7 +14,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
-from roslab.evidence.prose import mentions, python_path
+from roslab.evidence.prose import exports, mentions, python_path
 from roslab.evidence.prose.installs import BLANK, Collector, merge
 from roslab.evidence.prose.own_scripts import checked
 from roslab.evidence.prose.telling import telling
@@ -90,8 +90,9 @@ def read(repository: Repository) -> Prose:
     """Return the install and run lines and the versions of the pages that explain how to install."""
     found = pages(repository)
     paths = (mention for file in found for mention in python_path.read(repository, file, repository.read(file)))
+    exported = (mention for file in found for mention in exports.read(repository, file, repository.read(file)))
     read = merge(_rooted(_read(repository.read(file), file), repository) for file in found)
-    return read._replace(mentions=(*read.mentions, *paths))
+    return read._replace(mentions=(*read.mentions, *paths, *exported))
 
 
 def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, ...]:

@@ -35,6 +35,12 @@ def settings(plan: Plan) -> str:
     return "\n".join(lines)
 
 
+def variables(plan: Plan) -> str:
+    """Set the variables that the build or a launch file reads, as the author's page does."""
+    pairs = [f"{name}={quote.docker(value)}" for name, value in plan.workspace.variables]
+    return "# The page of the repository sets it\nENV " + " \\\n    ".join(pairs) if pairs else ""
+
+
 def installs(plan: Plan) -> bool:
     """Tell whether pip installs anything for the image's own Python."""
     python = plan.python

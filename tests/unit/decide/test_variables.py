@@ -1,0 +1,57 @@
+"""A variable that a page exports, and that the build or a launch file reads, is set in the image."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.plan.plan import make_plan
+from roslab.render.dockerfile import dockerfile
+from roslab.repository.checkout import Repository
+
+Tree = Callable[[dict[str, str]], Decision]
+BUILT = {
+    "package.xml": (
+        '<package format="3"><name>imu_node</name><buildtool_depend>ament_cmake</buildtool_depend>'
+        "<export><build_type>ament_cmake</build_type></export></package>"
+    ),
+    "CMakeLists.txt": (
+        "project(imu_node)\nfind_package(ament_cmake REQUIRED)\n"
+        'string(COMPARE EQUAL "imu-1" $ENV{DEVICE} IS_ONE)\nmessage($ENV{HOME} $ENV{ROS_DISTRO})\n'
+    ),
+    "launch/start.launch.py": "from launch import LaunchDescription\nimport os\nmodel = os.environ['ROBOT_MODEL']\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("page", "found"),
+    [
+        ("export DEVICE={one of these}\n```\n```\nexport DEVICE=imu-1\ncolcon build\n", (("DEVICE", "imu-1"),)),
+        ("export DEVICE=imu-2\nexport DEVICE=imu-1\n", (("DEVICE", "imu-2"),)),
+        ('$ export ROBOT_MODEL="burger"\n', (("ROBOT_MODEL", "burger"),)),
+        ("export ROS_DISTRO=humble\nexport HOME=here\nexport OTHER=1\nexport DEVICE=$1\n", ()),
+    ],
+)
+def test_what_a_page_exports_and_the_tree_reads(tree: Tree, page: str, found: tuple[tuple[str, str], ...]) -> None:
+    assert tree({**BUILT, "README.md": f"```\n{page}```\n"}).variables == found
+
+
+def test_the_build_has_the_variable(tree: Tree) -> None:
+    decision = tree({**BUILT, "README.md": "```\nexport DEVICE=imu-1\ncolcon build\n```\n"})
+    text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
+    assert 0 < text.index("ENV DEVICE=imu-1") < text.index("colcon build")
+
+
+def test_roslab_yaml_has_the_last_word(tmp_path: Path) -> None:
+    for name, text in {**BUILT, "README.md": "```\nexport DEVICE=imu-1\ncolcon build\n```\n"}.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    config = Config(env=(("DEVICE", "imu-2"),))
+    found = decide(gather(Repository.open(tmp_path)), config, folder_name="demo")
+    assert found.variables == (("DEVICE", "imu-2"),)
