@@ -12,6 +12,7 @@ from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention, PackageManifest
 from roslab.knowledge.distros import distro, distros
+from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 
 SMALL_WRAPPER = 3
@@ -221,7 +222,7 @@ def _cpp(evidence: Evidence) -> list[Reason]:
     compiled = "CUDA" in top.languages or evidence.cuda_files
     answer = "cuda" if "cuda" in top.macros and compiled else "cpp"
     bindings = any(not project.folder and "cmake" in project.extensions for project in evidence.python)
-    if root and bindings and _mostly_cpp(evidence):
+    if root and bindings and _mostly_cpp(evidence) and not _only_by_pip(evidence):
         return [because("kind", answer, "a CMake project with Python bindings", top, weight=Weight.BINDINGS)]
     if root and (said := _built_by_page(evidence)) and _mostly_cpp(evidence):
         return [
@@ -236,10 +237,21 @@ def _cpp(evidence: Evidence) -> list[Reason]:
 
 def _built_by_page(evidence: Evidence) -> Mention | None:
     """Return where the page at the root runs CMake, ``None`` if it does not, or has pip install the repository."""
-    names = {project.name for project in evidence.python if not project.folder}
-    for asked in evidence.prose_pip:
-        if asked.role == "project" or (asked.name and asked.name in names):
-            return None
+    return None if _by_pip(evidence) else _page_of_cmake(evidence)
+
+
+def _only_by_pip(evidence: Evidence) -> bool:
+    """Tell whether the pages have pip install the repository, which compiles it, and the page at the root no CMake."""
+    return _by_pip(evidence) and _page_of_cmake(evidence) is None
+
+
+def _by_pip(evidence: Evidence) -> bool:
+    """Tell whether the pages have pip install the repository, from its folder or by its name."""
+    names = {canonicalize_name(project.name) for project in evidence.python if not project.folder and project.name}
+    return any(asked.role == "project" or asked.key in names for asked in evidence.prose_pip)
+
+
+def _page_of_cmake(evidence: Evidence) -> Mention | None:
     said = (m for m in evidence.mentions if m.topic == "build_tool" and m.value == "cmake" and m.source == "readme")
     return next((mention for mention in said if "/" not in mention.file), None)
 

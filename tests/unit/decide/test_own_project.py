@@ -75,3 +75,22 @@ BY_HAND = "```\ngit clone -b v2.7.1 https://github.com/a/nlopt.git\ncd nlopt/bui
 def test_a_library_that_is_named_by_its_file(tree: Tree, cmake: str, built: list[str]) -> None:
     files = CODE | {"CMakeLists.txt": f"{MADE}{cmake}\n", "README.md": BY_HAND}
     assert [source.name for source in tree(files).source] == built
+
+
+@pytest.mark.parametrize(
+    ("page", "kind"),
+    [
+        ("pip install the-demo", "python"),
+        ("pip install .", "python"),
+        ("pip install the-demo\n```\nFrom source:\n```\nmkdir build\ncd build\ncmake ..\nmake", "cpp"),
+        ("pip install numpy", "cpp"),
+    ],
+)
+def test_bindings_that_the_page_has_pip_compile(tree: Tree, page: str, kind: str) -> None:
+    setup = (
+        "from setuptools import Extension, setup\nfrom setuptools.command.build_ext import build_ext\n\n\n"
+        "class CMakeExtension(Extension):\n    pass\n\n\n"
+        "setup(name='the_demo', ext_modules=[CMakeExtension('the_demo')], cmdclass={'build_ext': build_ext})\n"
+    )
+    code = CODE | {f"{name}.cpp": "#include <Eigen/Dense>\n" for name in "bcd"}
+    assert tree(code | {"setup.py": setup, "README.md": f"```\n{page}\n```\n"}).kind == kind
