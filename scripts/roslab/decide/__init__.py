@@ -30,7 +30,7 @@ from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.sources import decide_sources, with_recipes
-from roslab.decide.ros.workspace import Packages, packages_of
+from roslab.decide.ros.workspace import Packages, of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.system.by_hand import as_written, by_hand
 from roslab.decide.system.inside import compiled_inside
@@ -96,7 +96,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         python = replace(python, reasons=tuple(r for r in python.reasons if r.question != "python"))
     build_tool = decide_build_tool(evidence, config, kind.answer, python.answer)
 
-    packages = packages_of(evidence)
+    packages = of_one_ros(packages_of(evidence), evidence, kind.answer)
     layout = decide_layout(evidence, kind.answer, packages)
     target = Target(ros_distro=distro, ubuntu=base.answer.ubuntu)
     sources = decide_sources(

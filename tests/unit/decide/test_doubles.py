@@ -58,3 +58,36 @@ def test_the_tool_does_not_look_into_the_others(tmp_path: Path) -> None:
         target.write_text(text, encoding="utf-8")
     text = dockerfile(plan_repository(tmp_path).plan)
     assert "/play/a_ws/CATKIN_IGNORE \\\n && " in text
+
+
+AMENT = {
+    "node_ros2/package.xml": (
+        "<package><name>node_ros2</name><buildtool_depend>ament_cmake</buildtool_depend><depend>map_msgs</depend>"
+        "<export><build_type>ament_cmake</build_type></export></package>"
+    ),
+    "node_ros2/CMakeLists.txt": "project(node_ros2)\nfind_package(ament_cmake REQUIRED)\n",
+}
+BOTH = {
+    "lib/package.xml": (
+        '<package format="3"><name>lib</name><buildtool_depend condition="$ROS_VERSION == 1">catkin</buildtool_depend>'
+        '<buildtool_depend condition="$ROS_VERSION == 2">ament_cmake</buildtool_depend>'
+        "<export><build_type>cmake</build_type></export></package>"
+    ),
+    "lib/CMakeLists.txt": "project(lib)\n",
+}
+
+
+def test_what_is_made_for_the_other_ros_alone_is_not_built(tree: Tree) -> None:
+    decision = tree(package("node_ros1", "node_ros1") | AMENT | BOTH)
+    assert decision.kind == "ros2"
+    assert (decision.packages, decision.ignored) == (
+        ("lib/package.xml", "node_ros2/package.xml"),
+        ("node_ros1",),
+    )
+    assert not any("catkin" in warning.message for warning in decision.warnings)
+
+
+def test_a_package_of_ros_1_is_built_with_ros_1(tree: Tree) -> None:
+    more = package("node_ros1", "node_ros1") | package("a", "a") | package("b", "b")
+    decision = tree(more | AMENT | BOTH | {"README.md": "Install ROS noetic.\n"})
+    assert (decision.kind, decision.ignored) == ("ros1", ("node_ros2",))

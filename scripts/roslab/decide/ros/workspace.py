@@ -7,11 +7,12 @@ from collections.abc import Iterable
 from functools import cache
 from typing import Literal
 
+from roslab.config.model import Kind
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.ros.conditions import holds
 from roslab.evidence.ros.rosbuild import BUILD_TYPE
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
 RosVersion = Literal[1, 2]
@@ -39,7 +40,7 @@ class Packages:
     names: frozenset[str]
     """Names of all packages, also of those not built: none of them is a key for rosdep."""
     doubles: tuple[str, ...] = ()
-    """Folders with packages of names that are built already: a build tool that finds both stops."""
+    """Folders with packages of names that are built already, or of the other ROS: a tool that finds them stops."""
 
 
 def packages_of(evidence: Evidence) -> Packages:
@@ -169,6 +170,26 @@ def ros_versions(manifest: PackageManifest, macros: tuple[str, ...] = ()) -> fro
     if len(found) == 2 and not any(condition for _, condition in manifest.build_types):
         found.discard(1)
     return frozenset(found)
+
+
+def of_one_ros(packages: Packages, evidence: Evidence, kind: Kind) -> Packages:
+    """Return the packages without those that are made for the other ROS alone, whose folders no tool looks into."""
+    macros = {project.file.rpartition("/")[0]: project.macros for project in evidence.cmake}
+    others = []
+    for manifest in packages.built:
+        versions = ros_versions(manifest, macros.get(manifest.file.rpartition("/")[0], ()))
+        made_for = {f"ros{version}" for version in versions if kind in {"ros1", "ros2"}}
+        if made_for and kind not in made_for and not of_rosbuild(manifest):
+            others.append(manifest)
+    if not others or len(others) == len(packages.built):
+        return packages
+    folders = {manifest.file.rpartition("/")[0] for manifest in others}
+    return replace(
+        packages,
+        built=tuple(manifest for manifest in packages.built if manifest not in others),
+        left_out=(*packages.left_out, *others),
+        doubles=tuple(sorted({*packages.doubles, *folders} - {""})),
+    )
 
 
 def _for_catkin(manifest: PackageManifest, macros: tuple[str, ...]) -> bool:
