@@ -487,3 +487,8 @@ def test_the_channel_of_conda_s_packages_names_the_distribution(tmp_path: Path) 
     pixi = '[workspace]\nchannels = ["robostack-jazzy", "conda-forge"]\n[dependencies]\nros-jazzy-desktop = "*"\n'
     files = {**package(xml=AMENT), "pixi.toml": pixi, "README.md": "Tested with ROS 2 Humble.\n"}
     assert decided(tmp_path, files, branch="main").ros_distro == "jazzy"
+
+
+def test_the_packages_that_pixi_takes_name_the_distribution(tmp_path: Path) -> None:
+    pixi = '[project]\nchannels = ["robostack-staging", "conda-forge"]\n[dependencies]\nros-humble-desktop = ">=0.10"\n'
+    assert decided(tmp_path, {**package(xml=AMENT), "pixi.toml": pixi}, branch="main").ros_distro == "humble"

@@ -226,6 +226,11 @@ def _channels(evidence: Evidence) -> Iterator[Reason]:
             for name in _names(channel) if "robostack" in channel else ():
                 weight = Weight.CHANNEL - Weight.DEEPER * environment.file.count("/")
                 yield because("ros_distro", name, f"its packages come from {channel}", environment, weight=weight)
+        asked = (p.name for p in environment.packages) if not places.vendored(environment.file) else ()
+        for package in [package for package in asked if package.startswith("ros-")][:1]:
+            for name in _names(package.split("-")[1]):
+                weight = Weight.CHANNEL - Weight.DEEPER * environment.file.count("/")
+                yield because("ros_distro", name, f"it asks for {package}", environment, weight=weight)
 
 
 def _branches(evidence: Evidence, ros: int) -> Iterator[Reason]:
