@@ -55,6 +55,8 @@ class CMakeProject:
     programs_in: str | None = None
     """The folder that programs are written to; ``None`` if the file names none. ``source/…`` is relative to the root of
     the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, ``build/…`` to the build folder."""
+    linked: tuple[tuple[str, int], ...] = ()
+    """Files of libraries below the source that it links and that are not there, as written, each with its line."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 from roslab.decide.decision import Decision
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
@@ -33,6 +35,26 @@ def test_a_script_that_the_page_runs(tree: Tree) -> None:
 
 def test_a_script_that_no_page_runs_compiles_nothing(tree: Tree) -> None:
     assert tree({**TREE, "README.md": "Build it with CMake.\n"}).inside == ()
+
+
+LINKED = "target_link_libraries(a ${PROJECT_SOURCE_DIR}/Thirdparty/g2o/lib/libg2o.so)\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "found"),
+    [
+        ({"CMakeLists.txt": CMAKE + LINKED}, (("Thirdparty/g2o", "-DCMAKE_BUILD_TYPE=Release -DWITH_GUI=OFF"),)),
+        ({"CMakeLists.txt": CMAKE + LINKED, "build.sh": "make\n"}, (("Thirdparty/g2o", ""),)),
+        (
+            {"CMakeLists.txt": CMAKE, "b/CMakeLists.txt": f"add_library(b b.cpp)\n{LINKED.replace('}/', '}/../')}"},
+            (("Thirdparty/g2o", "-DCMAKE_BUILD_TYPE=Release -DWITH_GUI=OFF"),),
+        ),
+        ({"CMakeLists.txt": CMAKE + LINKED, "Thirdparty/g2o/lib/libg2o.so": "ELF"}, ()),
+        ({"CMakeLists.txt": CMAKE + LINKED + "add_subdirectory(Thirdparty/g2o)\n"}, ()),
+    ],
+)
+def test_a_library_that_is_linked_by_its_file(tree: Tree, files: dict[str, str], found: object) -> None:
+    assert tree({**TREE, **files}).inside == found
 
 
 def test_a_page_compiles_a_submodule(tree: Tree) -> None:

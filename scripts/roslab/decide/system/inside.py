@@ -1,14 +1,18 @@
-"""Libraries that lie in the tree and that a page, or a script that it runs, compiles there before all else."""
+"""Libraries that lie in the tree and that are compiled there before all else.
+
+A page does so, or a script that it runs, or the project links the file that is then there.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.values.origin import Place
 
 WEIGHT = 300
 """Sources do not compete, so it only orders the report."""
@@ -33,10 +37,27 @@ def compiled_inside(evidence: Evidence, config: Config, kind: Kind) -> Choice[tu
             if folder and not places.vendored(mention.file):
                 found.setdefault(folder, mention)
     why = "it is compiled where it lies"
-    return Choice(
-        answer=tuple((folder, mention.text) for folder, mention in found.items()),
-        reasons=tuple(because("source", folder, why, mention, weight=WEIGHT) for folder, mention in found.items()),
-    )
+    reasons = [because("source", folder, why, mention, weight=WEIGHT) for folder, mention in found.items()]
+    answer = {folder: mention.text for folder, mention in found.items()}
+    scripts = [mention for mention in evidence.mentions if mention.topic == "compiled"]
+    for folder, path, place in _linked(evidence, folders - answer.keys()):
+        if folder not in answer:
+            said = next((m.text for m in scripts if _meant(m.value, {folder}) and not places.vendored(m.file)), "")
+            answer[folder] = said
+            reasons.append(
+                because("source", folder, f"{path} is linked, which is compiled there", place, weight=WEIGHT)
+            )
+    return Choice(answer=tuple(answer.items()), reasons=tuple(reasons))
+
+
+def _linked(evidence: Evidence, folders: Collection[str]) -> Iterator[tuple[str, str, Place]]:
+    """Yield each folder whose library the project links by its file, which no other CMake adds to its own build."""
+    alone = {project.file.rpartition("/")[0] for project in evidence.cmake if project.top_level} & {*folders}
+    for project in evidence.cmake:
+        for path, line in project.linked if not places.vendored(project.file) else ():
+            holding = [folder for folder in alone if path.startswith(f"{folder}/")]
+            if holding:
+                yield max(holding, key=len), path, Place(file=project.file, line=line)
 
 
 def _meant(path: str, folders: Collection[str]) -> str | None:

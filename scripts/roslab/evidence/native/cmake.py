@@ -89,6 +89,7 @@ class _Reading:
     libraries: set[str] = field(default_factory=set)
     dependencies: list[Dependency] = field(default_factory=list)
     sources: list[GitSource] = field(default_factory=list)
+    linked: dict[str, int] = field(default_factory=dict)
 
 
 def read(repository: Repository) -> tuple[CMakeProject, ...]:
@@ -96,7 +97,7 @@ def read(repository: Repository) -> tuple[CMakeProject, ...]:
     files = sorted(repository.named("CMakeLists.txt"), key=lambda file: (file.path.count("/"), file.path))
     added: set[str] = set()
     found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
-    kept = (p for p in found if p.name or p.top_level or p.dependencies or p.executables or p.macros)
+    kept = (p for p in found if p.name or p.top_level or p.dependencies or p.executables or p.macros or p.linked)
     return tuple(sorted(kept, key=lambda project: project.file))
 
 
@@ -150,6 +151,7 @@ def _project(repository: Repository, file: File, added: set[str]) -> CMakeProjec
         minimum=reading.minimum,
         tests=reading.tests,
         programs_in=reading.programs_in,
+        linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
     )
 
 
@@ -187,6 +189,7 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.sources += cmake_needs.fetched(call, path)
     elif name in cmake_needs.CALLS and (not call.in_function or name == "find_package"):
         reading.dependencies += cmake_needs.needs(call, path, reading.name)
+    reading.linked |= {path: line for path, line in cmake_needs.inside(call) if path not in reading.linked}
     _macros(call, reading)
 
 

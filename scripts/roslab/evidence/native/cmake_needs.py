@@ -75,6 +75,9 @@ _HERE = pattern(r"^(?:UNIX\b(?! AND (?:APPLE))|NOT \(?(?:WIN32|MSVC|APPLE)\)?$|N
 _NAME = pattern(r"^[A-Za-z][\w.+-]*$")
 _LINK = pattern(r"^(?:-l)?([A-Za-z_][\w.+-]*)$")
 _LOCAL = pattern(r"^/usr/local/lib/(?:[\w+-]+/)?lib([A-Za-z][\w+-]*)\.(?:so|a)$")
+_INSIDE = pattern(
+    r"^\$\{(?:PROJECT|CMAKE(?:_CURRENT)?)_SOURCE_DIR\}/(?:\.\./){0,5}([\w.+/-]{1,150}/lib[\w+-]{1,60}\.(?:so|a))$"
+)
 _VERSION = pattern(r"^\d+(?:\.\d+)*$")
 _MODULE = pattern(r"^([A-Za-z][\w.+-]*?)(?:(?:>=|<=|=|>|<)[\d.]+)?$")
 MAX_LINKED = 60
@@ -111,6 +114,13 @@ def files(call: Call, path: str) -> Iterator[Dependency]:
     for word in call.words[:MAX_LINKED]:
         if match := _LOCAL.match(word):
             yield _dependency("link", match[1], _strength(call, required=True), call, path)
+
+
+def inside(call: Call) -> Iterator[tuple[str, int]]:
+    """Yield the files of libraries below the source that a call names, each with its line."""
+    if call.name in {"set", "target_link_libraries", "link_libraries"} and not call.in_function:
+        found = (_INSIDE.match(word) for word in call.words[:MAX_LINKED])
+        yield from ((match[1], call.line) for match in found if match)
 
 
 def fetched(call: Call, path: str) -> Iterator[GitSource]:
