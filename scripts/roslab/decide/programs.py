@@ -29,9 +29,12 @@ class Compiled:
 
 
 def top_of(evidence: Evidence) -> CMakeProject | None:
-    """Return the CMake project that is built where the repository is no ROS package: the one nearest to the root."""
+    """Return the CMake project that is built where the repository is no ROS package: the one nearest to the root.
+
+    One whose code is elsewhere comes after all others.
+    """
     tops = [project for project in evidence.cmake if project.top_level and not places.vendored(project.file)]
-    return min(tops, key=lambda project: (project.file.count("/"), project.file), default=None)
+    return min(tops, key=lambda project: (project.lacks, project.file.count("/"), project.file), default=None)
 
 
 def compiled(evidence: Evidence) -> tuple[Compiled, ...]:

@@ -57,6 +57,8 @@ class CMakeProject:
     the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, ``build/…`` to the build folder."""
     linked: tuple[tuple[str, int], ...] = ()
     """Files of libraries below the source that it links and that are not there, as written, each with its line."""
+    lacks: bool = False
+    """None of the files of code that its programs name is there: it cannot be built by itself."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -109,6 +109,16 @@ def test_the_first_compiled_program_of_a_page(tree: Tree, page: str, command: st
     assert " ".join(tree(files).command) == command
 
 
+def test_a_project_whose_code_is_elsewhere_is_not_the_one_that_is_built(tree: Tree) -> None:
+    files = {
+        "align/CMakeLists.txt": "project(Align CXX)\nadd_executable(align align_main.cc ${MORE})\n",
+        "fuse/depth/CMakeLists.txt": "project(Fuse CXX)\nadd_executable(fuse fuse_main.cc)\n",
+        "fuse/depth/fuse_main.cc": "int main() {}\n",
+    }
+    assert tree(files).command == ("fuse",)
+    assert tree({**files, "align/align_main.cc": "int main() {}\n"}).command == ("align",)
+
+
 @pytest.mark.parametrize(
     ("more", "folders"),
     [

@@ -69,6 +69,7 @@ _OUTPUT = pattern(
 )
 _MODULE = pattern(r"^(?:Find([\w.+-]+)|([\w.+-]+?)-?[cC]onfig)\.cmake(?:\.in)?$")
 _TARGET = pattern(r"[A-Za-z][\w.+-]*$")
+_CODE = pattern(r"\w[\w./+-]*\.(?:c|cc|cpp|cxx|cu)$")
 _OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Google")
 """How names of CMake's own modules begin."""
 
@@ -87,6 +88,8 @@ class _Reading:
     tests: bool = False
     programs_in: str | None = None
     libraries: set[str] = field(default_factory=set)
+    named: set[str] = field(default_factory=set)
+    """Files of code that programs name, relative to this one's folder."""
     dependencies: list[Dependency] = field(default_factory=list)
     sources: list[GitSource] = field(default_factory=list)
     linked: dict[str, int] = field(default_factory=dict)
@@ -152,6 +155,7 @@ def _project(repository: Repository, file: File, added: set[str]) -> CMakeProjec
         tests=reading.tests,
         programs_in=reading.programs_in,
         linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
+        lacks=bool(reading.named) and not any(repository.has(_joined(file.folder, name)) for name in reading.named),
     )
 
 
@@ -181,6 +185,7 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.languages += words[:1]
     elif name in _EXECUTABLE and words and _TARGET.match(words[0]):
         reading.executables.setdefault(words[0], call.line)
+        reading.named.update(word for word in words[1:] if _CODE.match(word))
     elif name in _TESTS:
         reading.tests = True
     elif name in _LIBRARY:
