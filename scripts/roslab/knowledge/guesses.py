@@ -15,16 +15,19 @@ def tooling(asked_by: Literal["installers", "developers"]) -> frozenset[str]:
     return frozenset(row["pip"] for row in rows("python_tooling") if row["asked_by"] == asked_by)
 
 
-@cache
 def same_module(name: str, other: str) -> bool:
     """Tell whether two packages bring the same module: the builds of OpenCV, the spellings of scikit-learn."""
-    return any(_one_of(name, names) and _one_of(other, names) for names in _names())
+    return not _rows_of(name).isdisjoint(_rows_of(other))
+
+
+@cache
+def _rows_of(name: str) -> frozenset[int]:
+    """Return the numbers of the rows that name a package."""
+    return frozenset(
+        number for number, names in enumerate(_names()) if any(fnmatchcase(name, pattern) for pattern in names)
+    )
 
 
 @cache
 def _names() -> tuple[tuple[str, ...], ...]:
     return tuple(tuple(row["names"].split()) for row in rows("same_module"))
-
-
-def _one_of(name: str, patterns: tuple[str, ...]) -> bool:
-    return any(fnmatchcase(name, pattern) for pattern in patterns)

@@ -68,7 +68,8 @@ def decide_missing(
     provided = (*provided, *(key for key in keys if key in known or kind == "cpp"))
     ended = ended_in(packages, target.ros_distro, provided)
     names = {plain(name) for name in provided}
-    unsure = {m.name for m in packages.built if any(_of_a_clone(d, known | packages.names) for d in m.dependencies)}
+    named = known | packages.names
+    unsure = {m.name for m in packages.built if any(_of_a_clone(d, named) for d in m.dependencies)}
     lacking = {
         package: asked
         for package, asked in (_of_program if kind == "cpp" else _required)(evidence, packages)

@@ -33,11 +33,14 @@ def names(repository: Repository) -> tuple[str, ...]:
     texts = [repository.read(file) for file in files]
     if any(_EVERYTHING.search(text) for text in texts):
         return ()
-    return tuple(name for name in found if not any(_named(name, text) for text in texts))[:MOST]
+    lowered = [text.lower() for text in texts]
+    return tuple(name for name in found if not any(_named(name.lower(), text) for text in lowered))[:MOST]
 
 
 def _named(name: str, text: str) -> bool:
+    """Tell whether a text names a file or a pattern of its suffix, both in lower case."""
     stem, suffix = posixpath.splitext(name)
-    word = re.escape(stem.lstrip(".") or name)
-    pattern = rf"(?<![A-Za-z0-9_]){word}(?![A-Za-z0-9_])" + (rf"|\*{re.escape(suffix)}\b" if suffix else "")
-    return bool(re.search(pattern, text, re.IGNORECASE))
+    word = stem.lstrip(".") or name
+    if word in text and re.search(rf"(?<![a-z0-9_]){re.escape(word)}(?![a-z0-9_])", text):
+        return True
+    return bool(suffix and f"*{suffix}" in text and re.search(rf"\*{re.escape(suffix)}\b", text))
