@@ -131,6 +131,20 @@ def test_the_syntax_of_nodes_excludes_an_older_ubuntu(tree: Tree, code: str, dis
     assert tree(files | {"node.py": f"import rospy\n{code}\n"}).ros_distro == distro
 
 
+@pytest.mark.parametrize(
+    ("code", "python"),
+    [
+        ("print(f'{a}')\nprint(f'{a[0]} of {len(a)}', a['x'])\n", "3.8"),
+        ("print(f'runs/{a['x']}/log')\n", "3.12"),
+        ('print(f"runs/{a.b["x"]}/log")\n', "3.12"),
+        ("def first[T](items: list[T]) -> T:\n    return items[0]\n", "3.12"),
+    ],
+)
+def test_a_page_names_a_python_that_cannot_read_the_code(tree: Tree, code: str, python: str) -> None:
+    page = "- Create an environment with: conda create -n demo python=3.8\n"
+    assert tree({"play.py": code, "requirements.txt": "numpy\n", "README.md": page}).python.version == python
+
+
 def test_the_syntax_of_the_code_bounds_its_python(tree: Tree) -> None:
     match = "def f(a):\n    match a:\n        case 1:\n            return 2\n"
     files = {"requirements.txt": "numpy==1.22.0\n", "main.py": "import numpy\n"}

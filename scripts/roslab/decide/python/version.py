@@ -46,10 +46,10 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
         said = configured(config, "python", config.base.python, "base.python")
         return Choice(answer=config.base.python, reasons=(said,))
     known = (*ranges(evidence, pins, _telling(evidence)), *ranges_at_least(evidence))
-    if known:  # syntax alone tells nothing of the version that is meant
-        meant = {*_fitting(known)}
-        known = (*known, *(each for each in ranges_by_syntax(evidence) if not meant <= each.pythons))
     named = sorted(_named(evidence, pins), key=_order)
+    if known or named:  # syntax alone tells nothing of the version that is meant
+        meant = {*_fitting(known)} if known else {each.answer for each in named}
+        known = (*known, *(each for each in ranges_by_syntax(evidence) if not meant <= each.pythons))
     fitting = [python for python in _fitting(known) if evidence.day is None or existed(python, evidence.day)]
     chosen = next((reason for reason in named if reason.answer in fitting or reason.weight >= Weight.BELIEVED), None)
     if chosen is None and (older := tuple(ranges_by_use(evidence, pins))):  # nothing names a version
