@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import posixpath
+import shlex
+
 from roslab.values.dataclass import dataclass
 
 
@@ -19,8 +22,18 @@ class Candidate:
     """The titles of the sections of the page that run it."""
     files: tuple[str, ...] = ()
     """Arguments that the tree has."""
+    inside: str = ""
+    """The folder that it has to be started in."""
     cut: bool = False
     """Arguments that the reader fills in were left out, and they have no default."""
+
+
+def there(candidate: Candidate) -> str:
+    """Return the command line that goes to the folder in which the program has to be started, and starts it."""
+    folder = candidate.inside
+    ours = {*candidate.files, *(word for word in candidate.argv if word.endswith(".py"))}
+    words = (posixpath.relpath(word, folder) if word in ours else word for word in candidate.argv)
+    return f"cd {shlex.quote(folder)} && exec {shlex.join(words)}"
 
 
 def program_of(argv: tuple[str, ...]) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ import shlex
 
 from roslab.config.model import Config, Kind
 from roslab.decide.author_command import entry_point, startable, started
-from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.candidate import Candidate, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.first_command import first_of, named_like_it, pointed_at, serves, upkeep
@@ -68,7 +68,8 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
         return Choice(answer=_given(chosen, dockerfile, authored), reasons=(said,))
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = _opened(evidence, config, shlex.join(command))
-    chosen = Command(command=command, candidates=candidates, gui=gui)
+    inside = next((c for c in found if c.argv == command and c.inside and not dockerfile), None)
+    chosen = Command(command=there(inside) if inside else command, candidates=candidates, gui=gui)
     if not (authored and started(authored)) and command != ("bash",):
         chosen = _given(chosen, dockerfile, authored)
     return Choice(answer=chosen, reasons=(why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES])))

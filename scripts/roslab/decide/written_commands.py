@@ -79,6 +79,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 strong=strong,
                 heading=mention.heading,
                 files=mention.files,
+                inside=mention.inside if argv[0].startswith("python") else "",
                 cut=cut,
             )
 

@@ -174,6 +174,8 @@ class Mention:
     """Of a command: its arguments that are files or folders of the tree; they are relative to its root in ``value``."""
     heading: str = ""
     """The titles of the sections that it stands in, the outermost first (``Usage / Simulation``); of a page only."""
+    inside: str = ""
+    """Of a command: the folder of the tree that it has to be started in."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -348,3 +348,22 @@ def test_a_script_of_no_package_is_run_where_the_page_at_the_root_says_so(tree: 
     files |= {f"src/arm/launch/{name}.launch.py": "from launch import LaunchDescription\n" for name in ("a", "b")}
     script = {"scripts/send_robots.py": "import numpy\nif __name__ == '__main__':\n    pass\n"}
     assert tree({**files, **script, page: "```\npython3 scripts/send_robots.py nuc1\n```\n"}).command[0] == command
+
+
+@pytest.mark.parametrize(
+    ("code", "page", "command"),
+    [
+        ("open('../data/a.dat')", "cd demo/src/\n```\n```\npython3 main.py", "cd src && exec python3 main.py"),
+        ("open(f'../data/{i}.dat')", "cd src\npython3 main.py -n 1", "cd src && exec python3 main.py -n 1"),
+        ("open('a.yaml')", "cd src\npython3 main.py ../data/a.dat", "cd src && exec python3 main.py ../data/a.dat"),
+        ("open('../data/a.dat')", "python3 src/main.py", "python3 src/main.py"),
+        ("open('data/a.dat')", "cd src\npython3 main.py", "python3 src/main.py"),
+        ("print(1)", "cd src\npython3 main.py", "python3 src/main.py"),
+    ],
+)
+def test_a_program_is_started_in_the_folder_that_its_paths_begin_in(
+    tree: Tree, code: str, page: str, command: str
+) -> None:
+    files = {"src/main.py": "import tools\n", "src/tools.py": f"{code}\n", "src/a.yaml": "", "data/a.dat": ""}
+    found = tree({**files, "requirements.txt": "numpy\n", "README.md": f"# Usage\n```\n{page}\n```\n"}).command
+    assert (found if isinstance(found, str) else " ".join(found)) == command

@@ -31,6 +31,7 @@ _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
 _APT_NAME = pattern(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
 _PYTHON = pattern(r"^(?:i?python)(\d(?:\.\d+)?)?$")
+_URL = pattern(r"^(?:https?://|git://|ssh://|git@)\S+$")
 _OPTION = pattern(r"-D[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
 _SEPARATE = pattern(r" -D +(?=[A-Za-z_])")
 _BUILD_FOLDER = pattern(r"(?:^|/)build[\w-]*(?:/.*)?$")
@@ -139,6 +140,7 @@ class Collector:
                 line=command.line,
                 text=words,
                 heading=self.heading,
+                inside=self.folder if topic == "command" and self.source == "readme" else "",
             )
         )
 
@@ -206,14 +208,7 @@ class Collector:
             return
         if "clone" not in words:
             return
-        url = next(
-            (
-                w
-                for w in words
-                if re.match(r"^(?:https?://|git://|ssh://|git@)\S+$", w) and UNKNOWN not in w and "<" not in w
-            ),
-            None,
-        )
+        url = next((w for w in words if _URL.match(w) and UNKNOWN not in w and "<" not in w), None)
         if url is None:
             return
         branch = next((words[i + 1] for i, w in enumerate(words[:-1]) if w in {"-b", "--branch"}), None)

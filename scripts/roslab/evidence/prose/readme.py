@@ -17,6 +17,7 @@ from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
 from roslab.evidence.prose import exports, mentions, python_path
 from roslab.evidence.prose.installs import BLANK, Collector, merge
 from roslab.evidence.prose.own_scripts import checked
+from roslab.evidence.prose.started_in import started_in
 from roslab.evidence.prose.telling import telling
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -146,7 +147,8 @@ def _with_files(mention: Mention, repository: Repository) -> Mention:
         if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):
             words[index] = path
             found.append(path)
-    return replace(mention, value=" ".join(words), files=tuple(found)) if found else mention
+    inside = started_in(mention, words, repository) if mention.inside else ""
+    return replace(mention, value=" ".join(words), files=tuple(found), inside=inside)
 
 
 def _only(path: str, repository: Repository) -> str | None:

@@ -1,0 +1,56 @@
+"""The folder in which a program of Python has to be started: the one that a page goes to, where its code needs that."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Sequence
+
+from roslab.evidence.facts import Mention
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+MAX_FILES = 30
+MAX_SIZE = 128 * 1024
+_PATH = pattern(
+    r"[\"\']((?:\.{1,2}/)*(?:[\w-]+/)+[\w.-]*|(?:\.{1,2}/)*[\w-]+\.(?:ya?ml|json|csv|txt|np[yz]|xml|urdf|pth?|pkl|png|jpe?g|dat|mat))"
+)
+"""A file or a folder in a string, or what such a string begins with."""
+
+
+def started_in(mention: Mention, words: Sequence[str], repository: Repository) -> str:
+    """Return the folder that a page goes to before it runs a program there, ``""`` if any folder will do.
+
+    ``words``: the command with the paths of the tree from its root; ``mention.inside`` is the folder as written, which
+    may begin with the repository's own name. The code beside the program names what is there from that folder only.
+    """
+    said = mention.value.split()
+    for word, path in zip(said, words, strict=True):
+        if not path.endswith(".py"):
+            continue
+        name = posixpath.normpath(word)
+        folder = path.removesuffix(name).rstrip("/")
+        there = bool(folder) and posixpath.join(folder, name) == path
+        if (
+            there
+            and f"/{mention.inside}".endswith(f"/{folder}")
+            and _needs(posixpath.dirname(path), folder, repository)
+        ):
+            return folder
+        break
+    return ""
+
+
+def _needs(beside: str, folder: str, repository: Repository) -> bool:
+    """Tell whether a file of Python beside the program names a path that is in the tree from this folder alone."""
+    files = [file for file in repository.suffixed(".py") if file.folder == beside and file.size <= MAX_SIZE]
+    for file in files[:MAX_FILES]:
+        for written in {match[1] for match in _PATH.finditer(repository.read(file))}:
+            here, root = (posixpath.normpath(posixpath.join(base, written)) for base in (folder, ""))
+            above = written.startswith("../") and posixpath.dirname(here) in repository.folders
+            if (_has(here, repository) or above) and not _has(root, repository):
+                return True
+    return False
+
+
+def _has(path: str, repository: Repository) -> bool:
+    return repository.has(path) or path in repository.folders
