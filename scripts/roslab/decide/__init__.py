@@ -33,6 +33,7 @@ from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.workspace import Packages, of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.system.by_hand import as_written, by_hand
+from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.missing import decide_missing, marked
 from roslab.decide.system.names import Target
@@ -94,6 +95,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cuda = of_image(cuda, base.answer.image)
         # An author's Dockerfile brings a Python of its own
         python = replace(python, reasons=tuple(r for r in python.reasons if r.question != "python"))
+    command = decide_command(evidence, config, kind.answer, own.answer.file if own.answer else None)
+    evidence = required_by_command(evidence, command.answer.command)
     build_tool = decide_build_tool(evidence, config, kind.answer, python.answer)
 
     packages = of_one_ros(packages_of(evidence), evidence, kind.answer)
@@ -151,7 +154,6 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         (*everything, *python.answer.first),
         cuda.answer.version,
     )
-    command = decide_command(evidence, config, kind.answer, own.answer.file if own.answer else None)
     missing = decide_missing(
         evidence,
         kind.answer,
@@ -178,9 +180,11 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         addresses=(source.repo or "" for source in (*sources.answer.sources, *sources.answer.submodules)),
         itself={folder_name.lower()},
     )
-    test = decide_test(config)
-    platforms = decide_platforms(
-        evidence, config, kind.answer, base.answer.image, distro, cuda.answer.version, python.answer, everything
+    test, platforms = (
+        decide_test(config),
+        decide_platforms(
+            evidence, config, kind.answer, base.answer.image, distro, cuda.answer.version, python.answer, everything
+        ),
     )
     choices = (
         day,

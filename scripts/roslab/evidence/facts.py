@@ -59,6 +59,8 @@ class CMakeProject:
     """Files of libraries below the source that it links and that are not there, as written, each with its line."""
     lacks: bool = False
     """None of the files of code that its programs name is there: it cannot be built by itself."""
+    guards: tuple[tuple[str, str], ...] = ()
+    """Programs that are built only where a package was found, each with the package's name in lower case."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

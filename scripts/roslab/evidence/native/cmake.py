@@ -70,6 +70,7 @@ _OUTPUT = pattern(
 _MODULE = pattern(r"^(?:Find([\w.+-]+)|([\w.+-]+?)-?[cC]onfig)\.cmake(?:\.in)?$")
 _TARGET = pattern(r"[A-Za-z][\w.+-]*$")
 _CODE = pattern(r"\w[\w./+-]*\.(?:c|cc|cpp|cxx|cu)$")
+_WHERE_FOUND = pattern(r"(?<!NOT )\b(?:(\w+)_FOUND\b|TARGET (\w+)::)")
 _OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Google")
 """How names of CMake's own modules begin."""
 
@@ -83,6 +84,7 @@ class _Reading:
     languages: list[str] = field(default_factory=list)
     macros: dict[str, None] = field(default_factory=dict)
     executables: dict[str, int] = field(default_factory=dict)
+    guards: dict[tuple[str, str], None] = field(default_factory=dict)
     outputs: dict[str, str] = field(default_factory=dict)
     """File names of targets that differ from the target's name."""
     tests: bool = False
@@ -155,6 +157,7 @@ def _project(repository: Repository, file: File, added: set[str]) -> CMakeProjec
         tests=reading.tests,
         programs_in=reading.programs_in,
         linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
+        guards=tuple((reading.outputs.get(name, name), package) for name, package in reading.guards),
         lacks=bool(reading.named) and not any(repository.has(_joined(file.folder, name)) for name in reading.named),
     )
 
@@ -184,8 +187,7 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
     elif name == "enable_language":
         reading.languages += words[:1]
     elif name in _EXECUTABLE and words and _TARGET.match(words[0]):
-        reading.executables.setdefault(words[0], call.line)
-        reading.named.update(word for word in words[1:] if _CODE.match(word))
+        _program(call, reading)
     elif name in _TESTS:
         reading.tests = True
     elif name in _LIBRARY:
@@ -196,6 +198,16 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.dependencies += cmake_needs.needs(call, path, reading.name)
     reading.linked |= {path: line for path, line in cmake_needs.inside(call) if path not in reading.linked}
     _macros(call, reading)
+
+
+def _program(call: Call, reading: _Reading) -> None:
+    """Note a program with its files, and the packages that its conditions ask for."""
+    name, *files = call.words
+    reading.executables.setdefault(name, call.line)
+    reading.named.update(word for word in files if _CODE.match(word))
+    for condition in call.conditions:
+        found = _WHERE_FOUND.finditer(condition) if not condition.startswith("NOT (") else ()
+        reading.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
 
 
 def _macros(call: Call, reading: _Reading) -> None:
