@@ -59,3 +59,12 @@ def test_nothing_found_in_what_was_read(tmp_path: Path) -> None:
     with pytest.raises(NothingToBuildError) as error:
         plan_repository(tmp_path)
     assert TOO_MANY in error.value.problems[0].message
+
+
+def test_a_page_that_has_its_own_repository_cloned_is_nothing_to_build(tmp_path: Path) -> None:
+    (tmp_path / "main.m").write_text("plot(1)\n", encoding="utf-8")
+    page = "```\ngit clone https://github.com/lab/stereo.git\n```\nSee https://github.com/lab/other.\n"
+    (tmp_path / "README.md").write_text(page, encoding="utf-8")
+    with pytest.raises(NothingToBuildError, match=r"there is only 1 \.md, 1 \.m"):
+        plan_repository(tmp_path, folder_name="stereo")
+    assert plan_repository(tmp_path, folder_name="another").decision.kind == "python"

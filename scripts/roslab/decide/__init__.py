@@ -58,7 +58,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     roslab.yaml and the action's inputs, already one ``Config``, win over the evidence, which wins over defaults.
     Raises ``NothingToBuildError`` where there is nothing to decide on.
     """
-    _something(evidence, config)
+    _something(evidence, config, folder_name)
     evidence, config = narrowed(evidence, config)
     day, pip_day, evidence = decide_days(evidence, config)
     kind = decide_kind(evidence, config, folder_name)
@@ -275,11 +275,15 @@ def _names(packages: Packages, kind: Kind) -> tuple[str, ...]:
     return tuple(sorted(manifest.name for manifest in built if manifest.name))
 
 
-def _something(evidence: Evidence, config: Config) -> None:
-    """Raise ``NothingToBuildError`` where neither the folder nor roslab.yaml gives anything to build."""
+def _something(evidence: Evidence, config: Config, folder_name: str) -> None:
+    """Raise ``NothingToBuildError`` where neither the folder nor roslab.yaml gives anything to build.
+
+    A page of it that links to others, or has the repository itself cloned, is nothing.
+    """
+    sources = [git for git in evidence.sources if git.kind != "link" and plain(git.name) != plain(folder_name)]
     found = (
         *(evidence.manifests, evidence.cmake, evidence.python, evidence.requirements, evidence.conda),
-        *(evidence.dockerfiles, evidence.programs, evidence.sources, evidence.code, evidence.cuda_files),
+        *(evidence.dockerfiles, evidence.programs, sources, evidence.code, evidence.cuda_files),
     )
     if any(found) or config.file:
         return
