@@ -325,6 +325,40 @@ def test_cuda_under_ros_starts_from_nvidia(tmp_path: Path) -> None:
     assert "ros-noetic-ros-base" in found.apt
 
 
+CUDA = "nvidia-cuda-toolkit"
+
+
+@pytest.mark.parametrize(
+    ("cmake", "asked"),
+    [
+        ("find_package(CUDA REQUIRED)\n", True),
+        ("enable_language(CUDA)\n", True),
+        ("find_package(CUDA)\n", False),
+        ("if(WITH_GPU)\n  find_package(CUDA REQUIRED)\nendif()\n", False),
+    ],
+)
+def test_cuda_that_a_package_of_ros_cannot_do_without(tmp_path: Path, cmake: str, asked: bool) -> None:
+    made = "cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(catkin REQUIRED)\n"
+    files = {**package(), "CMakeLists.txt": made + cmake, "README.md": "ROS noetic\n"}
+    assert (CUDA in decided(tmp_path, files).apt_guessed) == asked
+    files["Dockerfile"] = "FROM nvidia/cuda:11.8.0-devel-ubuntu20.04\nRUN apt-get install -y ros-noetic-ros-base\n"
+    assert CUDA not in decided(tmp_path, files).apt_guessed
+
+
+@pytest.mark.parametrize(
+    ("node", "asked"),
+    [
+        ("import rospy\nimport torch\n", True),
+        ("import rospy\n\n\ndef plan():\n    import torch\n", False),
+        ("import rospy\n", False),
+    ],
+)
+def test_a_framework_that_a_node_imports(tmp_path: Path, node: str, asked: bool) -> None:
+    code = {"scripts/node.py": node, "a.py": "import torch\n", "README.md": "ROS noetic\n"}
+    found = decided(tmp_path, {**package(), **code})
+    assert [each.name for each in found.python.pip_guessed] == (["torch"] if asked else [])
+
+
 def test_the_same_tree_gives_the_same_decision(tmp_path: Path) -> None:
     files = {**package(), "README.md": "ROS kinetic, melodic\n", "src/a.cpp": "#include <Eigen/Core>\n"}
     assert decided(tmp_path, files) == decided(tmp_path, {})

@@ -52,8 +52,8 @@ def guesses(
         covered = name in known or name in found or any(same_module(name, other) for other in (*known, *found))
         if not package or covered or name in tools or (heavy and name in _FRAMEWORKS):
             continue
-        if ros and (apt or name in _FRAMEWORKS):  # a ROS image's Python is the system's: what apt has comes from there
-            continue
+        if ros and (apt or (name in _FRAMEWORKS and dependency.role != "node")):
+            continue  # a ROS image's Python is the system's: what apt has comes from there
         found[name] = stated(package, "import", dependency.file, dependency.line)
     return tuple(found.values())[:MAX_GUESSES]
 

@@ -19,6 +19,8 @@ class Target:
 
     ros_distro: str | None
     ubuntu: str | None
+    cuda: bool = False
+    """The base has CUDA's compiler."""
 
     def ros(self, name: str) -> str:
         """Return the apt name of a ROS package."""

@@ -33,6 +33,22 @@ def needs(
         yield dependency, False
 
 
+def compiler_of_cuda(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[Dependency]:
+    """Yield Ubuntu's own toolkit of CUDA where CMake stops without one, in what is built.
+
+    https://packages.ubuntu.com/search?keywords=nvidia-cuda-toolkit
+    """
+    folders = frozenset(manifest.file.rpartition("/")[0] for manifest in packages.built)
+    for project in evidence.cmake if kind in {"ros1", "ros2", "cpp"} else ():
+        path = project.file
+        aside = places.vendored(path) or places.example(path) or places.test(path)
+        if "cuda" in project.macros and not aside and (not folders or "" in folders or _inside(path, folders)):
+            asked = project.line
+            yield Dependency(
+                namespace="apt", name="nvidia-cuda-toolkit", strength="used", file=path, line=asked, role="cuda"
+            )
+
+
 def code_needs(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     """Yield what CMake files look for, except in vendored code and in packages that are not built."""
     skipped = frozenset(m.file.rpartition("/")[0] for m in packages.left_out if m.ignored)

@@ -13,7 +13,7 @@ from roslab.decide.ros.source_names import address
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.carried import brought, held
 from roslab.decide.system.names import Target, resolve
-from roslab.decide.system.needs import needs
+from roslab.decide.system.needs import compiler_of_cuda, needs
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -35,6 +35,7 @@ _HOW = {
     "apt": "an install line names {}",
     "rosdep": "the key {} is named",
     "fetch": "a CMake file clones, which needs {}",
+    "cuda": "CMake compiles for CUDA, which needs {}",
     "shebang": "the first line of a program names {}",
 }
 
@@ -102,6 +103,8 @@ def decide_system(
             continue
         if dependency.name not in known:
             _add(dependency, target, found, known, trusted=trusted, by_hand=by_hand)
+    for dependency in compiler_of_cuda(evidence, packages, kind) if not target.cuda else ():
+        _add(dependency, target, found, known, trusted=True, by_hand=by_hand)
     for apt, asked in apt_for_wheels(python, installed, target.ubuntu, evidence):
         found.guessed.setdefault(apt, asked)
     refused = never()

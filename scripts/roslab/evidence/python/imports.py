@@ -13,6 +13,7 @@ from roslab.evidence.python import notebooks
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.windows import shown
 from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 MAX_READ = 128 * 1024
@@ -42,10 +43,16 @@ _STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
 )  # fmt: skip
 
 
+_OF_NODES = frozenset({"torch", "tensorflow", "jax", "keras"})
+"""Frameworks, which are too large to be installed for a helper script beside the nodes."""
+_ROS = pattern(r"^(?:import|from) r(?:os|cl)py\b", re.MULTILINE)
+
+
 def read(repository: Repository) -> tuple[Dependency, ...]:
     """Return what the tree's Python files import from outside the tree and the standard library.
 
-    Each name once, at its first place; ``optional`` if it is only imported inside a function or a ``try``.
+    Each name once, at its first place; ``optional`` if it is only imported inside a function or a ``try``. A framework
+    that a node of ROS imports has the role ``node``.
     Calls that open windows are included, each library's once for a file, and the package of a plain ``python`` if the
     first line of a program starts that.
     """
@@ -66,6 +73,9 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                 if _standard(top) or top in local or top.startswith("_"):
                     continue
                 known = found.get(top)
+                role = "node" if top in _OF_NODES and not match["indent"] and _ROS.search(text) else ""
+                if known is not None and role and known.role != role:
+                    found[top] = replace(known, role=role, strength="used")
                 if known is not None and (known.strength == "used" or match["indent"]):
                     continue
                 found[top] = Dependency(
@@ -74,6 +84,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                     strength="optional" if match["indent"] else "used",
                     file=file.path,
                     line=text.count("\n", 0, match.start()) + 1,
+                    role=role,
                 )
     _add_notebooks(repository, local, found)
     return tuple(sorted(found.values(), key=lambda dependency: (dependency.file, dependency.line)))
