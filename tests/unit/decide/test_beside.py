@@ -76,3 +76,39 @@ def test_a_clone_for_another_distribution(tree: Tree) -> None:
     assert not cloned(tree(SHOWN | {"README.md": page}))
     both = page.replace("cd ..", "git clone -b noetic-devel https://github.com/lab/vehicles.git\ncd ..")
     assert cloned(tree(SHOWN | {"README.md": both})) == [("vehicles", "noetic-devel")]
+
+
+CI = """\
+on: push
+jobs:
+  industrial_ci:
+    strategy:
+      matrix:
+        env:
+          - {ROS_DISTRO: noetic, UPSTREAM_WORKSPACE: 'github:lab/vehicles#devel -vehicles/simulated'}
+    runs-on: ubuntu-latest
+    steps: [{uses: ros-industrial/industrial_ci@master}]
+"""
+
+
+@pytest.mark.parametrize(
+    ("file", "text"),
+    [
+        (".github/workflows/ci.yml", CI),
+        (
+            ".github/workflows/ci.yml",
+            CI.replace("github:lab/vehicles", "sisters.repos git+https://github.com/lab/vehicles.git"),
+        ),
+        (".travis.yml", "env:\n  matrix:\n    - ROS_DISTRO=noetic UPSTREAM_WORKSPACE='github:lab/vehicles#devel'\n"),
+        (".gitlab-ci.yml", "build:\n  variables:\n    UPSTREAM_WORKSPACE: >\n      github:lab/vehicles#devel\n"),
+    ],
+)
+def test_what_industrial_ci_builds_first(tree: Tree, file: str, text: str) -> None:
+    decision = tree(SHOWN | {file: text, "README.md": "ROS Noetic\n"})
+    assert cloned(decision) == [("vehicles", "devel")]
+    known = SHOWN | {"launch/demo.launch": LAUNCH.replace("acme_control", "map_server")}
+    assert not cloned(tree(known | {file: text, "README.md": "ROS Noetic\n"}))
+
+
+def test_what_industrial_ci_builds_for_another_distribution(tree: Tree) -> None:
+    assert not cloned(tree(SHOWN | {".github/workflows/ci.yml": CI.replace("#devel", "#melodic-devel")}))

@@ -26,11 +26,15 @@ def clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
 
 
 def beside(evidence: Evidence, ros_distro: str | None) -> Iterator[GitSource]:
-    """Yield what the page at the root, or a script that it runs, clones into the workspace; first those of this ROS."""
+    """Yield what the page at the root, or a script that it runs, clones into the workspace; first those of this ROS.
+
+    What industrial_ci builds before the repository comes last.
+    """
     run = {word.rpartition("/")[2] for m in evidence.mentions if "/" not in m.file for word in m.value.split()[:2]}
     found = [git for git in evidence.sources if git.beside and not places.vendored(git.file)]
     found = [git for git in found if "/" not in git.file or git.file.rpartition("/")[2] in run]
-    for git in sorted(found, key=lambda git: ros_distro not in distros_in(git.ref or "")):
+    upstream = [git for git in evidence.sources if git.kind == "upstream"]
+    for git in sorted((*found, *upstream), key=lambda git: ros_distro not in distros_in(git.ref or "")):
         if not (others := distros_in(git.ref or "")) or ros_distro in others:
             yield git
 

@@ -13,6 +13,7 @@ from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.yaml import Scalar, scalars
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import Collector, merge
+from roslab.evidence.prose.upstream import upstream
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -95,7 +96,8 @@ def _by_values(values: tuple[Scalar, ...], text: str, path: str) -> Prose:
         if not value.item and (image := _IMAGE.match(written)):
             images.append(_image(image, path, value.line))
     found = collector.prose()
-    return found._replace(mentions=(*found.mentions, *images))
+    sources = dict.fromkeys((*found.sources, *upstream(values, path)))
+    return found._replace(mentions=(*found.mentions, *images), sources=tuple(sources))
 
 
 def _by_lines(text: str, path: str) -> Prose:
