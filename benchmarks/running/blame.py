@@ -37,6 +37,8 @@ ASKED = re.compile(
 )
 """Names of ROS packages in what catkin, the compiler, Python and roslaunch say of one that is not there."""
 
+COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+
 
 @dataclass(frozen=True, kw_only=True)
 class Base:
@@ -75,7 +77,7 @@ def of_run(output: str, base: Base) -> tuple[Whose, str, str]:
     said = _why(first) if first.id else _last(output)
     whose = _whose(first, output, base)
     if whose == "stand-in":
-        return whose, first.id or "", said
+        return whose, first.id or "", said if first.id else _lacked(output, base) or said
     for row in facts()["needs"]:
         if asked := re.search(row["pattern"], output):
             line = output[output.rfind("\n", 0, asked.start()) + 1 :].partition("\n")[0].strip()
@@ -95,8 +97,7 @@ def _whose(found: Explanation, log: str, base: Base) -> Whose:
         if found.id in known["network"]["ids"] or ("cuda" in base.name and found.id in known["cuda"]["ids"]):
             return "stand-in"
         said = "\n".join((found.error, *found.lines)) or log[-4000:]
-        asked = {name for match in ASKED.finditer(said) for name in match.groups() if name}
-        if (asked | {value for _, value in found.names}) & base.lacking:
+        if (_asked(said) | {value for _, value in found.names}) & base.lacking:
             return "stand-in"
         if found.id in known["python"]["ids"] and _python_is_another(base):
             return "stand-in"
@@ -138,8 +139,22 @@ def _why(found: Explanation) -> str:
     return f"{said}: {found.error}"[:300] if found.cause and found.error else said[:300]
 
 
+def _asked(text: str) -> set[str]:
+    return {name for match in ASKED.finditer(text) for name in match.groups() if name}
+
+
+def _lacked(output: str, base: Base) -> str:
+    """Return the first line that asks for something that only the stand-in lacks."""
+    return next((line for line in _lines(output) if _asked(line) & base.lacking), "")
+
+
 def _last(output: str) -> str:
-    return next((line.strip()[:300] for line in reversed(output.splitlines()) if line.strip()), "it said nothing")
+    return next(reversed(_lines(output)), "it said nothing")
+
+
+def _lines(output: str) -> list[str]:
+    """Return the lines with something on them, without colours."""
+    return [line.strip()[:300] for line in COLOUR.sub("", output).splitlines() if line.strip()]
 
 
 def stand_in(image: str) -> str:
