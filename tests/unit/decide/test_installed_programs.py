@@ -39,6 +39,8 @@ def project(page: str, backend: str = "hatchling") -> dict[str, str]:
         ("The program acme-track does it.\n", ("bash",)),
         ("```\nother-track --help\n```\n", ("bash",)),
         ("## Windows\n```\nacme-track --fast\n```\n", ("bash",)),
+        ("```\nacme-track (the core)\n  ├─ acme-dump\n  └─ acme-web\n```\n", ("bash",)),
+        ("```\nacme-track\n|-- core\n`-- web\n```\n```\nacme-dump\n```\n", ("acme-dump",)),
     ],
 )
 def test_a_program_that_the_page_runs(tree: Tree, page: str, command: tuple[str, ...]) -> None:

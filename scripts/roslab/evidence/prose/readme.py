@@ -72,6 +72,8 @@ _SAID_LAUNCH = pattern(
 )
 """A launch in a sentence: ``Run "roslaunch demo map.launch" to start``."""
 _SPAN = pattern(r"(`+)(.+?)\1")
+_BRANCH = pattern(r"\s{0,40}(?:[├└]─|[|`+]--)")
+"""A branch of a drawn tree: the line above the first one names its root and is no command."""
 _HEADING = pattern(r"^(#{1,6})\s+(.*?)\s*#*$")
 _ELSEWHERE = pattern(
     r"\b(?:windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry|nvidia driver|"
@@ -221,7 +223,8 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
                 titles = {level: title for level, title in titles.items() if level < heading[0]} | {
                     heading[0]: heading[1]
                 }
-        tells = (fenced and also.search(line)) if also else _tells(line, fenced=fenced)
+        drawn = fenced and index < len(lines) and _BRANCH.match(lines[index][:MAX_LINE])
+        tells = (fenced and not drawn and also.search(line)) if also else _tells(line, fenced=fenced)
         if elsewhere or len(line) > MAX_LINE or not tells:
             continue
         first = index
