@@ -67,6 +67,14 @@ def test_a_newer_cmake_cannot_come_from_pip_everywhere(tree: Tree) -> None:
     assert tree(files).ros_distro == "kinetic"
 
 
+def test_ci_that_is_older_than_the_cmake_of_the_code(tree: Tree) -> None:
+    files = ros1(page="Tested with ROS Indigo")
+    files[".travis.yml"] = "dist: trusty\nbefore_install:\n  - export ROS_DISTRO=indigo\n"
+    assert tree(files).ros_distro == "indigo"
+    files["CMakeLists.txt"] = files["CMakeLists.txt"].replace("2.8.3", "3.10")
+    assert tree(files).ros_distro == "noetic"
+
+
 def test_what_ci_builds_has_its_libraries_from_elsewhere(tree: Tree) -> None:
     files = ros1("find_package(PCL 1.9 REQUIRED)\n")
     ci = "jobs:\n  a:\n    container: ros:kinetic\n    steps: []\n"

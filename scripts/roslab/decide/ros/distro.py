@@ -146,10 +146,12 @@ def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
 def _compiling(reason: Reason, lacking: dict[str, tuple[str, ...]]) -> Reason:
     """Lower the weight of a distribution that a page or a branch names and whose libraries the code does not fit.
 
-    Where CI or the author's image builds it, the libraries may come from elsewhere.
+    Where CI or the author's image builds it, the libraries may come from elsewhere, but no CMake that pip lacks too.
     """
     missing = lacking.get(distros()[reason.answer].ubuntu, ())
-    if not missing or (reason.weight > Weight.RECOMMENDED and reason.weight != Weight.BRANCH):
+    if reason.weight > Weight.RECOMMENDED and reason.weight != Weight.BRANCH:
+        missing = tuple(what for what in missing if what.startswith("CMake "))
+    if not missing:
         return reason
     text = f"{reason.reason}; but {reason.answer} has no {missing[0]}"
     return replace(reason, reason=text, weight=max(Weight.DEFAULT, reason.weight - Weight.LACKS_A_KEY))
