@@ -164,7 +164,7 @@ def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
             weight = Weight.SAID.get(mention.source, Weight.SAID_ELSEWHERE)
             reasons.append(because("ubuntu", codename, mention.text[:120], mention, weight=weight))
     reasons = [_compiling(reason, misfits(evidence)) for reason in reasons]
-    reasons = _fitting(_new_enough(reasons, needed_cmake(evidence)), misfits(evidence))
+    reasons = _fitting(_new_enough(reasons, needed_cmake(evidence), misfits(evidence)), misfits(evidence))
     reasons = [each for each in reasons if each.weight >= CONFIGURED or existed(evidence, each.answer)]
     best = strongest(reasons)
     version = next(number for number, codename in ubuntus().items() if codename == best.answer)
@@ -211,16 +211,17 @@ def _fitting(reasons: list[Reason], lacking: dict[str, tuple[str, ...]]) -> list
     return [*reasons, because("ubuntu", fitting, "the code compiles with its libraries", weight=Weight.NEW_ENOUGH)]
 
 
-def _new_enough(reasons: list[Reason], demand: Dependency | None) -> list[Reason]:
-    """Add the oldest Ubuntu, not older than the default, whose CMake is new enough, if the default's is too old.
+def _new_enough(reasons: list[Reason], demand: Dependency | None, lacking: dict[str, tuple[str, ...]]) -> list[Reason]:
+    """Add the oldest later Ubuntu with the CMake of the build, if that of the last commit's time, the first, has none.
 
     An Ubuntu that the author names wins over it: there CMake can come from pip.
     """
-    if has_it(DEFAULT_UBUNTU, demand):
+    usual = reasons[0].answer
+    if has_it(usual, demand):
         return reasons
     releases = list(ubuntus().values())
-    later = releases[releases.index(DEFAULT_UBUNTU) :]
-    fitting = next((codename for codename in later if has_it(codename, demand)), None)
+    later = releases[releases.index(usual) :]
+    fitting = next((codename for codename in later if has_it(codename, demand) and not lacking.get(codename)), None)
     if demand is None or fitting is None:
         return reasons
     why = f"the build asks for CMake {demand.version}"

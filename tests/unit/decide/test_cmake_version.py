@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from roslab.config.model import Config
 from roslab.decide import decide
 from roslab.decide.decision import Decision
+from roslab.evidence.facts import Mention
 from roslab.evidence.gather import gather
 from roslab.repository.checkout import Repository
 
@@ -36,6 +38,22 @@ def decided(tmp_path: Path, files: dict[str, str]) -> Decision:
 )
 def test_the_oldest_ubuntu_that_has_it(tmp_path: Path, demand: str, base: str) -> None:
     assert decided(tmp_path, {"CMakeLists.txt": TOP.format(demand)}).base_image == base
+
+
+@pytest.mark.parametrize(
+    ("demand", "code", "base"),
+    [
+        ("3.10", "", "ubuntu:18.04"),
+        ("3.12", "", "ubuntu:20.04"),
+        ("3.12", "#include <opencv/cv.h>\n", "ubuntu:18.04"),
+    ],
+)
+def test_the_oldest_ubuntu_since_the_last_commit_that_has_it(tmp_path: Path, demand: str, code: str, base: str) -> None:
+    (tmp_path / "CMakeLists.txt").write_text(TOP.format(demand))
+    (tmp_path / "main.cpp").write_text(code)
+    date = Mention(topic="date", value="2021-04-14", source="commit", file=".git/HEAD", line=1, text="")
+    evidence = replace(gather(Repository.open(tmp_path)), mentions=(date,))
+    assert decide(evidence, Config(), folder_name="thing").base_image == base
 
 
 def test_the_authors_ubuntu_stands_and_cmake_comes_from_pip(tmp_path: Path) -> None:

@@ -110,6 +110,27 @@ def test_the_words_of_a_launch_file(tree: Tree, page: str, word: str, distro: st
     assert decision.ros_distro == distro
 
 
+@pytest.mark.parametrize(
+    ("header", "distro"),
+    [
+        ("message_filters/subscriber.h", "jazzy"),
+        ("message_filters/sync_policies/approximate_time.h", "jazzy"),
+        ("tf2_ros/buffer.h", "jazzy"),
+        ("message_filters/subscriber.hpp", "lyrical"),
+    ],
+)
+def test_headers_that_a_newer_ros_2_has_by_another_name(tree: Tree, header: str, distro: str) -> None:
+    decision = tree(
+        {
+            "package.xml": PACKAGE.format("ament_cmake"),
+            "CMakeLists.txt": CMAKE.format("ament_cmake", ""),
+            "src/a.cpp": f"#include <{header}>\n",
+            "README.md": "ROS 2 Lyrical\n",
+        }
+    )
+    assert decision.ros_distro == distro
+
+
 def test_a_launch_file_that_names_a_library_of_nodes_is_none_of_them(tree: Tree) -> None:
     made = LAUNCH.replace("from launch_ros", "import rclpy\nfrom launch_ros").format("executable")
     files = {"package.xml": PACKAGE.format("ament_cmake"), "CMakeLists.txt": CMAKE.format("ament_cmake", "")}

@@ -51,10 +51,10 @@ def _compiled(library: str, evidence: Evidence) -> bool:
 
 
 def unlaunchable(evidence: Evidence) -> dict[str, frozenset[str]]:
-    """Return, for each distribution of ROS 2, what launch files have that it does not know: ``executable=``."""
+    """Return, for each distribution of ROS 2, what launch files or code have that it does not know: ``executable=``."""
     found: dict[str, frozenset[str]] = {}
     for limit in evidence.limits:
-        for name, release in distros().items() if limit.library == "launch_ros" else ():
+        for name, release in distros().items() if limit.library in {"launch_ros", "ROS 2"} else ():
             oldest, first_without = distro(limit.at_least or ""), distro(limit.below or "")
             old = oldest is not None and release.released < oldest.released
             new = first_without is not None and release.released >= first_without.released
