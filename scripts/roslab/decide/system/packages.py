@@ -36,6 +36,7 @@ _HOW = {
     "rosdep": "the key {} is named",
     "fetch": "a CMake file clones, which needs {}",
     "cuda": "CMake compiles for CUDA, which needs {}",
+    "typelib": "a program asks for a library of GObject, which needs {}",
     "shebang": "the first line of a program names {}",
 }
 

@@ -11,6 +11,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Program
 from roslab.evidence.python import notebooks
 from roslab.knowledge.frameworks import imports as known_imports
+from roslab.knowledge.typelibs import typelibs
 from roslab.knowledge.windows import shown
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -27,6 +28,7 @@ _IMPORT = pattern(
     re.MULTILINE,
 )
 MAX_NOTEBOOK = 1024 * 1024
+_TYPELIB = pattern(r"\brequire_version\(\s*[\"'](\w+)[\"']\s*,\s*[\"']([\d.]+)[\"']")
 _PLAIN_PYTHON = pattern(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python[ \t]*\r?$", re.MULTILINE)
 """A first line that starts `python`, which Ubuntu 20.04 and newer install only on demand."""
 _MAIN = pattern(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
@@ -53,8 +55,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 
     Each name once, at its first place; ``optional`` if it is only imported inside a function or a ``try``. A framework
     that a node of ROS imports has the role ``node``.
-    Calls that open windows are included, each library's once for a file, and the package of a plain ``python`` if the
-    first line of a program starts that.
+    Calls that open windows are included, each library's once for a file, the package of a plain ``python`` if the
+    first line of a program starts that, and those of the libraries of GObject that a program asks for.
     """
     local = _local(repository)
     found: dict[str, Dependency] = {}
@@ -68,6 +70,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
             found[f"{library} {file.path}"] = Dependency(
                 namespace="call", name=library, strength="used", file=file.path, line=text.count("\n", 0, position) + 1
             )
+        found |= {f"{each.name} {each.role}": each for each in _typelibs(file, text)}
         for match in _imports(text):
             for top in _modules_of(match):
                 if _standard(top) or top in local or top.startswith("_"):
@@ -97,6 +100,19 @@ def _started(file: File, text: str) -> Dependency | None:
     return Dependency(
         namespace="apt", name="python-is-python3", strength="used", file=file.path, line=1, role="shebang"
     )
+
+
+def _typelibs(file: File, text: str) -> Iterator[Dependency]:
+    """Yield the packages of ``gi.require_version("Gtk", "3.0")``.
+
+    https://pygobject.gnome.org/guide/api/api.html#gi.require_version
+    """
+    if "require_version" not in text or places.test(file.path):
+        return
+    for match in _TYPELIB.finditer(text):
+        if apt := typelibs().get((match[1], match[2])):
+            line = text.count("\n", 0, match.start()) + 1
+            yield Dependency(namespace="apt", name=apt, strength="used", file=file.path, line=line, role="typelib")
 
 
 def _add_notebooks(repository: Repository, local: frozenset[str], found: dict[str, Dependency]) -> None:
