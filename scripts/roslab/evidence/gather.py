@@ -6,7 +6,7 @@ import re
 
 from roslab.evidence import places, submodules
 from roslab.evidence.facts import Evidence, PackageManifest
-from roslab.evidence.native import cmake, cpp, cpu
+from roslab.evidence.native import authors_folders, cmake, cpp, cpu
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import author_dockerfile, ci, copies, install_scripts, page_lists, pointed, readme, worked_on
 from roslab.evidence.prose.installs import merge
@@ -78,6 +78,7 @@ def gather(repository: Repository) -> Evidence:
             *(_malformed(m) for m in manifests if m.malformed),
             *vcs.absent(repository),
             *cpu.read(repository),
+            *authors_folders.read(repository),
         ),
     )
 

@@ -277,3 +277,22 @@ def test_a_base_that_only_the_author_has(tree: Tree, base: str, built: bool) -> 
     assert (decision.dockerfile == "Dockerfile") is built
     if not built:
         assert any(f"its base {base} is built on the author's machine" in r.reason for r in decision.reasons)
+
+
+@pytest.mark.parametrize(
+    ("cmake", "told"),
+    [
+        ("set(G2O_ROOT /home/ann/libs/g2o)\ninclude_directories(${G2O_ROOT})\n", "/home/ann/libs/g2o is a folder of"),
+        (
+            'set(A "/home/ann/a")\nlink_directories(/home/ann/b)\n',
+            "/home/ann/a is a folder of its author's computer, and so is",
+        ),
+        ("# set(G2O_ROOT /home/ann/libs/g2o)\n", ""),
+        ("set(A ${ROOT}/home/ann/a)\n", ""),
+    ],
+)
+def test_a_folder_of_the_authors_computer_is_told(tree: Tree, cmake: str, told: str) -> None:
+    warnings = tree({"CMakeLists.txt": f"project(demo CXX)\n{cmake}", "a.cpp": "int main() {}\n"}).warnings
+    found = [(w.file, w.line, w.message) for w in warnings if "computer" in w.message]
+    assert [(file, line) for file, line, _ in found] == ([("CMakeLists.txt", 2)] if told else [])
+    assert all(message.startswith(told) for *_, message in found)
