@@ -158,3 +158,29 @@ def test_what_the_author_s_build_skips_is_not_built(
     tree: Tree, more: dict[str, str], left_out: tuple[str, ...]
 ) -> None:
     assert tree({**package("driver"), **package("planner"), **more}).left_out == left_out
+
+
+@pytest.mark.parametrize(
+    ("asked", "told"),
+    [
+        ("OpenCV 4.9.0 REQUIRED", True),
+        ("OpenCV 4 REQUIRED", False),
+        ("OpenCV 4.9.0", False),
+        ("Unheard 9 QUIET", False),
+    ],
+)
+def test_a_version_that_the_ubuntu_does_not_have(tree: Tree, asked: str, told: bool) -> None:
+    page = {"README.md": "For ROS 2 Humble.\n", ".github/workflows/a.yml": "container: ros:humble\n"}
+    found = tree(package("driver", f"find_package({asked})\n") | package("planner") | page)
+    warnings = [warning for warning in found.warnings if "this Ubuntu" in warning.message]
+    assert len(warnings) == told
+    for warning in warnings:
+        assert "4.9.0, and this Ubuntu (jammy) has 4.5" in warning.message
+        assert (warning.file, warning.line) == ("driver/CMakeLists.txt", 4)
+
+
+def test_a_version_that_a_folder_of_the_program_requires(tree: Tree) -> None:
+    top = "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nadd_subdirectory(src)\n"
+    below = "find_package(OpenCV 3.0 REQUIRED)\nfind_package(Boost 1.72 REQUIRED)\nadd_executable(a a.cpp)\n"
+    found = tree({"CMakeLists.txt": top, "src/CMakeLists.txt": below, "README.md": "Ubuntu 18.04\n"})
+    assert [w.line for w in found.warnings if "Boost 1.72, and this Ubuntu (bionic) has 1.65" in w.message] == [2]

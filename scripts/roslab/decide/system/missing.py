@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from roslab.config.model import BuildTool, Kind
 from roslab.decide.decision import Choice, Warning_
@@ -14,8 +14,10 @@ from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
+from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.knowledge.code_limits import satisfies, version_of
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import dataclass
 
@@ -94,6 +96,8 @@ def decide_missing(
             then = f"{build_tool} will stop at {package}"
         hint = "give its repository under `source` in roslab.yaml"
         warnings.append(warn(f"nothing is known that brings {asked.name}, which CMake requires: {then}; {hint}", asked))
+    asks = _of_program_and_below if kind == "cpp" else _required
+    warnings += _too_old(asks(evidence, packages), target, out.keys(), names, build_tool)
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
     return Choice(
         answer=Missing(packages=tuple(sorted(out)), ended=tuple(ended)),
@@ -103,6 +107,28 @@ def decide_missing(
             *(because("workspace", name, "the author's build skips it", at, weight=ENDED) for name, at in left.items()),
         ),
     )
+
+
+def _too_old(
+    asks: Iterator[tuple[str, Dependency]],
+    target: Target,
+    out: Collection[str],
+    names: Collection[str],
+    build_tool: BuildTool,
+) -> Iterator[Warning_]:
+    """Yield a warning for each library that CMake requires in a version that the Ubuntu's does not satisfy."""
+    ros, ubuntu = bool(target.ros_distro), target.ubuntu or ""
+    told: set[str] = set()
+    for package, asked in asks:
+        here = version_of(asked.name, ubuntu, ros=ros)
+        built = plain(asked.name) in names  # from its source
+        if package in out or built or not (here and asked.version) or asked.name in told:
+            continue
+        if not satisfies(asked.name, ubuntu, asked.version, ros=ros):
+            told.add(asked.name)
+            hint = "give its repository under `source` in roslab.yaml, or another base"
+            wanted = f"CMake requires {asked.name} {asked.version}, and this Ubuntu ({ubuntu}) has {here}"
+            yield warn(f"{wanted}: {build_tool} will stop at {package}; {hint}", asked)
 
 
 def _of_a_clone(asked: Dependency, known: frozenset[str]) -> bool:
@@ -150,6 +176,14 @@ def _of_program(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, D
     """Yield the program with what the CMakeLists.txt at its top requires and no file of the tree finds."""
     if top := top_of(evidence):
         yield from ((top.name or "the program", asked) for asked in _outside(top, evidence, packages))
+
+
+def _of_program_and_below(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
+    """Yield the program with what its CMakeLists.txt and those of the folders that it adds require."""
+    top = top_of(evidence)
+    for project in evidence.cmake if top else ():
+        if project is top or not (project.top_level or places.vendored(project.file) or places.test(project.file)):
+            yield from ((top.name or "the program", asked) for asked in _outside(project, evidence, packages) if top)
 
 
 def _outside(project: CMakeProject, evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
