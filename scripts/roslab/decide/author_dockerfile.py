@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from roslab.config.model import Config, Kind
+from roslab.decide.chains import Local, local_bases
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.mended_bases import nearest
 from roslab.decide.reasons import because, configured
@@ -65,13 +68,14 @@ def decide_dockerfile(
         if context is None:
             context = next((each.context or "" for each in evidence.dockerfiles if each.file == config.dockerfile), "")
         return Choice(answer=Dockerfile(file=config.dockerfile, context=context), reasons=(said,))
+    locals_ = local_bases(evidence)
     reasons: list[Reason] = []
     believed: list[AuthorDockerfile] = []
     for authored in evidence.dockerfiles:
         against = (
-            doubt(authored, kind, ros_distro, mended=config.repair is not False)
+            _chained(authored, evidence, locals_)
+            or doubt(authored, kind, ros_distro, mended=config.repair is not False, local=authored.file in locals_)
             or _secret(authored, config)
-            or _chained(authored, evidence)
         )
         if against is None:
             believed.append(authored)
@@ -93,9 +97,12 @@ def _about(authored: AuthorDockerfile, why: str, weight: int) -> Reason:
 
 
 def doubt(  # noqa: PLR0911 - one doubt a line
-    authored: AuthorDockerfile, kind: Kind, ros_distro: str | None, *, mended: bool = True
+    authored: AuthorDockerfile, kind: Kind, ros_distro: str | None, *, mended: bool = True, local: bool = False
 ) -> str | None:
-    """Return why a Dockerfile cannot be used, ``None`` if it can; ``mended``: the build replaces bases that ended."""
+    """Return why a Dockerfile cannot be used, ``None`` if it can.
+
+    ``mended``: the build replaces bases that ended; ``local``: it builds the base from the tree first.
+    """
     if authored.purpose != "project":
         return {
             "documentation": "it is for the documentation",
@@ -114,7 +121,7 @@ def doubt(  # noqa: PLR0911 - one doubt a line
         return f"it builds {authored.context}, not the whole repository"
     if authored.base is None or "$" in authored.base:
         return f"its base is not known: {authored.base or 'no FROM'}"
-    if not published(authored.base):
+    if not local and not published(authored.base):
         return f"its base {authored.base} is built on the author's machine first: Docker Hub has no image of that name"
     against = _base_doubt(authored.base, kind, ros_distro, mended=mended)
     return against or (None if mended else _tables_doubt(authored))
@@ -140,13 +147,16 @@ def _secret(authored: AuthorDockerfile, config: Config) -> str | None:
     return None
 
 
-def _chained(authored: AuthorDockerfile, evidence: Evidence) -> str | None:
+def _chained(authored: AuthorDockerfile, evidence: Evidence, locals_: Mapping[str, Local]) -> str | None:
     """Return a doubt if the base is the image of another Dockerfile here: a page builds it, or it is tagged so."""
-    whole = _tagged(authored.base or "")
-    pulled = {_tagged(m.value) for m in evidence.mentions if m.topic == "image_pulled"}
-    for mention in evidence.mentions:
-        if mention.topic == "image_built" and _tagged(mention.value) == whole and whole not in pulled:
-            return f"its base {authored.base} is what line {mention.line} of {mention.file} builds first"
+    if authored.purpose != "project" or authored.base is None:
+        return None
+    for file, made in locals_.items():
+        if made.dockerfile is authored:
+            return f"it makes the base of {file}"
+    if first := locals_.get(authored.file):
+        said = f"its base {authored.base} is what line {first.said.line} of {first.said.file} builds first"
+        return f"{said}, {first.problem}" if first.problem else None
     name, _, tag = (authored.base or "").partition(":")
     if "/" not in name or name.startswith(_PUBLISHED) or not tag:
         return None
@@ -154,10 +164,6 @@ def _chained(authored: AuthorDockerfile, evidence: Evidence) -> str | None:
         if other is not authored and tag in other.file.split("/")[:-1] and tag not in distros():
             return f"its base {authored.base} is what {other.file} builds"
     return None
-
-
-def _tagged(image: str) -> str:
-    return image if ":" in image.rpartition("/")[2] else f"{image}:latest"
 
 
 def _base_doubt(base: str, kind: Kind, ros_distro: str | None, *, mended: bool) -> str | None:

@@ -60,6 +60,8 @@ class MendedBase:
     image: str
     """What the replacement is made from: the same image, or the nearest one where it is gone."""
     why: str
+    recipe: str | None = None
+    """The text of the author's Dockerfile that makes it, which needs no build context."""
 
 
 Manager = Literal["system", "venv", "conda"]

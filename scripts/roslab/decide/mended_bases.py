@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslab.config.model import Config
+from roslab.decide.chains import local
 from roslab.decide.decision import Choice, MendedBase, Reason
 from roslab.decide.reasons import because
 from roslab.evidence.facts import AuthorDockerfile, Evidence
@@ -32,18 +33,31 @@ class Nearest:
 
 
 def decide_bases(evidence: Evidence, config: Config, dockerfile: str | None) -> Choice[tuple[MendedBase, ...]]:
-    """Return the bases to replace in the author's Dockerfile, none with ``repair: false``."""
+    """Return the bases to replace in the author's Dockerfile; ``repair: false`` leaves those that are built first."""
     authored = next((each for each in evidence.dockerfiles if each.file == dockerfile), None)
-    if authored is None or config.repair is False:
+    if authored is None:
         return Choice(answer=())
-    found = [(base, line) for name, line in dict(authored.bases).items() if (base := _mended(name, authored))]
+    found = [
+        (base, line)
+        for name, line in dict(authored.bases).items()
+        if (base := _local(name, authored, evidence) or (None if config.repair is False else _mended(name, authored)))
+    ]
     return Choice(answer=tuple(base for base, _ in found), reasons=tuple(_reason(authored, *each) for each in found))
 
 
 def _reason(authored: AuthorDockerfile, base: MendedBase, line: int) -> Reason:
-    text = f"{base.why}; the build replaces {base.name} and changes no line of the Dockerfile"
+    replaced = f"; the build replaces {base.name} and changes no line of the Dockerfile"
+    text = base.why + (replaced if base.recipe is None else ", and so does the build here")
     place = Place(file=authored.file, line=line)
     return because("mended_base", base.image, text, place, weight=_WEIGHT)
+
+
+def _local(name: str, authored: AuthorDockerfile, evidence: Evidence) -> MendedBase | None:
+    first = local(name, authored, evidence)
+    if first is None or first.problem or first.dockerfile is None or first.dockerfile.base is None:
+        return None
+    why = f"line {first.said.line} of {first.said.file} builds it first, from {first.dockerfile.file}"
+    return MendedBase(name=name, image=first.dockerfile.base, why=why, recipe=first.dockerfile.recipe)
 
 
 def _mended(name: str, authored: AuthorDockerfile) -> MendedBase | None:

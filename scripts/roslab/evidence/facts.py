@@ -153,6 +153,8 @@ class AuthorDockerfile:
     """The external images of all its stages, with the line of each FROM."""
     clones_itself: bool = False
     """It clones this repository instead of building the checkout."""
+    recipe: str | None = None
+    """Its text, if it needs no build context."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

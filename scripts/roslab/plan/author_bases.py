@@ -25,12 +25,27 @@ class Base:
     """Tag of ros/rosdistro with the tables that ``rosdep update`` takes there, which still know the distribution."""
     installers: tuple[str, ...]
     """pip constraints: the last installers that run on its Pythons, whatever the Dockerfile upgrades them to."""
+    recipe: str | None = None
+    """The author's own Dockerfile that makes it."""
 
 
 def author_bases(decision: Decision) -> tuple[Base, ...]:
     """Return the replaced bases, in the order of the file."""
     found = []
     for base in decision.bases:
+        if base.recipe is not None:
+            found.append(
+                Base(
+                    name=base.name,
+                    image=base.image,
+                    why=base.why,
+                    sources=None,
+                    rosdistro_tag=None,
+                    installers=(),
+                    recipe=base.recipe,
+                )
+            )
+            continue
         release = distro_of(base.image)
         codename = release_of(base.image)
         found.append(

@@ -39,7 +39,7 @@ def upstreams(
     found: list[Upstream] = []
     if decision.dockerfile:
         for base in bases:
-            if base.image != base.name:
+            if base.image != base.name and base.recipe is None:
                 found.append(Upstream(name=f"image {base.name}", why=base.why, instead=base.image))
             found += _of_base(base.image, base.sources, base.rosdistro_tag, base.installers)
     else:

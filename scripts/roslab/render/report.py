@@ -74,8 +74,10 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
     width = max(len(value) for _, value, _ in shown if len(value) <= COLUMN)
     lines += [f"  {label:<11} {value:<{width}}  {because}".rstrip() for label, value, because in shown]
     lines += _packages(decision, plan)
-    replaced = (f"{base.name} by {base.image}: {base.why}" for base in decision.bases)
+    replaced = (f"{base.name} by {base.image}: {base.why}" for base in decision.bases if base.recipe is None)
     lines += _section("bases that the build of the Dockerfile replaces", replaced, rows=True)
+    first = (f"{base.name}: {base.why}" for base in decision.bases if base.recipe is not None)
+    lines += _section("bases that are built before the Dockerfile", first, rows=True)
     gone = (f"{each.name} → {each.instead}: {each.why}" for each in plan.upstreams)
     lines += _section("upstreams that no longer answer → what replaces them", gone, rows=True)
     lines += _section(

@@ -10,7 +10,7 @@ context=.
 # The first Docker that can read the Dockerfile; 0 for an author's own
 oldest_docker=23
 options=()
-# Stages of Dockerfile.bases, and the images of the Dockerfile that each replaces because they no longer answer
+# Stages of Dockerfile.bases, and the images of the Dockerfile that each stands for, as no registry has them
 bases=()
 # What the build may read and the image never holds
 secrets=()

@@ -15,6 +15,7 @@ from roslab.evidence.lex.shell import expand
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.installs import Collector, merge
+from roslab.evidence.prose.recipe import recipe
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
@@ -191,7 +192,8 @@ class _Reading:
 def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     known: dict[str, str] = {}
     reading = _Reading(collector=Collector(file.path, "dockerfile", known), known=known)
-    for instruction in instructions(repository.read(file, limit=MAX_SIZE)):
+    text = repository.read(file, limit=MAX_SIZE)
+    for instruction in instructions(text):
         reading.take(instruction)
     problem = reading.problem or ("no FROM" if reading.base is None else None)
     copies, context, missing = _context(repository, file, reading.copied)
@@ -217,6 +219,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         context=context,
         secrets=tuple(sorted(dict(reversed(reading.secrets)).items(), key=lambda found: found[1])),
         clones_itself=itself,
+        recipe=recipe(text),
         updates_rosdep=reading.updates_rosdep,
     )
 

@@ -1,0 +1,82 @@
+"""Local bases of the author's own Dockerfile: images that a page builds first, from another Dockerfile of the tree."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Sequence
+
+from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
+from roslab.knowledge.ended_bases import ended
+from roslab.knowledge.official_images import published
+from roslab.knowledge.os_releases import has_ended, release_of
+from roslab.values.dataclass import dataclass
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Local:
+    """An image that is built on the author's machine first."""
+
+    said: Mention
+    """The command that builds it."""
+    problem: str | None = None
+    """Why it cannot be built here."""
+    dockerfile: AuthorDockerfile | None = None
+    """What it is built from, if that is one file of the tree."""
+
+
+def local_bases(evidence: Evidence) -> dict[str, Local]:
+    """Return how a page builds the base of each Dockerfile first, by the Dockerfile's path."""
+    if all(mention.topic != "image_built" for mention in evidence.mentions):
+        return {}
+    found = ((each.file, local(each.base, each, evidence)) for each in evidence.dockerfiles if each.base)
+    return {file: made for file, made in found if made}
+
+
+def local(image: str, authored: AuthorDockerfile, evidence: Evidence) -> Local | None:
+    """Return how a page builds an image that a Dockerfile starts from, ``None`` where no page does."""
+    whole = _tagged(image)
+    if any(m.topic == "image_pulled" and _tagged(m.value) == whole for m in evidence.mentions):
+        return None
+    built = (m for m in evidence.mentions if m.topic == "image_built" and _tagged(m.value) == whole)
+    said = next(built, None)
+    if said is None:
+        return None
+    wanted = _wanted(said.text.split())
+    others = [each for each in evidence.dockerfiles if each is not authored]
+    ending = [each for each in others if f"/{each.file}".endswith(f"/{wanted}")]
+    found = [each for each in others if each.file == wanted] or ending
+    if len(found) != 1:
+        return Local(said=said, problem=f"from {wanted}, which is not one file of the tree")
+    return Local(said=said, problem=_problem(found[0], said), dockerfile=found[0])
+
+
+def _wanted(words: Sequence[str]) -> str:
+    """Return the path of the Dockerfile that a ``docker build`` reads, as it is written."""
+    for index, word in enumerate(words[:-1]):
+        if word in {"-f", "--file"}:
+            return posixpath.normpath(words[index + 1])
+        if word.startswith("--file="):
+            return posixpath.normpath(word.removeprefix("--file="))
+    return posixpath.normpath(posixpath.join(words[-1], "Dockerfile"))
+
+
+def _problem(base: AuthorDockerfile, said: Mention) -> str | None:  # noqa: PLR0911 - one reason a line
+    if base.problem:
+        return f"from {base.file}: {base.problem}"
+    if base.recipe is None:
+        return f"from {base.file}, which copies files of its own"
+    if base.secrets:
+        return f"from {base.file}, which mounts a secret"
+    if "--build-arg" in said.text:
+        return f"from {base.file} with arguments of its own"
+    if base.base is None or "$" in base.base or not published(base.base):
+        return f"from {base.file}, whose base {base.base} is not known"
+    if gone := ended(base.base):
+        return f"from {base.file}: {gone}"
+    if has_ended(release_of(base.base)):
+        return f"from {base.file}, whose base {base.base} has ended"
+    return None
+
+
+def _tagged(image: str) -> str:
+    return image if ":" in image.rpartition("/")[2] else f"{image}:latest"
