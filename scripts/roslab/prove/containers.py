@@ -195,11 +195,12 @@ def _run(
 ) -> tuple[Seen, float]:
     """Run a container, its output to a file; return what was seen and the seconds that it was watched."""
     identity = log.with_name("container")
-    command = ["docker", "run", "--init", "--log-driver", "none", "--cidfile", str(identity), *arguments]
+    # A program that waits for a key waits, as it does for a person; a shell would wait too, so it is told the end
+    asked = proof.may_run_on and proof.rung == 1 and bool(proof.command)
+    words, given = (("--interactive",), subprocess.PIPE) if asked else ((), subprocess.DEVNULL)
+    command = ["docker", "run", "--init", "--log-driver", "none", "--cidfile", str(identity), *words, *arguments]
     with (
-        subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
-        ) as process,
+        subprocess.Popen(command, stdin=given, stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process,
         kept(process, log, head=READ_OUTPUT, tail=KEPT_OUTPUT),
     ):
         try:
