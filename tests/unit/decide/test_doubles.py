@@ -87,6 +87,13 @@ def test_what_is_made_for_the_other_ros_alone_is_not_built(tree: Tree) -> None:
     assert not any("catkin" in warning.message for warning in decision.warnings)
 
 
+def test_a_manifest_that_names_the_wrong_build_tool(tree: Tree) -> None:
+    late = package("late", "late") | {"late/CMakeLists.txt": "project(late)\nfind_package(ament_cmake REQUIRED)\n"}
+    decision = tree(late | AMENT | BOTH)
+    assert (decision.kind, decision.ignored) == ("ros2", ())
+    assert "late/package.xml" in decision.packages
+
+
 def test_a_package_of_ros_1_is_built_with_ros_1(tree: Tree) -> None:
     more = package("node_ros1", "node_ros1") | package("a", "a") | package("b", "b")
     decision = tree(more | AMENT | BOTH | {"README.md": "Install ROS noetic.\n"})

@@ -175,11 +175,12 @@ def ros_versions(manifest: PackageManifest, macros: tuple[str, ...] = ()) -> fro
 def of_one_ros(packages: Packages, evidence: Evidence, kind: Kind) -> Packages:
     """Return the packages without those that are made for the other ROS alone, whose folders no tool looks into."""
     macros = {project.file.rpartition("/")[0]: project.macros for project in evidence.cmake}
+    own = {"ros1": "catkin", "ros2": "ament"}.get(kind)  # whatever a manifest says, CMake uses these
     others = []
-    for manifest in packages.built:
-        versions = ros_versions(manifest, macros.get(manifest.file.rpartition("/")[0], ()))
-        made_for = {f"ros{version}" for version in versions if kind in {"ros1", "ros2"}}
-        if made_for and kind not in made_for and not of_rosbuild(manifest):
+    for manifest in packages.built if own else ():
+        called = macros.get(manifest.file.rpartition("/")[0], ())
+        made_for = {f"ros{version}" for version in ros_versions(manifest, called)}
+        if made_for and kind not in made_for and own not in called and not of_rosbuild(manifest):
             others.append(manifest)
     if not others or len(others) == len(packages.built):
         return packages
