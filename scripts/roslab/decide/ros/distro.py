@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.config.model import Config, Kind
 from roslab.decide.day import existed, there
-from roslab.decide.decision import Choice, Reason
+from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, ranked, warn
 from roslab.decide.ros.distro_dates import dated, of_its_time
 from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
@@ -21,6 +21,7 @@ from roslab.knowledge.distros import (
     distros,
     distros_of,
     distros_without_image,
+    releases_of,
     successor,
 )
 from roslab.knowledge.libraries import library
@@ -63,10 +64,19 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     if not reasons:
         return _after_ended(evidence, ros, unknown) or _default(evidence, kind, unknown)
     best = max(reasons, key=_order)
-    if (became := _became(evidence, best)) is not None:
+    if (became := _became(evidence, best, unknown)) is not None:
         reasons = [*reasons, became]
         best = became
-    return Choice(answer=distros()[best.answer], reasons=ranked(reasons, best.answer))
+    chosen = distros()[best.answer]
+    told = _too_new(chosen, lacking) if _moved(chosen.name, lacking) else ()
+    return Choice(answer=chosen, reasons=ranked(reasons, chosen.name), warnings=told)
+
+
+def _too_new(rolling: Distro, lacking: dict[str, tuple[str, ...]]) -> tuple[Warning_, ...]:
+    """Tell what today's rolling does not have, where no date tells which one the code is for."""
+    what = lacking.get(rolling.ubuntu, ())[:1]
+    advice = "set base.ros in roslab.yaml to the distribution that the code is for"
+    return tuple(warn(f"today's ROS {rolling.name} has no {each}: {advice}") for each in what)
 
 
 def _after_ended(evidence: Evidence, ros: int, unknown: dict[str, frozenset[str]]) -> Choice[Distro | None] | None:
@@ -87,8 +97,11 @@ def _no_image(name: str, later: Distro) -> str:
     return f"ROS {name} has no official image and no snapshot of its packages: {later.name}, the next one, is used"
 
 
-def _became(evidence: Evidence, best: Reason) -> Reason | None:
-    """Return what rolling became after the last commit: code of a year ago is for what rolling was then."""
+def _became(evidence: Evidence, best: Reason, unknown: dict[str, frozenset[str]]) -> Reason | None:
+    """Return what rolling became after the last commit: code of a year ago is for what rolling was then.
+
+    If the code does not compile with that, it is the best distribution that it compiles with.
+    """
     date = dated(evidence)
     if date is None or not distros()[best.answer].never_ends:
         return None
@@ -101,6 +114,10 @@ def _became(evidence: Evidence, best: Reason) -> Reason | None:
     if evidence.day and past:
         became = max(past, key=lambda found: found.released).name
         why = f"{best.reason}; nothing keeps the rolling of {evidence.day}, when {became} was the newest release"
+    if unknown.get(became) and (fitting := [each for each, missing in unknown.items() if not missing]):
+        lacks = min(unknown[became])
+        became = max(fitting, key=_preference)
+        why += f", which has no {lacks}; {became} has"
     return because("ros_distro", became, why, date, weight=best.weight + 1)
 
 
@@ -148,13 +165,18 @@ def _compiling(reason: Reason, lacking: dict[str, tuple[str, ...]]) -> Reason:
 
     Where CI or the author's image builds it, the libraries may come from elsewhere, but no CMake that pip lacks too.
     """
-    missing = lacking.get(distros()[reason.answer].ubuntu, ())
+    missing = () if _moved(reason.answer, lacking) else lacking.get(distros()[reason.answer].ubuntu, ())
     if reason.weight > Weight.RECOMMENDED and reason.weight != Weight.BRANCH:
         missing = tuple(what for what in missing if what.startswith("CMake "))
     if not missing:
         return reason
     text = f"{reason.reason}; but {reason.answer} has no {missing[0]}"
     return replace(reason, reason=text, weight=max(Weight.DEFAULT, reason.weight - Weight.LACKS_A_KEY))
+
+
+def _moved(name: str, lacking: dict[str, tuple[str, ...]]) -> bool:
+    """Tell whether it is rolling, and one of its Ubuntus before today's has what the code needs."""
+    return distros()[name].never_ends and any(ubuntu not in lacking for ubuntu in releases_of().get(name, ()))
 
 
 def _is_python2(mention: Mention) -> bool:
