@@ -14,12 +14,15 @@ def base_holds(ros: int) -> frozenset[str]:
 
 
 @cache
-def carried_by(package: str, ubuntu: str | None) -> frozenset[str]:
-    """Return what a package depends on; those of ROS are named without their distribution, ``ros-cv-bridge``."""
+def carried_by(package: str, ubuntu: str | None, ros_distro: str | None) -> frozenset[str]:
+    """Return what a package depends on; those of ROS are named without their distribution, ``ros-cv-bridge``.
+
+    A row may hold for some Ubuntus or for some distributions of ROS ``only``.
+    """
     fitting = (row for row in rows("carried") if row["package"] == package)
     return frozenset(
         name
         for row in fitting
-        if not row["ubuntu"] or ubuntu in row["ubuntu"].split()
+        if not row["only"] or {ubuntu, ros_distro} & set(row["only"].split())
         for name in row["carries"].split()
     )

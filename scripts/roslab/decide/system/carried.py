@@ -17,12 +17,15 @@ def held(target: Target, variant: str) -> frozenset[str]:
 
 
 def brought(installed: Iterable[str], target: Target) -> frozenset[str]:
-    """Return the apt names that packages, given by theirs, depend on."""
+    """Return the apt names that packages, given by theirs, depend on, directly or through others."""
     prefix = f"ros-{target.ros_distro}-"
-    return frozenset(
-        name
-        for package in installed
-        for name in carried_by(
-            f"ros-{package.removeprefix(prefix)}" if package.startswith(prefix) else package, target.ubuntu
-        )
-    )
+    found: set[str] = set()
+    open_ = list(installed)
+    while open_:
+        package = open_.pop()
+        name = f"ros-{package.removeprefix(prefix)}" if package.startswith(prefix) else package
+        carried = carried_by(name, target.ubuntu, target.ros_distro)
+        new = {f"{prefix}{each[4:]}" if each.startswith("ros-") else each for each in carried} - found
+        found |= new
+        open_ += new
+    return frozenset(found)

@@ -70,6 +70,8 @@ class _Found:
     declared: dict[str, Dependency | None] = field(default_factory=dict)
     guessed: dict[str, Dependency | Requirement] = field(default_factory=dict)
     recipes: dict[str, Dependency] = field(default_factory=dict)
+    written: set[str] = field(default_factory=set)
+    """Those that an author's install line names, whoever asked for them first."""
     skip: dict[str, None] = field(default_factory=dict)
     warnings: list[Warning_] = field(default_factory=list)
 
@@ -132,22 +134,17 @@ def _drop(
     found: _Found, kept: dict[str, Dependency | Requirement], target: Target, keys: list[str], variant: str
 ) -> tuple[str, ...]:
     """Take out what the base or other packages bring and no author named; return what others bring."""
-    for name in [n for n in kept if n in held(target, variant) and not _written_down(kept[n])]:
+    for name in [n for n in kept if n in held(target, variant) and n not in found.written]:
         del kept[name]
     sure = (*found.declared, *map(target.ros, keys))
     certain, likely = brought(sure, target), brought((*sure, *kept), target)
-    dropped = [n for n, asked in found.declared.items() if n in certain and asked and asked.namespace != "apt"]
+    dropped = [n for n, asked in found.declared.items() if n in certain and asked and n not in found.written]
     for name in dropped:
         del found.declared[name]
-    guessed = [n for n, asked in kept.items() if n in likely and not _written_down(asked)]
+    guessed = [n for n in kept if n in likely and n not in found.written]
     for name in guessed:
         del kept[name]
     return (*dropped, *guessed)
-
-
-def _written_down(asked: Dependency | Requirement) -> bool:
-    """Tell whether an author's install line names it."""
-    return isinstance(asked, Dependency) and asked.namespace == "apt" and asked.strength == "prose"
 
 
 def without_twins(choice: Choice[SystemPackages], built: frozenset[str]) -> Choice[SystemPackages]:
@@ -193,6 +190,8 @@ def _add(
     An optional library without a package is built if its address is among those that a page builds ``by_hand``.
     """
     meant = resolve(dependency, target)
+    if dependency.namespace == "apt" and dependency.strength == "prose":
+        found.written.update(meant.apt)
     sure = trusted and dependency.strength == "declared" and dependency.namespace in {"cmake", "pkg-config"}
     if meant.recipe and trusted and (dependency.strength != "optional" or _written(meant.recipe, target, by_hand)):
         found.recipes.setdefault(meant.recipe, dependency)
