@@ -18,8 +18,6 @@ REAL_BASE_ONLY = {"cuda_saxpy"}
 NEEDS_ROS_2 = {"ros2_talker"}
 """They need rclcpp, which a stand-in has where the lab was given packages of it; `live` has it always."""
 NAMES = sorted(path.name for path in EXAMPLES.iterdir() if path.is_dir() and path.name not in REAL_BASE_ONLY)
-SAME_BITS = ["monorepo", "no_config", "own_dockerfile", "python_filter", "ros1_talker", "ros2_filter", "ros2_talker"]
-"""Examples that are built twice and compared; those of ROS 2 on its own packages."""
 SNAPSHOT = "failed to prepare extraction snapshot"
 """The engine's unpacking fails so now and then while another image of the same name goes away; again, it works."""
 
@@ -95,18 +93,6 @@ def test_roslab_build(
     assert name in images
     assert not [image for image in images if "candidate" in image]
     docker("image", "rm", name)
-
-
-@pytest.mark.parametrize("example", SAME_BITS, indirect=True)
-def test_two_builds_from_nothing_have_the_same_bits(
-    roslab: Callable[..., CompletedProcess[str]], lab: Laboratory, example: Path
-) -> None:
-    """Where they have not, the answer names each file that differs."""
-    if example.name.startswith("ros2_") and not lab.ros2:
-        pytest.skip("compared on the packages of ROS 2 alone: see `python3 tests/lab --help`")
-    answer = roslab("build", example, "--twice", env=lab.environment, timeout=1800)
-    assert answer.returncode == 0, answer.stderr[-3000:]
-    assert "two builds, the same bits" in answer.stdout
 
 
 @pytest.mark.parametrize("example", ["own_dockerfile"], indirect=True)
