@@ -56,6 +56,19 @@ def test_a_key_brings_through_others(tree: Tree) -> None:
     assert "ros-noetic-tf2-msgs" not in planned(tree, code=code, keys="<depend>tf</depend>")
 
 
+def test_a_library_of_a_wheel_is_not_left_to_what_compiling_needs() -> None:
+    target = Target(ros_distro=None, ubuntu="focal")
+    assert "libgl1" in brought(["freeglut3-dev"], target)
+    assert "libgl1" not in brought(["freeglut3-dev"], target, directly=True)
+
+
+def test_a_wheel_beside_libraries(tree: Tree) -> None:
+    found = tree(
+        {"requirements.txt": "open3d\n", "a.py": "import open3d\n", "README.md": "apt install freeglut3-dev\n"}
+    )
+    assert "libgl1" in {*found.apt, *found.apt_guessed}
+
+
 def test_a_desktop_of_ros_2_is_another() -> None:
     noetic = brought(["ros-noetic-desktop"], Target(ros_distro="noetic", ubuntu="focal"))
     foxy = brought(["ros-foxy-desktop"], Target(ros_distro="foxy", ubuntu="focal"))

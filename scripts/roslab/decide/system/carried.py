@@ -16,8 +16,8 @@ def held(target: Target, variant: str) -> frozenset[str]:
     return frozenset(target.ros(name) for name in base_holds(distros()[target.ros_distro].ros))
 
 
-def brought(installed: Iterable[str], target: Target) -> frozenset[str]:
-    """Return the apt names that packages, given by theirs, depend on, directly or through others."""
+def brought(installed: Iterable[str], target: Target, *, directly: bool = False) -> frozenset[str]:
+    """Return the apt names that packages, given by theirs, depend on, ``directly`` or also through others."""
     prefix = f"ros-{target.ros_distro}-"
     found: set[str] = set()
     open_ = list(installed)
@@ -27,5 +27,5 @@ def brought(installed: Iterable[str], target: Target) -> frozenset[str]:
         carried = carried_by(name, target.ubuntu, target.ros_distro)
         new = {f"{prefix}{each[4:]}" if each.startswith("ros-") else each for each in carried} - found
         found |= new
-        open_ += new
+        open_ += () if directly else new
     return frozenset(found)

@@ -141,7 +141,9 @@ def _drop(
     dropped = [n for n, asked in found.declared.items() if n in certain and asked and n not in found.written]
     for name in dropped:
         del found.declared[name]
-    guessed = [n for n in kept if n in likely and n not in found.written]
+    near = brought((*sure, *kept), target, directly=True)  # a wheel's library is not left to what compiling needs
+    bring = {n: near if isinstance(asked, Requirement) else likely for n, asked in kept.items()}
+    guessed = [n for n in kept if n in bring[n] and n not in found.written]
     for name in guessed:
         del kept[name]
     return (*dropped, *guessed)
