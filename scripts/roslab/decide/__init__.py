@@ -6,13 +6,13 @@ from roslab.config.model import Config, Kind
 from roslab.decide.author_dockerfile import decide_dockerfile
 from roslab.decide.base import decide_base, of_dockerfile
 from roslab.decide.build_tool import decide_build_tool
+from roslab.decide.chains import decide_bases
 from roslab.decide.command import decide_command
 from roslab.decide.cuda.toolkit import decide_toolkit
 from roslab.decide.cuda.version import NO_CUDA, decide_cuda, of_image
 from roslab.decide.day import decide_days
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.kind import decide_kind
-from roslab.decide.mended_bases import decide_bases
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.proof import compiled, decide_test, rostests

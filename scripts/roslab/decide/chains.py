@@ -1,15 +1,25 @@
-"""Local bases of the author's own Dockerfile: images that a page builds first, from another Dockerfile of the tree."""
+"""Images that the author's own Dockerfile starts from and no registry has, with what its build takes in their place.
+
+That is an image that no longer answers, and one that a page builds first from another Dockerfile of the tree.
+"""
 
 from __future__ import annotations
 
 import posixpath
 from collections.abc import Sequence
 
+from roslab.config.model import Config
+from roslab.decide.decision import Choice, MendedBase, Reason
+from roslab.decide.mended_bases import mended
+from roslab.decide.reasons import because
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.knowledge.ended_bases import ended
 from roslab.knowledge.official_images import published
-from roslab.knowledge.os_releases import has_ended, release_of
 from roslab.values.dataclass import dataclass
+from roslab.values.origin import Place
+
+_WEIGHT = 900
+"""Above that of the FROM itself: it is what the build starts from."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -71,11 +81,38 @@ def _problem(base: AuthorDockerfile, said: Mention) -> str | None:  # noqa: PLR0
         return f"from {base.file} with arguments of its own"
     if base.base is None or "$" in base.base or not published(base.base):
         return f"from {base.file}, whose base {base.base} is not known"
-    if gone := ended(base.base):
+    instead = mended(base.base, base)
+    if gone := ended(base.base) or (instead and instead.why):
         return f"from {base.file}: {gone}"
-    if has_ended(release_of(base.base)):
-        return f"from {base.file}, whose base {base.base} has ended"
     return None
+
+
+def decide_bases(evidence: Evidence, config: Config, dockerfile: str | None) -> Choice[tuple[MendedBase, ...]]:
+    """Return the bases to replace in the author's Dockerfile; ``repair: false`` leaves those that are built first."""
+    authored = next((each for each in evidence.dockerfiles if each.file == dockerfile), None)
+    if authored is None:
+        return Choice(answer=())
+    found = [
+        (base, line)
+        for name, line in dict(authored.bases).items()
+        if (base := _local(name, authored, evidence) or (None if config.repair is False else mended(name, authored)))
+    ]
+    return Choice(answer=tuple(base for base, _ in found), reasons=tuple(_reason(authored, *each) for each in found))
+
+
+def _reason(authored: AuthorDockerfile, base: MendedBase, line: int) -> Reason:
+    replaced = f"; the build replaces {base.name} and changes no line of the Dockerfile"
+    text = base.why + (replaced if base.recipe is None else ", and so does the build here")
+    place = Place(file=authored.file, line=line)
+    return because("mended_base", base.image, text, place, weight=_WEIGHT)
+
+
+def _local(name: str, authored: AuthorDockerfile, evidence: Evidence) -> MendedBase | None:
+    first = local(name, authored, evidence)
+    if first is None or first.problem or first.dockerfile is None or first.dockerfile.base is None:
+        return None
+    why = f"line {first.said.line} of {first.said.file} builds it first, from {first.dockerfile.file}"
+    return MendedBase(name=name, image=first.dockerfile.base, why=why, recipe=first.dockerfile.recipe)
 
 
 def _tagged(image: str) -> str:

@@ -2,21 +2,15 @@
 
 from __future__ import annotations
 
-from roslab.config.model import Config
-from roslab.decide.chains import local
-from roslab.decide.decision import Choice, MendedBase, Reason
-from roslab.decide.reasons import because
-from roslab.evidence.facts import AuthorDockerfile, Evidence
+from roslab.decide.decision import MendedBase
+from roslab.evidence.facts import AuthorDockerfile
 from roslab.knowledge.distros import Distro, distro, ubuntus
 from roslab.knowledge.ended_bases import ended
 from roslab.knowledge.frameworks import cuda_image, nearest_cuda_image
 from roslab.knowledge.os_releases import ends, has_ended, release_of
 from roslab.values.dataclass import dataclass
-from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
-_WEIGHT = 900
-"""Above that of the FROM itself: it is what the build starts from."""
 _CUDA = pattern(
     r"(?P<where>(?:docker\.io/|nvcr\.io/)?)nvidia/cuda(?P<gl>gl)?:(?P<cuda>\d+\.\d+)(?P<patch>\.\d+)?"
     r"(?:-(?P<cudnn>cudnn\d*))?-(?P<flavour>base|runtime|devel)-ubuntu(?P<ubuntu>\d\d\.\d\d)"
@@ -32,35 +26,8 @@ class Nearest:
     why: str
 
 
-def decide_bases(evidence: Evidence, config: Config, dockerfile: str | None) -> Choice[tuple[MendedBase, ...]]:
-    """Return the bases to replace in the author's Dockerfile; ``repair: false`` leaves those that are built first."""
-    authored = next((each for each in evidence.dockerfiles if each.file == dockerfile), None)
-    if authored is None:
-        return Choice(answer=())
-    found = [
-        (base, line)
-        for name, line in dict(authored.bases).items()
-        if (base := _local(name, authored, evidence) or (None if config.repair is False else _mended(name, authored)))
-    ]
-    return Choice(answer=tuple(base for base, _ in found), reasons=tuple(_reason(authored, *each) for each in found))
-
-
-def _reason(authored: AuthorDockerfile, base: MendedBase, line: int) -> Reason:
-    replaced = f"; the build replaces {base.name} and changes no line of the Dockerfile"
-    text = base.why + (replaced if base.recipe is None else ", and so does the build here")
-    place = Place(file=authored.file, line=line)
-    return because("mended_base", base.image, text, place, weight=_WEIGHT)
-
-
-def _local(name: str, authored: AuthorDockerfile, evidence: Evidence) -> MendedBase | None:
-    first = local(name, authored, evidence)
-    if first is None or first.problem or first.dockerfile is None or first.dockerfile.base is None:
-        return None
-    why = f"line {first.said.line} of {first.said.file} builds it first, from {first.dockerfile.file}"
-    return MendedBase(name=name, image=first.dockerfile.base, why=why, recipe=first.dockerfile.recipe)
-
-
-def _mended(name: str, authored: AuthorDockerfile) -> MendedBase | None:
+def mended(name: str, authored: AuthorDockerfile) -> MendedBase | None:
+    """Return what replaces an image of a Dockerfile, ``None`` where it answers, or its name is not known."""
     if "$" in name:
         return None
     if near := nearest(name):

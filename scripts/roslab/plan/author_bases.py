@@ -33,19 +33,6 @@ def author_bases(decision: Decision) -> tuple[Base, ...]:
     """Return the replaced bases, in the order of the file."""
     found = []
     for base in decision.bases:
-        if base.recipe is not None:
-            found.append(
-                Base(
-                    name=base.name,
-                    image=base.image,
-                    why=base.why,
-                    sources=None,
-                    rosdistro_tag=None,
-                    installers=(),
-                    recipe=base.recipe,
-                )
-            )
-            continue
         release = distro_of(base.image)
         codename = release_of(base.image)
         found.append(
@@ -53,9 +40,10 @@ def author_bases(decision: Decision) -> tuple[Base, ...]:
                 name=base.name,
                 image=base.image,
                 why=base.why,
-                sources=sources_of(base.image, codename, release),
-                rosdistro_tag=release.rosdistro_tag if release else None,
-                installers=_installers(codename),
+                sources=sources_of(base.image, codename, release) if base.recipe is None else None,
+                rosdistro_tag=release.rosdistro_tag if release and base.recipe is None else None,
+                installers=_installers(codename) if base.recipe is None else (),
+                recipe=base.recipe,
             )
         )
     return tuple(found)
