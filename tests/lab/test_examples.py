@@ -133,9 +133,10 @@ def test_an_edit_of_the_source_reuses_what_was_installed(
 ) -> None:
     assert roslab("create", example).returncode == 0
     image = "repro-lab/edited:bare"
-    # Steps of its own: where another test builds with --no-cache meanwhile, BuildKit builds the steps that both have anew
+    # Steps of its own: where another test builds with --no-cache meanwhile, steps that both have are built anew
     recipe = example / "Dockerfile"
-    recipe.write_text(recipe.read_text().replace("#!/bin/bash\n", "#!/bin/bash\n# The test's own\n", 1))
+    text = recipe.read_text()
+    recipe.write_text(text.replace("#!/bin/bash\n", "#!/bin/bash\n# The test's own\n", 1))
     build = ("build", "--progress", "plain", "--tag", image, ".")
     assert docker(*build, cwd=example).returncode == 0
     program = (example / "demo.py").read_text().replace('print(f"figure:', 'print(f"my figure:')
