@@ -21,7 +21,9 @@ from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
 MAX_CANDIDATES = 30
-_ARGUMENT = pattern(r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|--help\b|(?:^|\s)-h\b|--show-args\b|\s(?:-s|--ros-args)$")
+_ARGUMENT = pattern(
+    r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|(?:^|\s)(?:--?help|-h|--?usage|--?version)\b|--show-args\b|\s(?:-s|--ros-args)$"
+)
 """An argument that names a file or asks for help: such a command is no default."""
 
 
@@ -68,7 +70,7 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
         return Choice(answer=_given(chosen, dockerfile, authored), reasons=(said,))
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = _opened(evidence, config, shlex.join(command))
-    inside = next((c for c in found if c.argv == command and c.inside and not dockerfile), None)
+    inside = next((c for c in found if c.argv == command and c.inside), None)
     chosen = Command(command=there(inside) if inside else command, candidates=candidates, gui=gui)
     if not (authored and started(authored)) and command != ("bash",):
         chosen = _given(chosen, dockerfile, authored)

@@ -53,7 +53,7 @@ _CLOUD = pattern(r"\b(?:azure|aws|gcp|cloud|clusters?|slurm|kubernetes|singulari
 _DATA = pattern(r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya?ml|png|mp4|avi|pcd|ply|obj|csv|json)$")
 """An argument that names a file."""
 _LAUNCHERS = ("roslaunch", "rosrun", "ros2")
-_HELP = pattern(r"^(?:--help|-h|--show-args|-s)$")
+_HELP = pattern(r"^(?:--?help|-h|--?usage|--?version|--show-args|-s)$")
 _VALUE = pattern(r"^-{0,2}[\w-]+:?=[-.]*$|^-{3,}$")
 """A value that the reader fills in: ``name:=---``."""
 _DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "simulation", "sim", "system", "example")

@@ -79,7 +79,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 strong=strong,
                 heading=mention.heading,
                 files=mention.files,
-                inside=mention.inside if argv[0].startswith("python") else "",
+                inside=mention.inside if argv[0].startswith(("python", "bash")) else "",
                 cut=cut,
             )
 

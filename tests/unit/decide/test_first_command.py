@@ -101,6 +101,8 @@ APPS = {"apps/CMakeLists.txt": "add_executable(viewer v.cpp)\n", "a.cpp": "int m
         ("```\n./align /data/kitti/00\n./apps/viewer\n```\n", "viewer"),
         ("Then run `viewer` in the folder.\n```\nmkdir build\n```\n", "viewer"),
         ("```\n./align data/kitti.bag\n```\n", "align data/kitti.bag"),
+        ("```\n./align -i=../data/a.bag -p\n```\nSee all with `./align -help`.\n", "align -i=../data/a.bag -p"),
+        ("```\n./align --version\n./align -n 3\n```\n", "align -n 3"),
         ("```\n./install.sh\n```\n", "bash"),
     ],
 )
@@ -367,3 +369,36 @@ def test_a_program_is_started_in_the_folder_that_its_paths_begin_in(
     files = {"src/main.py": "import tools\n", "src/tools.py": f"{code}\n", "src/a.yaml": "", "data/a.dat": ""}
     found = tree({**files, "requirements.txt": "numpy\n", "README.md": f"# Usage\n```\n{page}\n```\n"}).command
     assert (found if isinstance(found, str) else " ".join(found)) == command
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("cd scripts/\n./main.sh a.yaml", "cd scripts && exec bash main.sh a.yaml"),
+        ("cd scripts\n./build.sh\n```\nThen\n```\ncd scripts\nbash main.sh", "cd scripts && exec bash main.sh"),
+        ("cd ~/ws/src/demo/scripts\nsh main.sh", "cd scripts && exec bash main.sh"),
+        ("cd build\n./start.sh", "bash start.sh"),
+        ("./scripts/main.sh", "bash scripts/main.sh"),
+        ("cd scripts\n./gone.sh\nroslaunch demo map.launch", "roslaunch demo map.launch"),
+    ],
+)
+def test_a_script_is_started_in_the_folder_that_the_page_goes_to(tree: Tree, page: str, command: str) -> None:
+    scripts = dict.fromkeys(("scripts/main.sh", "scripts/build.sh", "start.sh"), "roslaunch demo map.launch\n")
+    found = tree({**ROS1, **scripts, "README.md": f"# Run\n```\n{page}\n```\n"}).command
+    assert (found if isinstance(found, str) else " ".join(found)) == command
+
+
+@pytest.mark.parametrize(
+    ("last", "command"),
+    [
+        ("${SHELL} --rcfile ${file}", "roslaunch demo map.launch"),
+        ("exec bash -i", "roslaunch demo map.launch"),
+        ("exec /bin/bash", "roslaunch demo map.launch"),
+        ("gnome-terminal -- bash -c 'roslaunch demo map.launch; exec bash'", "bash robot.sh master"),
+        ("exec roslaunch demo map.launch", "bash robot.sh master"),
+    ],
+)
+def test_a_script_that_opens_a_shell_is_not_what_is_run(tree: Tree, last: str, command: str) -> None:
+    page = "# Usage\nOpen a shell with `./robot.sh master`, then\n```\nroslaunch demo map.launch\n```\n"
+    script = f"#!/bin/bash\nexport ROBOT=$1\n{last}\n"
+    assert " ".join(tree({**ROS1, "robot.sh": script, "README.md": page}).command) == command

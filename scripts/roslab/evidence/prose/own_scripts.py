@@ -6,6 +6,7 @@ import posixpath
 from collections.abc import Iterator
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.prose.started_in import ends
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -25,7 +26,7 @@ def checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
     One that is not in the tree may lie in a submodule: it is yielded without a file.
     """
     folder, script, *words = mention.value.split()
-    for start in _starts("" if folder == "." else folder):
+    for start in ends("" if folder == "." else folder):
         path = posixpath.normpath(posixpath.join(start, script))
         if not repository.has(path):
             continue
@@ -34,10 +35,3 @@ def checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
             yield replace(mention, value=" ".join((start or ".", script, *words)), files=(path,))
         return
     yield mention
-
-
-def _starts(folder: str) -> Iterator[str]:
-    """Yield a folder, then its ends: a page may begin above the root."""
-    parts = [part for part in folder.split("/") if part]
-    for first in range(len(parts) + 1):
-        yield "/".join(parts[first:])

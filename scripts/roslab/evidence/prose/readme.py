@@ -17,7 +17,8 @@ from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
 from roslab.evidence.prose import exports, mentions, python_path
 from roslab.evidence.prose.installs import BLANK, Collector, merge
 from roslab.evidence.prose.own_scripts import checked
-from roslab.evidence.prose.started_in import started_in
+from roslab.evidence.prose.shells import opens_a_shell
+from roslab.evidence.prose.started_in import script_in, started_in
 from roslab.evidence.prose.telling import telling
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -132,13 +133,17 @@ def _rooted(prose: Prose, repository: Repository) -> Prose:
 def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
     if mention.topic == "build_script":
         yield from checked(mention, repository)
-    else:
-        yield _with_files(mention, repository) if mention.topic == "command" else mention
+    elif mention.topic != "command":
+        yield mention
+    elif not opens_a_shell(told := _with_files(mention, repository), repository):
+        yield told
 
 
 def _with_files(mention: Mention, repository: Repository) -> Mention:
     words = mention.value.split()
     found: list[str] = []
+    if script := script_in(mention, repository) if mention.inside else None:
+        words[script[0]] = script[1]
     for index, word in enumerate(words):
         if index == 0 and not word.endswith(".sh"):
             continue
@@ -149,7 +154,7 @@ def _with_files(mention: Mention, repository: Repository) -> Mention:
         if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):
             words[index] = path
             found.append(path)
-    inside = started_in(mention, words, repository) if mention.inside else ""
+    inside = script[2] if script else started_in(mention, words, repository) if mention.inside else ""
     return replace(mention, value=" ".join(words), files=tuple(found), inside=inside)
 
 

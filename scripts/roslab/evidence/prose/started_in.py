@@ -1,9 +1,9 @@
-"""The folder in which a program of Python has to be started: the one that a page goes to, where its code needs that."""
+"""The folder in which a program has to be started: the one a page goes to, for Python where its code needs that."""
 
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from roslab.evidence.facts import Mention
 from roslab.repository.checkout import Repository
@@ -38,6 +38,30 @@ def started_in(mention: Mention, words: Sequence[str], repository: Repository) -
             return folder
         break
     return ""
+
+
+def script_in(mention: Mention, repository: Repository) -> tuple[int, str, str] | None:
+    """Return which word of a command is a shell script below the folder that the page went to, its path, that folder.
+
+    A page may begin above the root, and may go to a folder again without having left it: the longest end of where it is
+    that has the script is meant. ``None`` where there is none: the script is at the root, or nowhere.
+    """
+    words = mention.value.split()
+    position = 1 if words[0] in {"bash", "sh"} and len(words) > 1 else 0
+    if not words[position].endswith(".sh") or words[position].startswith(("/", "~")):
+        return None
+    for folder in ends(mention.inside):
+        path = posixpath.normpath(posixpath.join(folder, words[position]))
+        if repository.has(path):
+            return (position, path, folder) if folder else None
+    return None
+
+
+def ends(folder: str) -> Iterator[str]:
+    """Yield a folder, then its ends, the last of them ``""``: a page may begin above the root."""
+    parts = [part for part in folder.split("/") if part]
+    for first in range(len(parts) + 1):
+        yield "/".join(parts[first:])
 
 
 def _needs(beside: str, folder: str, repository: Repository) -> bool:
