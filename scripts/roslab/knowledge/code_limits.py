@@ -12,8 +12,9 @@ from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-Sign = Literal["include", "name", "standard", "python", "launch"]
-"""A header, a name in C++, a C++ standard that CMake asks for, what Python code or a launch file in Python has."""
+Sign = Literal["include", "name", "standard", "line", "python", "launch"]
+"""A header, a name in C++, a C++ standard that CMake asks for, what stands on one line of Python code, or on several,
+what a launch file in Python has."""
 _OWN = frozenset({"library", "same_major", "source", "date"})
 
 
@@ -28,7 +29,7 @@ class Limit:
     below: str | None
     what: str
     hints: tuple[str, ...]
-    """What stands in every text that it matches, one of them, which is looked for first."""
+    """What stands in every text that it matches, one of them, which is looked for first; for ``line``, on that line."""
 
 
 @cache
@@ -42,7 +43,7 @@ def limits() -> tuple[Limit, ...]:
             at_least=row["at_least"] or None,
             below=row["below"] or None,
             what=row["what"],
-            hints=tuple(row["hints"].split()),
+            hints=tuple(row["hints"].split("|")),
         )
         for row in rows("code_limits")
     )

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Program
+from roslab.evidence.lex.lines import first_line
 from roslab.evidence.python import notebooks
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.typelibs import typelibs
@@ -76,7 +77,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                 if _standard(top) or top in local or top.startswith("_"):
                     continue
                 known = found.get(top)
-                role = "node" if top in _OF_NODES and not match["indent"] and _ROS.search(text) else ""
+                role = "node" if top in _OF_NODES and not match["indent"] and _of_node(text) else ""
                 if known is not None and role and known.role != role:
                     found[top] = replace(known, role=role, strength="used")
                 if known is not None and (known.strength == "used" or match["indent"]):
@@ -95,11 +96,20 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 
 def _started(file: File, text: str) -> Dependency | None:
     """Return the package of ``python`` if the first line of a program starts that."""
-    if not _PLAIN_PYTHON.search(text) or places.test(file.path):
+    if not _PLAIN_PYTHON.match(text) or places.test(file.path):
         return None
     return Dependency(
         namespace="apt", name="python-is-python3", strength="used", file=file.path, line=1, role="shebang"
     )
+
+
+def _of_node(text: str) -> bool:
+    """Tell whether a module imports the library of ROS's nodes."""
+    return _names_ros(text) and bool(_ROS.search(text))
+
+
+def _names_ros(text: str) -> bool:
+    return "rospy" in text or "rclpy" in text
 
 
 def _typelibs(file: File, text: str) -> Iterator[Dependency]:
@@ -166,8 +176,8 @@ def programs(repository: Repository) -> tuple[Program, ...]:
         text = repository.read(file, limit=MAX_READ)
         if file.name == "__main__.py":
             found.append(Program(file=file.path, line=1, kind="main"))
-        elif "__main__" in text and (match := _MAIN.search(text)):
-            node = bool(_NODE.search(text))
+        elif match := first_line(_MAIN, "__main__", text):
+            node = _names_ros(text) and bool(_NODE.search(text))
             found.append(
                 Program(
                     file=file.path,

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from packaging.version import Version
 
 from roslab.evidence import places
 from roslab.evidence.facts import CodeLimit
+from roslab.evidence.lex.lines import lines_with
 from roslab.evidence.python.imports import MAX_READ, modules
 from roslab.knowledge.code_limits import Limit, limits
 from roslab.repository.checkout import Repository
@@ -19,7 +22,7 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
 
     Tests and examples tell nothing, nor do launch files that are written for two versions.
     """
-    signs = [limit for limit in limits() if limit.where in {"python", "launch"}]
+    signs = [limit for limit in limits() if limit.where in {"line", "python", "launch"}]
     found: dict[tuple[str, str], CodeLimit] = {}
     for file in modules(repository):
         if places.test(file.path) or places.example(file.path):
@@ -27,12 +30,12 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
         text = repository.read(file, limit=MAX_READ)
         launch, node = "LaunchDescription" in text, "rospy" in text or "rclpy" in text
         for sign in signs:
-            if (sign.where == "launch") != launch or not any(hint in text for hint in sign.hints):
+            library = NODES if node and not launch else sign.library
+            if (sign.where == "launch") != launch or (library, sign.what) in found:
                 continue
             if sign.below and node and not launch:
                 continue  # a node of ROS has the Python of its distribution, whatever one of its modules needs
-            library = NODES if node and not launch else sign.library
-            if (library, sign.what) not in found and (place := _first(sign, text)):
+            if place := _first(sign, text):
                 line = text.count("\n", 0, place) + 1
                 found[library, sign.what] = CodeLimit(
                     library=library,
@@ -57,7 +60,18 @@ def _contradicted(limit: CodeLimit, others: tuple[CodeLimit, ...]) -> bool:
 
 def _first(sign: Limit, text: str) -> int | None:
     """Return the position of a sign that is in no comment, ``None`` where there is none; 0 is no position of one."""
-    for match in sign.pattern.finditer(text):
-        if not text[text.rfind("\n", 0, match.start()) + 1 : match.start() + 1].lstrip().startswith("#"):
-            return match.start() or 1
+    for start, end in _parts(sign, text):
+        for match in sign.pattern.finditer(text, start, end):
+            if not text[text.rfind("\n", 0, match.start()) + 1 : match.start() + 1].lstrip().startswith("#"):
+                return match.start() or 1
     return None
+
+
+def _parts(sign: Limit, text: str) -> Iterator[tuple[int, int]]:
+    """Yield where the parts of a text begin and end in which a sign can be: the lines with a hint, or all of it."""
+    if sign.where == "line":
+        for start in sorted({start for hint in sign.hints for start in lines_with(hint, text)}):
+            end = text.find("\n", start)
+            yield start, end if end >= 0 else len(text)
+    elif any(hint in text for hint in sign.hints):
+        yield 0, len(text)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.lines import first_line
 from roslab.evidence.python.imports import MAX_READ, modules
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -22,12 +23,10 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     new = 0
     for file in modules(repository):
         text = repository.read(file, limit=MAX_READ)
-        if "print" not in text:
-            continue
-        if match := _STATEMENT.search(text):
+        if match := first_line(_STATEMENT, "print", text):
             line = text.count("\n", 0, match.start()) + 1
             said = match[0].strip()[:60]
             old.append(Mention(topic="python", value="2.7", source="code", file=file.path, line=line, text=said))
-        elif _CALL.search(text):
+        elif first_line(_CALL, "print", text):
             new += 1
     return (old[0],) if len(old) >= LEAST and len(old) > new else ()

@@ -52,7 +52,7 @@ def _registered(path: str, lists: dict[str, str]) -> bool:
 
 
 def _runner(text: str) -> Runner | None:
-    if "rostest" in text or _STYLE.search(text):
+    if "rostest" in text or ("ament_" in text and _STYLE.search(text)):
         return None
     if "generate_test_description" in text:
         return "launch_test"

@@ -1,0 +1,41 @@
+"""Patterns that are tried only at the lines with a word."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from roslab.evidence.lex.lines import first_line, lines_with
+from roslab.knowledge.code_limits import limits
+
+TEXT = "first word\n\nnone\nword, and a second word\nlast: word"
+
+
+def test_each_line_with_the_word_is_named_once() -> None:
+    assert [TEXT[start:].partition("\n")[0] for start in lines_with("word", TEXT)] == [
+        "first word",
+        "word, and a second word",
+        "last: word",
+    ]
+
+
+@pytest.mark.parametrize("text", ["", "\n", "wor\nd"])
+def test_no_line_has_the_word(text: str) -> None:
+    assert list(lines_with("word", text)) == []
+
+
+@pytest.mark.parametrize(
+    ("source", "found"),
+    [("^.*and", "word, and"), ("^last", "last"), (r"^\w+ word", "first word"), ("^none", None), ("^second", None)],
+)
+def test_first_match_at_the_beginning_of_a_line(source: str, found: str | None) -> None:
+    match = first_line(re.compile(source, re.MULTILINE), "word", TEXT)
+    assert (match and match[0]) == found
+
+
+def test_signs_of_one_line_match_no_line_break() -> None:
+    signs = [limit for limit in limits() if limit.where == "line"]
+    assert signs
+    for sign in signs:
+        assert not re.search(r"\\s|\\n(?!\])|\\W", sign.pattern.pattern), sign.what
