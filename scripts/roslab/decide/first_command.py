@@ -24,7 +24,7 @@ _ASIDE = pattern(
 )
 """A section about something else than starting it."""
 _SERVES = pattern(
-    r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre-?proc\w*|prepare\w*|extract\w*|install\w*|set-?up|format|"
+    r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre-?proc\w*|(?:pre-?)?cach(?:e|ing)|prepare\w*|extract\w*|install\w*|set-?up|format|"
     r"record\w*|collect\w*|tokenize\w*|generate\w*|gen|export\w*|annotate\w*|"
     r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|lint|tidy)(?:[_.-]|$)|"
     r"^(?:(?:source|load|activate|export)[_-])?v?env$",
@@ -42,10 +42,12 @@ _UPKEEP = pattern(
 _DATASET = pattern(r"(?:^|[_.-])(?:datasets?|data)(?:[_.-]|$)", re.IGNORECASE)
 """The name of a file of Python that makes data; a node or a compiled program of that name runs on data."""
 _AFTER = pattern(
-    r"(?:^|[_.-])(?:calibrat\w*|evaluat\w*|eval|plot\w*|bench\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
+    r"(?:^|[_.-])(?:calibrat\w*|evaluat\w*|eval|metrics?|plot\w*|bench\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
     re.IGNORECASE,
 )
 """The name of a program that looks at what another one did; a README of Python may name its examples so."""
+_SHOWS = pattern(r"(?:^|[_.-])(?:visuali[sz]\w*|vis|viz)(?:[_.-]|$)", re.IGNORECASE)
+"""The name of a file of Python that shows what another one made; a launch file of that name may be a demonstration."""
 _TEST = pattern(r"(?:^|[_.-])tests?(?:[_.-]|$)", re.IGNORECASE)
 """The name of a test; a README of Python calls prediction so, and its tests are in folders of their own."""
 _CLOUD = pattern(r"\b(?:azure|aws|gcp|cloud|clusters?|slurm|kubernetes|singularity|docker|colab)\b", re.IGNORECASE)
@@ -88,10 +90,11 @@ def _explains(candidate: Candidate) -> bool:
 
 def _order(candidate: Candidate) -> tuple[bool, bool, bool, int, int, str, int]:
     """Return the place of a command in the order; equal ones keep theirs."""
+    python = candidate.argv[0].startswith("python") or candidate.installed
     return (
         bool(_CLOUD.search(candidate.heading)),
-        candidate.cut and not candidate.argv[0].startswith("python"),
-        _lacks(candidate) and not candidate.argv[0].startswith("python"),
+        candidate.cut and not python,
+        _lacks(candidate) and not python,
         candidate.file.count("/"),
         -_section(candidate.heading),
         candidate.file,
@@ -127,7 +130,7 @@ def _helps(candidate: Candidate) -> bool:
 
 def _after(candidate: Candidate) -> bool:
     python = candidate.argv[0].startswith("python")
-    return _named(candidate, _AFTER) or (not python and _named(candidate, _TEST))
+    return _named(candidate, _AFTER) or _named(candidate, _SHOWS if python else _TEST)
 
 
 def _purpose(candidate: Candidate) -> bool:

@@ -81,6 +81,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 files=mention.files,
                 inside=mention.inside if argv[0].startswith(("python", "bash")) else "",
                 cut=cut,
+                installed=argv[0] in tree.installed and not ros,
             )
 
 
@@ -206,11 +207,15 @@ def _of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
 
 
 def _built(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
-    """Return the call of a compiled program by its name: ``./build/align a`` becomes ``align a``."""
+    """Return the call of a compiled program by its name: ``./build/align a`` becomes ``align a``.
+
+    ``ros2 run`` looks in ``lib/PACKAGE`` alone; what is installed into ``bin`` is on the PATH of a sourced workspace
+    (ros2/ros2cli: ros2pkg/ros2pkg/api/__init__.py; ament/ament_package: environment_hook/path.sh.in; 2026-11-23).
+    """
     name = argv[0].rpartition("/")[2]
     if name not in tree.compiled:
         return None
-    if not (package := tree.compiled[name]):
+    if not (package := tree.compiled[name]) or argv[0].endswith(f"install/{package}/bin/{name}"):
         return (name, *argv[1:])
     return ("rosrun", package, name, *argv[1:]) if tree.kind == "ros1" else ("ros2", "run", package, name, *argv[1:])
 

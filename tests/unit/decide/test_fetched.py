@@ -42,6 +42,24 @@ def test_a_page_installs_a_folder_of_a_submodule(tree: Tree) -> None:
     assert decision.python.projects == ("sub/knn",)
 
 
+def test_a_page_goes_into_a_submodule_below_a_folder_that_the_reader_knows(tree: Tree) -> None:
+    page = "```\ncd {this_repo}/sub/knn\npip install -e .\ncd {this_repo}\npip install -e .\n```\n"
+    setup = "from setuptools import setup\nsetup(name='a')\n"
+    decision = tree({".gitmodules": MODULES, "README.md": page, "run.py": "import torch\n", "setup.py": setup})
+    assert set(decision.python.projects) == {".", "sub/knn"}
+
+
+@pytest.mark.parametrize("line", ["-e .", "-e ./lib", "-e lib", "./lib", "-e sub/knn"])
+def test_a_requirement_file_names_a_folder(tree: Tree, line: str) -> None:
+    setup = "from setuptools import setup\nsetup(name='{}')\n"
+    files = {"setup.py": setup.format("a"), "lib/setup.py": setup.format("lib"), ".gitmodules": MODULES}
+    python = tree({**files, "requirements.txt": f"munch==2.0\n{line}\n", "run.py": "import munch\n"}).python
+    assert python.requirements == ()  # the folder is not there when the file would be read
+    assert [each.written for each in python.pip] == ["munch==2.0"]
+    folder = line.removeprefix("-e ").removeprefix("./")
+    assert set(python.projects) == {".", folder}
+
+
 def test_a_page_installs_a_folder_that_is_copied_from_elsewhere(tree: Tree) -> None:
     setup = "from setuptools import setup\nsetup(name='b', packages=['b'])\n"
     files = {"pyproject.toml": "[project]\nname='a'\nversion='1'\n", "thirdparty/b/setup.py": setup}

@@ -215,11 +215,32 @@ def test_a_compiled_program_may_be_named_after_its_data(tree: Tree) -> None:
         ("python train.py -s <path to data>\npython render.py -r 2\n", "python train.py"),
         ("python train.py -s <path to data>\npython train.py --demo\n", "python train.py --demo"),
         ("python -W ignore train.py a.yaml\npython render.py\n", "python -W ignore train.py a.yaml"),
+        ("python compute_metrics.py\npython visualize_runs.py -n 1\npython train.py -s <data>\n", "python train.py"),
+        ("python precache.py -n 1\npython visualize_runs.py -n 1\n", "python visualize_runs.py -n 1"),
     ],
 )
 def test_the_first_program_of_python_counts_even_with_blanks(tree: Tree, page: str, command: str) -> None:
-    files = dict.fromkeys(("train.py", "render.py"), "import numpy\n")
+    names = ("train.py", "render.py", "precache.py", "visualize_runs.py", "compute_metrics.py")
+    files = dict.fromkeys(names, "import numpy\n")
     assert " ".join(tree({**files, "README.md": f"```\n{page}```\n"}).command) == command
+
+
+def test_a_program_that_pip_installs_counts_even_with_blanks(tree: Tree) -> None:
+    page = "# Usage\n```\nsegment --show <weights> <data>\n```\n# Training\n```\npython scripts/train.py -n 1\n```\n"
+    own = "[project]\nname = 'seg'\nversion = '1'\ndependencies = ['numpy']\n[project.scripts]\nsegment = 'seg:main'\n"
+    files = {"pyproject.toml": own, "seg/__init__.py": "", "scripts/train.py": "import numpy\n", "README.md": page}
+    assert tree(files).command == ("segment",)
+
+
+@pytest.mark.parametrize(
+    ("program", "command"),
+    [
+        ("install/demo/bin/talker -n 1", "talker -n 1"),
+        ("install/demo/lib/demo/talker", "ros2 run demo talker"),
+    ],
+)
+def test_a_program_of_a_workspace_by_its_path(tree: Tree, program: str, command: str) -> None:
+    assert " ".join(tree({**ROS2, "README.md": f"# Run\n```\n./{program}\n```\n"}).command) == command
 
 
 @pytest.mark.parametrize(

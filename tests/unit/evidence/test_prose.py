@@ -282,3 +282,16 @@ def test_the_branches_of_a_script_are_alternatives(tmp_path: Path) -> None:
     written = [asked.written for asked in scripts.read(Repository.open(tmp_path)).requirements]
     assert [each for each in written if each.startswith("torch")] == ["torch==1.8.0", "torchvision==0.11.1"]
     assert [each for each in written if each.startswith("numpy")] == ["numpy==1.18", "numpy==1.19"]
+
+
+@pytest.mark.parametrize(
+    ("text", "read_lines"),
+    [
+        ("# Policies for Real Robots\n    apt install liba\n## Run\n    apt install libb\n", [2, 4]),
+        ("# Hardware in the loop\n```\n# apt\napt install liba\n```\n## Real robots\n    apt install libb\n", [4]),
+        ("# Real robots\n    apt install liba\n# Run\n    apt install libb\n", [4]),
+        ("# Install on Windows\n    apt install liba\n## Run\n    apt install libb\n", []),
+    ],
+)
+def test_the_title_of_a_page_tells_what_it_is_for(tmp_path: Path, text: str, read_lines: list[int]) -> None:
+    assert [line for _, line in named(read(readme, tmp_path, {"README.md": text}))] == read_lines

@@ -12,7 +12,7 @@ from roslab.values.requirement import Requirement
 
 
 def with_fetched(evidence: Evidence) -> Evidence:
-    """Return the evidence with a project for each folder of a missing submodule that a page or a conda file installs.
+    """Return the evidence with a project for each folder of a missing submodule that a page or another file installs.
 
     What such a folder holds is unknown: it may compile, beside a framework also for the GPU.
     """
@@ -22,7 +22,8 @@ def with_fetched(evidence: Evidence) -> Evidence:
     added: dict[str, PythonProject] = {}
     for asked, folder in _folders(evidence) if absent else ():
         place = next((name for name in absent if f"/{folder}/".find(f"/{name}/") >= 0), None)
-        path = folder[folder.index(place) :] if place else ""
+        ends = [name for name in absent if name.endswith(f"/{folder}")]  # of `cd REPOSITORY/sub/a` only `a` is known
+        path = folder[folder.index(place) :] if place else ends[0] if len(ends) == 1 else ""
         if path and path not in known:
             added.setdefault(
                 path,
@@ -46,6 +47,10 @@ def _folders(evidence: Evidence) -> Iterator[tuple[Requirement, str]]:
     for asked in evidence.prose_pip:
         if asked.role == "project":
             yield asked, posixpath.normpath(asked.written.partition("[")[0])
+    for file in evidence.requirements:
+        for asked in file.requirements if file.purpose == "run" else ():
+            if asked.role == "project":
+                yield asked, posixpath.normpath(asked.written.partition("[")[0])
     for environment in evidence.conda:
         for asked in environment.requirements:
             if asked.role == "project":

@@ -149,8 +149,10 @@ def _resolve(asked: Requirement, known: Iterable[str]) -> str | None:
     return ends[0] if len(ends) == 1 else None
 
 
-def projects(evidence: Evidence, kind: Kind, conda: str | None) -> tuple[PythonProject, ...]:
-    """Return the folders to install: the root, what the README or the conda file installs, else the nearest below."""
+def projects(
+    evidence: Evidence, kind: Kind, conda: str | None, files: Iterable[RequirementFile] = ()
+) -> tuple[PythonProject, ...]:
+    """Return the folders to install: the root, what a README or the given files install, else the nearest."""
     manifests = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests if not manifest.ignored}
     usable = {p.folder: p for p in evidence.python if p.installable}
     chosen: dict[str, PythonProject] = {}
@@ -158,7 +160,8 @@ def projects(evidence: Evidence, kind: Kind, conda: str | None) -> tuple[PythonP
         members = {asked.key for asked in usable[""].requirements if asked.role == "member"}
         chosen = {p.folder: p for p in usable.values() if p.name and canonicalize_name(p.name) in members}
         chosen[""] = usable[""]
-    listed = (asked for each in evidence.conda if each.file == conda for asked in each.requirements)
+    listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
+    listed += [asked for file in with_includes(evidence, files) for asked in file.requirements]
     for asked in (*_prose(evidence), *listed):
         if asked.role != "project" or asked.written in {".", "./"}:
             continue

@@ -29,7 +29,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     """Return what pip or conda installs."""
     conda = conda_file(evidence, config, kind)
     files = requirement_files(evidence, config, kind, conda)
-    folders = projects(evidence, kind, conda)
+    folders = projects(evidence, kind, conda, files)
     manifests = bool(files or conda or any(project.requirements for project in folders))
     known = known_names(evidence, files, folders, conda)
     return Chosen(

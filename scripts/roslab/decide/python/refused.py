@@ -49,7 +49,11 @@ def right(requirements: Iterable[Requirement]) -> Iterator[Requirement]:
 def repair(
     evidence: Evidence, files: Iterable[RequirementFile], projects: Iterable[PythonProject], own: Iterable[str]
 ) -> Repaired:
-    """Return how to install what is declared if pip would refuse some of its lines; ``own`` are names in the tree."""
+    """Return how to install what is declared if pip would refuse some of its lines; ``own`` are names in the tree.
+
+    So it does with a folder (``-e .``): files are installed before the source is there, and pip looks for a folder
+    from where it is started (https://pip.pypa.io/en/stable/reference/requirements-file-format/, read 2026-11-23).
+    """
     names = set(own)
     kept: list[Requirement] = []
     broken: set[str] = set()
@@ -59,7 +63,7 @@ def repair(
         found = [asked for each in with_includes(evidence, [file]) for asked in each.requirements]
         spelled = [asked for asked in found if asked.role == "repaired"]
         missing = [asked for asked in found if refused(asked)]
-        if not (spelled or missing):
+        if not (spelled or missing or any(asked.role == "project" for asked in found)):
             continue
         broken.add(file.file)
         kept += _kept((asked for asked in found if asked.role != "project"), names)

@@ -25,6 +25,7 @@ MentionSource = Literal["dockerfile", "ci", "readme", "script"]
 _RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
 BLANK = pattern(r"<[A-Za-z][^<>|&;\n]{0,60}>|<[\w.-]{1,30}(?:\s?\|\s?[\w.-]{1,30}){1,12}>")
 """A placeholder for the reader of a page to fill in, or to choose: ``<small | large>``."""
+_BRACED = pattern(r"(?<![$\w{=-])\{[A-Za-z][\w -]{0,40}\}(?=[/\s]|$)")
 _CHOICE = pattern(r"(?<==)\{\s*([\w.-]+)\s*(?:[,|/]\s*[\w.-]+\s*){1,12}\}")
 """Values of which the reader chooses one: ``rviz:={true, false}``."""
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
@@ -79,6 +80,7 @@ class Collector:
         if telling(text):
             if "<" in text and (self.source == "readme" or _RUN.search(text)):
                 text = BLANK.sub("$UNKNOWN", text)  # otherwise `<sensor name>` would be read as a redirection
+            text = _BRACED.sub("$UNKNOWN", text) if "{" in text and self.source == "readme" else text
             text = _CHOICE.sub(r"\1", text) if "={" in text else text
             for command in commands(text, line, self.variables):
                 for topic, value in steps(command, self.heading, self.folder):

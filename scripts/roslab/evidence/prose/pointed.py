@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.readme import FENCE, MAX_LINE, heading_of, pages, section_of
+from roslab.evidence.prose.readme import FENCE, MAX_LINE, heading_of, pages, section_of, title_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -50,7 +50,7 @@ def _sentences(text: str) -> list[tuple[int, str, str]]:
     lines = text.split("\n")
     titles: dict[int, str] = {}
     found: list[tuple[int, str, str]] = []
-    elsewhere, fenced = 0, False
+    elsewhere, fenced, top = 0, False, title_of(lines)
     for number, line in enumerate(lines, 1):
         if FENCE.match(line[:MAX_LINE]):
             fenced = not fenced
@@ -58,7 +58,7 @@ def _sentences(text: str) -> list[tuple[int, str, str]]:
         below = lines[number] if number < len(lines) else ""
         if fenced or len(line) > MAX_LINE:
             continue
-        elsewhere = section_of(line, below, elsewhere)
+        elsewhere = section_of(line, below, elsewhere) if number != top else 0
         if title := heading_of(line, below):
             titles = {level: known for level, known in titles.items() if level < title[0]} | {title[0]: title[1]}
         elif not elsewhere and not _COMMAND.search(line):

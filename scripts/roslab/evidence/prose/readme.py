@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
@@ -82,6 +82,10 @@ _ELSEWHERE = pattern(
     r"hardware(?: setup)?|kernel|contribut|changelog|news|acknowledg|citation|licen[sc]e)",
     re.IGNORECASE,
 )
+_SYSTEM = pattern(
+    r"\b(?:windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry)", re.IGNORECASE
+)
+"""What the title of a whole page may be about; other words tell what the code is for: ``Policies for Real Robots``."""
 _STRUCK = pattern(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
 """Text that is struck through: ``~~outdated~~``."""
 _LEAF = pattern(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
@@ -215,6 +219,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     titles: dict[int, str] = {}
     elsewhere = index = 0
     fenced = False
+    title = title_of(lines)
     while index < len(lines):
         line = lines[index]
         index += 1
@@ -223,7 +228,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
             continue
         if not fenced:
             below = lines[index] if index < len(lines) else ""
-            elsewhere = section_of(line, below, elsewhere)
+            elsewhere = section_of(line, below, elsewhere) if index != title else 0
             if heading := heading_of(line, below):
                 titles = {level: title for level, title in titles.items() if level < heading[0]} | {
                     heading[0]: heading[1]
@@ -253,6 +258,23 @@ def heading_of(line: str, below: str) -> tuple[int, str] | None:
     if line.strip() and _RST_LINE.match(below[:200]):
         return 2, line.strip()[:200]
     return None
+
+
+def title_of(lines: Sequence[str]) -> int:
+    """Return the number of the line with the title of the whole page, the only ``#``; 0 if its sections are so too.
+
+    A title that names another system counts as a section: all of the page is for that.
+    """
+    fenced, found = False, 0
+    for number, line in enumerate(lines, 1):
+        if FENCE.match(line[:MAX_LINE]):
+            fenced = not fenced
+        elif not fenced and (heading := _HEADING.match(line[:200])):
+            first = len(heading[1]) == 1
+            if first == bool(found) or (not found and _SYSTEM.search(heading[2])):
+                return 0
+            found = found or number
+    return found
 
 
 def section_of(line: str, below: str, elsewhere: int) -> int:
