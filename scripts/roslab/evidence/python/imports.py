@@ -72,12 +72,14 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                 namespace="call", name=library, strength="used", file=file.path, line=text.count("\n", 0, position) + 1
             )
         found |= {f"{each.name} {each.role}": each for each in _typelibs(file, text)}
-        for match in _imports(text):
-            for top in _modules_of(match):
+        statements = [(match, _modules_of(match)) for match in _imports(text)]
+        node = any(not _OF_NODES.isdisjoint(tops) for _, tops in statements) and _of_node(text)
+        for match, tops in statements:
+            for top in tops:
                 if _standard(top) or top in local or top.startswith("_"):
                     continue
                 known = found.get(top)
-                role = "node" if top in _OF_NODES and not match["indent"] and _of_node(text) else ""
+                role = "node" if node and top in _OF_NODES and not match["indent"] else ""
                 if known is not None and role and known.role != role:
                     found[top] = replace(known, role=role, strength="used")
                 if known is not None and (known.strength == "used" or match["indent"]):
