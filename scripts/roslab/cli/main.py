@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import atexit
 import gc
 import os
 import signal
@@ -26,7 +27,8 @@ MODULES = {
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line and return the exit code; no traceback reaches a user."""
-    gc.set_threshold(100_000)  # nearly all that a command makes stays until it ends: looking for what does not is lost
+    gc.set_threshold(1_000_000)  # nearly all that a command makes stays until it ends: to look for what does not
+    atexit.register(gc.freeze)  # is lost, as it would be while the interpreter ends
     arguments = list(sys.argv[1:] if argv is None else argv)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that `finally` runs and nothing half-built remains
     debug = os.environ.get("ROSLAB_DEBUG") == "1"
