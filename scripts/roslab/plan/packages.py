@@ -99,7 +99,9 @@ def _ros_tools(decision: Decision, in_workspace: tuple[Source, ...]) -> list[str
         tools += [f"ros-{release.name}-rosmake", f"ros-{release.name}-mk"] if "rosmake" in used else []
     if "colcon" in used and (decision.packages or in_workspace) and (bare or release.ros == 1):
         tools.append("python3-colcon-common-extensions")
-    return tools + [name for data in data_of(decision) for name in data.needs]
+    wrapped = any(source.name.endswith("_catkin") for source in in_workspace)
+    tools += ["wget"] if wrapped else []  # wrappers of libraries for catkin fetch them with it
+    return list(dict.fromkeys((*tools, *(name for data in data_of(decision) for name in data.needs))))
 
 
 def data_of(decision: Decision) -> tuple[PackageData, ...]:

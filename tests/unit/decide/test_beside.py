@@ -48,6 +48,8 @@ def cloned(decision: Decision) -> list[tuple[str, str | None]]:
 
 def test_a_page_clones_beside_it(tree: Tree) -> None:
     assert cloned(tree(SHOWN | {"README.md": PAGE})) == [("vehicles", None)]
+    older = PAGE.replace("me/demo.git", "me/de-mo.git")
+    assert cloned(tree(SHOWN | {"README.md": older})) == [("vehicles", None)]
 
 
 def test_nothing_unknown_is_needed(tree: Tree) -> None:

@@ -405,6 +405,23 @@ def test_well_known_unreleased_packages_come_from_their_table(tmp_path: Path) ->
     assert not [warning for warning in found.warnings if "rosdep has no key" in warning.message]
 
 
+def test_a_package_of_the_table_brings_what_it_needs_and_is_built_as_its_authors_do(tmp_path: Path) -> None:
+    xml = CATKIN.format(name="demo").replace("roscpp", "voxblox_ros")
+    found = decided(tmp_path, {"package.xml": xml, "CMakeLists.txt": CMAKE.format(name="demo")})
+    names = [source.name for source in found.source]
+    assert names[-2:] == ["voxblox", "minkindr_ros"]
+    assert {"catkin_simple", "eigen_catkin", "glog_catkin", "protobuf_catkin"} < {*names}
+    assert found.build_tool == "catkin_make"
+    wrapper = xml.replace("voxblox_ros", "yaml_cpp_catkin")
+    assert decided(tmp_path, {"package.xml": wrapper}).build_tool == "catkin_tools"
+    simple = xml.replace(
+        "<buildtool_depend>", "<buildtool_depend>catkin_simple</buildtool_depend><buildtool_depend>", 1
+    )
+    assert decided(tmp_path, {"package.xml": simple}).build_tool == "catkin_tools"
+    page = {"package.xml": simple, "README.md": "```\ncatkin_make\n```\n"}
+    assert decided(tmp_path, page).build_tool == "catkin_make"
+
+
 AMENT_PYTHON = (
     '<package format="3"><name>{name}</name><exec_depend>rclpy</exec_depend>'
     "<export><build_type>ament_python</build_type></export></package>"

@@ -42,6 +42,12 @@ def test_messages_alone_need_no_data(tmp_path: Path) -> None:
     assert "wget" not in plan.apt_tools
 
 
+def test_what_is_cloned_may_fetch_its_library(tmp_path: Path) -> None:
+    plan = planned(tmp_path, "<depend>glog_catkin</depend><run_depend>mavros</run_depend>")
+    assert plan.apt_tools.count("wget") == 1
+    assert "wget" in planned(tmp_path, "<depend>glog_catkin</depend>").apt_tools
+
+
 def test_colcon_is_installed_for_ros_1(tmp_path: Path) -> None:
     plan = planned(tmp_path, page="ROS Noetic\n```\ncolcon build\n```\n")
     assert plan.workspace.ros

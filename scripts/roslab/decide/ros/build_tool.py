@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import ClassVar
 
 from roslab.config.model import BuildTool
@@ -9,9 +10,9 @@ from roslab.decide.decision import Choice
 from roslab.decide.reasons import because, ranked, strongest
 from roslab.decide.ros.workspace import of_rosbuild, packages_of, ros_versions, types
 from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.distros import distros
-from roslab.values.origin import Place
 
 
 class Weight:
@@ -26,7 +27,7 @@ class Weight:
     ELSEWHERE = 100
     ROSBUILD = 500  # nothing else builds them
     PLAIN_CMAKE = 350  # catkin_make refuses plain CMake packages: wins over a script, not over what people type
-    CATKIN_SIMPLE = 250  # its authors build with catkin_tools, but catkin_make can build it too
+    CATKIN_SIMPLE = 250  # its authors build with catkin_tools, but catkin_make can often build it too
     DEFAULT = 1
     DEEPER = 30  # subtracted for each folder above it: deeper files are about a part
     DEEPER_DOCKERFILE = 5  # subtracted for a Dockerfile instead, which often has its own folder
@@ -51,15 +52,23 @@ def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
     if plain := next((m for m in packages_of(evidence).built if types(m, 1) == {"cmake"}), None):
         why = "a plain CMake package, which catkin_make refuses"
         reasons.append(because("build_tool", "catkin_tools", why, plain, weight=Weight.PLAIN_CMAKE))
-    simple = next((p for p in evidence.cmake for d in p.dependencies if d.name == "catkin_simple"), None)
-    if simple:
-        why = "it uses catkin_simple, whose authors build with catkin_tools"
-        place = Place(file=simple.file, line=1)
-        reasons.append(because("build_tool", "catkin_tools", why, place, weight=Weight.CATKIN_SIMPLE))
+    if simple := next(_simple(evidence), None):
+        why = f"it uses {simple.name}, whose authors build with catkin_tools"
+        reasons.append(because("build_tool", "catkin_tools", why, simple, weight=Weight.CATKIN_SIMPLE))
     if not reasons:
         reasons.append(because("build_tool", "catkin_make", "ROS 1's own", weight=Weight.DEFAULT))
     answer: BuildTool = "catkin_tools" if strongest(reasons).answer == "catkin_tools" else "catkin_make"
     return Choice(answer=answer, reasons=ranked(reasons, answer))
+
+
+def _simple(evidence: Evidence) -> Iterator[Dependency]:
+    """Yield where catkin_simple is asked for, or a wrapper of a library for catkin (``yaml_cpp_catkin``).
+
+    In the one project that catkin_make makes of all packages such a wrapper does not find its own files.
+    """
+    declared = [dependency for manifest in packages_of(evidence).built for dependency in manifest.dependencies]
+    found = [dependency for project in evidence.cmake for dependency in project.dependencies]
+    yield from (d for d in (*declared, *found) if d.name == "catkin_simple" or d.name.endswith("_catkin"))
 
 
 def _colcon(evidence: Evidence) -> Mention | None:

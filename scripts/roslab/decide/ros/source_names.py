@@ -51,8 +51,9 @@ def plain(name: str) -> str:
 
 
 def itself_in(git: GitSource, names: set[str]) -> bool:
-    """Tell whether a list names the repository itself."""
-    return plain(git.name) in {plain(name) for name in names} or address(git.url).rpartition("/")[2] in names
+    """Tell whether a list or a page names the repository itself, ``c-blox`` where it is ``cblox`` by now."""
+    joined = {plain(name).replace("_", "") for name in names}
+    return plain(git.name).replace("_", "") in joined or address(git.url).rpartition("/")[2] in names
 
 
 def wanted_names(needed: Iterable[Dependency]) -> dict[str, Dependency]:
