@@ -45,6 +45,7 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         ("a.cpp:1:10: fatal error: pluginlib/class_list_macros.h: No such file or directory", FOCAL, "stand-in"),
         ("a.cpp:1:10: fatal error: pluginlib/class_list_macros.h: No such file or directory",
          replace(FOCAL, ubuntu="noble", python="3.12"), "ours or the code's"),
+        ("a.h:46:8: error: 'shared_ptr' in namespace 'std' does not name a template type", FOCAL, "stand-in"),
         ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", FOCAL, "stand-in"),
         ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", REAL,
          "ours or the code's"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from dataclasses import replace
 from pathlib import Path
 
@@ -403,6 +404,8 @@ def test_well_known_unreleased_packages_come_from_their_table(tmp_path: Path) ->
     ]
     assert all(source.ref for source in found.source)
     assert not [warning for warning in found.warnings if "rosdep has no key" in warning.message]
+    # Its headers lack an #include that compilers from Ubuntu 22.04 on want
+    assert shlex.split(found.source[0].cmake_options) == ["-DCMAKE_CXX_FLAGS=-include memory"]
 
 
 def test_a_package_of_the_table_brings_what_it_needs_and_is_built_as_its_authors_do(tmp_path: Path) -> None:
