@@ -131,6 +131,20 @@ def test_a_call_that_only_asks_is_no_default(tmp_path: Path, asks: str) -> None:
     assert decided(tmp_path, {**ament(), "README.md": page}).command == ("bash",)
 
 
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("demo/docs/source/start/usage.rst", "roslaunch demo b.launch"),
+        ("docs/pages/Running-Demo.rst", "roslaunch demo b.launch"),
+        ("docs/pages/history.rst", "bash"),
+    ],
+)
+def test_a_page_of_the_documentation_about_running_it(tmp_path: Path, page: str, command: str) -> None:
+    text = "Usage\n=====\n\nLaunch it:\n\n.. code-block:: bash\n\n    roslaunch demo b.launch\n"
+    files = {**catkin(), "launch/a.launch": "<launch/>", "launch/b.launch": "<launch/>", page: text}
+    assert " ".join(decided(tmp_path, files).command) == command
+
+
 def test_requirements_of_a_second_folder_of_documentation(tmp_path: Path) -> None:
     found = decided(tmp_path, {**ament(), "docs2/requirements.txt": "furo\n", "nodes/requirements.txt": "rowan\n"})
     assert found.python.requirements == ("nodes/requirements.txt",)

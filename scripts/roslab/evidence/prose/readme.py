@@ -34,7 +34,7 @@ _PAGE = pattern(
 )
 _TEXTS = (".md", ".mdx", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
 _DOCS_PAGE = pattern(
-    r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite"
+    r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite|usage|running"
 )
 FENCE = pattern(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
 """Backquotes that are closed on their own line are inline code. https://spec.commonmark.org/0.31.2/#fenced-code-blocks"""
