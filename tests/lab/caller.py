@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import atexit
+import compileall
 import os
+import py_compile
 import re
 import shutil
 import subprocess
@@ -120,7 +122,8 @@ def program(checkout: Path) -> Path:
     """Return a copy of what a commit of the checkout would have, made once by each process.
 
     For every run act reads an action's whole folder into memory, where it may not change: a virtual environment in it
-    costs more than the run does. A folder that is no checkout of git is returned as it is.
+    costs more than the run does. Its modules are compiled here once: a run would compile them anew in a folder of its
+    own. A folder that is no checkout of git is returned as it is.
     """
     command = ["git", "-C", str(checkout), "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
     answer = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -132,6 +135,9 @@ def program(checkout: Path) -> Path:
         if os.path.lexists(checkout / name):
             (place / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(checkout / name, place / name, follow_symlinks=False)
+    # Valid without their sources' times, which act does not keep
+    mode = py_compile.PycInvalidationMode.UNCHECKED_HASH
+    compileall.compile_dir(place / "scripts", quiet=1, invalidation_mode=mode)
     return place
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import os
 import shutil
+from functools import cache
 from pathlib import Path
 
 from .command import LabError, run
@@ -34,13 +35,13 @@ def place(distro: str) -> Path | None:
 def _take(source: Path, distro: str) -> None:
     """Copy the packages of one distribution into the home with an index, if they are others than those there."""
     files = sorted(source.glob(f"ros-{distro}-*.deb"))
-    controls = {file: run(["dpkg-deb", "--field", file]) for file in files}
-    if not any(text.startswith(f"Package: ros-{distro}-ros-base\n") for text in controls.values()):
+    stanzas = [_stanza(file, file.stat().st_mtime_ns) for file in files]
+    if not any(text.startswith(f"Package: ros-{distro}-ros-base\n") for text in stanzas):
         raise LabError(
             f"{VARIABLE}={source} has no package ros-{distro}-ros-base: it has to be a folder of .deb files for "
             f"Debian 12 that are named ros-{distro}-*.deb, that one among them"
         )
-    index = "\n".join(_stanza(file, text) for file, text in controls.items())
+    index = "\n".join(stanzas)
     kept = folder("ros2") / distro
     if (kept / INDEX).exists() and (kept / INDEX).read_text() == index:
         return
@@ -54,8 +55,13 @@ def _take(source: Path, distro: str) -> None:
     unfinished.rename(kept)
 
 
-def _stanza(file: Path, control: str) -> str:
-    """Return one entry of an index of packages: https://wiki.debian.org/DebianRepository/Format."""
-    content = file.read_bytes()
+@cache
+def _stanza(file: Path, changed: int) -> str:
+    """Return one entry of an index of packages, made once for each state of a file, which `changed` tells.
+
+    https://wiki.debian.org/DebianRepository/Format
+    """
+    del changed
+    control, content = run(["dpkg-deb", "--field", file]), file.read_bytes()
     digest = hashlib.sha256(content).hexdigest()
     return f"{control.rstrip()}\nFilename: ./{file.name}\nSize: {len(content)}\nSHA256: {digest}\n"

@@ -13,6 +13,9 @@ from lab.act import Result, run_workflow
 from lab.faulty_registry import Fault, Faults, faulty_registry
 from lab.laboratory import Laboratory
 
+NATIVE = {"platforms": "linux/amd64"}
+"""Where a second platform would be the same again."""
+
 
 @pytest.fixture
 def repository(lab: Laboratory) -> str:
@@ -147,7 +150,7 @@ def is_push(method: str, path: str) -> bool:
 def test_a_registry_that_recovers(lab: Laboratory, tmp_path: Path, repository: str, what: Fault) -> None:
     faults = Faults(matches=what, times=2)
     with faulty_registry(lab.registry, faults) as address:
-        caller = doors.through_action(tmp_path, {"registry": address})
+        caller = doors.through_action(tmp_path, {"registry": address, **NATIVE})
         ran = run(lab, caller, repository)
     assert faults.seen == 2
     assert ran.exit_code == 0, ran.log
@@ -156,11 +159,11 @@ def test_a_registry_that_recovers(lab: Laboratory, tmp_path: Path, repository: s
 
 @pytest.mark.parametrize("what", [is_tag, is_push])
 def test_a_registry_that_never_recovers(lab: Laboratory, tmp_path: Path, repository: str, what: Fault) -> None:
-    good = doors.through_action(tmp_path / "good", {"registry": lab.registry})
+    good = doors.through_action(tmp_path / "good", {"registry": lab.registry, **NATIVE})
     assert run(lab, good, repository).exit_code == 0
     before = doors.tags(repository)
     with faulty_registry(lab.registry, Faults(matches=what, times=10**9)) as address:
-        caller = doors.through_action(tmp_path / "bad", {"registry": address}, {"new": "a new commit"})
+        caller = doors.through_action(tmp_path / "bad", {"registry": address, **NATIVE}, {"new": "a new commit"})
         ran = run(lab, caller, repository)
     assert ran.exit_code != 0
     assert doors.tags(repository) == before

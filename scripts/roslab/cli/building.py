@@ -172,7 +172,8 @@ def _twice(options: argparse.Namespace, planned: Planned, arguments: tuple[tuple
                     contexts=mended.contexts,
                     arguments=(*(authored.args if authored else ()), *arguments, *_from_nothing()),
                     target=authored.target if authored else None,
-                    output=f"type=oci,dest={archive},rewrite-timestamp=true",
+                    # Nobody keeps the archives: the quickest compression
+                    output=f"type=oci,dest={archive},rewrite-timestamp=true,compression=gzip,compression-level=1",
                     secrets=of_environment(planned.plan.secrets, os.environ),
                     extra=("--no-cache", "--provenance=false"),
                 )
