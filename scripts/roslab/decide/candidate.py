@@ -26,6 +26,8 @@ class Candidate:
     """The folder that it has to be started in."""
     cut: bool = False
     """Arguments that the reader fills in were left out, and they have no default."""
+    blanks: tuple[str, ...] = ()
+    """Names of arguments with a value that the reader fills in (``map:=…``): they are left out."""
     installed: bool = False
     """pip installs the program with the repository."""
 

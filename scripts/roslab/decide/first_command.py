@@ -80,7 +80,19 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     ]
     rest = rest or [c for c in written if _purpose(c)]
     whole = {program_of(c.argv) for c in rest if not c.cut}
-    return min((c for c in rest if not c.cut or program_of(c.argv) not in whole), key=_order, default=None)
+    pages = {file: place for place, file in enumerate(dict.fromkeys(c.file for c in rest))}
+    ordered = sorted(
+        (c for c in rest if not c.cut or program_of(c.argv) not in whole), key=lambda c: _order(c, pages[c.file])
+    )
+    return _filled_in(ordered[0], rest) if ordered else None
+
+
+def _filled_in(first: Candidate, candidates: Iterable[Candidate]) -> Candidate:
+    """Return the command in which a page gives every value that the first leaves to the reader, else the first."""
+    blanks = set(first.blanks)
+    same = (c for c in candidates if program_of(c.argv) == program_of(first.argv) and not (c.cut or c.blanks))
+    given = (c for c in same if blanks <= {word.partition(":=")[0] for word in c.argv if ":=" in word})
+    return next(given, first) if blanks else first
 
 
 def _explains(candidate: Candidate) -> bool:
@@ -88,8 +100,8 @@ def _explains(candidate: Candidate) -> bool:
     return any(map(_HELP.match, candidate.argv))
 
 
-def _order(candidate: Candidate) -> tuple[bool, bool, bool, int, int, str, int]:
-    """Return the place of a command in the order; equal ones keep theirs."""
+def _order(candidate: Candidate, page: int) -> tuple[bool, bool, bool, int, int, int, int]:
+    """Return the place of a command in the order, ``page`` that of its page; equal ones keep theirs."""
     python = candidate.argv[0].startswith("python") or candidate.installed
     return (
         bool(_CLOUD.search(candidate.heading)),
@@ -97,7 +109,7 @@ def _order(candidate: Candidate) -> tuple[bool, bool, bool, int, int, str, int]:
         _lacks(candidate) and not python,
         candidate.file.count("/"),
         -_section(candidate.heading),
-        candidate.file,
+        page,
         candidate.line,
     )
 

@@ -19,10 +19,10 @@ from roslab.values.pattern import pattern
 
 _PLACEHOLDER = pattern(
     r"YOUR|your[_-]|path[/_-]to|/path|/where/|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
-    r"(?-i:/[A-Z_]{5,}(?:\.\w+)?$)",
+    r"(?-i:/[A-Z_]{5,}(?:\.\w+)?$|=[A-Z_]+_(?:NAME|PATH|DIR|FILE|FOLDER|ID|IP)$)",
     re.IGNORECASE,
 )
-"""Also ``yyy-yy``: a repeated letter stands for a value that the reader fills in."""
+"""Also ``yyy-yy``, as a repeated letter stands for a value that the reader fills in, and ``name:=PACKAGE_NAME``."""
 _BRACKETS = pattern(r"<[^<>]{1,80}>|\[[^\[\]]{1,80}\]|\$\([^()]{1,80}\)")
 """A blank of several words: ``<path to the data>``, ``[--option VALUE]``, ``$(rospack find demo)``."""
 _OPTIONAL = pattern(r"\[\s*(?:-|\w+:=)")
@@ -64,7 +64,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     said = [m for m in said if not places.vendored(m.file)]
     nearest = min((mention.file.count("/") for mention in said), default=0)
     for mention in said:
-        whole, cut = _filled(mention.value)
+        whole, cut, blanks = _filled(mention.value)
         argv = _runnable(whole, mention, tree, ros=ros, compiled=compiled)
         if argv is not None:
             strong = not compiled or not any(places.example(part) for part in argv[:2])
@@ -81,6 +81,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 files=mention.files,
                 inside=mention.inside if argv[0].startswith(("python", "bash")) else "",
                 cut=cut,
+                blanks=blanks,
                 installed=argv[0] in tree.installed and not ros,
             )
 
@@ -109,13 +110,14 @@ def _launch_files(evidence: Evidence) -> dict[str, frozenset[str]]:
     return {package: frozenset(names) for package, names in found.items()}
 
 
-def _filled(command: str) -> tuple[tuple[str, ...], bool]:
-    """Return the words of a command without the values that the reader fills in, and whether that leaves a gap.
+def _filled(command: str) -> tuple[tuple[str, ...], bool, tuple[str, ...]]:
+    """Return the words of a command without the values that the reader fills in, whether that leaves a gap, and names.
 
-    ``map:=PATH`` is left out whole, as the launch file may have a default; an option goes with its value, and what
-    follows an argument that is left out, with it. Words that name the program stay.
+    ``map:=PATH`` is left out whole, as the launch file may have a default, and its name returned; an option goes with
+    its value, and what follows an argument that is left out, with it. Words that name the program stay.
     """
     kept: list[str] = []
+    blanks: list[str] = []
     gap = positional = False
     for word in _BRACKETS.sub(_blank, command).split():
         blank = bool(_PLACEHOLDER.search(_NUMBERS.sub("", word))) or word.endswith(":=")
@@ -129,7 +131,9 @@ def _filled(command: str) -> tuple[tuple[str, ...], bool]:
         if ":=" not in word:
             gap = True
             positional = positional or not (value or word.startswith("-"))
-    return tuple(kept), gap
+        else:
+            blanks.append(word.partition(":=")[0])
+    return tuple(kept), gap, tuple(blanks)
 
 
 def _blank(match: re.Match[str]) -> str:

@@ -8,7 +8,17 @@ from roslab.evidence import places, submodules
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import authors_folders, cmake, cpp, cpu
 from roslab.evidence.native.limits import Signs
-from roslab.evidence.prose import author_dockerfile, ci, copies, install_scripts, page_lists, pointed, readme, worked_on
+from roslab.evidence.prose import (
+    author_dockerfile,
+    ci,
+    copies,
+    install_scripts,
+    linked,
+    page_lists,
+    pointed,
+    readme,
+    worked_on,
+)
 from roslab.evidence.prose.installs import merge
 from roslab.evidence.python import conda, imports, limits, pixi, print_statement, project, removed, requirements, tests
 from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, rosbuild, vcs
@@ -62,6 +72,7 @@ def gather(repository: Repository) -> Evidence:
         mentions=(
             *distro_names.read(repository),
             *prose.mentions,
+            *linked.read(own, prose.mentions),
             *readme.named(own, programs),
             *pointed.read(own),
             *print_statement.read(own),

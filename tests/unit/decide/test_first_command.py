@@ -80,6 +80,25 @@ def test_the_first_command_of_a_page_for_ros_2(tree: Tree) -> None:
     assert tree({**ROS2, "README.md": page}).command == ("ros2", "launch", "demo", "map.launch.py")
 
 
+@pytest.mark.parametrize(
+    ("link", "more", "command"),
+    [
+        ("[x](how/b.md) [y](how/a.md#run)", "", "map.launch.py"),
+        ("[y](https://github.com/lab/demo/tree/humble/how/a.md) [x](how/b.md)", "", "second.launch.py"),
+        ("[y](how/a.md)", "ros2 launch demo map.launch.py\n", "map.launch.py"),
+        ("how/b.md, [z](how/contributing.md), [w](how/gone.md)", "", ""),
+    ],
+)
+def test_where_the_root_page_starts_nothing_a_page_that_it_links_to_may(
+    tree: Tree, link: str, more: str, command: str
+) -> None:
+    named = {"a": "second", "b": "map", "contributing": "second"}
+    pages = {f"how/{page}.md": f"# Start\n```\nros2 launch demo {of}.launch.py\n```\n" for page, of in named.items()}
+    files = {path.replace("bringup", "second"): text for path, text in ROS2.items()} | pages
+    found = tree({**files, "README.md": f"# Demo\nSee {link}.\n{more}"})
+    assert found.command[-1] == (command or "bash")
+
+
 def test_where_no_page_runs_anything_a_name_may_tell(tree: Tree) -> None:
     assert tree(ROS2).command == ("ros2", "launch", "demo", "bringup.launch.py")
 
@@ -174,6 +193,12 @@ def test_libraries_that_open_windows(tree: Tree, cmake: str, code: str, gui: boo
         ("rosrun demo demo_node --size <small | large> 3\n", "rosrun demo demo_node 3"),
         ("rosrun demo demo_node -p a:=1 -p map:=<your map>\n", "rosrun demo demo_node -p a:=1"),
         ("roslaunch demo map.launch dir:=/where/to/store/it\n", "roslaunch demo map.launch"),
+        ("roslaunch demo map.launch a:=ROBOT_NAME b:=MAP\n", "roslaunch demo map.launch b:=MAP"),
+        (
+            "roslaunch demo map.launch a:=<A>\nrosrun demo demo_node a:=1\nroslaunch demo map.launch a:=1 b:=2\n",
+            "roslaunch demo map.launch a:=1 b:=2",
+        ),
+        ("roslaunch demo map.launch a:=<A>\nroslaunch demo map.launch b:=2\n", "roslaunch demo map.launch"),
         ("```\n./start_all.sh\n```\n", "bash start_all.sh"),
         ("```\n./config_gcc.sh\npython keyboard.py\n./start_all.sh\n```\n", "bash start_all.sh"),
     ],

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.readme import FENCE, MAX_LINE, heading_of, pages, section_of, title_of
+from roslab.evidence.prose.headings import FENCE, MAX_LINE, heading_of, section_of, title_of
+from roslab.evidence.prose.readme import pages
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
 from roslab.evidence.prose import exports, mentions, python_path
+from roslab.evidence.prose.headings import FENCE, MAX_LINE, heading_of, section_of, title_of
 from roslab.evidence.prose.installs import BLANK, Collector, merge
 from roslab.evidence.prose.own_scripts import checked
 from roslab.evidence.prose.shells import opens_a_shell
@@ -26,8 +27,6 @@ from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
 MAX_PAGES = 60
-MAX_LINE = 2_000
-"""Most characters of a line that a person types."""
 _PAGE = pattern(
     r"^(?:readme|install|installation|building|build|compiling|compilation|"
     r"getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
@@ -36,8 +35,6 @@ _TEXTS = (".md", ".mdx", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
 _DOCS_PAGE = pattern(
     r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite|usage|running"
 )
-FENCE = pattern(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
-"""Backquotes that are closed on their own line are inline code. https://spec.commonmark.org/0.31.2/#fenced-code-blocks"""
 _START = pattern(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
@@ -75,23 +72,8 @@ _SAID_LAUNCH = pattern(
 _SPAN = pattern(r"(`+)(.+?)\1")
 _BRANCH = pattern(r"\s{0,40}(?:[├└]─|[|`+]--)")
 """A branch of a drawn tree: the line above the first one names its root and is no command."""
-_HEADING = pattern(r"^(#{1,6})\s+(.*?)\s*#*$")
-_ELSEWHERE = pattern(
-    r"\b(?:windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry|nvidia driver|"
-    r"uninstall|docker (?:install|engine)|real[- ]robots?|"
-    r"hardware(?: setup)?|kernel|contribut|changelog|news|acknowledg|citation|licen[sc]e)",
-    re.IGNORECASE,
-)
-_SYSTEM = pattern(
-    r"\b(?:windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry)", re.IGNORECASE
-)
-"""What the title of a whole page may be about; other words tell what the code is for: ``Policies for Real Robots``."""
 _STRUCK = pattern(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
 """Text that is struck through: ``~~outdated~~``."""
-_LEAF = pattern(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
-DEEPEST = 7
-"""Such a section ends at the next heading, whatever the level of that one."""
-_RST_LINE = pattern(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
 
 
 def read(repository: Repository) -> Prose:
@@ -99,7 +81,7 @@ def read(repository: Repository) -> Prose:
     found = pages(repository)
     paths = (mention for file in found for mention in python_path.read(repository, file, repository.read(file)))
     exported = (mention for file in found for mention in exports.read(repository, file, repository.read(file)))
-    read = merge(_rooted(_read(repository.read(file), file), repository) for file in found)
+    read = merge(of_page(repository, file) for file in found)
     return read._replace(mentions=(*read.mentions, *paths, *exported))
 
 
@@ -129,8 +111,9 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
     return tuple(_with_files(mention, repository) for mention in found)
 
 
-def _rooted(prose: Prose, repository: Repository) -> Prose:
-    """Make the arguments of commands that are files of the tree relative to its root: ``../map.yaml``, ``map.yaml``."""
+def of_page(repository: Repository, file: File) -> Prose:
+    """Return what a page says; in its commands, files of the tree are relative to the root: ``../map.yaml``."""
+    prose = _read(repository.read(file), file)
     return prose._replace(mentions=tuple(each for m in prose.mentions for each in _checked(m, repository)))
 
 
@@ -249,45 +232,6 @@ def _tells(line: str, *, fenced: bool) -> bool:
     """Tell whether a line may hold a command."""
     said = (_NAMED, _NAMED_PYTHON, _GO_INTO) if not fenced and "`" in line else ()
     return telling(line) or any(each.search(line) for each in said)
-
-
-def heading_of(line: str, below: str) -> tuple[int, str] | None:
-    """Return the level and the title of a heading: ``## Title``, or a line above a line of ``===``."""
-    if heading := _HEADING.match(line[:200]):
-        return len(heading[1]), heading[2]
-    if line.strip() and _RST_LINE.match(below[:200]):
-        return 2, line.strip()[:200]
-    return None
-
-
-def title_of(lines: Sequence[str]) -> int:
-    """Return the number of the line with the title of the whole page, the only ``#``; 0 if its sections are so too.
-
-    A title that names another system counts as a section: all of the page is for that.
-    """
-    fenced, found = False, 0
-    for number, line in enumerate(lines, 1):
-        if FENCE.match(line[:MAX_LINE]):
-            fenced = not fenced
-        elif not fenced and (heading := _HEADING.match(line[:200])):
-            first = len(heading[1]) == 1
-            if first == bool(found) or (not found and _SYSTEM.search(heading[2])):
-                return 0
-            found = found or number
-    return found
-
-
-def section_of(line: str, below: str, elsewhere: int) -> int:
-    """Return the level of the heading under which the text is for another system, 0 if it is for this one."""
-    heading = heading_of(line, below)
-    if heading is None:
-        return elsewhere
-    level, title = heading
-    if 0 < elsewhere < level:
-        return elsewhere
-    if _LEAF.search(title):
-        return DEEPEST
-    return level if _ELSEWHERE.search(title) else 0
 
 
 def _shell(line: str, *, fenced: bool) -> Iterator[str]:

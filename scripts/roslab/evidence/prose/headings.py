@@ -1,0 +1,67 @@
+"""The titles of a page, and the sections that are for another system than this one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from roslab.values.pattern import pattern
+
+MAX_LINE = 2_000
+"""Most characters of a line that a person types."""
+FENCE = pattern(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
+"""Backquotes that are closed on their own line are inline code. https://spec.commonmark.org/0.31.2/#fenced-code-blocks"""
+_HEADING = pattern(r"^(#{1,6})\s+(.*?)\s*#*$")
+_ELSEWHERE = pattern(
+    r"\b(?:windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry|nvidia driver|"
+    r"uninstall|docker (?:install|engine)|real[- ]robots?|"
+    r"hardware(?: setup)?|kernel|contribut|changelog|news|acknowledg|citation|licen[sc]e)",
+    re.IGNORECASE,
+)
+_SYSTEM = pattern(
+    r"\b(?:windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry)", re.IGNORECASE
+)
+"""What the title of a whole page may be about; other words tell what the code is for: ``Policies for Real Robots``."""
+_LEAF = pattern(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
+DEEPEST = 7
+"""Such a section ends at the next heading, whatever the level of that one."""
+_RST_LINE = pattern(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
+
+
+def heading_of(line: str, below: str) -> tuple[int, str] | None:
+    """Return the level and the title of a heading: ``## Title``, or a line above a line of ``===``."""
+    if heading := _HEADING.match(line[:200]):
+        return len(heading[1]), heading[2]
+    if line.strip() and _RST_LINE.match(below[:200]):
+        return 2, line.strip()[:200]
+    return None
+
+
+def title_of(lines: Sequence[str]) -> int:
+    """Return the number of the line with the title of the whole page, the only ``#``; 0 if its sections are so too.
+
+    A title that names another system counts as a section: all of the page is for that.
+    """
+    fenced, found = False, 0
+    for number, line in enumerate(lines, 1):
+        if FENCE.match(line[:MAX_LINE]):
+            fenced = not fenced
+        elif not fenced and (heading := _HEADING.match(line[:200])):
+            first = len(heading[1]) == 1
+            if first == bool(found) or (not found and _SYSTEM.search(heading[2])):
+                return 0
+            found = found or number
+    return found
+
+
+def section_of(line: str, below: str, elsewhere: int) -> int:
+    """Return the level of the heading under which the text is for another system, 0 if it is for this one."""
+    heading = heading_of(line, below)
+    if heading is None:
+        return elsewhere
+    level, title = heading
+    if 0 < elsewhere < level:
+        return elsewhere
+    if _LEAF.search(title):
+        return DEEPEST
+    return level if _ELSEWHERE.search(title) else 0
