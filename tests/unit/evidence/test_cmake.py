@@ -97,6 +97,31 @@ def test_what_is_fetched_while_configuring(tmp_path: Path) -> None:
     assert (source.name, source.ref, source.kind) == ("fmt", "9.1.0", "fetch")
 
 
+@pytest.mark.parametrize(
+    ("include", "module", "strength"),
+    [
+        ("include(cmake/Needs.cmake)", "cmake/Needs.cmake", "declared"),
+        ("include(Needs)", "cmake/Needs.cmake", "declared"),
+        ("include(${CMAKE_CURRENT_SOURCE_DIR}/cmake/Needs.cmake)", "cmake/Needs.cmake", "declared"),
+        ("include(cmake/All.cmake)", "cmake/Needs.cmake", "declared"),
+        ("if(WITH_MAPS)\ninclude(cmake/Needs.cmake)\nendif()", "cmake/Needs.cmake", "optional"),
+        ("include(${SOMEWHERE}/Needs.cmake)", "cmake/Needs.cmake", ""),
+        ("include(Needs)", "third_party/lib/Needs.cmake", ""),
+        ("include(FindNeeds)", "cmake/FindNeeds.cmake", ""),
+        ("message(Needs)", "cmake/Needs.cmake", ""),
+    ],
+)
+def test_what_an_included_file_looks_for(tmp_path: Path, include: str, module: str, strength: str) -> None:
+    text = "macro(later)\nfind_package(Later REQUIRED)\nendmacro()\nfind_package(Acme 2.1 REQUIRED)\n"
+    more = {
+        module: text,
+        "cmake/All.cmake": "include(${CMAKE_CURRENT_LIST_DIR}/Needs.cmake)\ninclude(cmake/All.cmake)\n",
+    }
+    (project,) = read(tmp_path, f"project(demo)\n{include}\n", **more)
+    assert found(project) == ([("cmake", "Acme", strength)] if strength else [])
+    assert all((d.file, d.line, d.version) == (module, 4, "2.1") for d in project.dependencies)
+
+
 def test_added_folders_are_not_top_level(tmp_path: Path) -> None:
     projects = read(tmp_path, "project(a CXX CUDA)\nadd_subdirectory(lib)", **{"lib/CMakeLists.txt": "project(b)"})
     assert [(p.name, p.top_level) for p in projects] == [("a", True), ("b", False)]

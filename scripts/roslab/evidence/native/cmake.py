@@ -8,7 +8,7 @@ import re
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
-from roslab.evidence.native import cmake_needs
+from roslab.evidence.native import cmake_needs, included
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
@@ -95,6 +95,8 @@ class _Reading:
     dependencies: list[Dependency] = field(default_factory=list)
     sources: list[GitSource] = field(default_factory=list)
     linked: dict[str, int] = field(default_factory=dict)
+    included: set[str] = field(default_factory=set)
+    """Files of the tree that it includes, and those that they include."""
 
 
 def read(repository: Repository) -> tuple[CMakeProject, ...]:
@@ -137,6 +139,8 @@ def _project(repository: Repository, file: File, added: set[str]) -> CMakeProjec
             added.add(_joined(file.folder, call.words[0]))
         elif call.name == "include":
             _include(call, repository, file, reading)
+            for needing, path in included.needing(call, repository, file, reading.included):
+                _note(needing, path, reading)
         else:
             _note(call, file.path, reading)
     own = reading.libraries | reading.executables.keys() | {reading.name}

@@ -1,0 +1,61 @@
+"""Files of the tree that a CMakeLists.txt includes: what they look for, its project looks for."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from roslab.evidence import places
+from roslab.evidence.lex.cmake import Call, calls
+from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import replace
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 64 * 1024
+MAX_DEPTH = 3
+"""Of files that include others."""
+MAX_FILES = 40
+_FINDS = frozenset({"find_package", "find_dependency", "pkg_check_modules", "pkg_search_module", "include"})
+_FETCHES = frozenset({"fetchcontent_declare", "externalproject_add"})
+_SOURCE = pattern(r"^\$\{(?:CMAKE(?:_CURRENT)?|PROJECT)_(?:SOURCE|LIST)_DIR\}/|^\./")
+_NAME = pattern(r"[A-Za-z][\w.+-]*$")
+_OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Google", "Use", "Generate", "Write")
+"""How names of CMake's own modules begin."""
+
+
+def needing(call: Call, repository: Repository, file: File, seen: set[str] | None = None) -> Iterator[tuple[Call, str]]:
+    """Yield the calls that find or fetch something in a file that ``include`` names, each with that file's path.
+
+    A call has the conditions of the ``include`` too; what a function does when it is called is left out. Of files that
+    include others each is read once.
+    """
+    seen = set() if seen is None else seen
+    module = _module(call, repository, file)
+    if module is None or module.path in seen or len(seen) >= MAX_FILES or len(call.conditions) > MAX_DEPTH * 4:
+        return
+    seen.add(module.path)
+    for inner in calls(repository.read(module), _FINDS | _FETCHES):
+        told = replace(inner, conditions=(*call.conditions, *inner.conditions))
+        if inner.name == "include":
+            yield from needing(told, repository, module, seen)
+        elif not inner.in_function:
+            yield told, module.path
+
+
+def _module(call: Call, repository: Repository, file: File) -> File | None:
+    """Return the file of the tree that is included, ``None`` for CMake's own and for one that is not told apart."""
+    written = call.words[0] if call.words else ""
+    path = _SOURCE.sub("", written)
+    name = posixpath.basename(path).removesuffix(".cmake")
+    if "$" in path or not _NAME.match(name) or (written == name and name.startswith(_OF_CMAKE)):
+        return None
+    found = [each for each in repository.named(f"{name}.cmake") if each.size <= MAX_SIZE]
+    if path != name:
+        here = {posixpath.normpath(posixpath.join(folder, path)) for folder in (file.folder, "")}
+        found = [each for each in found if each.path in here]
+    if not places.vendored(file.path):
+        found = [each for each in found if not places.vendored(each.path)]
+    for folder in (file.folder, file.folder.partition("/")[0]):
+        near = [each for each in found if each.path.startswith(f"{folder}/")] if folder else []
+        found = near or found
+    return found[0] if len(found) == 1 else None
