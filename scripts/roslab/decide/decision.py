@@ -93,7 +93,7 @@ class Python:
     """Those of ``projects`` to install without their dependencies, because one of these cannot be had anywhere."""
     conda_file: str | None = None
     conda_specs: tuple[str, ...] = ()
-    """conda's packages where ``conda_file`` is a manifest of pixi's, which micromamba does not read."""
+    """conda's packages where ``conda_file`` is pixi's, which micromamba does not read, or where there is none."""
     conda_channels: tuple[str, ...] = ()
     conda_defaults: bool = False
     """The environment file counts on conda's default channels, which conda adds by itself and micromamba does not."""

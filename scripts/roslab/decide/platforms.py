@@ -110,6 +110,9 @@ def _of_conda(evidence: Evidence, python: Python) -> Against | None:
                     return f"{package.written} names a build for one platform", environment
                 if package.name in amd64_only("conda"):
                     return f"conda has no arm64 package for {package.written}", environment
+    names = {spec.partition("=")[0] for spec in python.conda_specs if not python.conda_file}
+    if lacking := next((name for name in amd64_only("conda") if name in names), None):
+        return f"conda has no arm64 package for {lacking}", None
     number = version_of(python.version or "")
     if python.manager == "conda" and number and number < arm64_since("conda python"):
         return f"conda-forge has no arm64 build of Python {python.version}", None

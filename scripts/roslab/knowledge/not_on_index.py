@@ -15,6 +15,8 @@ class NotOnIndex:
 
     instead: str
     why: str
+    conda: tuple[str, ...]
+    """conda's channels that have it."""
     source: str
     """Where its author tells how to install it."""
 
@@ -23,6 +25,8 @@ class NotOnIndex:
 def not_on_index() -> dict[str, NotOnIndex]:
     """Return the table by normalised name."""
     return {
-        canonicalize_name(row["pip"]): NotOnIndex(instead=row["instead"], why=row["why"], source=row["source"])
+        canonicalize_name(row["pip"]): NotOnIndex(
+            instead=row["instead"], why=row["why"], conda=tuple(row["conda"].split()), source=row["source"]
+        )
         for row in rows("not_on_index")
     }

@@ -10,6 +10,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import extends_torch
 from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.python.bounds import decide_bounds
+from roslab.decide.python.conda_alone import conda_alone
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.lost import lost
@@ -19,7 +20,7 @@ from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
-from roslab.decide.python.refused import Repaired, repair, right
+from roslab.decide.python.refused import Repaired, repair, right, untold
 from roslab.decide.python.torch_build import ONE_PAGE_BEFORE, numpy_of, torch_build
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
@@ -38,6 +39,7 @@ from roslab.values.version import minor_of
 NEW_WHEELS = Version("20.3")
 """The first pip that takes every kind of wheel for Linux (PEP 600). https://github.com/pypa/manylinux#readme"""
 _WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}
+_ALONE = "conda alone has it: it comes from there, with the Python"
 _WITH_LOCAL_VERSIONS = frozenset({"torch", "torchvision", "torchaudio"})
 
 
@@ -59,7 +61,8 @@ def decide_python(
     chosen, number = own.answer.chosen, own.answer.version
     if (newer := from_pip(evidence, kind, ubuntu)) and not (kind == "cuda" and chosen.projects):
         chosen = with_guess(chosen, newer)
-    manager = manager_of(config, kind, own.answer, ubuntu)
+    alone = conda_alone(evidence, own.answer)
+    manager = "conda" if alone.specs else manager_of(config, kind, own.answer, ubuntu)
     interpreter = _interpreter(number or python_of_ubuntu().get(ubuntu or ""))
     lists = pip_lists(config, ubuntu, number)
     repaired = _repaired(evidence, chosen)
@@ -96,8 +99,8 @@ def decide_python(
         projects=tuple(project.folder or "." for project in chosen.projects),
         alone=repaired.alone,
         conda_file=conda,
-        conda_specs=pixi.specs if pixi else (),
-        conda_channels=pixi.channels if pixi else (),
+        conda_specs=pixi.specs if pixi else alone.specs,
+        conda_channels=pixi.channels if pixi else alone.channels,
         conda_local=tuple(each.written for each in listed if each.role == "project"),
         conda_pip=any(each.role != "project" for each in listed),
         conda_old_pip=_old_pip(evidence, conda),
@@ -116,6 +119,7 @@ def decide_python(
         reasons=(
             *own.reasons,
             *_reasons(chosen),
+            *(because("dependencies", each.text, _ALONE, each, weight=Weight.CONDA_FILE) for each in alone.asked),
             *_of_old_pip(answer),
             *kept.values(),
             *bounds.reasons,
@@ -127,6 +131,7 @@ def decide_python(
             *outvoted(own, ubuntu, ros_distro),
             *repaired.warnings,
             *lists.warnings,
+            *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
             *lost(evidence, kind, chosen),
         ),
     )
@@ -162,6 +167,12 @@ def _interpreter(version: str | None) -> Interpreter:
 def _repaired(evidence: Evidence, chosen: Chosen) -> Repaired:
     names = {canonicalize_name(project.name) for project in chosen.projects if project.name}
     return repair(evidence, chosen.files, chosen.projects, names)
+
+
+def _own_names(evidence: Evidence) -> set[str]:
+    """Return the names of the tree's own projects and of what is cloned."""
+    names = {project.name for project in evidence.python} | {git.name.rpartition("/")[2] for git in evidence.sources}
+    return {canonicalize_name(name) for name in names if name}
 
 
 def _kept(evidence: Evidence, asked: Sequence[Requirement]) -> Iterator[tuple[Requirement, Reason]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from roslab.decide.decision import Warning_
 from roslab.decide.python.manifests import with_includes
@@ -83,6 +83,13 @@ def repair(
         alone=tuple(alone),
         warnings=tuple(dict.fromkeys(warnings)),
     )
+
+
+def untold(guessed: Iterable[Requirement], brought: Collection[str]) -> Iterator[Warning_]:
+    """Yield a warning for each guess that pip cannot install and that nothing else, such as conda, has ``brought``."""
+    for asked in guessed:
+        if (row := refused(asked)) and not row.instead and asked.key not in brought and asked.origin != "import":
+            yield _warning(asked)
 
 
 def _kept(found: Iterable[Requirement], own: set[str]) -> list[Requirement]:
