@@ -200,6 +200,20 @@ def test_a_library_in_a_list_is_built_before_the_workspace(tree: Tree, version: 
     ]
 
 
+@pytest.mark.parametrize(
+    ("asked", "built"),
+    [("acme REQUIRED", [("acme", "v1")]), ("acme QUIET", []), ("libacme REQUIRED", [("acme", "v1")]), ("beta", [])],
+)
+def test_a_library_in_a_list_of_a_project_without_ros(
+    tree: Tree, asked: str, built: list[tuple[str, str | None]]
+) -> None:
+    listed = "repositories:\n  acme:\n    type: git\n    url: https://github.com/lab/Acme.git\n    version: v1\n"
+    listed += "  beta:\n    type: git\n    url: https://github.com/lab/beta.git\n    version: v2\n"
+    made = f"project(demo CXX)\nfind_package({asked})\nadd_executable(demo a.cpp)\n"
+    files = {"CMakeLists.txt": made, "a.cpp": "int main() {}\n", ".ci/deps.yaml": listed}
+    assert [(source.name, source.ref) for source in tree(files).source] == built
+
+
 NEWER = """\
 #!/bin/bash
 DIR="/tmp/dependencies"

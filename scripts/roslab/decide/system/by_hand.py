@@ -1,4 +1,4 @@
-"""Libraries that a page compiles by hand, or links to, and that CMake asks for: each is built in a stage of its own."""
+"""Libraries that a page compiles by hand or links to, or a list has, and CMake asks for: in stages of their own."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def _bare(name: str) -> str:
 def by_hand(
     evidence: Evidence, config: Config, kind: Kind, *, target: Target, packages: Packages, taken: frozenset[str]
 ) -> tuple[tuple[Source, Dependency], ...]:
-    """Return the libraries that no table knows, that CMake asks for by name, and that a page clones or links to.
+    """Return the libraries that no table knows, that CMake asks for by name, and that a page or a list names.
 
     ``taken``: names that come from elsewhere. Each is built as it was at the time of the repository's last commit.
     """
@@ -65,7 +65,8 @@ def by_hand(
     date = dated(evidence)
     offered: dict[str, GitSource] = {}
     for git in sorted(evidence.sources, key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
-        if (git.installed or git.kind == "link") and not places.vendored(git.file):
+        listed = git.kind == "vcs" and kind not in {"ros1", "ros2"}  # of ROS, the workspace has what is listed
+        if (git.installed or listed or git.kind == "link") and not places.vendored(git.file):
             offered.setdefault(_bare(git.name), git)
     taken |= {plain(git.name) for project in evidence.cmake for git in project.sources}  # CMake fetches it itself
     found: dict[str, tuple[Source, Dependency]] = {}
