@@ -13,8 +13,17 @@ TEXT = "first word\n\nnone\nword, and a second word\nlast: word"
 
 
 def test_each_line_with_the_word_is_named_once() -> None:
-    assert [TEXT[start:].partition("\n")[0] for start in lines_with("word", TEXT)] == [
+    assert [TEXT[start:].partition("\n")[0] for start in lines_with(TEXT, "word")] == [
         "first word",
+        "word, and a second word",
+        "last: word",
+    ]
+
+
+def test_lines_with_several_words_are_in_order() -> None:
+    assert [TEXT[start:].partition("\n")[0] for start in lines_with(TEXT, "last", "none", "word")] == [
+        "first word",
+        "none",
         "word, and a second word",
         "last: word",
     ]
@@ -22,7 +31,7 @@ def test_each_line_with_the_word_is_named_once() -> None:
 
 @pytest.mark.parametrize("text", ["", "\n", "wor\nd"])
 def test_no_line_has_the_word(text: str) -> None:
-    assert list(lines_with("word", text)) == []
+    assert list(lines_with(text, "word")) == []
 
 
 @pytest.mark.parametrize(
@@ -30,7 +39,7 @@ def test_no_line_has_the_word(text: str) -> None:
     [("^.*and", "word, and"), ("^last", "last"), (r"^\w+ word", "first word"), ("^none", None), ("^second", None)],
 )
 def test_first_match_at_the_beginning_of_a_line(source: str, found: str | None) -> None:
-    match = first_line(re.compile(source, re.MULTILINE), "word", TEXT)
+    match = first_line(re.compile(source, re.MULTILINE), TEXT, "word")
     assert (match and match[0]) == found
 
 

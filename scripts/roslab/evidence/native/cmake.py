@@ -8,6 +8,7 @@ import re
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
+from roslab.evidence.lex.lines import first_line
 from roslab.evidence.native import cmake_needs, included
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field
@@ -120,7 +121,7 @@ def fetching(repository: Repository) -> tuple[Dependency, ...]:
     files = [file for file in files if file.size <= MAX_MODULE and "/CMakeFiles/" not in file.path]
     for file in sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_MODULES]:
         text = repository.read(file)
-        if match := _CLONES.search(text):
+        if match := first_line(_CLONES, text, "_REPOSITORY", "CPMAddPackage", "git"):
             line = text.count("\n", 0, match.start()) + 1
             return tuple(
                 Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="fetch")

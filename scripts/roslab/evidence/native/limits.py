@@ -8,6 +8,7 @@ from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.facts import CodeLimit
+from roslab.evidence.lex.lines import matching_lines
 from roslab.knowledge.code_limits import Limit, Sign, limits
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import dataclass, field
@@ -90,7 +91,7 @@ class Signs:
         for file in repository.named("CMakeLists.txt"):
             if not (places.vendored(file.path) or places.test(file.path) or places.example(file.path)):
                 text = repository.read(file)
-                for match in _STANDARD.finditer(text):
+                for match in matching_lines(_STANDARD, text, "CXX_STANDARD", "-std=", "cxx_std_"):
                     for sign in _signs("standard", match[1]):
                         self._add(sign, file.path, text.count("\n", 0, match.start(1)) + 1)
         first = (

@@ -178,7 +178,7 @@ def programs(repository: Repository) -> tuple[Program, ...]:
         text = repository.read(file, limit=MAX_READ)
         if file.name == "__main__.py":
             found.append(Program(file=file.path, line=1, kind="main"))
-        elif match := first_line(_MAIN, "__main__", text):
+        elif match := first_line(_MAIN, text, "__main__"):
             node = _names_ros(text) and bool(_NODE.search(text))
             found.append(
                 Program(

@@ -23,10 +23,10 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     new = 0
     for file in modules(repository):
         text = repository.read(file, limit=MAX_READ)
-        if match := first_line(_STATEMENT, "print", text):
+        if match := first_line(_STATEMENT, text, "print"):
             line = text.count("\n", 0, match.start()) + 1
             said = match[0].strip()[:60]
             old.append(Mention(topic="python", value="2.7", source="code", file=file.path, line=line, text=said))
-        elif first_line(_CALL, "print", text):
+        elif first_line(_CALL, text, "print"):
             new += 1
     return (old[0],) if len(old) >= LEAST and len(old) > new else ()
