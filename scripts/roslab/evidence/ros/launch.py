@@ -180,6 +180,8 @@ def _conditional(text: str, begin: int, end: int) -> bool:
     group = text.rfind("<group", 0, begin)
     if group >= 0 and text.rfind("</group", 0, begin) < group and _IF.search(text[group : text.find(">", group)]):
         return True
+    if "condition=" not in text[max(0, begin - 4 * NEAR) : end + 4 * NEAR].replace(" ", ""):
+        return False
     before = [match.end() for match in _ACTION.finditer(text, max(0, begin - 4 * NEAR), begin)]
     after = _ACTION.search(text, end, end + 4 * NEAR)
     call = text[before[-1] if before else begin : after.start() if after else end + 2 * NEAR]
