@@ -228,7 +228,8 @@ def _decode(data: bytes) -> str:
         if data[:2] in (b"\xff\xfe", b"\xfe\xff"):  # Windows editors write requirements.txt in UTF-16
             return data.decode("utf-16", errors="replace")
         return ""
-    return data.decode("utf-8-sig", errors="replace").replace("\r\n", "\n").replace("\r", "\n")
+    text = data.decode("utf-8-sig", errors="replace")
+    return text.replace("\r\n", "\n").replace("\r", "\n") if b"\r" in data else text
 
 
 def _short(folder: str) -> str:
