@@ -61,6 +61,8 @@ _VALUE = pattern(r"^-{0,2}[\w-]+:?=[-.]*$|^-{3,}$")
 _DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "simulation", "sim", "system", "example")
 _RUNS = pattern(r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|\.sh$)", re.IGNORECASE)
 """A script that starts something."""
+_SAMPLE = pattern(r"(?:^|/)\.?docs?/")
+"""Where a launch file is a sample, often for another package, that the page explains."""
 MANY = 8
 _SUFFIX = pattern(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?$")
 
@@ -177,6 +179,8 @@ def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
     found: list[Candidate] = []
     for said in evidence.mentions:
         argv: tuple[str, ...] = ()
+        if _SAMPLE.search(said.value):
+            continue
         if said.topic == "pointed" and (launch := owners.get(said.value)):
             start = ("roslaunch",) if kind == "ros1" else ("ros2", "launch")
             argv = (*start, launch.package or "", said.value.rpartition("/")[2])

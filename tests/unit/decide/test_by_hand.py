@@ -51,6 +51,14 @@ def test_a_library_is_built_as_the_page_builds_it(tree: Tree, page: str, ref: st
     assert "ros-noetic-gtsam" not in decision.apt_guessed
 
 
+@pytest.mark.parametrize("library", ["Pangolin", "acme_lidar"])
+def test_what_the_authors_dockerfile_installs_is_a_library_and_no_package(tree: Tree, library: str) -> None:
+    run = f"git clone https://github.com/lab/{library}.git && cd {library} && mkdir build && cd build && cmake .."
+    image = {"Dockerfile": f"FROM ros:noetic\nRUN {run} && make install\nCOPY . /ws/src/demo\n"}
+    decision = tree(ros1(f"find_package({library} REQUIRED)\n", "") | image)
+    assert [(each.name.lower(), each.build) for each in decision.source] == [(library.lower(), "cmake")]
+
+
 def test_the_options_of_the_page_win(tree: Tree) -> None:
     options = tree(ros1("find_package(GTSAM REQUIRED)\n", ARCHIVE)).source[0].cmake_options.split()
     assert "-DGTSAM_POSE3_EXPMAP=ON" in options

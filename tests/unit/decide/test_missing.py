@@ -113,7 +113,11 @@ def test_a_ros_package_that_nobody_released(tree: Tree, page: dict[str, str]) ->
 
 def test_what_a_cloned_repository_may_hold(tree: Tree) -> None:
     listed = "- git: {local-name: acme, uri: 'https://github.com/acme/acme.git', version: main}\n"
-    assert tree(catkin("driver", "acme_msgs") | catkin("planner") | {"a.rosinstall": listed}).left_out == ()
+    decision = tree(catkin("driver", "acme_msgs") | catkin("planner") | {"a.rosinstall": listed})
+    assert decision.left_out == ()
+    told = [each for each in decision.warnings if "acme_msgs" in each.message]
+    assert [(each.file, each.line) for each in told] == [("src/driver/CMakeLists.txt", 4)]
+    assert "one of the cloned repositories may hold it" in told[0].message
 
 
 def test_what_needs_a_package_that_is_left_out(tree: Tree) -> None:

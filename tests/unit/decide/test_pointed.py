@@ -37,12 +37,14 @@ CPP = {
         ("Edit track.launch or drive.launch.\n", "bash"),
         ("Edit track.launch.\n# Usage\nStart drive.launch, then track.launch.\n", "roslaunch demo drive.launch"),
         ("See other.launch.\n", "bash"),
+        ("A sample is in [doc](doc/camera_sample.launch).\n", "bash"),
         ("```\ncat track.launch\n```\n", "bash"),
         ("See track.launch.\n```\nroslaunch demo drive.launch\n```\n", "roslaunch demo drive.launch"),
     ],
 )
 def test_a_launch_file_that_a_sentence_names(tree: Tree, page: str, command: str) -> None:
-    assert " ".join(tree(ROS1 | {"README.md": f"ROS Noetic\n{page}"}).command) == command
+    sample = {"doc/camera_sample.launch": "<launch/>"}
+    assert " ".join(tree(ROS1 | sample | {"README.md": f"ROS Noetic\n{page}"}).command) == command
 
 
 @pytest.mark.parametrize(

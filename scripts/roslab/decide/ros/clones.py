@@ -19,8 +19,8 @@ def clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
     """
     dockerfiles = {authored.file: distros_in(authored.base or "") for authored in evidence.dockerfiles}
     found = [git for git in evidence.sources if git.kind in {"clone", "git_url"} and not places.vendored(git.file)]
-    found = [git for git in found if not git.installed and "/archive/" not in git.url]
     found += [clone for authored in evidence.dockerfiles if authored.purpose == "project" for clone in authored.clones]
+    found = [git for git in found if not git.installed and "/archive/" not in git.url]
     found = [git for git in found if not dockerfiles.get(git.file) or ros_distro in dockerfiles[git.file]]
     return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))
 

@@ -64,7 +64,8 @@ def by_hand(
         return ()
     date = dated(evidence)
     offered: dict[str, GitSource] = {}
-    for git in sorted(evidence.sources, key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
+    authored = (git for each in evidence.dockerfiles if each.purpose == "project" for git in each.clones)
+    for git in sorted((*evidence.sources, *authored), key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
         listed = git.kind == "vcs" and kind not in {"ros1", "ros2"}  # of ROS, the workspace has what is listed
         if (git.installed or listed or git.kind == "link") and not places.vendored(git.file):
             offered.setdefault(_bare(git.name), git)

@@ -31,6 +31,10 @@ releases of catkin_tools know. https://colcon.readthedocs.io/en/released/referen
 https://docs.ros.org/en/api/catkin/html/dev_guide/generated_cmake_api.html"""
 
 
+_PERHAPS = (
+    "CMake requires {}, which no package.xml asks for and no table knows: one of the cloned repositories may hold it; "
+    "else give its repository under `source` in roslab.yaml"
+)
 ENDED = 300
 """Weight of the reasons for what is taken out of a manifest; nothing competes with them."""
 
@@ -78,6 +82,13 @@ def decide_missing(
         if not (cloned and (asked.namespace == "ros" or package in unsure))
         if not resolve(asked, target).known and not _similar(plain(asked.name), names)
     }
+    keyed = {d.name for manifest in packages.built for d in manifest.dependencies}  # these are told as keys
+    unsure_of = [
+        asked
+        for _, asked in _required(evidence, packages)
+        if cloned and asked.namespace == "ros" and asked.name not in keyed and not resolve(asked, target).known
+        if not _similar(plain(asked.name), names)
+    ]
     started = (command if isinstance(command, str) else shlex.join(command)).split()
     left = skipped(evidence, packages) if build_tool == "colcon" else {}
     left = {name: place for name, place in left.items() if name not in started}
@@ -96,6 +107,7 @@ def decide_missing(
             then = f"{build_tool} will stop at {package}"
         hint = "give its repository under `source` in roslab.yaml"
         warnings.append(warn(f"nothing is known that brings {asked.name}, which CMake requires: {then}; {hint}", asked))
+    warnings += [warn(_PERHAPS.format(asked.name), asked) for asked in unsure_of]
     asks = _of_program_and_below if kind == "cpp" else _required
     warnings += _too_old(asks(evidence, packages), target, out.keys(), names, build_tool)
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
