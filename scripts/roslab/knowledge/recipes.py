@@ -34,6 +34,8 @@ class Recipe:
     depends: tuple[str, ...]
     """apt packages that its build needs."""
     options: tuple[str, ...]
+    make: str | None
+    """What takes the place of ``make install``, in its build folder."""
 
 
 @cache
@@ -58,6 +60,7 @@ def recipe(name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]
         ref=_fitting(found, found.get("ref_on", {}).get(ubuntu or "", found["ref"]), bounds.get(name, ())),
         depends=depends,
         options=tuple(found.get("options", ())),
+        make=found.get("make"),
     )
     return (*(first for needed in found.get("after", ()) for first in recipe(needed, ubuntu, bounds)), own)
 

@@ -283,3 +283,26 @@ def test_the_release_that_cmake_asks_for_is_built_where_a_script_builds_it(
 ) -> None:
     files = {**ros1(f"find_package({asked})\n", ""), "scripts/install/bridge.sh": RELEASED}
     assert [f"{source.repo} {source.ref}" for source in tree(files).source] == built
+
+
+SOCKETS = {
+    "CMakeLists.txt": "project(demo)\nadd_executable(demo main.cpp)\ntarget_link_libraries(demo z uWS)\n",
+    "main.cpp": "#include <uWS/uWS.h>\nint main() {}\n",
+}
+PAGE = "```\ngit clone https://github.com/uWebSockets/uWebSockets\ncd uWebSockets\ngit checkout e94b6e1\n```\n"
+
+
+def test_a_library_that_is_linked_and_cloned_is_built(tree: Tree, tmp_path: Path) -> None:
+    decision = tree({**SOCKETS, "README.md": PAGE})
+    assert [source.name for source in decision.source] == ["uwebsockets"]
+    assert not [warning for warning in decision.warnings if "not cloned" in warning.message]
+    for name, text in {**SOCKETS, "README.md": PAGE}.items():
+        (tmp_path / name).write_text(text)
+    # Where its own make install puts it, no program would find it
+    assert 'mv "$DESTDIR"/usr/lib64/libuWS.* "$DESTDIR/usr/lib/"' in dockerfile(plan_repository(tmp_path).plan)
+
+
+def test_a_library_that_is_only_linked_may_be_compiled_beside_it(tree: Tree) -> None:
+    assert tree({**SOCKETS, "README.md": "Run `./demo`\n"}).source == ()
+    own = SOCKETS["CMakeLists.txt"].replace("add_executable", "add_library(uWS all.cpp)\nadd_executable")
+    assert tree({**SOCKETS, "CMakeLists.txt": own, "README.md": PAGE}).source == ()

@@ -14,6 +14,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.carried import brought, held
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import compiler_of_cuda, needs
+from roslab.decide.system.recipes import linked
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -101,11 +102,14 @@ def decide_system(
             _translate(key, target, found, cloned=bool(sisters), submodules=submodules)
     by_hand = frozenset(address(git.url) for git in evidence.sources if git.installed)
     known = frozenset({key.name for key in keys} | packages.names | sisters | set(config.skip_keys))
-    for dependency, trusted in needs(evidence, packages, kind, target.ros_distro):
+    needed = tuple(needs(evidence, packages, kind, target.ros_distro))
+    for dependency, trusted in needed:
         if dependency.role == "shebang" and target.ubuntu in {None, *ubuntus_with_python2()}:
             continue
         if dependency.name not in known:
             _add(dependency, target, found, known, trusted=trusted, by_hand=by_hand)
+    for library, dependency in linked(needed, evidence, target.ubuntu):
+        found.recipes.setdefault(library, dependency)
     for dependency in compiler_of_cuda(evidence, packages, kind) if not target.cuda else ():
         _add(dependency, target, found, known, trusted=True, by_hand=by_hand)
     for apt, asked in apt_for_wheels(python, installed, target.ubuntu, evidence):

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Source
+from roslab.decide.ros.source_names import plain
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import CodeLimit, Evidence
+from roslab.knowledge.libraries import library
 from roslab.knowledge.recipes import Bound, Recipe, recipe
 
 
@@ -36,7 +38,25 @@ def _source(built: Recipe) -> Source:
         depends=built.depends,
         build="cmake",
         cmake_options=" ".join(built.options),
+        make_command=built.make,
     )
+
+
+def linked(
+    needed: Iterable[tuple[Dependency, bool]], evidence: Evidence, ubuntu: str | None
+) -> Iterator[tuple[str, Dependency]]:
+    """Yield the libraries without a package that are linked and that a page or a script of the repository clones.
+
+    A name that is only linked may be a library that is compiled beside it: the clone tells. ``needed`` are names, each
+    with whether it may be taken for more than a guess.
+    """
+    cloned = {plain(git.name) for git in evidence.sources if git.kind == "clone"}
+    for dependency, trusted in needed:
+        if not trusted or dependency.namespace != "link" or library("link", dependency.name, ubuntu):
+            continue
+        found = library("cmake", dependency.name, ubuntu)
+        if found and found.recipe and not found.apt and plain(found.recipe) in cloned:
+            yield found.recipe, dependency
 
 
 def of_another_release(evidence: Evidence, apt: Iterable[str]) -> tuple[tuple[str, Dependency], ...]:
