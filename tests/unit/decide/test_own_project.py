@@ -21,6 +21,9 @@ CODE = {"CMakeLists.txt": MADE, "a.cpp": "#include <vector>\nint main() {}\n"}
     [
         ("mkdir build\ncd build\ncmake -DDEMO_GUI=ON ..\nmake", ("-DDEMO_GUI=ON",)),
         ("cd demo\nmkdir build && cd build\ncmake .. -DDEMO_GUI:BOOL=ON\nmake", ("-DDEMO_GUI:BOOL=ON",)),
+        ("mkdir release\ncd release\ncmake -DDEMO_GUI=ON ..\nmake", ("-DDEMO_GUI=ON",)),
+        ("```\nBuild it by `cd lib/a; ./make.sh 3`.\n```\ncd target\ncmake -DDEMO_GUI=ON ..", ("-DDEMO_GUI=ON",)),
+        ("cd lib/release\ncmake -DDEMO_GUI=ON ..", ()),
         ("cmake -S . -B build -DDEMO_GUI=ON -DCMAKE_BUILD_TYPE=Debug\ncmake --build build", ("-DDEMO_GUI=ON",)),
         ("cmake ..\nmake\n```\nWith CUDA:\n```\ncmake -DDEMO_CUDA=ON ..", ()),
         ("git clone https://github.com/a/other\ncd other/build\ncmake -DOTHER=ON ..", ()),

@@ -12,6 +12,7 @@ from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
+from roslab.evidence.prose.configured import options_of, source_of
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.telling import telling
 from roslab.evidence.prose.workspaces import beside, of_packages
@@ -33,9 +34,6 @@ _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--de
 _APT_NAME = pattern(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
 _PYTHON = pattern(r"^(?:i?python)(\d(?:\.\d+)?)?$")
 _URL = pattern(r"^(?:https?://|git://|ssh://|git@)\S+$")
-_OPTION = pattern(r"-D[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
-_SEPARATE = pattern(r" -D +(?=[A-Za-z_])")
-_BUILD_FOLDER = pattern(r"(?:^|/)build[\w-]*(?:/.*)?$")
 _IN_BUILD = pattern(r"[^/]/build[\w-]*/?$")
 """A folder in which CMake builds what the folder above it, whose name tells more, is."""
 _BUILT = pattern(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
@@ -70,10 +68,12 @@ class Collector:
     """Index of the clone that a following ``git checkout`` belongs to."""
 
     def text(self, text: str, line: int = 1) -> None:
-        """Read every logical line of a shell text whose first line has the given number."""
+        """Read every logical line of a text; one in parentheses is a shell of its own, and stays where it was."""
         if telling(text):
-            for start, logical in logical_lines(text, line):
+            before, alone = self.folder, text[:1] + text[-1:] == "()"
+            for start, logical in logical_lines(text[1:-1] if alone else text, line):
                 self.logical(logical, start)
+            self.folder = before if alone else self.folder
 
     def logical(self, text: str, line: int) -> None:
         """Read one logical line."""
@@ -240,8 +240,7 @@ class Collector:
         if program == "cmake":
             self._mention("build_tool", "cmake", command)
             if not {"--build", "--install"} & {*words}:
-                joined = _SEPARATE.sub(" -D", " ".join(words)).split()
-                self.options = " ".join(word for word in joined if _OPTION.fullmatch(word))
+                self.options = options_of(words)
                 self._compiled(command)
         if not {"install", "--install"} & {*words}:
             return
@@ -254,7 +253,7 @@ class Collector:
 
     def _compiled(self, command: Command) -> None:
         """Note a folder in which CMake is run, ``.`` where the text begins, with its options: it may be a library's."""
-        here, line = _BUILD_FOLDER.sub("", self.folder) or ".", command.line
+        here, line = source_of(self.folder, command.words), command.line
         said = Mention(topic="compiled", value=here, source=self.source, file=self.file, line=line, text=self.options)
         self.mentions.append(said)
 

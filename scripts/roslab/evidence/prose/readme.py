@@ -70,6 +70,8 @@ _SAID_LAUNCH = pattern(
 )
 """A launch in a sentence: ``Run "roslaunch demo map.launch" to start``."""
 _SPAN = pattern(r"(`+)(.+?)\1")
+_THERE = pattern(r"cd\s+[^\s;&|()]+\s*(?:;|&&)\s*[^\s()][^()]*$")
+"""Code that goes to a folder and goes on: ``cd lib; ./build.sh``."""
 _BRANCH = pattern(r"\s{0,40}(?:[├└]─|[|`+]--)")
 """A branch of a drawn tree: the line above the first one names its root and is no command."""
 _STRUCK = pattern(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
@@ -243,8 +245,13 @@ def _shell(line: str, *, fenced: bool) -> Iterator[str]:
         yield line
     else:
         spans = (_PROMPT.sub("", span[2]) for span in _SPAN.finditer(line))
-        yield from (span for span in spans if telling(span) and " " in span)
+        yield from (_alone(span) for span in spans if telling(span) and " " in span)
         yield from (said[0] for said in (_SAID_LAUNCH.finditer(line) if "launch " in line else ()))
         yield from (f"cd {named[1]}" for named in _GO_INTO.finditer(line))
         yield from (f"./{named[1]}" for named in _NAMED.finditer(line))
         yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
+
+
+def _alone(span: str) -> str:
+    """Return code in a sentence that goes to a folder and does something there as a shell of its own."""
+    return f"({span})" if _THERE.match(span) else span
