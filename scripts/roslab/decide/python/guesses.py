@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Set
 
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.pins import Pin, of_conda
@@ -18,13 +19,18 @@ from roslab.values.requirement_line import stated
 
 _FOR_DEVELOPERS = pattern(r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|(?:bitbucket|azure)-pipelines\.|docs?\d?/)")
 _FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
+_BESIDE = frozenset({"torchvision", "torchaudio", "jaxlib"})
+_NONE: frozenset[str] = frozenset()
 MAX_GUESSES = 40
 
 
 def guesses(
-    evidence: Evidence, pins: tuple[Pin, ...], *, ros: bool, manifests: bool, known: set[str]
+    evidence: Evidence, pins: tuple[Pin, ...], *, ros: bool, manifests: bool, known: set[str], loose: Set[str] = _NONE
 ) -> tuple[Requirement, ...]:
-    """Return the packages that only prose, Dockerfiles and imports name, each once, from the best source."""
+    """Return the packages that only prose, Dockerfiles and imports name, each once, from the best source.
+
+    Of the ``known`` ones, those that a page gives an older version: ``loose`` are declared in any version.
+    """
     found: dict[str, Requirement] = {}
     own = {canonicalize_name(project.name).replace("-", "") for project in evidence.python if project.name}
     urls = {_repository(pin.requirement.url) for pin in pins if pin.trust >= 2} - {""}
@@ -33,7 +39,7 @@ def guesses(
         if (
             pin.requirement.origin != "prose"
             or _repository(pin.requirement.url) in urls
-            or pin.name in known
+            or (pin.name in known and not (pin.name in loose and pin.requirement.limited and pin.requirement.specifier))
             or (pin.requirement.vcs and pin.name.replace("-", "") in own)
             or pin.name == "pip"
             or (pin.name in tooling("installers") and not pin.release)
@@ -68,6 +74,16 @@ def _specific(pin: Pin) -> tuple[int, int, int]:
     """Return the sort key for mentions of a package: pinned ones first, then those nearest to the root."""
     authored = pin.requirement.file.lower().rpartition("/")[2]
     return (not pin.release, pin.requirement.file.count("/"), "docker" in authored)
+
+
+def loose_names(
+    evidence: Evidence, files: Iterable[RequirementFile], projects: Iterable[PythonProject]
+) -> frozenset[str]:
+    """Return the packages that manifests declare without an upper bound; frameworks are pinned by other rules."""
+    asked = [each for file in with_includes(evidence, files) for each in file.requirements]
+    asked += [each for project in projects for each in project.requirements if each.role in {"", "source"}]
+    limited = {each.key for each in asked if each.limited}
+    return frozenset(each.key for each in asked if each.name) - limited - _FRAMEWORKS - _BESIDE
 
 
 def known_names(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.config.model import Config, Kind
-from roslab.decide.python.guesses import guesses, known_names
+from roslab.decide.python.guesses import guesses, known_names, loose_names
 from roslab.decide.python.manifests import conda_file, projects, requirement_files
 from roslab.decide.python.pins import DEVELOPMENT, Pin
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
@@ -32,10 +32,12 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     folders = projects(evidence, kind, conda, files)
     manifests = bool(files or conda or any(project.requirements for project in folders))
     known = known_names(evidence, files, folders, conda)
+    ros = kind in {"ros1", "ros2"}
+    loose = frozenset() if ros or conda else loose_names(evidence, files, folders)
     return Chosen(
         files=files,
         projects=folders,
-        guessed=guesses(evidence, pins, ros=kind in {"ros1", "ros2"}, manifests=manifests, known=known),
+        guessed=guesses(evidence, pins, ros=ros, manifests=manifests, known=known, loose=loose),
         options=tuple(dict.fromkeys(_options(evidence))),
         conda=conda,
     )

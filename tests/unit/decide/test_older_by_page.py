@@ -1,0 +1,30 @@
+"""A page that installs an older version of what a manifest declares in any gets that version, after the manifest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+CODE = {"run.py": "import numpy\nimport gym\n"}
+
+
+@pytest.mark.parametrize(
+    ("declared", "page", "guessed"),
+    [
+        ("numpy\n", 'pip install "numpy<1.24"', ["numpy<1.24"]),
+        ("numpy>=1.16\n", "pip install numpy==1.20", ["numpy==1.20"]),
+        ("numpy<2\n", "pip install numpy==1.20", []),
+        ("numpy\n", "pip install numpy>=1.16", []),
+        ("numpy\n", "pip install numpy", []),
+        ("torch\nnumpy\n", "pip install torch==1.10.0", []),
+    ],
+)
+def test_what_a_page_holds_back(tree: Tree, declared: str, page: str, guessed: list[str]) -> None:
+    files = {**CODE, "requirements.txt": f"{declared}gym==0.21\n", "README.md": f"```\n{page}\n```\n"}
+    python = tree(files).python
+    assert python.requirements == ("requirements.txt",)
+    assert [each.written for each in python.pip_guessed if each.key in {"numpy", "torch"}] == guessed
