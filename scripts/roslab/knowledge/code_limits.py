@@ -8,6 +8,7 @@ from typing import Literal, cast
 
 from packaging.version import Version
 
+from roslab.knowledge.hints import Hints, hints
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -28,8 +29,8 @@ class Limit:
     at_least: str | None
     below: str | None
     what: str
-    hints: tuple[str, ...]
-    """What stands in every text that it matches, one of them, which is looked for first; for ``line``, on that line."""
+    hints: Hints
+    """For ``line``, one of them stands on that line."""
 
 
 @cache
@@ -43,7 +44,7 @@ def limits() -> tuple[Limit, ...]:
             at_least=row["at_least"] or None,
             below=row["below"] or None,
             what=row["what"],
-            hints=tuple(row["hints"].split("|")),
+            hints=hints(row["hints"]),
         )
         for row in rows("code_limits")
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
+from roslab.knowledge.hints import Hints, hints
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -22,8 +23,7 @@ class Removal:
     with_it: str
     """A bound that these versions need on another package, ``""`` for none: code compiled against NumPy 1 does not load
     with NumPy 2 (https://numpy.org/doc/stable/numpy_2_0_migration_guide.html)."""
-    hint: str
-    """A literal that every match contains: files without it are not searched."""
+    hints: Hints
     pattern: re.Pattern[str]
     what: str
     source: str
@@ -47,7 +47,7 @@ def removals() -> tuple[Removal, ...]:
             package=row["package"],
             having=row["bound"],
             with_it=row["beside"],
-            hint=row["hint"],
+            hints=hints(row["hints"]),
             pattern=pattern(row["pattern"]),
             what=row["what"],
             source=row["source"],

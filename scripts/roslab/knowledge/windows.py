@@ -6,6 +6,7 @@ import re
 from functools import cache
 from typing import Literal
 
+from roslab.knowledge.hints import Hints, hints
 from roslab.knowledge.table import rows
 from roslab.values.pattern import pattern
 
@@ -22,9 +23,9 @@ def opens(where: str, name: str) -> bool:
 
 
 @cache
-def _calls(language: str) -> tuple[tuple[str, str, re.Pattern[str]], ...]:
+def _calls(language: str) -> tuple[tuple[str, Hints, re.Pattern[str]], ...]:
     return tuple(
-        (row["library"], row["hint"], pattern(row["pattern"], re.MULTILINE))
+        (row["library"], hints(row["hints"]), pattern(row["pattern"], re.MULTILINE))
         for row in rows("window_calls")
         if row["language"] == language
     )
@@ -33,7 +34,9 @@ def _calls(language: str) -> tuple[tuple[str, str, re.Pattern[str]], ...]:
 def shown(text: str, language: Literal["python", "c++"] = "python") -> dict[str, int]:
     """Return the libraries by which a file opens windows, each with the place of its first call."""
     found: dict[str, int] = {}
-    for library, hint, each in _calls(language):
-        if library not in found and hint in text and (match := each.search(text)):
+    for library, hinted, each in _calls(language):
+        if library in found or not (hinted.stand_in(text) if language == "python" else hinted.are_part_of(text)):
+            continue
+        if match := each.search(text):
             found[library] = match.start()
     return found

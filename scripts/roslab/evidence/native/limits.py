@@ -42,8 +42,8 @@ def _possible(where: Sign, text: str) -> Iterable[Limit]:
 def _hinted(where: Sign) -> dict[str, tuple[Limit, ...]]:
     """Return the signs of a kind by their hints."""
     found = [limit for limit in limits() if limit.where == where]
-    words = dict.fromkeys(hint for limit in found for hint in limit.hints)
-    return {word: tuple(limit for limit in found if word in limit.hints) for word in words}
+    words = dict.fromkeys(hint for limit in found for hint in limit.hints.each)
+    return {word: tuple(limit for limit in found if word in limit.hints.each) for word in words}
 
 
 @dataclass

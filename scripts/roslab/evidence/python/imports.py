@@ -12,6 +12,7 @@ from roslab.evidence.facts import Program
 from roslab.evidence.lex.lines import first_line
 from roslab.evidence.python import notebooks
 from roslab.knowledge.frameworks import imports as known_imports
+from roslab.knowledge.hints import words_of
 from roslab.knowledge.typelibs import typelibs
 from roslab.knowledge.windows import shown
 from roslab.repository.checkout import File, Repository
@@ -119,7 +120,7 @@ def _typelibs(file: File, text: str) -> Iterator[Dependency]:
 
     https://pygobject.gnome.org/guide/api/api.html#gi.require_version
     """
-    if "require_version" not in text or places.test(file.path):
+    if "require_version" not in words_of(text) or places.test(file.path):
         return
     for match in _TYPELIB.finditer(text):
         if apt := typelibs().get((match[1], match[2])):
@@ -178,7 +179,7 @@ def programs(repository: Repository) -> tuple[Program, ...]:
         text = repository.read(file, limit=MAX_READ)
         if file.name == "__main__.py":
             found.append(Program(file=file.path, line=1, kind="main"))
-        elif match := first_line(_MAIN, text, "__main__"):
+        elif "__main__" in words_of(text) and (match := first_line(_MAIN, text, "__main__")):
             node = _names_ros(text) and bool(_NODE.search(text))
             found.append(
                 Program(

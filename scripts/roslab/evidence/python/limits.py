@@ -69,9 +69,11 @@ def _first(sign: Limit, text: str) -> int | None:
 
 def _parts(sign: Limit, text: str) -> Iterator[tuple[int, int]]:
     """Yield where the parts of a text begin and end in which a sign can be: the lines with a hint, or all of it."""
-    if sign.where == "line":
-        for start in lines_with(text, *sign.hints):
-            end = text.find("\n", start)
-            yield start, end if end >= 0 else len(text)
-    elif any(hint in text for hint in sign.hints):
+    if not sign.hints.stand_in(text):
+        return
+    if sign.where != "line":
         yield 0, len(text)
+        return
+    for start in lines_with(text, *sign.hints.each):
+        end = text.find("\n", start)
+        yield start, end if end >= 0 else len(text)

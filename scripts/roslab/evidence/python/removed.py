@@ -16,7 +16,7 @@ def read(repository: Repository) -> tuple[Removed, ...]:
         for rank, row in enumerate(removals()):
             if row.package in found and found[row.package][0] <= rank:
                 continue  # only a lower bound of the same package would matter
-            if row.hint not in text:
+            if not row.hints.stand_in(text):
                 continue
             match = next((m for m in row.pattern.finditer(text) if not _comment(text, m.start())), None)
             if match is None:
