@@ -42,3 +42,41 @@ def test_a_package_of_ros_is_compiled_by_its_build_tool(tree: Tree) -> None:
     manifest = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
     files = {"package.xml": manifest, "CMakeLists.txt": "project(demo)\nfind_package(catkin)\n", "make.sh": MAKE}
     assert not tree({**files, "README.md": "```\nsh make.sh\n```\n"}).scripts
+
+
+@pytest.mark.parametrize(
+    ("files", "page", "scripts"),
+    [
+        ({"3rdparty/suite/build.sh": "make install\n"}, "cd 3rdparty/suite; ./build.sh\n", ["3rdparty/suite/build.sh"]),
+        (MODULE, "cd planner && ./build.sh\n", ["planner/build.sh"]),
+        (MODULE | {"planner/build.sh": "make\n"}, "cd planner && ./build.sh\n", ["planner/build.sh"]),
+        ({"build.sh": "mkdir build\ncd build\ncmake ..\n"}, "./build.sh\n", []),
+        ({"3rdparty/suite/build.sh": "make\n"}, "./build.sh\n", []),
+    ],
+)
+def test_what_the_readme_of_a_c_plus_plus_project_compiles_by_a_script(
+    tree: Tree, files: dict[str, str], page: str, scripts: list[str]
+) -> None:
+    made = {"CMakeLists.txt": "project(demo CXX)\nadd_executable(demo a.cpp)\n", "a.cpp": "int main() {}\n"}
+    found = tree({**made, **files, "README.md": f"Build the libraries by running `{page.strip()}`.\n"})
+    assert (found.kind, [each.path for each in found.scripts]) == ("cpp", scripts)
+    assert "clang" not in found.apt_guessed
+
+
+def test_the_compiler_that_a_script_names_is_installed(tree: Tree) -> None:
+    made = {"CMakeLists.txt": "project(demo CXX)\nadd_executable(demo a.cpp)\n", "a.cpp": "int main() {}\n"}
+    script = {"3rdparty/suite/build.sh": ': "${CXX:=clang++}"\nexport CXX\nmake install\n'}
+    found = tree({**made, **script, "README.md": "```\n./3rdparty/suite/build.sh\n```\n"})
+    assert "clang" in found.apt_guessed
+
+
+def test_a_library_that_a_script_compiles_with_cmake_is_compiled_once(tree: Tree) -> None:
+    made = {"CMakeLists.txt": "project(demo CXX)\nadd_executable(demo a.cpp)\n", "a.cpp": "int main() {}\n"}
+    library = {
+        "third_party/words/CMakeLists.txt": "project(words CXX)\nadd_library(words w.cpp)\n",
+        "third_party/words/build.sh": "mkdir -p build && cd build && cmake .. && make\n",
+    }
+    page = "```\ncd third_party/words\nmkdir build && cd build && cmake .. && make\n```\n"
+    page += "Or run `cd third_party/words; ./build.sh`.\n"
+    found = tree({**made, **library, "README.md": page})
+    assert ([folder for folder, _ in found.inside], found.scripts) == (["third_party/words"], ())

@@ -1,4 +1,4 @@
-"""Scripts of a Python repository that its README runs to compile something: the image runs them too."""
+"""Scripts of the tree that the README of Python or C++ runs to compile something: the image runs them too."""
 
 from __future__ import annotations
 
@@ -24,10 +24,18 @@ _ASIDE = pattern(
 _PLAIN = pattern(r"[\w./=+-]+")
 
 
-def decide_scripts(evidence: Evidence, config: Config, kind: Kind) -> Choice[tuple[OwnScript, ...]]:
-    """Return the scripts that the pages nearest to the root run to compile, in their order; for plain Python alone."""
-    if config.compatible or config.custom or config.build or kind not in {"python", "cuda"}:
+def decide_scripts(
+    evidence: Evidence, config: Config, kind: Kind, inside: Choice[tuple[tuple[str, str], ...]]
+) -> Choice[tuple[OwnScript, ...]]:
+    """Return the scripts that the pages nearest to the root run to compile, in their order; none where ROS does it.
+
+    Of a C++ project only those of copied libraries and submodules: CMake compiles the project itself, and the folders
+    ``inside`` too.
+    """
+    if config.compatible or config.custom or config.build or kind not in {"python", "cuda", "cpp"}:
         return Choice(answer=())
+    compiled = {folder for folder, _ in inside.answer} | {reason.file for reason in inside.reasons}
+    modules = tuple(f"{git.name}/" for git in evidence.sources if git.kind == "submodule")
     absent = tuple(git.name for git in evidence.sources if git.kind == "submodule" and git.absent)
     said = [m for m in evidence.mentions if m.topic == "build_script" and m.source == "readme"]
     said = [m for m in said if not places.vendored(m.file) and not _ASIDE.search(m.heading)]
@@ -35,7 +43,8 @@ def decide_scripts(evidence: Evidence, config: Config, kind: Kind) -> Choice[tup
     found: dict[str, tuple[OwnScript, Mention]] = {}
     for mention in said:
         script = _script(mention, absent) if mention.file.count("/") == nearest else None
-        if script:
+        library = script and (places.vendored(script.path) or script.path.startswith(modules))
+        if script and (kind != "cpp" or (library and not {script.folder, script.path} & compiled)):
             found.setdefault(script.path, (script, mention))
     chosen = list(found.values())[:MOST]
     why = "the README runs it to compile"

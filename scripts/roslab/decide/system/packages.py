@@ -39,6 +39,7 @@ _HOW = {
     "cuda": "CMake compiles for CUDA, which needs {}",
     "typelib": "a program asks for a library of GObject, which needs {}",
     "shebang": "the first line of a program names {}",
+    "script": "a script that the page compiles with names {}",
 }
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator
 
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.started_in import ends
 from roslab.repository.checkout import Repository
@@ -13,6 +15,7 @@ from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
 _COMPILES = pattern(r"\b(?:c?make|ninja|g\+\+|gcc|clang|nvcc|cython|setup\.py|build_ext)\b")
+_COMPILER = pattern(r"(?:=|\s|/)(clang)(?:\+\+)?(?=[\s\"'}]|$)", re.MULTILINE)
 _ASKS = pattern(
     r"\b(?:sudo|apt|apt-get|yum|dnf|brew|docker|conda|mamba|catkin\w*|colcon|rosdep|roslaunch|wget|curl|gdown|scp|"
     r"xcodebuild|emcc|idf\.py)\b|\bread\s+-|\binput\(|rm\s+-rf?\s+[/~]"
@@ -35,3 +38,12 @@ def checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
             yield replace(mention, value=" ".join((start or ".", script, *words)), files=(path,))
         return
     yield mention
+
+
+def compilers(mention: Mention, repository: Repository) -> Iterator[Dependency]:
+    """Yield the compiler that such a script names, where it is not the one that every image compiles with."""
+    text = repository.read(mention.files[0], limit=MAX_SIZE) if mention.files else ""
+    if match := _COMPILER.search(text):
+        yield Dependency(
+            namespace="apt", name=match[1], strength="used", file=mention.file, line=mention.line, role="script"
+        )

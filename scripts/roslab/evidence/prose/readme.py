@@ -17,7 +17,7 @@ from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
 from roslab.evidence.prose import exports, mentions, python_path
 from roslab.evidence.prose.headings import FENCE, MAX_LINE, heading_of, section_of, title_of
 from roslab.evidence.prose.installs import BLANK, Collector, merge
-from roslab.evidence.prose.own_scripts import checked
+from roslab.evidence.prose.own_scripts import checked, compilers
 from roslab.evidence.prose.shells import opens_a_shell
 from roslab.evidence.prose.started_in import script_in, started_in
 from roslab.evidence.prose.telling import telling
@@ -116,7 +116,9 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
 def of_page(repository: Repository, file: File) -> Prose:
     """Return what a page says; in its commands, files of the tree are relative to the root: ``../map.yaml``."""
     prose = _read(repository.read(file), file)
-    return prose._replace(mentions=tuple(each for m in prose.mentions for each in _checked(m, repository)))
+    told = tuple(each for m in prose.mentions for each in _checked(m, repository))
+    asked = (each for m in told if m.topic == "build_script" for each in compilers(m, repository))
+    return prose._replace(mentions=told, dependencies=(*prose.dependencies, *asked))
 
 
 def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
