@@ -94,7 +94,9 @@ def _whose(found: Explanation, log: str, base: Base) -> Whose:
     """Return whose a failure is; every rule of the stand-in needs a stand-in."""
     if base.stand_in:
         known = facts()
-        if found.id in known["network"]["ids"] or ("cuda" in base.name and found.id in known["cuda"]["ids"]):
+        if found.id in (*known["network"]["ids"], *known["base"]["ids"]):
+            return "stand-in"
+        if "cuda" in base.name and found.id in known["cuda"]["ids"]:
             return "stand-in"
         said = "\n".join((found.error, *found.lines)) or log[-4000:]
         if (_asked(said) | {value for _, value in found.names}) & base.lacking:

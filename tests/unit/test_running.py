@@ -55,6 +55,13 @@ def test_whose_a_failed_build_is(error: str, base: blame.Base, whose: str) -> No
     assert blame.of_build(LOG.format(error=error), base)[0] == whose
 
 
+def test_an_image_of_a_stage_that_nothing_stands_in_for_is_the_stand_ins() -> None:
+    log = "ERROR: failed to solve: a/b:1.2: failed to resolve source metadata for docker.io/a/b:1.2: not found\n"
+    whose, cause, _ = blame.of_build(log, FOCAL)
+    assert (whose, blame.is_base(cause)) == ("stand-in", True)
+    assert blame.of_build(log, REAL)[0] == "ours or the code's"
+
+
 @pytest.mark.parametrize(
     ("output", "base", "whose"),
     [
