@@ -221,6 +221,12 @@ def test_a_page_means_the_program_beside_it(tree: Tree) -> None:
     assert tree({**files, **page, "requirements.txt": "numpy\n"}).command == ("python", "tasks/b/train.py")
 
 
+def test_a_page_below_the_root_runs_a_script_without_a_guard_that_lies_beside_it(tree: Tree) -> None:
+    files = dict.fromkeys(("python/show.py", "python/other.py", "matlab/show.py"), "import numpy\n")
+    page = {"python/README.md": "```\npython show.py /path/to/data\n```\n", "README.md": "Our data.\n"}
+    assert tree({**files, **page, "requirements.txt": "numpy\n"}).command == ("python", "python/show.py")
+
+
 def test_the_program_of_a_package_without_launch_files_is_run(tree: Tree) -> None:
     files = {name: text for name, text in ROS2.items() if not name.startswith("launch")}
     assert tree(files).command == ("ros2", "run", "demo", "talker")

@@ -28,3 +28,23 @@ def test_what_a_page_holds_back(tree: Tree, declared: str, page: str, guessed: l
     python = tree(files).python
     assert python.requirements == ("requirements.txt",)
     assert [each.written for each in python.pip_guessed if each.key in {"numpy", "torch"}] == guessed
+
+
+@pytest.mark.parametrize(
+    ("files", "version"),
+    [
+        ({"requirements.txt": "open3d-python\n"}, "3.7"),
+        ({"tools/requirements.txt": "numpy\nopen3d-python\n"}, "3.7"),
+        (
+            {
+                "requirements.txt": "tensorflow-addons\n",
+                "pyproject.toml": "[project]\nname='a'\nrequires-python='>=3.11'\n",
+            },
+            "3.11",
+        ),
+        ({"requirements.txt": "numpy\n", "README.md": "```\npip install open3d-python\n```\n"}, "3.10"),
+    ],
+)
+def test_a_package_that_ended_needs_a_python_of_its_time(tree: Tree, files: dict[str, str], version: str) -> None:
+    code = {"run.py": "name = f'{1}'\nimport numpy\n"}
+    assert tree(code | files).python.version == version

@@ -16,6 +16,7 @@ from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import Placed, because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.ended_packages import ended_packages
 from roslab.knowledge.frameworks import Framework, framework, last_below
 from roslab.values.pattern import pattern
 from roslab.values.specifier import admits, specifiers
@@ -44,6 +45,7 @@ def ranges(evidence: Evidence, pins: Iterable[Pin], aside: set[str]) -> Iterator
     for pin in pins:
         if pin.requirement.file not in aside:
             yield from _pinned(pin)
+            yield from _ended(pin)
 
 
 def ranges_by_syntax(evidence: Evidence) -> Iterator[Range]:
@@ -125,6 +127,15 @@ def _pinned(pin: Pin) -> Iterator[Range]:
         reason = because("python", f"{row.python_min}…{row.python_max}", why, asked, weight=Weight.PINS + pin.trust)
         lowest = Version(row.python_min) if pin.release else Version("0")
         yield Range(_between(lowest, Version(row.python_max)), reason)
+
+
+def _ended(pin: Pin) -> Iterator[Range]:
+    """Yield the Pythons of a package that a manifest or an environment names and that is released no more."""
+    newest = ended_packages().get(pin.name) if pin.trust >= _TRUSTED - 1 else None
+    if newest:
+        why = f"{pin.name} ended, and has wheels up to Python {newest}"
+        reason = because("python", f"≤ {newest}", why, pin.requirement, weight=Weight.PINS + pin.trust)
+        yield Range(_between(Version("0"), Version(newest)), reason)
 
 
 def _lowest(pin: Pin) -> Iterator[Range]:

@@ -132,6 +132,7 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
 
 def _with_files(mention: Mention, repository: Repository) -> Mention:
     words = mention.value.split()
+    folder = posixpath.dirname(mention.file)
     found: list[str] = []
     if script := script_in(mention, repository) if mention.inside else None:
         words[script[0]] = script[1]
@@ -142,6 +143,8 @@ def _with_files(mention: Mention, repository: Repository) -> Mention:
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = _only(path, repository) or path
+        if folder and path.endswith((".py", ".sh")) and not repository.has(path) and repository.has(f"{folder}/{path}"):
+            path = f"{folder}/{path}"  # a page below the root starts what lies beside it
         if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):
             words[index] = path
             found.append(path)
