@@ -415,6 +415,8 @@ def test_a_package_of_the_table_brings_what_it_needs_and_is_built_as_its_authors
     assert names[-2:] == ["voxblox", "minkindr_ros"]
     assert {"catkin_simple", "eigen_catkin", "glog_catkin", "protobuf_catkin"} < {*names}
     assert found.build_tool == "catkin_make"
+    (kindr,) = (source for source in found.source if source.name == "minkindr")
+    assert "minkindr_python/CATKIN_IGNORE" in kindr.prepare  # its bindings need what nobody asked for
     wrapper = xml.replace("voxblox_ros", "yaml_cpp_catkin")
     assert decided(tmp_path, {"package.xml": wrapper}).build_tool == "catkin_tools"
     simple = xml.replace(
