@@ -58,6 +58,12 @@ def test_packages_of_launch_files(tmp_path: Path, path: str, text: str, expected
     assert ({d.name for d in found.dependencies}, found.ros, found.package) == (expected, ros, "demo")
 
 
+def test_the_condition_of_another_element_is_not_one_of_an_element_without_an_end_nearby(tmp_path: Path) -> None:
+    text = f'<launch><node pkg="always" type="x" args="{"0 " * 300}"/><node pkg="sometimes" if="$(arg x)"/></launch>'
+    (found,) = launch.read(tree(tmp_path, {"a.launch": text}))
+    assert {each.name: each.strength for each in found.dependencies} == {"always": "used", "sometimes": "optional"}
+
+
 def test_a_launch_file_with_rviz_has_windows(tmp_path: Path) -> None:
     (found,) = launch.read(tree(tmp_path, {"a.launch": '<launch><node pkg="rviz" type="rviz"/></launch>'}))
     assert found.gui

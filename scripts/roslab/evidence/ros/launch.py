@@ -174,7 +174,8 @@ def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> It
 
 def _conditional(text: str, begin: int, end: int) -> bool:
     """Tell whether what names a package is only started under a condition: ``if="…"``, ``condition=IfCondition(…)``."""
-    tag = text[max(text.rfind("<", 0, begin), begin - NEAR, 0) : text.find(">", end, end + NEAR)]
+    closed = text.find(">", end, end + NEAR)
+    tag = text[max(text.rfind("<", 0, begin), begin - NEAR, 0) : closed if closed >= 0 else end + NEAR]
     if _IF.search(tag):
         return True
     group = text.rfind("<group", 0, begin)
