@@ -54,9 +54,11 @@ def title_of(lines: Sequence[str]) -> int:
     return found
 
 
-def section_of(line: str, below: str, elsewhere: int) -> int:
-    """Return the level of the heading under which the text is for another system, 0 if it is for this one."""
-    heading = heading_of(line, below)
+def section_of(heading: tuple[int, str] | None, elsewhere: int) -> int:
+    """Return the level of the heading under which the text is for another system, 0 if it is for this one.
+
+    ``heading`` is that of the line that is read, if it is one; ``elsewhere`` is what holds above it.
+    """
     if heading is None:
         return elsewhere
     level, title = heading

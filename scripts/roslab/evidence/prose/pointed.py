@@ -59,8 +59,9 @@ def _sentences(text: str) -> list[tuple[int, str, str]]:
         below = lines[number] if number < len(lines) else ""
         if fenced or len(line) > MAX_LINE:
             continue
-        elsewhere = section_of(line, below, elsewhere) if number != top else 0
-        if title := heading_of(line, below):
+        title = heading_of(line, below)
+        elsewhere = section_of(title, elsewhere) if number != top else 0
+        if title:
             titles = {level: known for level, known in titles.items() if level < title[0]} | {title[0]: title[1]}
         elif not elsewhere and not _COMMAND.search(line):
             found.append((number, line, " / ".join(titles.values())))

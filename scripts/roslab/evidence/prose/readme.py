@@ -213,13 +213,16 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     while index < len(lines):
         line = lines[index]
         index += 1
+        if not line.strip():
+            continue
         if FENCE.match(line[:MAX_LINE]):
             fenced = not fenced
             continue
         if not fenced:
             below = lines[index] if index < len(lines) else ""
-            elsewhere = section_of(line, below, elsewhere) if index != title else 0
-            if heading := heading_of(line, below):
+            heading = heading_of(line, below)
+            elsewhere = section_of(heading, elsewhere) if index != title else 0
+            if heading:
                 titles = {level: title for level, title in titles.items() if level < heading[0]} | {
                     heading[0]: heading[1]
                 }
