@@ -18,8 +18,12 @@ _STANDARD = pattern(
     r"^[^#\n]*?(?:\bCMAKE_CXX_STANDARD[ \t]+|-std=(?:c|gnu)\+\+|\bcxx_std_|\bCXX_STANDARD[ \t]+)(\d\w)\b", re.MULTILINE
 )
 _DIRECTIVE = pattern(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|endif)\b[ \t]*([^\s(]*)", re.MULTILINE)
-_GUARDS = ("__has_include", "CV_VERSION", "CV_MAJOR_VERSION", "CERES_VERSION", "imgproc/types_c.h", "constants_c.h")
-"""The file, or one that it includes, chooses by what is there."""
+_GUARDS = {
+    "__has_include": ("__has_include",),
+    "_VERSION": ("CV_VERSION", "CV_MAJOR_VERSION", "CERES_VERSION"),
+    "s_c.h": ("imgproc/types_c.h", "constants_c.h"),
+}
+"""The file, or one that it includes, chooses by what is there; by what the words share, which is looked for first."""
 
 
 MAX_PLACES = 100
@@ -61,7 +65,9 @@ class Signs:
 
     def source(self, path: str, text: str) -> None:
         """Read a C++ file."""
-        self.guarded = self.guarded or any(map(text.__contains__, _GUARDS))
+        self.guarded = self.guarded or any(
+            shared in text and any(word in text for word in words) for shared, words in _GUARDS.items()
+        )
         for limit in _possible("name", text):
             names: dict[str, int] = {}
             for match in limit.pattern.finditer(text):
