@@ -25,7 +25,11 @@ def first(asked: Sequence[Requirement], projects: Sequence[PythonProject]) -> tu
         needs += [stated("numpy"), stated("Cython")]
     needs += [need for project in projects for need in _for_setup(project)]
     if needs:
-        needs += [line for project in projects for line in project.build_requires]
+        asking = [line for project in projects for line in project.build_requires]
+        needs += asking
+        needs += [
+            stated(name) for line in asking for name in build_needs().get(line.key, ())
+        ]  # asked for while building
     return tuple({need.key: by_name.get(need.key, need) for need in needs}.values())
 
 

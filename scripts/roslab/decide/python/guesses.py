@@ -10,8 +10,10 @@ from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
+from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.guesses import same_module, tooling
+from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -49,11 +51,17 @@ def guesses(
         found.setdefault(pin.name, pin.requirement)
     tools = tooling("installers") | tooling("developers")
     heavy = bool(known & {"torch", "tensorflow", "jax"})
+    offered = _linked(evidence)
     strengths = {"used"} if manifests else {"used", "optional"}
     for dependency in evidence.code:
         if dependency.namespace != "import" or dependency.strength not in strengths or places.test(dependency.file):
             continue
         package, apt = imports().get(dependency.name) or (None, None)
+        linked = offered.get(canonicalize_name(dependency.name)) if dependency.strength == "used" else None
+        if linked and dependency.name not in imports() and not (ros or _aside(dependency.file)):
+            if not {canonicalize_name(dependency.name), linked.key} & {*known, *found}:
+                found[linked.key] = replace(linked, file=dependency.file, line=dependency.line)
+            continue
         name = canonicalize_name(package) if package else ""
         covered = name in known or name in found or any(same_module(name, other) for other in (*known, *found))
         if not package or covered or name in tools or (heavy and name in _FRAMEWORKS):
@@ -62,6 +70,20 @@ def guesses(
             continue  # a ROS image's Python is the system's: what apt has comes from there
         found[name] = stated(package, "import", dependency.file, dependency.line)
     return tuple(found.values())[:MAX_GUESSES]
+
+
+def _linked(evidence: Evidence) -> dict[str, Requirement]:
+    """Return the repositories that a page at the root links to or clones: a module of no table may be one's package."""
+    found: dict[str, Requirement] = {}
+    for git in evidence.sources:
+        if git.kind in {"link", "clone"} and "/" not in git.file and not git.installed:
+            ref = f"@{git.ref}" if git.ref and re.fullmatch(r"[\w.-]+", git.ref) else ""
+            found.setdefault(canonicalize_name(git.name), stated(f"git+{https(git.url)}{ref}", "import"))
+    return found
+
+
+def _aside(path: str) -> bool:
+    return places.vendored(path) or places.example(path) or places.test(path)
 
 
 def _repository(url: str) -> str:

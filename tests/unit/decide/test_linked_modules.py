@@ -1,0 +1,41 @@
+"""A module of no table that is imported may be the package of a repository that the page at the root links to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+LINK = "First install the [AcmeEngine](https://github.com/acme/AcmeEngine).\n"
+CODE = {"run.py": "import numpy\nimport AcmeEngine as ae\n", "requirements.txt": "numpy\n"}
+FROM_GIT = ["git+https://github.com/acme/AcmeEngine"]
+
+
+@pytest.mark.parametrize(
+    ("files", "guessed"),
+    [
+        ({"README.md": LINK}, FROM_GIT),
+        ({"README.md": "```\ngit clone -b v1 https://github.com/acme/acme_engine.git\n```\n"}, []),  # another name
+        ({"README.md": LINK, "run.py": "import numpy\n"}, []),
+        ({"README.md": LINK, "run.py": "try:\n    import AcmeEngine\nexcept ImportError:\n    pass\n"}, []),
+        ({"README.md": LINK, "AcmeEngine/__init__.py": ""}, []),
+        ({"README.md": LINK, "requirements.txt": "AcmeEngine==1.0\n"}, []),
+        ({"README.md": "\n", "docs/other.md": LINK}, []),
+        ({"README.md": LINK.replace("AcmeEngine", "torch"), "run.py": "import torch\n"}, []),
+    ],
+)
+def test_what_the_page_links_to_is_tried(tree: Tree, files: dict[str, str], guessed: list[str]) -> None:
+    decision = tree({**CODE, **files})
+    assert [each.written for each in decision.python.pip_guessed if each.vcs] == guessed
+
+
+@pytest.mark.parametrize(("backend", "tools"), [("scikit-build-core", {"cmake", "ninja"}), ("meson-python", {"ninja"})])
+def test_a_build_that_is_not_isolated_needs_what_its_backend_would_ask_for(
+    tree: Tree, backend: str, tools: set[str]
+) -> None:
+    own = f"[project]\nname='a'\nversion='1'\ndependencies=['lap']\n[build-system]\nrequires=['{backend}']\n"
+    first = {each.key for each in tree({"pyproject.toml": own, "a.py": "import lap\n"}).python.first}
+    assert first >= {backend, "numpy", *tools}
