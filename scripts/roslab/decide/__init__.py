@@ -28,6 +28,7 @@ from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.layout import decide_layout
+from roslab.decide.ros.named import named
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.workspace import Packages, of_one_ros, packages_of
@@ -189,21 +190,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     choices = (
         day,
         *(() if pip_day.answer and (own.answer or not python.answer.day) else (pip_day,)),
-        kind,
-        release,
-        base,
-        build_tool,
-        layout,
-        python,
-        cuda,
-        own,
-        mended,
-        command,
-        test,
-        platforms,
-        sources,
-        system,
-        inside,
+        *(kind, release, base, build_tool, layout, python, cuda, own, mended, command, test, platforms),
+        *(sources, system, inside),
         *(() if own.answer else (scripts, missing, steps, variables)),
     )
     return Decision(
@@ -227,7 +215,16 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         variables=() if own.answer else variables.answer,
         scripts=() if own.answer else scripts.answer,
         packages=tuple(m.file for m in packages.built if m.name not in left_out) if kind.answer in _ROS else (),
-        package_names=tuple(name for name in _names(packages, kind.answer) if name not in left_out),
+        package_names=(own_names := tuple(n for n in _names(packages, kind.answer) if n not in left_out)),
+        named=named(
+            evidence,
+            config,
+            build_tool.answer,
+            packages=packages,
+            own=own_names,
+            sources=sources.answer.sources,
+            ros_distro=distro,
+        ),
         left_out=left_out,
         ignored=marked(build_tool.answer, left_out, packages) if kind.answer in _ROS and not own.answer else (),
         ended=missing.answer.ended,

@@ -165,6 +165,8 @@ class Decision:
     """Paths of the package.xml files that are built (neither ignored nor an asset)."""
     package_names: tuple[str, ...] = ()
     """Names of those packages, sorted; without metapackages of ROS 1."""
+    named: tuple[str, ...] = ()
+    """Packages that catkin is told to build, with what they need; ``()`` for all of the workspace."""
     left_out: tuple[str, ...] = ()
     """Packages that are not built, because nothing brings what they require and no other one needs them."""
     cmake_options: tuple[str, ...] = ()

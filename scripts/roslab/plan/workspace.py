@@ -40,6 +40,8 @@ class RosBuild:
     """The script that makes the compiled workspace known."""
     ignored: tuple[str, ...] = ()
     """Folders of the repository that the tool must not look into."""
+    named: tuple[str, ...] = ()
+    """Packages that are built with what they need; all of the workspace where none is named."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -158,6 +160,7 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
         cmake_options=(*(_cmake_options(config) if own else ()), *of_sisters),
         setup=f"{WORKSPACE}/{_SETUP[tool]}",
         ignored=decision.ignored if own else (),
+        named=decision.named if own else (),
     )
 
 

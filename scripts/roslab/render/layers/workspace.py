@@ -222,7 +222,7 @@ def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
             return [f"{again}catkin_make -j{shell.JOBS}{options}{arguments}"]
         case "catkin_tools":
             catkin = f'{again}catkin build --no-status --jobs "${{jobs}}" --parallel-packages "${{jobs}}"'
-            return [shell.SET_JOBS, f"{catkin}{cmake}{arguments}"]
+            return [shell.SET_JOBS, f"{catkin}{_words(build.named)}{cmake}{arguments}"]
         case "rosmake":
             return [f"{ROSMAKE}{arguments}"]
         case "colcon":

@@ -1,0 +1,64 @@
+"""Where a page names the packages that catkin builds, what else a clone holds is not built."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = "<package><name>{}</name><buildtool_depend>catkin</buildtool_depend>{}</package>"
+MADE = "project({})\nfind_package(catkin REQUIRED)\n"
+LIST = "- git: {local-name: maps, uri: 'https://github.com/lab/maps.git'}\n"
+NEEDS = "<depend>maps_core</depend>"
+FILES = {
+    "demo/package.xml": PACKAGE.format("demo", NEEDS),
+    "demo/CMakeLists.txt": MADE.format("demo"),
+    "demo_msgs/package.xml": PACKAGE.format("demo_msgs", ""),
+    "demo_msgs/CMakeLists.txt": MADE.format("demo_msgs"),
+    "deps.rosinstall": LIST,
+}
+
+
+def page(command: str) -> str:
+    return f"ROS Noetic\n```\nwstool merge demo/deps.rosinstall\n{command}\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("command", "names"),
+    [
+        ("catkin build demo", ("demo", "demo_msgs")),
+        ("catkin build demo --cmake-args -DA=B", ("demo", "demo_msgs")),
+        ("catkin build maps\ncatkin build demo", ("demo", "demo_msgs", "maps")),
+        ("catkin build", ()),
+        ("catkin build elsewhere", ()),
+        ("catkin_make", ()),
+    ],
+)
+def test_the_packages_that_the_page_builds(tree: Tree, command: str, names: tuple[str, ...]) -> None:
+    assert tree(FILES | {"README.md": page(command)}).named == names
+
+
+def test_all_is_built_where_a_launch_file_starts_what_no_manifest_names(tree: Tree) -> None:
+    launch = '<launch><node pkg="{}" type="a" name="a"/></launch>'
+    files = FILES | {"README.md": page("catkin build demo")}
+    assert tree(files | {"demo/launch/a.launch": launch.format("maps_core")}).named == ("demo", "demo_msgs")
+    assert tree(files | {"demo/launch/a.launch": launch.format("maps_viewer")}).named == ()
+
+
+def test_all_is_built_where_nothing_is_cloned(tree: Tree) -> None:
+    files = {name: text.replace(NEEDS, "") for name, text in FILES.items() if name != "deps.rosinstall"}
+    assert tree(files | {"README.md": page("catkin build demo")}).named == ()
+
+
+def test_the_names_come_before_the_arguments_of_cmake(tmp_path: Path) -> None:
+    for path, text in (FILES | {"README.md": page("catkin build demo")}).items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert '--parallel-packages "${jobs}" demo demo_msgs \\\n      --cmake-args' in text
