@@ -10,7 +10,7 @@ from roslab.decide.author_command import entry_point, startable, started
 from roslab.decide.candidate import Candidate, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
-from roslab.decide.first_command import first_of, named_like_it, pointed_at, serves, upkeep
+from roslab.decide.first_command import first_of, named_like_it, pointed_at, serves, upkeep, whole_of
 from roslab.decide.reasons import because, configured
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
@@ -114,6 +114,9 @@ def _obvious(
     if kind in {"ros1", "ros2", "cpp"} and (named := named_like_it(ours)):
         why = f"{named.why}, named like its package or like a demonstration"
         return named.argv, because("command", shlex.join(named.argv), why, named, weight=Weight.ONLY_ONE)
+    if kind in {"ros1", "ros2"} and not any(c.strong for c in ours) and (whole := whole_of(ours, evidence)):
+        why = f"{whole.why}, which brings most of the others"
+        return whole.argv, because("command", shlex.join(whole.argv), why, whole, weight=Weight.ONLY_ONE)
     ours = [c for c in ours if not (c.strong and serves(c))]
     obvious = [c for c in ours if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
     obvious = _barest(obvious if dockerfile or any(c.strong for c in ours) else ours)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate, program_of
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, LaunchFile
 from roslab.values.pattern import pattern
 
 _USAGE = pattern(
@@ -64,6 +64,8 @@ _RUNS = pattern(r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|\.sh$)", re.IGNO
 _SAMPLE = pattern(r"(?:^|/)\.?docs?/")
 """Where a launch file is a sample, often for another package, that the page explains."""
 MANY = 8
+FEWEST = 2
+"""Fewest launch files that the one for the whole brings."""
 _SUFFIX = pattern(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?$")
 
 
@@ -207,3 +209,35 @@ def named_like_it(candidates: Iterable[Candidate]) -> Candidate | None:
     own = [c for stem, package, c in stems if stem == package]
     shown = [c for stem, _, c in stems if stem in _DEMONSTRATION]
     return own[0] if len(own) == 1 else shown[0] if not own and len(shown) == 1 else None
+
+
+def whole_of(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate | None:
+    """Return the launch file that brings most of the others, itself brought by none: it starts the whole.
+
+    It has to bring two or more, and more than any other that nothing brings.
+    """
+    named: dict[str, list[LaunchFile]] = {}
+    for launch in evidence.launch:
+        named.setdefault(launch.file.rpartition("/")[2], []).append(launch)
+    brought = {name for launch in evidence.launch for name in launch.includes if name in named}
+    sizes: list[tuple[int, Candidate]] = []
+    for candidate in candidates:
+        name = candidate.argv[-1].rpartition("/")[2]
+        started = candidate.argv[0] == "roslaunch" or candidate.argv[:2] == ("ros2", "launch")
+        if started and not candidate.strong and name not in brought and len(named.get(name, ())) == 1:
+            sizes.append((len(_below(name, named)), candidate))
+    sizes.sort(key=lambda each: -each[0])
+    alone = sizes and sizes[0][0] >= FEWEST and (len(sizes) == 1 or sizes[1][0] < sizes[0][0])
+    return sizes[0][1] if alone else None
+
+
+def _below(name: str, named: Mapping[str, list[LaunchFile]]) -> set[str]:
+    """Return the names of the launch files of the tree that one of them includes, at any depth."""
+    found: set[str] = set()
+    pending = [name]
+    while pending:
+        for launch in named.get(pending.pop(), ()):
+            new = {each for each in launch.includes if each in named} - found - {name}
+            found |= new
+            pending += sorted(new)
+    return found

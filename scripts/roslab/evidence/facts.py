@@ -198,6 +198,8 @@ class LaunchFile:
     """Number of its tests for rostest."""
     compiled: tuple[tuple[str, str], ...] = ()
     """Of a file with tests: package and program of what it starts that is no file of the tree."""
+    includes: tuple[str, ...] = ()
+    """The names of other files that it names, as it does to include them: ``map.launch``."""
 
 
 Runner = Literal["pytest", "unittest", "launch_test"]

@@ -108,6 +108,29 @@ def test_of_many_launch_files_no_name_tells(tree: Tree) -> None:
     assert tree({**ROS2, **more}).command == ("bash",)
 
 
+@pytest.mark.parametrize(
+    ("parts", "command"),
+    [
+        ({"robot.whole": "map drive", "drive": "wheels", "check": ""}, "robot.whole.launch.py"),
+        ({"whole": "map", "other": "drive", "drive": ""}, ""),
+        ({"whole": "map drive", "other": "map drive", "drive": ""}, ""),
+        ({"whole": "gone map", "drive": ""}, ""),
+    ],
+)
+def test_where_no_page_runs_anything_the_launch_file_that_brings_most_is_run(
+    tree: Tree, parts: dict[str, str], command: str
+) -> None:
+    parts = {"map": "", "wheels": "", **parts}
+    text = "from launch import LaunchDescription\n"
+    launch = {
+        f"launch/{name}.launch.py": text + "".join(f"include('{part}.launch.py')\n" for part in below.split())
+        for name, below in parts.items()
+    }
+    files = {path: text for path, text in ROS2.items() if not path.startswith("launch/")}
+    found = tree({**files, **launch}).command
+    assert found == (("ros2", "launch", "demo", command) if command else ("bash",))
+
+
 CMAKE = "project(Align CXX)\n{more}add_executable(align a.cpp)\nadd_executable(convert b.cpp)\nadd_subdirectory(apps)\n"
 APPS = {"apps/CMakeLists.txt": "add_executable(viewer v.cpp)\n", "a.cpp": "int main() {}\n", "maps/a.yaml": "a: 1\n"}
 

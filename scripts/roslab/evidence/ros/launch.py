@@ -47,6 +47,7 @@ _WORDS: dict[re.Pattern[str], tuple[str, ...]] = {
     _PARAM_PLUGIN: ("base_",),
 }
 """One of them stands in every text that a pattern matches, which is found out faster than by the pattern."""
+_INCLUDED = pattern(r"(?<![\w.-])\w[\w.-]{0,80}(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.(?:py|xml|ya?ml))(?![\w.])")
 _NEW = pattern(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node")
 """Words that only ROS 2 uses in XML launch files."""
 _GUI = pattern(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
@@ -84,6 +85,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 ros=1 if old else 2,
                 dependencies=tuple(_named(text, file, python=python)),
                 gui=bool(_GUI.search(text)),
+                includes=tuple(sorted({*_INCLUDED.findall(text)} - {file.name})),
                 **_tested(text, repository if old else None),
             )
         )
