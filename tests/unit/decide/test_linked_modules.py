@@ -22,6 +22,7 @@ FROM_GIT = ["git+https://github.com/acme/AcmeEngine"]
         ({"README.md": LINK, "run.py": "import numpy\n"}, []),
         ({"README.md": LINK, "run.py": "try:\n    import AcmeEngine\nexcept ImportError:\n    pass\n"}, []),
         ({"README.md": LINK, "AcmeEngine/__init__.py": ""}, []),
+        ({"README.md": LINK, "CMakeLists.txt": "project(Acme_Engine)\nadd_library(e e.cpp)\n"}, []),
         ({"README.md": LINK, "requirements.txt": "AcmeEngine==1.0\n"}, []),
         ({"README.md": "\n", "docs/other.md": LINK}, []),
         ({"README.md": LINK.replace("AcmeEngine", "torch"), "run.py": "import torch\n"}, []),

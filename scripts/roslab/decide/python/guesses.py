@@ -73,13 +73,22 @@ def guesses(
 
 
 def _linked(evidence: Evidence) -> dict[str, Requirement]:
-    """Return the repositories that a page at the root links to or clones: a module of no table may be one's package."""
+    """Return the repositories that a page at the root links to or clones: a module of no table may be one's package.
+
+    One that has the name of a CMake project of the tree is the repository itself, which compiles that module.
+    """
     found: dict[str, Requirement] = {}
+    compiled = {_joined(project.name) for project in evidence.cmake if project.name}
     for git in evidence.sources:
-        if git.kind in {"link", "clone"} and "/" not in git.file and not git.installed:
+        offered = git.kind in {"link", "clone"} and "/" not in git.file and not git.installed
+        if offered and _joined(git.name) not in compiled:
             ref = f"@{git.ref}" if git.ref and re.fullmatch(r"[\w.-]+", git.ref) else ""
             found.setdefault(canonicalize_name(git.name), stated(f"git+{https(git.url)}{ref}", "import"))
     return found
+
+
+def _joined(name: str) -> str:
+    return re.sub(r"[^a-z0-9]", "", name.lower())
 
 
 def _aside(path: str) -> bool:
