@@ -306,3 +306,9 @@ def test_a_library_that_is_only_linked_may_be_compiled_beside_it(tree: Tree) -> 
     assert tree({**SOCKETS, "README.md": "Run `./demo`\n"}).source == ()
     own = SOCKETS["CMakeLists.txt"].replace("add_executable", "add_library(uWS all.cpp)\nadd_executable")
     assert tree({**SOCKETS, "CMakeLists.txt": own, "README.md": PAGE}).source == ()
+
+
+@pytest.mark.parametrize("call", ["add_project_dependency", "ADD_PROJECT_PRIVATE_DEPENDENCY"])
+def test_a_macro_that_finds_a_package_asks_for_it(tree: Tree, call: str) -> None:
+    made = f"project(demo)\n{call}(yaml-cpp 0.5 REQUIRED)\nadd_executable(demo main.cpp)\n"
+    assert "libyaml-cpp-dev" in tree({"CMakeLists.txt": made, "main.cpp": "int main() {}\n"}).apt

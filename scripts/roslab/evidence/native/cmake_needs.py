@@ -13,10 +13,10 @@ from roslab.evidence.lex.cmake import Call
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-CALLS = frozenset(
+_FINDING = frozenset(["find_package", "find_dependency", "add_project_dependency", "add_project_private_dependency"])
+"""``find_package`` and what calls it: https://github.com/jrl-umi3218/jrl-cmakemodules, its package-config.cmake"""
+CALLS = _FINDING | frozenset(
     [
-        "find_package",
-        "find_dependency",
         "pkg_check_modules",
         "pkg_search_module",
         "target_link_libraries",
@@ -94,7 +94,7 @@ class _Finder:
 def needs(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
     """Yield what a call asks for; ``project`` is the name of the project itself."""
     words = call.words
-    if call.name in {"find_package", "find_dependency"}:
+    if call.name in _FINDING:
         yield from _found(call, path, project)
     elif call.name in {"pkg_check_modules", "pkg_search_module"}:
         strength = _strength(call, required="REQUIRED" in words)
