@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from roslab.evidence.lex.lines import first_line, lines_with
+from roslab.evidence.lex.lines import first_line, lines_with, matches_at
 from roslab.knowledge.code_limits import limits
 
 TEXT = "first word\n\nnone\nword, and a second word\nlast: word"
@@ -48,3 +48,12 @@ def test_signs_of_one_line_match_no_line_break() -> None:
     assert signs
     for sign in signs:
         assert not re.search(r"\\s|\\n(?!\])|\\W", sign.pattern.pattern), sign.what
+
+
+def test_a_match_begins_with_a_word_and_ends_before_the_next() -> None:
+    each = re.compile(r"(?:pkg|package)=(\S+)")
+    text = "package=a pkg=package=b a_package=c Pkg=d"
+    assert [match[1] for match in matches_at(each, text, "package", "pkg")] == ["a", "package=b", "c"]
+    assert [match[1] for match in matches_at(each, text, "Pkg")] == []
+    anyhow = re.compile(each.pattern, re.IGNORECASE)
+    assert [match[1] for match in matches_at(anyhow, text, "pkg", place_in=text.lower())] == ["package=b", "d"]

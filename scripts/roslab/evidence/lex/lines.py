@@ -1,4 +1,4 @@
-"""Looking for what stands on one line, in long texts: only lines with a certain word are tried."""
+"""Looking for patterns in long texts: they are tried only where a certain word stands, or on the lines with it."""
 
 from __future__ import annotations
 
@@ -29,3 +29,22 @@ def matching_lines(each: re.Pattern[str], text: str, *words: str) -> Iterator[re
 def first_line(each: re.Pattern[str], text: str, *words: str) -> re.Match[str] | None:
     """Return the first of these matches."""
     return next(matching_lines(each, text, *words), None)
+
+
+def matches_at(each: re.Pattern[str], text: str, *words: str, place_in: str | None = None) -> Iterator[re.Match[str]]:
+    """Yield the matches of a pattern in a text; each begins with one of the words.
+
+    The words are looked for in ``place_in``, which has the places of the text: the same in lower case.
+    """
+    end = 0
+    for place in sorted({place for word in words for place in _places(text if place_in is None else place_in, word)}):
+        if place >= end and (match := each.match(text, place)):
+            end = match.end()
+            yield match
+
+
+def _places(text: str, word: str) -> Iterator[int]:
+    place = text.find(word)
+    while place >= 0:
+        yield place
+        place = text.find(word, place + 1)

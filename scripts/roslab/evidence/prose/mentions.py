@@ -8,6 +8,7 @@ from functools import cache
 from typing import Literal
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.lines import matches_at
 from roslab.knowledge.distros import english_words, ever, ubuntus
 from roslab.values.pattern import pattern
 
@@ -78,7 +79,7 @@ def read(
     """Yield the versions that a text names, with the line each stands on; ``first`` is the number of its first line."""
     lowered = text.lower()
     for topic, words, each in _patterns():
-        if not any(word in lowered for word in words):
+        if topic != "distro" and not any(word in lowered for word in words):
             continue  # most texts name few of them, and each pattern has to be compiled
         position, line, found = 0, first, 0
         for match in _matches(each, words, text, lowered) if topic == "distro" else each.finditer(text):
@@ -105,20 +106,10 @@ def read(
 
 
 def _matches(each: re.Pattern[str], words: Iterable[str], text: str, lowered: str) -> Iterator[re.Match[str]]:
-    """Yield the matches of a pattern that begins with one of the words, which are found faster than it is."""
+    """Yield the matches of a pattern that begins with one of the words."""
     if len(lowered) != len(text):
-        yield from each.finditer(text)  # a letter became two, so that a place in one is none in the other
-        return
-    for place in sorted(place for word in words for place in _places(word, lowered)):
-        if match := each.match(text, place):
-            yield match
-
-
-def _places(word: str, text: str) -> Iterator[int]:
-    place = text.find(word)
-    while place >= 0:
-        yield place
-        place = text.find(word, place + 1)
+        return each.finditer(text)  # a letter became two, so that a place in one is none in the other
+    return matches_at(each, text, *words, place_in=lowered)
 
 
 def _introduced(text: str, start: int, context: str) -> str:

@@ -13,6 +13,7 @@ from typing import Literal, TypedDict
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.facts import LaunchFile
+from roslab.evidence.lex.lines import matches_at, matching_lines
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -40,13 +41,14 @@ _PLUGIN = pattern(
 _PARAM_PLUGIN = pattern(rf"name=\"base_(?:local|global)_planner\"\s+value=\"({_PACKAGE})/[A-Z]")
 _WORDS: dict[re.Pattern[str], tuple[str, ...]] = {
     _ATTRIBUTE: ("pkg",),
-    _FIND: ("find", "package://"),
-    _PYTHON_PACKAGE: ("package", "Package", "pkg", "ros2"),
+    _FIND: ("$(", "package://"),
+    _PYTHON_PACKAGE: ("FindPackage", "get_package_", "package", "node_package", "pkg", "ros2"),
     _NODELET: ("load",),
-    _PLUGIN: ("plugin", "type", "planner", "class"),
-    _PARAM_PLUGIN: ("base_",),
+    _PARAM_PLUGIN: ('name="base_',),
 }
-"""One of them stands in every text that a pattern matches, which is found out faster than by the pattern."""
+"""What every match of a pattern begins with, one of them."""
+_PLUGINS = ("plugin", "type", "planner", "class")
+"""What stands on every line that ``_PLUGIN`` matches."""
 _INCLUDED = pattern(r"(?<![\w.-])\w[\w.-]{0,80}(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.(?:py|xml|ya?ml))(?![\w.])")
 _NEW = pattern(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node")
 """Words that only ROS 2 uses in XML launch files."""
@@ -164,9 +166,8 @@ def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
 
 def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> Iterator[Dependency]:
     for each in patterns:
-        if not any(word in text for word in _WORDS[each]):
-            continue
-        for match in each.finditer(text):
+        line_by_line = each is _PLUGIN
+        for match in matching_lines(each, text, *_PLUGINS) if line_by_line else matches_at(each, text, *_WORDS[each]):
             name = next(group for group in match.groups() if group)
             if name not in _NO_PACKAGE:
                 line = text.count("\n", 0, match.start()) + 1
