@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import secrets
 import stat
 from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
@@ -248,6 +247,8 @@ def _kept(path: Path) -> Path | None:
 
 
 def _temporary(path: Path) -> Path:
+    import secrets  # noqa: PLC0415 - slow to import, and a plan writes nothing
+
     return path.with_name(f".roslab-{secrets.token_hex(8)}")
 
 

@@ -69,19 +69,13 @@ def _read(text: str) -> Requirement | None:
         extras = tuple(sorted({each.strip() for each in (plain[2] or "").split(",")} - {""}))
         written, allowed = re.sub(r"\s+", "", text), specifiers(plain[3])
         return _NOWHERE(name=plain[1], written=written, specifier=allowed or FREE, extras=extras)
-    from packaging.requirements import InvalidRequirement  # noqa: PLC0415 - slow to import
-    from packaging.requirements import Requirement as Parsed  # noqa: PLC0415
-
     editable = _EDITABLE.match(text)
     role: Role = "editable" if editable else ""
     text = _PER_LINE.sub("", editable[1] if editable else text).strip()
     if text[:1] in {'"', "'"} and text[-1:] == text[:1] and len(text) > 2:
         text, role = text[1:-1].strip(), role or "repaired"
     text = text.rstrip(",")
-    try:
-        parsed = None if role == "editable" and _PATH.fullmatch(text) else Parsed(text)
-    except InvalidRequirement:
-        parsed = None
+    parsed = None if role == "editable" and _PATH.fullmatch(text) else _parsed(text)
     if parsed is not None and not (parsed.url or "").startswith("file:"):
         return _standard(parsed, text, role)
     requirement, marker, spelled = _marked(text)
@@ -93,6 +87,20 @@ def _read(text: str) -> Requirement | None:
     if found is None:
         return None
     return replace(found, marker=marker, role=found.role or role or ("" if spelled else "repaired"))
+
+
+def _parsed(text: str) -> Parsed | None:
+    """Return what ``packaging`` reads, ``None`` for what it cannot: addresses and paths alone are told at once."""
+    address = _URL.match(text) and ";" not in text and not text.startswith("git@")
+    if address or text.startswith((".", "/")):
+        return None
+    from packaging.requirements import InvalidRequirement  # noqa: PLC0415 - slow to import
+    from packaging.requirements import Requirement as Parsed  # noqa: PLC0415
+
+    try:
+        return Parsed(text)
+    except InvalidRequirement:
+        return None
 
 
 def _standard(parsed: Parsed, text: str, role: Role) -> Requirement:
@@ -116,12 +124,14 @@ def _standard(parsed: Parsed, text: str, role: Role) -> Requirement:
 
 def _marked(text: str) -> tuple[str, Marker | None, bool]:
     """Split a line at its marker (a semicolon in a URL is no marker) and tell whether pip can read the marker."""
-    from packaging.markers import InvalidMarker, Marker  # noqa: PLC0415 - slow to import
-
     before = text.partition(" ;")[0].strip()
     requirement, _, condition = text.partition(" ;" if _URL.match(before) else ";")
+    if not condition.strip():
+        return requirement.strip(), None, True
+    from packaging.markers import InvalidMarker, Marker  # noqa: PLC0415 - slow to import
+
     try:
-        return requirement.strip(), Marker(condition) if condition.strip() else None, True
+        return requirement.strip(), Marker(condition), True
     except InvalidMarker:
         return requirement.strip(), None, False
 
