@@ -20,7 +20,7 @@ https://github.com/pypa/manylinux#readme (pip 8.1 is the first)"""
 
 def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     """Return, for each Ubuntu, what the code asks for and the Ubuntu does not have: ``PCL 1.9``, ``CMake 3.1``."""
-    ros = bool(packages_of(evidence).built)
+    ros, asked = bool(packages_of(evidence).built), tuple(_asked(evidence))
     found: dict[str, dict[str, None]] = {ubuntu: {} for ubuntu in ubuntus().values()}
     for ubuntu, lacks in found.items():
         for limit in evidence.limits:
@@ -32,7 +32,7 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
         cmake = cmake_of_ubuntu()[ubuntu]
         if needs_newer_cmake(evidence, ubuntu, cmake):
             lacks[f"CMake {needs_newer_cmake(evidence, ubuntu, cmake)}"] = None
-        for name, version, place in _asked(evidence):
+        for name, version, place in asked:
             if not satisfies(name, ubuntu, version, ros=ros) and not _compiled(name, evidence):
                 lacks[f"{name} {version} ({place})"] = None
     return {ubuntu: tuple(lacks) for ubuntu, lacks in found.items() if lacks}
