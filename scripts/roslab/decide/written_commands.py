@@ -33,6 +33,8 @@ _NAMED_VALUE = pattern(r"([\w-]+) \1[_-](?:name|id|path|dir|folder|file)", re.IG
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
 """Fewest words of a command that starts something."""
 _LAUNCH = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
+_BESIDE = pattern(r"\./[\w.+-]+")
+_ABOVE = pattern(r"^(--?[\w-]+=)?(?:\.\./)+(?=[\w-])")
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 """Files that serve a project without being its purpose."""
 
@@ -219,6 +221,8 @@ def _built(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
     name = argv[0].rpartition("/")[2]
     if name not in tree.compiled:
         return None
+    if tree.kind == "cpp" and _BESIDE.fullmatch(argv[0]):  # the page is in its build folder, the image at the root
+        argv = (argv[0], *(_ABOVE.sub(r"\1", word) for word in argv[1:]))
     if not (package := tree.compiled[name]) or argv[0].endswith(f"install/{package}/bin/{name}"):
         return (name, *argv[1:])
     return ("rosrun", package, name, *argv[1:]) if tree.kind == "ros1" else ("ros2", "run", package, name, *argv[1:])
