@@ -238,6 +238,10 @@ def test_what_must_be_there_first(tmp_path: Path) -> None:
     assert decide(tmp_path, files).first == ("torch==2.0.1", "packaging", "ninja", "numpy")
 
 
+def test_what_stops_without_another_package_gets_that_first(tmp_path: Path) -> None:
+    assert decide(tmp_path, {"requirements.txt": "vtk==9.1.0\nmayavi\n"}).first == ("numpy", "vtk==9.1.0")
+
+
 def test_wheels_bring_their_system_packages(tmp_path: Path) -> None:
     evidence = evidence_of(tmp_path, {"requirements.txt": "opencv-python\nmatplotlib\n"})
     python = chosen(evidence, Config(), "python")
