@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 
+from roslab.evidence.lex.lines import matches_at
 from roslab.knowledge.unread import unread
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -31,7 +32,7 @@ def names(repository: Repository) -> tuple[str, ...]:
         *repository.suffixed(".cmake"),
     )
     texts = [repository.read(file) for file in files]
-    if any(_EVERYTHING.search(text) for text in texts):
+    if any(any(matches_at(_EVERYTHING, text, "DIRECTORY", "GLOB_RECURSE")) for text in texts):
         return ()
     lowered = [text.lower() for text in texts]
     return tuple(name for name in found if not any(_named(name.lower(), text) for text in lowered))[:MOST]

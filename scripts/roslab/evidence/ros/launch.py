@@ -13,7 +13,7 @@ from typing import Literal, TypedDict
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.facts import LaunchFile
-from roslab.evidence.lex.lines import matches_at, matching_lines
+from roslab.evidence.lex.lines import lines_with, matches_at, matching_lines
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -53,6 +53,8 @@ _INCLUDED = pattern(r"(?<![\w.-])\w[\w.-]{0,80}(?:\.launch(?:\.(?:py|xml|ya?ml))
 _NEW = pattern(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node")
 """Words that only ROS 2 uses in XML launch files."""
 _GUI = pattern(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
+_VIEWERS = ("rviz", "rqt", "gzclient", "gzweb", "plotjuggler", "image_view", "foxglove_studio")
+"""What its matches begin with."""
 _COMMENT = {"xml": pattern(r"<!--.*?-->", re.DOTALL), "hash": pattern(r"^[ \t]*#.*$", re.MULTILINE)}
 _NAME = pattern(r"<name>\s*([\w-]+)\s*</name>")
 NEAR = 300
@@ -86,8 +88,8 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 package=_owner(file.folder, packages),
                 ros=1 if old else 2,
                 dependencies=tuple(_named(text, file, python=python)),
-                gui=bool(_GUI.search(text)),
-                includes=tuple(sorted({*_INCLUDED.findall(text)} - {file.name})),
+                gui=any(matches_at(_GUI, text, *_VIEWERS)),
+                includes=tuple(sorted({*_included(text)} - {file.name})),
                 **_tested(text, repository if old else None),
             )
         )
@@ -149,6 +151,13 @@ def _candidates(repository: Repository) -> list[File]:
 
 def _nearest(files: Iterable[File]) -> list[File]:
     return sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]
+
+
+def _included(text: str) -> Iterator[str]:
+    """Yield the names of launch files on the lines that have one."""
+    for start in lines_with(text, ".launch", "_launch."):
+        end = text.find("\n", start)
+        yield from _INCLUDED.findall(text, start, end if end >= 0 else len(text))
 
 
 def _uncommented(text: str, kind: Literal["xml", "hash"]) -> str:
