@@ -48,3 +48,13 @@ def test_what_a_page_holds_back(tree: Tree, declared: str, page: str, guessed: l
 def test_a_package_that_ended_needs_a_python_of_its_time(tree: Tree, files: dict[str, str], version: str) -> None:
     code = {"run.py": "name = f'{1}'\nimport numpy\n"}
     assert tree(code | files).python.version == version
+
+
+@pytest.mark.parametrize(
+    ("declared", "guessed"),
+    [("tensorflow-datasets\ntensorflow_hub\n", ["tensorflow==2.15.0"]), ("tensorflow-cpu\n", [])],
+)
+def test_what_is_named_after_tensorflow_does_not_bring_it(tree: Tree, declared: str, guessed: list[str]) -> None:
+    page = "```\npip install tensorflow==2.15.0\npip install -r requirements.txt\n```\n"
+    files = {"run.py": "import tensorflow as tf\n", "requirements.txt": declared, "README.md": page}
+    assert [each.written for each in tree(files).python.pip_guessed] == guessed

@@ -21,6 +21,10 @@ from roslab.values.requirement_line import stated
 
 _FOR_DEVELOPERS = pattern(r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|(?:bitbucket|azure)-pipelines\.|docs?\d?/)")
 _FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
+_TENSORFLOW = frozenset(
+    {f"tensorflow-{build}" for build in ("gpu", "cpu", "rocm", "macos", "intel", "aarch64")} | {"tf-nightly"}
+)
+"""Other builds of TensorFlow; ``tensorflow-datasets`` and the like are none, and most do not ask for it."""
 _BESIDE = frozenset({"torchvision", "torchaudio", "jaxlib"})
 _NONE: frozenset[str] = frozenset()
 MAX_GUESSES = 40
@@ -128,4 +132,4 @@ def known_names(
             asked += [*environment.requirements, *of_conda(environment)]
     known = {each.key for each in asked if ANY.may(each)}
     known |= {canonicalize_name(project.name) for project in evidence.python if project.name}
-    return known | {"tensorflow" for name in known if name.startswith("tensorflow-")}
+    return known | {"tensorflow" for name in known if name in _TENSORFLOW}
