@@ -75,10 +75,26 @@ def _aside(path: str) -> bool:
 
 
 def _compiled(evidence: Evidence) -> Iterator[Candidate]:
-    """Yield the programs of the top-level CMake project; the folders that hold them are on the image's PATH."""
+    """Yield the programs of the top-level CMake project; the folders that hold them are on the image's PATH.
+
+    Not those that wait for an option that is off, and no examples that wait for one, unless a page at the root sets it.
+    """
+    left_out = set(_left_out(evidence))
     for program in programs_of(evidence):
+        if (program.file, program.name) in left_out:
+            continue
         why = "a program that CMake compiles"
         yield Candidate(argv=(program.name,), why=why, file=program.file, line=program.line, strong=False)
+
+
+def _left_out(evidence: Evidence) -> Iterator[tuple[str, str]]:
+    """Yield the programs that wait for an option, each with its file, which nobody sets."""
+    given = " ".join(m.text for m in evidence.mentions if m.topic == "compiled" and "/" not in m.file)
+    for project in evidence.cmake:
+        for name, variable in project.optional:
+            off = variable.startswith("OFF ") or places.example(project.file)
+            if off and f"-D{variable.removeprefix('OFF ')}" not in given:
+                yield project.file, name
 
 
 def _installed(evidence: Evidence) -> Iterator[Candidate]:

@@ -61,6 +61,8 @@ class CMakeProject:
     """None of the files of code that its programs name is there: it cannot be built by itself."""
     guards: tuple[tuple[str, str], ...] = ()
     """Programs that are built only where a package was found, each with the package's name in lower case."""
+    optional: tuple[tuple[str, str], ...] = ()
+    """Programs that are built only where a variable is set, each with it; ``OFF NAME`` for an option that is not."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -179,6 +179,28 @@ def test_the_folders_of_compiled_programs(tree: Tree, more: str, folders: tuple[
     assert tree({**APPS, "CMakeLists.txt": CMAKE.format(more=more)}).program_folders == folders
 
 
+@pytest.mark.parametrize(
+    ("file", "text", "page", "command"),
+    [
+        ("", "option(DEMO 'a demo' OFF)\nif(DEMO)\n{}endif()\n", "", "bash"),
+        ("", "option(DEMO 'a demo' OFF)\nif(DEMO)\n{}endif()\n", "cmake -DDEMO=ON ..", "show"),
+        ("", "option(DEMO 'a demo' ON)\nif(DEMO)\n{}endif()\n", "", "show"),
+        ("examples/", "if(WITH_MAPS)\n{}endif()\n", "", "bash"),
+        ("examples/", "if(WITH_MAPS)\n{}endif()\n", "cmake -DWITH_MAPS=ON ..", "show"),
+        ("examples/", "if(UNIX)\n{}endif()\n", "", "show"),
+        ("apps/", "if(WITH_MAPS)\n{}endif()\n", "", "show"),
+    ],
+)
+def test_a_program_that_an_option_leaves_out_is_not_the_obvious_one(
+    tree: Tree, file: str, text: str, page: str, command: str
+) -> None:
+    made = text.replace("'", '"').format("add_executable(show show.cpp)\n")
+    files = {"CMakeLists.txt": "project(x CXX)\nadd_library(x x.cpp)\nadd_subdirectory(examples)\n", "x.cpp": ""}
+    files[f"{file}CMakeLists.txt"] = (files["CMakeLists.txt"] if not file else "") + made
+    readme = {"README.md": f"```\ncd build\n{page}\n```\n" if page else "A library.\n"}
+    assert tree({**files, **readme, f"{file}show.cpp": "int main() {}\n"}).command == (command,)
+
+
 def test_a_program_has_the_name_of_its_file(tree: Tree) -> None:
     files = {
         "CMakeLists.txt": "project(x CXX)\nadd_executable(a a.cpp)\n"

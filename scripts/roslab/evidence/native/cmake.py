@@ -71,6 +71,7 @@ _OUTPUT = pattern(
 _MODULE = pattern(r"^(?:Find([\w.+-]+)|([\w.+-]+?)-?[cC]onfig)\.cmake(?:\.in)?$")
 _TARGET = pattern(r"[A-Za-z][\w.+-]*$")
 _CODE = pattern(r"\w[\w./+-]*\.(?:c|cc|cpp|cxx|cu)$")
+_SWITCH = pattern(r"(?:OFF )?(?!UNIX$|LINUX$|WIN32$|MSVC$|APPLE$)[A-Za-z]\w*(?<!_FOUND)")
 _WHERE_FOUND = pattern(r"(?<!NOT )\b(?:(\w+)_FOUND\b|TARGET (\w+)::)")
 _OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Google")
 """How names of CMake's own modules begin."""
@@ -86,6 +87,7 @@ class _Reading:
     macros: dict[str, None] = field(default_factory=dict)
     executables: dict[str, int] = field(default_factory=dict)
     guards: dict[tuple[str, str], None] = field(default_factory=dict)
+    optional: dict[tuple[str, str], None] = field(default_factory=dict)
     outputs: dict[str, str] = field(default_factory=dict)
     """File names of targets that differ from the target's name."""
     tests: bool = False
@@ -163,6 +165,7 @@ def _project(repository: Repository, file: File, added: set[str]) -> CMakeProjec
         programs_in=reading.programs_in,
         linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
         guards=tuple((reading.outputs.get(name, name), package) for name, package in reading.guards),
+        optional=tuple((reading.outputs.get(name, name), variable) for name, variable in reading.optional),
         lacks=bool(reading.named) and not any(repository.has(_joined(file.folder, name)) for name in reading.named),
     )
 
@@ -211,6 +214,7 @@ def _program(call: Call, reading: _Reading) -> None:
     reading.executables.setdefault(name, call.line)
     reading.named.update(word for word in files if _CODE.match(word))
     for condition in call.conditions:
+        reading.optional |= {(name, condition): None} if _SWITCH.fullmatch(condition) else {}
         found = _WHERE_FOUND.finditer(condition) if not condition.startswith("NOT (") else ()
         reading.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
 
