@@ -31,3 +31,18 @@ def test_a_name_is_a_whole_word_and_anything_else_a_part(cell: str, text: str, f
 def test_every_call_of_a_row_has_a_hint() -> None:
     assert shown("o3d.draw_geometries([cloud])") == {"open3d": 4}
     assert shown("cv::imshow(name, image);", "c++") == {"opencv": 0}
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("cv2.imshow('a', b)", {"opencv": 0}),
+        ("cv.imshow('a', b)", {"opencv": 0}),
+        ("mycv2.imshow('a', b)", {}),
+        ("open3d.visualization.draw(x)", {"open3d": 7}),
+        ("myvisualization.draw(x)", {}),
+        ("plt.show()", {"matplotlib": 0}),
+    ],
+)
+def test_a_call_begins_with_a_whole_name(text: str, found: dict[str, int]) -> None:
+    assert shown(text) == found
