@@ -221,7 +221,7 @@ def test_the_display_goes_away_with_the_program(lab: Laboratory, tmp_path: Path,
     finally:  # nobody can clean up who was killed: his container lives on
         docker = lab_docker(lab)
         candidate = f"window:roslab-candidate-{process.pid}-linux-amd64"
-        for container in docker("ps", "--quiet", "--filter", f"ancestor={candidate}").split():
+        for container in docker("ps", "--all", "--quiet", "--filter", f"ancestor={candidate}").split():
             docker("rm", "--force", container)
         docker("image", "rm", "--force", candidate)
 
