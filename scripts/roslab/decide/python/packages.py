@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.config.model import Config, Kind
+from roslab.decide.python.extras import extras
 from roslab.decide.python.guesses import guesses, known_names, loose_names
 from roslab.decide.python.manifests import conda_file, projects, requirement_files
 from roslab.decide.python.pins import DEVELOPMENT, Pin
@@ -34,10 +35,12 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     known = known_names(evidence, files, folders, conda)
     ros = kind in {"ros1", "ros2"}
     loose = frozenset() if ros or conda else loose_names(evidence, files, folders)
+    more = tuple(each for each in extras(evidence, folders, files) if each.key not in known)
+    known |= {each.key for each in more}
     return Chosen(
         files=files,
         projects=folders,
-        guessed=guesses(evidence, pins, ros=ros, manifests=manifests, known=known, loose=loose),
+        guessed=(*more, *guesses(evidence, pins, ros=ros, manifests=manifests, known=known, loose=loose)),
         options=tuple(dict.fromkeys(_options(evidence))),
         conda=conda,
     )

@@ -1,0 +1,72 @@
+"""The extras with which a page has pip install the repository's own projects: ``pip install -e ".[sim]"``."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable, Sequence, Set
+
+from roslab.decide.python.pins import DEVELOPMENT
+from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
+from roslab.values.dataclass import replace
+from roslab.values.name import canonicalize_name
+from roslab.values.pattern import pattern
+from roslab.values.requirement import Requirement
+
+_WRITTEN = pattern(r"([^\[\]]*)\[([\w\s,.-]+)\]")
+_DEVELOPERS = pattern(
+    r"(?:^|[-_.])(?:dev\w*|tests?|testing|docs?|documentation|lint\w*|format\w*|style|build|release|ci|typing)(?:[-_.]|$)"
+)
+"""Extras for those who work on the project itself."""
+
+
+def extras(
+    evidence: Evidence, projects: Sequence[PythonProject], files: Iterable[RequirementFile]
+) -> tuple[Requirement, ...]:
+    """Return what the extras of the first line that installs each project ask for, each package once.
+
+    A later line with other extras is a variant, or for some readers only.
+    """
+    lines = [each for each in evidence.prose_pip if each.file.count("/") <= 1 and not DEVELOPMENT.search(each.file)]
+    lines += [each for file in files for each in file.requirements]
+    elsewhere = {(each.file, each.line) for each in lines if each.vcs}  # it is the folder of a clone
+    folders = {project.folder for project in projects}
+    first: dict[str, tuple[str, ...]] = {}
+    for asked in lines:
+        folder = _folder(asked, folders) if asked.role == "project" else None
+        if folder is not None and (asked.file, asked.line) not in elsewhere:
+            match = _WRITTEN.fullmatch(asked.written)
+            first.setdefault(folder, tuple(name.strip() for name in match[2].split(",")) if match else ())
+    found: dict[str, Requirement] = {}
+    for project in projects:
+        for asked in _of(project, first.get(project.folder, ())):
+            found.setdefault(asked.key, asked)
+    return tuple(found.values())
+
+
+def _folder(asked: Requirement, known: Set[str]) -> str | None:
+    """Return the project's folder that a line installs; ``cd REPOSITORY`` before it goes to the root."""
+    written = posixpath.normpath(asked.written.partition("[")[0] or ".")
+    parts = [part for part in written.split("/") if part not in {"", ".", "..", "~"}]
+    tails = ["/".join(parts[start:]) for start in range(len(parts))]
+    found = next((tail for tail in tails if tail in known), None)
+    return found if found or len(parts) > 1 else ""
+
+
+def _of(project: PythonProject, names: Iterable[str]) -> list[Requirement]:
+    """Return what extras of a project ask for; one may name others of the same project: ``all = ["demo[sim,gui]"]``."""
+    own = canonicalize_name(project.name) if project.name else ""
+    found: list[Requirement] = []
+    pending = [canonicalize_name(name) for name in names if not _DEVELOPERS.search(name.lower())]
+    done: set[str] = set()
+    while pending:
+        name = pending.pop(0)
+        done.add(name)
+        for asked in project.requirements:
+            if asked.role != "extra" or canonicalize_name(asked.group) != name:
+                continue
+            if asked.key == own:
+                more = map(canonicalize_name, asked.extras)
+                pending += [each for each in more if each not in done and not _DEVELOPERS.search(each)]
+            else:
+                found.append(replace(asked, role="", group=""))
+    return found

@@ -1,0 +1,42 @@
+"""The extras with which the first line of a page installs the repository's own project come with it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+OWN = (
+    "[project]\nname='demo'\nversion='1'\ndependencies=['numpy']\n[project.optional-dependencies]\n"
+    "sim=['mujoco==3.1.0', 'numpy']\ngui=['viser']\nall=['demo[sim,gui,dev]']\ndev=['pytest-cov']\n"
+)
+SIM, GUI = "mujoco==3.1.0", "viser"
+
+
+@pytest.mark.parametrize(
+    ("page", "more"),
+    [
+        ('pip install -e ".[sim]"', [SIM]),
+        ("pip install .[sim,gui]", [SIM, GUI]),
+        ('pip install -e ".[all]"', [SIM, GUI]),
+        ("cd demo\npip install -e .[sim,dev]", [SIM]),
+        ("pip install -e .\npip install -e .[sim]", []),  # for some readers
+        ("pip install -e .[dev]", []),
+        ("pip install other[sim]", []),
+        (
+            "git clone https://github.com/lab/other\ncd other\npip install -e .[sim]\ncd ..\npip install -e .[gui]",
+            [GUI],
+        ),
+        ("pip install -r requirements.txt", [GUI]),
+    ],
+)
+def test_extras_of_the_first_line_are_installed(tree: Tree, page: str, more: list[str]) -> None:
+    files = {"pyproject.toml": OWN, "demo/__init__.py": "", "README.md": f"# Install\n```\n{page}\n```\n"}
+    if "requirements" in page:
+        files["requirements.txt"] = "-e .[gui]\n"
+    python = tree(files).python
+    assert python.projects == (".",)
+    assert {each.written for each in python.pip_guessed if each.key in {"mujoco", "viser", "pytest-cov"}} == {*more}
