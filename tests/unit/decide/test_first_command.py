@@ -274,6 +274,11 @@ def test_a_page_below_the_root_runs_a_script_without_a_guard_that_lies_beside_it
     assert tree({**files, **page, "requirements.txt": "numpy\n"}).command == ("python", "python/show.py")
 
 
+def test_a_launch_file_beside_the_page_that_starts_it_keeps_its_name(tree: Tree) -> None:
+    page = {"launch/README.md": "```\nros2 launch demo map.launch.py\n```\n"}
+    assert tree({**ROS2, **page}).command == ("ros2", "launch", "demo", "map.launch.py")
+
+
 def test_the_program_of_a_package_without_launch_files_is_run(tree: Tree) -> None:
     files = {name: text for name, text in ROS2.items() if not name.startswith("launch")}
     assert tree(files).command == ("ros2", "run", "demo", "talker")

@@ -143,7 +143,10 @@ def _with_files(mention: Mention, repository: Repository) -> Mention:
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = _only(path, repository) or path
-        if folder and path.endswith((".py", ".sh")) and not repository.has(path) and repository.has(f"{folder}/{path}"):
+        beside = (
+            folder and path.endswith((".py", ".sh")) and (index == 0 or words[0].startswith(("python", "bash", "sh")))
+        )
+        if beside and not repository.has(path) and repository.has(f"{folder}/{path}"):
             path = f"{folder}/{path}"  # a page below the root starts what lies beside it
         if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):
             words[index] = path
