@@ -104,11 +104,12 @@ def _explains(candidate: Candidate) -> bool:
     return any(map(_HELP.match, candidate.argv))
 
 
-def _order(candidate: Candidate, page: int) -> tuple[bool, bool, bool, int, int, int, int]:
+def _order(candidate: Candidate, page: int) -> tuple[bool, bool, bool, bool, int, int, int, int]:
     """Return the place of a command in the order, ``page`` that of its page; equal ones keep theirs."""
     python = candidate.argv[0].startswith("python") or candidate.installed
     return (
         bool(_CLOUD.search(candidate.heading)),
+        candidate.argv[0] == "jupyter",  # of a page that runs programs, too, notebooks explain them
         candidate.cut and not python,
         _lacks(candidate) and not python,
         candidate.file.count("/"),

@@ -35,6 +35,8 @@ _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
 _LAUNCH = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
 _BESIDE = pattern(r"\./[\w.+-]+")
 _ABOVE = pattern(r"^(--?[\w-]+=)?(?:\.\./)+(?=[\w-])")
+NOTEBOOK = ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser")
+"""Reachable from outside of a container, which has no browser."""
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 """Files that serve a project without being its purpose."""
 
@@ -165,7 +167,7 @@ def _runnable(
         return _of_ros(argv, tree) if ros else None
     if not argv[0].startswith("python"):
         installed = argv if argv[0] in tree.installed and not ros else None
-        return (_built(argv, tree) if ros or compiled else None) or installed or _shell(argv, mention, compiled)
+        return (_built(argv, tree) if ros or compiled else None) or installed or _shell(argv, mention, ros, compiled)
     named = (file for file in mention.files if file.endswith(".py"))  # a script needs no guard to be run
     here = _here(argv, tuple(dict.fromkeys((*tree.programs, *named))), mention.file.rpartition("/")[0])
     if here is None or (compiled and _tests(here)):
@@ -184,8 +186,14 @@ def _task(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...]:
     return (*words, *argv[3:]) if words else argv
 
 
-def _shell(argv: tuple[str, ...], mention: Mention, compiled: bool) -> tuple[str, ...] | None:
-    """Return the call of a shell script of the tree, which is none of compiled code's: ``sh run.sh``, ``./run.sh``."""
+def _shell(argv: tuple[str, ...], mention: Mention, ros: bool, compiled: bool) -> tuple[str, ...] | None:
+    """Return the call of a shell script of the tree (``sh run.sh``, ``./run.sh``), which is none of compiled code's.
+
+    So it does of a notebook, which is none of a workspace's either.
+    """
+    if argv[0].startswith("jupyter"):
+        notebooks = [file for file in mention.files if file.endswith(".ipynb")]
+        return (*NOTEBOOK, notebooks[0]) if notebooks and not (ros or compiled) else None
     script = argv[1:] if argv[0] in {"bash", "sh"} else argv
     known = bool(script) and not compiled and script[0] in mention.files and script[0].endswith(".sh")
     return ("bash", *script) if known else None

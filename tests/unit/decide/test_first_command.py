@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
 
 Tree = Callable[[dict[str, str]], Decision]
 PACKAGE = "<package><name>demo</name><buildtool_depend>{tool}</buildtool_depend></package>"
@@ -272,6 +274,40 @@ def test_a_page_below_the_root_runs_a_script_without_a_guard_that_lies_beside_it
     files = dict.fromkeys(("python/show.py", "python/other.py", "matlab/show.py"), "import numpy\n")
     page = {"python/README.md": "```\npython show.py /path/to/data\n```\n", "README.md": "Our data.\n"}
     assert tree({**files, **page, "requirements.txt": "numpy\n"}).command == ("python", "python/show.py")
+
+
+NOTEBOOK = '{"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 4}'
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("```\njupyter notebook demo.ipynb\n```\n", "jupyter notebook --ip=0.0.0.0 --no-browser demo.ipynb"),
+        ("Run `jupyter lab nb/more.ipynb` then.\n", "jupyter notebook --ip=0.0.0.0 --no-browser nb/more.ipynb"),
+        ("```\njupyter notebook demo.ipynb\npython train.py --fast\n```\n", "python train.py --fast"),
+        ("```\njupyter notebook\n```\n", "bash"),
+        ("```\njupyter notebook gone.ipynb\n```\n", "bash"),
+    ],
+)
+def test_a_notebook_that_the_page_opens_is_served(tree: Tree, page: str, command: str) -> None:
+    files = {
+        "demo.ipynb": NOTEBOOK,
+        "nb/more.ipynb": NOTEBOOK,
+        "train.py": "import numpy\n",
+        "requirements.txt": "numpy\n",
+    }
+    decision = tree({**files, "README.md": f"# Run\n{page}"})
+    assert " ".join(decision.command) == command
+    assert any(each.key == "notebook" for each in decision.python.pip_guessed) == (
+        ".ipynb" in page and "gone" not in page
+    )
+
+
+def test_the_port_of_a_notebook_is_open_to_this_machine(tmp_path: Path) -> None:
+    (tmp_path / "demo.ipynb").write_text(NOTEBOOK, encoding="utf-8")
+    (tmp_path / "requirements.txt").write_text("numpy\n", encoding="utf-8")
+    (tmp_path / "README.md").write_text("```\njupyter notebook demo.ipynb\n```\n", encoding="utf-8")
+    assert plan_repository(tmp_path).plan.run.ports == ("8888",)
 
 
 def test_a_launch_file_beside_the_page_that_starts_it_keeps_its_name(tree: Tree) -> None:

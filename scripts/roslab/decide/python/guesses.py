@@ -53,6 +53,9 @@ def guesses(
         ):
             continue
         found.setdefault(pin.name, pin.requirement)
+    opened = (m for m in evidence.mentions if m.topic == "command" and m.value.startswith("jupyter") and m.files)
+    if (first := next(opened, None)) and not {"jupyter", "jupyterlab", "notebook"} & {*known, *found}:
+        found["notebook"] = stated("notebook", "prose", first.file, first.line)
     tools = tooling("installers") | tooling("developers")
     heavy = bool(known & {"torch", "tensorflow", "jax"})
     offered = _linked(evidence)

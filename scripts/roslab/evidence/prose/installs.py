@@ -39,6 +39,7 @@ _IN_BUILD = pattern(r"[^/]/build[\w-]*/?$")
 _BUILT = pattern(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
 """The path of a compiled program."""
 _STARTS = pattern(
+    rf"jupyter[ -](?:notebook|lab)\b|"
     rf"(?:{_BUILT.pattern.removesuffix('$')}(?=\s|$))|(?:ba)?sh \S+\.sh$|pixi run$|\.{{0,2}}/?[\w./-]+\.sh(?:\s|$)"
 )
 """A compiled program or a shell script, by its path."""

@@ -38,7 +38,7 @@ _DOCS_PAGE = pattern(
 _START = pattern(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
-    r"rosrun|catkin|catkin_make|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|accelerate|torchpack|horovodrun|(?:ba)?sh|mkdir|cd|"
+    r"rosrun|catkin|catkin_make|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|accelerate|torchpack|horovodrun|jupyter(?:-notebook|-lab)?|(?:ba)?sh|mkdir|cd|"
     r"wget|curl|dpkg|docker|add-apt-repository)\s.*|catkin_make|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
 )
 _PROMPT = pattern(

@@ -20,6 +20,7 @@ _TELLING = tuple(
         ("accelerate", r"\baccelerate\s+launch\s"),
         (".sh", r"\b(?:ba)?sh\s+\S+\.sh\b"),
         ("colcon", r"\bcolcon\b"),
+        ("jupyter", r"\bjupyter[ -](?:notebook|lab)\s"),
         ("cd", r"\bcd\s"),
         ("conda", r"\bconda\b"),
         ("mamba", r"\bmamba\b"),
