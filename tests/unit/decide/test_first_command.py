@@ -88,13 +88,13 @@ def test_the_first_command_of_a_page_for_ros_2(tree: Tree) -> None:
         ("[x](how/b.md) [y](how/a.md#run)", "", "map.launch.py"),
         ("[y](https://github.com/lab/demo/tree/humble/how/a.md) [x](how/b.md)", "", "second.launch.py"),
         ("[y](how/a.md)", "ros2 launch demo map.launch.py\n", "map.launch.py"),
-        ("how/b.md, [z](how/contributing.md), [w](how/gone.md)", "", ""),
+        ("how/b.md, [z](how/contributing.md), [w](how/gone.md), [v](how/tools.md)", "", ""),
     ],
 )
 def test_where_the_root_page_starts_nothing_a_page_that_it_links_to_may(
     tree: Tree, link: str, more: str, command: str
 ) -> None:
-    named = {"a": "second", "b": "map", "contributing": "second"}
+    named = {"a": "second", "b": "map", "contributing": "second", "tools": "second"}
     pages = {f"how/{page}.md": f"# Start\n```\nros2 launch demo {of}.launch.py\n```\n" for page, of in named.items()}
     files = {path.replace("bringup", "second"): text for path, text in ROS2.items()} | pages
     found = tree({**files, "README.md": f"# Demo\nSee {link}.\n{more}"})

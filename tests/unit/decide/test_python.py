@@ -275,6 +275,24 @@ def test_a_page_of_the_documentation_tells_what_to_install_but_not_what_develope
     assert decide(tmp_path, page, kind="cpp").pip_guessed == ("cmake",)
 
 
+@pytest.mark.parametrize(
+    ("page", "ubuntu", "python"),
+    [
+        ("Compile it.", "jammy", ("3.10", "venv")),
+        ("Compile it.", "focal", ("3.8", "venv")),
+        ("Needs Python 3.9.", "jammy", ("3.9", "conda")),
+    ],
+)
+def test_scripts_beside_cpp_run_on_the_python_of_its_ubuntu(
+    tmp_path: Path, page: str, ubuntu: str, python: tuple[str, str]
+) -> None:
+    script = "import numpy\n\nif __name__ == '__main__':\n    print(numpy)\n"
+    files = {"README.md": page, "CMakeLists.txt": "project(x)\n", "plot.py": script}
+    evidence = replace(evidence_of(tmp_path, files), pip_day="2021-05-05")
+    found = chosen(evidence, Config(), "cpp", ubuntu)
+    assert (found.version, found.manager) == python
+
+
 def test_documentation_itself_is_installed_nowhere(tmp_path: Path) -> None:
     tools = {"CMakeLists.txt": "project(x)\n", "docs/install.sh": "pip install sphinx-thing\n"}
     assert decide(tmp_path, tools, kind="cpp").pip_guessed == ()

@@ -15,7 +15,7 @@ from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.lost import lost
 from roslab.decide.python.manifests import beside, with_includes
-from roslab.decide.python.own import OwnPython, manager_of, outvoted
+from roslab.decide.python.own import OwnPython, manager_of, of_ubuntu, outvoted
 from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pip_lists import pip_lists
@@ -58,6 +58,7 @@ def decide_python(
 
     ``ubuntu`` is the base's, ``None`` on Debian; ``cuda`` is the version that the frameworks need.
     """
+    own = of_ubuntu(own, kind, ubuntu)
     chosen, number = own.answer.chosen, own.answer.version
     if (newer := from_pip(evidence, kind, ubuntu)) and not (kind == "cuda" and chosen.projects):
         chosen = with_guess(chosen, newer)

@@ -16,7 +16,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.days import existed, usual
 from roslab.knowledge.distros import distro, python_of_ubuntu
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 
 DEFAULT = "3.10"
@@ -63,6 +63,15 @@ def decide_version(
     which = f"one that was usual on {evidence.pip_day}" if evidence.pip_day else "the Python of the base"
     why = because("python", number, f"nothing names a version: {which}", weight=VersionWeight.DEFAULT)
     return Choice(answer=own, reasons=(why, *said.reasons))
+
+
+def of_ubuntu(own: Choice[OwnPython], kind: Kind, ubuntu: str | None) -> Choice[OwnPython]:
+    """Return the Ubuntu's own Python where nothing names one and C++ chose the Ubuntu: CMake finds no other then."""
+    number = python_of_ubuntu().get(ubuntu or "")
+    if kind != "cpp" or number is None or own.answer.system or own.answer.wanted or own.answer.chosen.conda:
+        return own
+    why = because("python", number, f"nothing names a version: that of {ubuntu}", weight=VersionWeight.DEFAULT)
+    return Choice(answer=replace(own.answer, version=number), reasons=(why, *own.reasons[1:]))
 
 
 def manager_of(config: Config, kind: Kind, own: OwnPython, ubuntu: str | None) -> Manager:

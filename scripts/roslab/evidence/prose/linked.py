@@ -16,7 +16,9 @@ _LINK = pattern(
     r"([\w.-][\w./-]*\.(?:md|rst))(?:#[^)\s]*)?>?\s*\)"
 )
 """A link of Markdown to a page, by its path or by its whole address; that of a file that the tree lacks is no such."""
-_ASIDE = pattern(r"contribut|change|licen[sc]e|conduct|security|faq|trouble|news|history|author|issue|docker|develop")
+_ASIDE = pattern(
+    r"contribut|change|licen[sc]e|conduct|security|faq|trouble|news|history|author|issue|docker|develop|tools?\b"
+)
 MOST = 12
 """Most pages that are read."""
 
