@@ -7,6 +7,7 @@ import re
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import first_line
 from roslab.evidence.python.imports import MAX_READ, modules
+from roslab.knowledge.hints import words_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -23,6 +24,8 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     new = 0
     for file in modules(repository):
         text = repository.read(file, limit=MAX_READ)
+        if "print" not in words_of(text):
+            continue
         if match := first_line(_STATEMENT, text, "print"):
             line = text.count("\n", 0, match.start()) + 1
             said = match[0].strip()[:60]
