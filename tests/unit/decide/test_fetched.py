@@ -60,6 +60,14 @@ def test_a_requirement_file_names_a_folder(tree: Tree, line: str) -> None:
     assert set(python.projects) == {".", folder}
 
 
+@pytest.mark.parametrize(("more", "first"), [("import torch", True), ("import jax", False)])
+def test_a_folder_of_a_submodule_needs_torch_first_only_beside_torch(tree: Tree, more: str, first: bool) -> None:
+    page = "```\npip install jax[cuda12_pip]==0.4.20\npip install sub/knn\n```\n"
+    python = tree({".gitmodules": MODULES, "README.md": page, "run.py": f"{more}\n"}).python
+    assert python.projects == ("sub/knn",)
+    assert any(each.key == "torch" for each in python.first) == first
+
+
 def test_a_page_installs_a_folder_that_is_copied_from_elsewhere(tree: Tree) -> None:
     setup = "from setuptools import setup\nsetup(name='b', packages=['b'])\n"
     files = {"pyproject.toml": "[project]\nname='a'\nversion='1'\n", "thirdparty/b/setup.py": setup}

@@ -14,11 +14,11 @@ from roslab.values.requirement import Requirement
 def with_fetched(evidence: Evidence) -> Evidence:
     """Return the evidence with a project for each folder of a missing submodule that a page or another file installs.
 
-    What such a folder holds is unknown: it may compile, beside a framework also for the GPU.
+    What such a folder holds is unknown: it may compile, beside torch also for the GPU.
     """
     absent = tuple(git.name for git in evidence.sources if git.kind == "submodule" and git.absent)
     known = {project.folder for project in evidence.python}
-    extensions = ("c", "cuda") if sign_of_cuda(evidence) else ("c",)
+    extensions = ("c", "cuda") if sign_of_cuda(evidence) and _on_torch(evidence) else ("c",)
     added: dict[str, PythonProject] = {}
     for asked, folder in _folders(evidence) if absent else ():
         place = next((name for name in absent if f"/{folder}/".find(f"/{name}/") >= 0), None)
@@ -40,6 +40,16 @@ def with_fetched(evidence: Evidence) -> Evidence:
                 ),
             )
     return replace(evidence, python=(*evidence.python, *added.values())) if added else evidence
+
+
+def _on_torch(evidence: Evidence) -> bool:
+    """Tell whether anything imports or installs torch: its extensions are built with the torch that is there."""
+    asked = [*evidence.prose_pip, *(each for file in evidence.requirements for each in file.requirements)]
+    asked += [each for project in evidence.python for each in project.requirements]
+    asked += [each for environment in evidence.conda for each in environment.requirements]
+    packages = {package.name for environment in evidence.conda for package in environment.packages}
+    used = any(each.namespace == "import" and each.name == "torch" for each in evidence.code)
+    return used or bool({"torch", "pytorch"} & packages) or any(each.key == "torch" for each in asked)
 
 
 def _folders(evidence: Evidence) -> Iterator[tuple[Requirement, str]]:
