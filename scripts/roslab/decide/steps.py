@@ -43,7 +43,7 @@ def _fetched(evidence: Evidence, names: set[str]) -> Iterator[Warning_]:
             and not _answered(mention.value, names)
         ):
             message = f"not part of the image: `{mention.value}`; put what it brings under `apt`, `source` or `custom`"
-            told.setdefault(mention.value, warn(f"{message} in roslab.yaml", mention))
+            told.setdefault(mention.value.partition(" | ")[0], warn(f"{message} in roslab.yaml", mention))
     yield from list(told.values())[:MOST]
 
 

@@ -71,3 +71,43 @@ def test_a_base_that_the_page_builds_from_elsewhere_is_no_published_image(tree: 
     assert (found.dockerfile == "Dockerfile") is used
     against = [r.reason for r in found.reasons if r.question == "dockerfile" and "builds first" in r.reason]
     assert against == ([] if used else [ELSEWHERE])
+
+
+SOURCE = "## Install\n1. Add the source:\n```bash\n{line}\n```\n```bash\nsudo apt install ros-noetic-things\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("line", "step"),
+    [
+        ("curl https://them.example/add_ppa.sh | bash", "curl https://them.example/add_ppa.sh | bash"),
+        ("wget -qO - https://deb.them.example/setup | sudo -E bash -", "wget https://deb.them.example/setup | bash"),
+        ("curl https://them.example/apt/install.sh | bash", "curl https://them.example/apt/install.sh"),  # told once
+        ("curl https://them.example/add_ros_ppa.sh | bash", None),  # the base has the source of ROS
+        ("curl -LsSf https://them.example/tool/get.sh | sh", None),
+    ],
+)
+def test_a_script_of_the_net_that_adds_a_source_of_apt_is_told(tree: Tree, line: str, step: str | None) -> None:
+    assert told(tree, SOURCE.format(line=line)) == (
+        [(f"not part of the image: `{step}`", "README.md", 5)] if step else []
+    )
+
+
+@pytest.mark.parametrize(
+    ("line", "together"),
+    [
+        ("curl https://them.example/ppa/add.sh | bash", True),
+        ("sudo add-apt-repository ppa:them/things", True),
+        ("ls", False),
+    ],
+)
+def test_unknown_keys_are_told_together_with_the_source_that_may_have_them(
+    tree: Tree, line: str, *, together: bool
+) -> None:
+    xml = PACKAGE.replace("</package>", "<depend>odd_core</depend>\n<depend>odd_maps</depend></package>")
+    page = "# For ROS Noetic\n" + SOURCE.format(line=line)
+    found = tree({"package.xml": xml, "CMakeLists.txt": CMAKE, "README.md": page})
+    said = [(w.message.split(":")[0], w.file, w.line) for w in found.warnings if "has no key" in w.message]
+    every = [("rosdep has no key odd_core, odd_maps for ROS noetic", "README.md", 5)]
+    alone = [("rosdep has no key odd_core for ROS noetic", "package.xml", 1)]
+    alone.append(("rosdep has no key odd_maps for ROS noetic", "package.xml", 2))
+    assert said == (every if together else alone)

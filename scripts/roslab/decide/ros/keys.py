@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
 from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+from roslab.evidence.prose.apt_scripts import adds_a_source
 from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import dataclass
 
+_NOTHING = "nothing here says where it comes from"
 _NOT_INSTALLED = frozenset({"doc"})
 """rosdep leaves documentation alone."""
 
@@ -26,6 +31,8 @@ class Translated:
     recipe: str = ""
     skip: bool = False
     warning: Warning_ | None = None
+    unknown: bool = False
+    """Nothing of the tree says where it comes from."""
 
 
 def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Dependency, ...]:
@@ -62,7 +69,7 @@ def translate(key: Dependency, target: Target, *, cloned: bool, submodules: tupl
             return Translated(skip=True, warning=warn(f"{message}: {hint}", key))
         message = f"rosdep has no key {name} for ROS {target.ros_distro}"
         hint = _hint(name, target, cloned=cloned, submodules=submodules)
-        return Translated(warning=warn(f"{message}: {hint}", key))
+        return Translated(warning=warn(f"{message}: {hint}", key), unknown=hint.startswith(_NOTHING))
     instead = " ".join(found.apt) or f"{found.recipe}, built from source,"
     message = f"{name} is the name of a library, not a key of rosdep: {instead} is installed for it"
     return Translated(
@@ -73,12 +80,23 @@ def translate(key: Dependency, target: Target, *, cloned: bool, submodules: tupl
     )
 
 
+def of_an_apt_source(keys: Sequence[str], target: Target, evidence: Evidence) -> Warning_ | None:
+    """Return one warning about all unknown keys, at the line of a page that adds a source of apt: they may be there."""
+    pages = (m for m in evidence.mentions if m.topic == "step" and m.source == "readme" and "/" not in m.file)
+    step = next((mention for mention in pages if adds_a_source(mention)), None)
+    if not keys or step is None:
+        return None
+    message = f"rosdep has no key {', '.join(keys)} for ROS {target.ros_distro}"
+    hint = f"what `{step.value}` adds to apt may have them; run it under `custom` in roslab.yaml"
+    return warn(f"{message}: {hint}, or give their repositories under `source`", step)
+
+
 def _hint(name: str, target: Target, *, cloned: bool, submodules: tuple[str, ...]) -> str:
     folder = next((path for path in submodules if path.rpartition("/")[2] == name), None)
     if folder:
         return f"the submodule {folder} may hold it, but is not checked out: git submodule update --init --recursive"
     near = _nearest(name, rosdep_keys() | released(target.ros_distro or ""))
-    where = "one of the cloned repositories may hold it" if cloned else "nothing here says where it comes from"
+    where = "one of the cloned repositories may hold it" if cloned else _NOTHING
     meant = f"correct the name (is {near} meant?)" if near else "correct the name"
     return f"{where}; else {meant}, or give its repository under source in roslab.yaml"
 

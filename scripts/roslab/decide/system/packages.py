@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Python, Reason, Warning_
 from roslab.decide.reasons import because, configured
-from roslab.decide.ros.keys import declared_keys, translate
+from roslab.decide.ros.keys import declared_keys, of_an_apt_source, translate
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.carried import brought, held
@@ -76,6 +76,8 @@ class _Found:
     """Those that an author's install line names, whoever asked for them first."""
     skip: dict[str, None] = field(default_factory=dict)
     warnings: list[Warning_] = field(default_factory=list)
+    unknown: dict[str, Warning_] = field(default_factory=dict)
+    """Keys of which nothing says where they come from."""
 
 
 def decide_system(
@@ -101,6 +103,8 @@ def decide_system(
     for key in keys:
         if key.name not in found.skip:
             _translate(key, target, found, cloned=bool(sisters), submodules=submodules)
+    if together := of_an_apt_source(tuple(found.unknown), target, evidence):
+        found.warnings = [*(each for each in found.warnings if each not in found.unknown.values()), together]
     by_hand = frozenset(address(git.url) for git in evidence.sources if git.installed)
     known = frozenset({key.name for key in keys} | packages.names | sisters | set(config.skip_keys))
     needed = tuple(needs(evidence, packages, kind, target.ros_distro))
@@ -181,6 +185,7 @@ def _translate(key: Dependency, target: Target, found: _Found, *, cloned: bool, 
         found.skip[key.name] = None
     if meant.warning:
         found.warnings.append(meant.warning)
+        found.unknown |= {key.name: meant.warning} if meant.unknown else {}
 
 
 def _add(

@@ -14,7 +14,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
-from roslab.evidence.prose import exports, mentions, python_path
+from roslab.evidence.prose import apt_scripts, exports, mentions, python_path
 from roslab.evidence.prose.headings import FENCE, MAX_LINE, heading_of, section_of, title_of
 from roslab.evidence.prose.installs import BLANK, Collector, merge
 from roslab.evidence.prose.own_scripts import checked, compilers
@@ -187,7 +187,8 @@ def _read(text: str, file: File) -> Prose:
         collector.text(code, line)
     collector.sources += _links(text, file)
     found = collector.prose()
-    return found._replace(mentions=(*found.mentions, *mentions.read(text, file.path, "readme")))
+    said = (*mentions.read(text, file.path, "readme"), *apt_scripts.read(file.path, text))
+    return found._replace(mentions=(*found.mentions, *said))
 
 
 def _links(text: str, file: File) -> list[GitSource]:
