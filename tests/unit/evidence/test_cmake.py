@@ -45,6 +45,29 @@ def test_components_of_catkin_are_ros_packages(tmp_path: Path, call: str) -> Non
     assert project.macros == ("catkin",)
 
 
+@pytest.mark.parametrize(
+    ("call", "apart"),
+    [
+        (
+            "find_package(DART 6.8 REQUIRED COMPONENTS optimizer-nlopt utils CONFIG)",
+            ["DART optimizer-nlopt", "DART utils"],
+        ),
+        ("find_package(Qt5 REQUIRED COMPONENTS Core SerialPort)", ["Qt5Core", "Qt5SerialPort"]),
+        ("find_package(VTK REQUIRED COMPONENTS CommonCore GUISupportQt)", ["VTK GUISupportQt"]),
+        ("find_package(Boost REQUIRED COMPONENTS system)", []),
+        ("find_package(DART REQUIRED PATHS utils)", []),
+    ],
+)
+def test_components_with_packages_of_their_own_are_asked_for(tmp_path: Path, call: str, apart: list[str]) -> None:
+    _, *others = found(one(tmp_path, call))
+    assert others == [("cmake", name, "declared") for name in apart]
+
+
+def test_an_optional_component_is_optional(tmp_path: Path) -> None:
+    project = one(tmp_path, "find_package(DART REQUIRED COMPONENTS utils OPTIONAL_COMPONENTS utils-urdf CONFIG)")
+    assert found(project)[1:] == [("cmake", "DART utils", "declared"), ("cmake", "DART utils-urdf", "optional")]
+
+
 def test_a_foreach_over_a_list_is_unrolled(tmp_path: Path) -> None:
     text = "set(DEPS rclcpp tf2)\nforeach(Dependency IN ITEMS ${DEPS})\n  find_package(${Dependency} REQUIRED)\nendforeach()"  # noqa: E501
     assert found(one(tmp_path, text)) == [("cmake", "rclcpp", "declared"), ("cmake", "tf2", "declared")]

@@ -10,6 +10,7 @@ from typing import Literal
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource, Strength
 from roslab.evidence.lex.cmake import Call
+from roslab.knowledge.libraries import library
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
@@ -88,6 +89,7 @@ class _Finder:
     """The words of a ``find_package`` after the name."""
 
     components: tuple[str, ...]
+    optional: tuple[str, ...]
     version: str | None
 
 
@@ -155,23 +157,39 @@ def _found(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
                 yield _dependency("ros", component, strength, call, path)
         else:
             yield _dependency("cmake", name, strength, call, path, finder.version)
+            for component in (*finder.components, *finder.optional):
+                lesser = "optional" if component in finder.optional else strength
+                for part in _apart(name, component):
+                    yield _dependency("cmake", part, lesser, call, path)
+
+
+def _apart(name: str, component: str) -> tuple[str, ...]:
+    """Return the name of a component that has packages of its own: ``DART utils``, ``Qt5SerialPort``, else nothing.
+
+    ``find_package(Qt5 COMPONENTS SerialPort)`` calls ``find_package(Qt5SerialPort)``.
+    """
+    named = (f"{name} {component}", f"{name}{component}")
+    return tuple(each for each in named if library("cmake", each, None) is not None)
 
 
 def _finder(words: tuple[str, ...]) -> _Finder:
     """Sort the words after the name; catkin's components may have no keyword before them."""
     components: list[str] = []
+    optional: list[str] = []
     version = None
     skipping = False
+    into = components
     for word in words:
-        if word in _FLAGS or word == "COMPONENTS":
+        if word in _FLAGS or word in {"COMPONENTS", "OPTIONAL_COMPONENTS"}:
             skipping = False
-        elif word in _VALUED or word == "OPTIONAL_COMPONENTS":
+            into = optional if word == "OPTIONAL_COMPONENTS" else components
+        elif word in _VALUED:
             skipping = True
         elif _VERSION.match(word) and not components:
             version = word
         elif not skipping and _NAME.match(word):
-            components.append(word)
-    return _Finder(components=tuple(components), version=version)
+            into.append(word)
+    return _Finder(components=tuple(components), optional=tuple(optional), version=version)
 
 
 def _strength(call: Call, *, required: bool, quiet: bool = False) -> Strength:
