@@ -1,0 +1,52 @@
+"""Code of ROS 1 that includes what is generated from a message, and does not wait for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from subprocess import CompletedProcess
+
+from lab import doors
+from lab.laboratory import Laboratory
+
+MESSAGES = 40
+"""So many that the compiler comes before the header that it includes, the last of them."""
+CMAKE = """\
+cmake_minimum_required(VERSION 3.0)
+project(late)
+find_package(catkin REQUIRED COMPONENTS roscpp std_msgs message_generation)
+add_message_files(FILES {messages})
+generate_messages(DEPENDENCIES std_msgs)
+catkin_package()
+include_directories(${{CMAKE_CURRENT_BINARY_DIR}} ${{catkin_INCLUDE_DIRS}})
+add_executable(a_node main.cpp)
+target_link_libraries(a_node ${{catkin_LIBRARIES}})
+"""
+MANIFEST = """\
+<package format="2">
+<name>late</name><version>1.0.0</version><description>d</description><license>MIT</license>
+<maintainer email="m@example.org">m</maintainer>
+<buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend><depend>std_msgs</depend>
+<build_depend>message_generation</build_depend><exec_depend>message_runtime</exec_depend>
+</package>
+"""
+
+
+def test_headers_of_messages_are_generated_first(
+    lab: Laboratory, roslab: Callable[..., CompletedProcess[str]], tmp_path: Path
+) -> None:
+    names = [f"Level{number:02}" for number in range(MESSAGES)]
+    files = {f"msg/{name}.msg": "float64 value\n" for name in names} | {
+        "CMakeLists.txt": CMAKE.format(messages=" ".join(f"{name}.msg" for name in names)),
+        "package.xml": MANIFEST,
+        "main.cpp": f'#include <late/{names[-1]}.h>\n#include <cstdio>\nint main() {{ std::puts("it waits"); }}\n',
+        "roslab.yaml": "format: 3\nkind: ros1\nbase: {ros: noetic}\ntest: rosrun late a_node\n",
+    }
+    folder = doors.write(tmp_path / "late", files)
+    answer = roslab("build", folder, "--tag", "repro-lab", env=lab.environment, timeout=900)
+    assert answer.returncode == 0, answer.stderr[-4000:]
+    assert f"roslab: what includes late/{names[-1]}.h does not wait until it is generated" in answer.stderr
+    (folder / "main.cpp").write_text("#include <late/NoSuch.h>\n#include <nowhere/Header.h>\nint main() {}\n")
+    answer = roslab("build", folder, "--tag", "repro-lab", env=lab.environment, timeout=900)
+    assert answer.returncode == 5
+    assert "late/NoSuch.h" in answer.stderr
