@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.decision import Choice, Python
+from roslab.decide.programs import top_of
 from roslab.decide.python.build_tool import tool_of_python
 from roslab.decide.reasons import because, configured
 from roslab.decide.ros.build_tool import tool_of_ros1
@@ -28,4 +29,9 @@ def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Py
         return Choice(answer="colcon", reasons=(why,))
     if kind == "cpp":
         return Choice(answer="cmake", reasons=(because("build_tool", "cmake", "plain C++", weight=Weight.CPP),))
-    return tool_of_python(evidence, python)
+    choice = tool_of_python(evidence, python)
+    top = top_of(evidence)
+    if kind == "cuda" and choice.answer == "none" and not evidence.programs and top and not top.lacks:
+        why = because("build_tool", "cmake", "a CMake project, and no Python", top, weight=Weight.CPP)
+        return Choice(answer="cmake", reasons=(why,))
+    return choice

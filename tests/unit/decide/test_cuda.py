@@ -200,3 +200,25 @@ def test_what_a_requirement_file_has_in_a_comment_is_not_installed(
     own = {"requirements.txt": "-r base_requirements.txt\n# -r more_requirements.txt  # prediction\n"}
     files = {**own, "base_requirements.txt": "numpy\n", "more_requirements.txt": "scipy\n", "README.md": page}
     assert tree(files).python.requirements == ("requirements.txt",)
+
+
+CUDA_BELOW = {
+    "src/CMakeLists.txt": "project(Fusion CUDA)\nadd_executable(Fusion Main.cpp step.cu)\n",
+    "src/Main.cpp": "int main() {}\n",
+    "src/step.cu": "__global__ void step() {}\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("more", "tool"),
+    [
+        ({}, "cmake"),
+        ({"run.py": "if __name__ == '__main__':\n    pass\n"}, "none"),
+        ({"src/CMakeLists.txt": "project(Fusion CUDA)\nadd_executable(Fusion elsewhere.cpp)\n"}, "none"),
+    ],
+)
+def test_a_project_below_the_root_is_compiled_where_no_python_is(
+    tree: Callable[[dict[str, str]], Decision], more: dict[str, str], tool: str
+) -> None:
+    decision = tree({**CUDA_BELOW, **more})
+    assert (decision.kind, decision.build_tool) == ("cuda", tool)
