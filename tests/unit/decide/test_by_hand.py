@@ -312,3 +312,17 @@ def test_a_library_that_is_only_linked_may_be_compiled_beside_it(tree: Tree) -> 
 def test_a_macro_that_finds_a_package_asks_for_it(tree: Tree, call: str) -> None:
     made = f"project(demo)\n{call}(yaml-cpp 0.5 REQUIRED)\nadd_executable(demo main.cpp)\n"
     assert "libyaml-cpp-dev" in tree({"CMakeLists.txt": made, "main.cpp": "int main() {}\n"}).apt
+
+
+@pytest.mark.parametrize(
+    ("asked", "built"),
+    [("DLoopDetector", ["dlib-dorian3d", "dbow2", "dloopdetector"]), ("DLib", ["dlib-dorian3d"]), ("DBoW2", ["dbow2"])],
+)
+def test_a_library_of_places_is_built_with_what_its_own_cmake_requires(
+    tree: Tree, asked: str, built: list[str]
+) -> None:
+    made = f"project(demo)\nfind_package({asked} REQUIRED)\nadd_executable(demo main.cpp)\n"
+    page = f"It needs [{asked}](https://github.com/dorian3d/{asked}).\n"
+    decision = tree({"CMakeLists.txt": made, "main.cpp": "int main() {}\n", "README.md": page})
+    assert [source.name for source in decision.source] == built
+    assert all("libopencv-dev" in source.depends for source in decision.source)
