@@ -326,3 +326,21 @@ def test_a_library_of_places_is_built_with_what_its_own_cmake_requires(
     decision = tree({"CMakeLists.txt": made, "main.cpp": "int main() {}\n", "README.md": page})
     assert [source.name for source in decision.source] == built
     assert all("libopencv-dev" in source.depends for source in decision.source)
+
+
+@pytest.mark.parametrize(
+    ("said", "ref"),
+    [
+        ("* [odd](https://github.com/lab/oddlib) @ 84bfc56", "84bfc56"),
+        (
+            "[odd](https://github.com/lab/oddlib) (commit `84bfc56320371bed97cab8aad3aa9561ca931d3f`)",
+            "84bfc56320371bed97cab8aad3aa9561ca931d3f",
+        ),
+        ("[odd](https://github.com/lab/oddlib), and https://github.com/lab/oddlib @ 84bfc56", "84bfc56"),
+        ("[odd](https://github.com/lab/oddlib) @ defaced.example.org", None),
+    ],
+)
+def test_a_link_is_taken_at_the_commit_behind_it(tree: Tree, said: str, ref: str | None) -> None:
+    made = "project(demo)\nfind_package(oddlib REQUIRED)\nadd_executable(demo main.cpp)\n"
+    decision = tree({"CMakeLists.txt": made, "main.cpp": "int main() {}\n", "README.md": f"# Needs\n{said}\n"})
+    assert [(source.name, source.ref) for source in decision.source] == [("oddlib", ref)]

@@ -58,6 +58,8 @@ MAX_DEPTH = 3
 """Of a page whose links count: that of a package may name the library that it alone needs."""
 _LINK = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?!\.?[\w/-])")
 """A page of a repository itself, not of a file in it."""
+_PINNED = pattern(r"(?:\.git)?\)?[ \t]{0,3}(?:@|\(?(?:at )?commit)[ \t]{0,3}`?\[?`?([0-9a-f]{7,40})(?![\w.])")
+"""The commit behind a link: ``[odd](https://…/odd) @ 84bfc56``."""
 _NAMED_PYTHON = pattern(
     r"\b(?:run|runn?ing|start|launch|execute|use)\b(?:\s+(?:the|a|script|file|program|our)){0,3}\s+"
     r"`{1,3}([\w./-]+\.py(?: [^`\n]{0,200})?)`",
@@ -197,9 +199,12 @@ def _links(text: str, file: File) -> list[GitSource]:
     for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
         url, name = match[0].removesuffix(".git"), match[1].removesuffix(".git").rstrip(".")
         line = text.count("\n", 0, match.start()) + 1
-        found.setdefault(
-            url, GitSource(name=name, url=url, ref=None, strength="prose", file=file.path, line=line, kind="link")
-        )
+        pinned = _PINNED.match(text, match.end())
+        if url not in found or (pinned and not found[url].ref):
+            ref = pinned and pinned[1]
+            found[url] = GitSource(
+                name=name, url=url, ref=ref, strength="prose", file=file.path, line=line, kind="link"
+            )
     return list(found.values())[:MAX_LINKS]
 
 
