@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
@@ -13,6 +13,7 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.decide.written_commands import written
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 _TOOLS = pattern(r"(?:scripts?|tools?|utils?|bin|misc|dev|etc)/", re.IGNORECASE)
@@ -24,14 +25,25 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     """Yield what could be run; what the README runs comes first."""
     ros = kind in {"ros1", "ros2"}
     compiled = kind == "cpp" or (kind == "cuda" and _only_compiled(evidence))
-    yield from written(evidence, kind, ros=ros, compiled=compiled)
+    demands = {(launch.package, launch.file.rpartition("/")[2]): launch.demands for launch in evidence.launch}
+    for each in written(evidence, kind, ros=ros, compiled=compiled):
+        yield _cut(each, demands)
     if ros:
         launched = tuple(_launched(evidence, kind))
-        yield from launched or _nodes(evidence, kind)
+        yield from (_cut(each, demands) for each in launched or _nodes(evidence, kind))
     elif compiled or not evidence.programs:
         yield from _compiled(evidence)
     else:
         yield from _installed(evidence)
+
+
+def _cut(candidate: Candidate, demands: Mapping[tuple[str | None, str], tuple[str, ...]]) -> Candidate:
+    """Return a command as one that lacks arguments, if its launch file demands some that it does not give."""
+    argv = candidate.argv
+    rest = argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
+    given = {word.partition(":=")[0] for word in rest}
+    lacking = set(demands.get((rest[0], rest[1]), ())) - given if len(rest) > 1 else set()
+    return replace(candidate, cut=True) if lacking else candidate
 
 
 def _only_compiled(evidence: Evidence) -> bool:

@@ -111,6 +111,7 @@ def _obvious(
         return first.argv, because("command", shlex.join(first.argv), why, first, weight=Weight.FIRST)
     if not dockerfile and (pointed := pointed_at(evidence, kind)) and not upkeep(pointed):
         return pointed.argv, because("command", shlex.join(pointed.argv), pointed.why, pointed, weight=Weight.FIRST)
+    ours = [c for c in ours if c.strong or not c.cut]
     if kind in {"ros1", "ros2", "cpp"} and (named := named_like_it(ours)):
         why = f"{named.why}, named like its package or like a demonstration"
         return named.argv, because("command", shlex.join(named.argv), why, named, weight=Weight.ONLY_ONE)

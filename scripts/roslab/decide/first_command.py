@@ -178,7 +178,8 @@ def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
 
     A section about running it names the first; elsewhere it must be the only one.
     """
-    owners = {launch.file: launch for launch in evidence.launch if launch.package and kind == f"ros{launch.ros}"}
+    ours = (each for each in evidence.launch if each.package and kind == f"ros{each.ros}" and not each.demands)
+    owners = {launch.file: launch for launch in ours}
     found: list[Candidate] = []
     for said in evidence.mentions:
         argv: tuple[str, ...] = ()

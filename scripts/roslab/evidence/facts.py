@@ -53,8 +53,7 @@ class CMakeProject:
     tests: bool = False
     """It has tests for ctest."""
     programs_in: str | None = None
-    """The folder that programs are written to; ``None`` if the file names none. ``source/…`` is relative to the root of
-    the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, ``build/…`` to the build folder."""
+    """The folder of its programs, from the root (``source/…``), the top CMakeLists.txt (``top/…``), or ``build/…``."""
     linked: tuple[tuple[str, int], ...] = ()
     """Files of libraries below the source that it links and that are not there, as written, each with its line."""
     lacks: bool = False
@@ -196,12 +195,13 @@ class LaunchFile:
     dependencies: tuple[Dependency, ...]
     gui: bool
     """Whether it starts rviz, rqt, Gazebo's client or the like."""
-    tests: int = 0
-    """Number of its tests for rostest."""
+    tests: int = 0  # for rostest
     compiled: tuple[tuple[str, str], ...] = ()
     """Of a file with tests: package and program of what it starts that is no file of the tree."""
     includes: tuple[str, ...] = ()
     """The names of other files that it names, as it does to include them: ``map.launch``."""
+    demands: tuple[str, ...] = ()
+    """Arguments without a default, without which it is not started."""
 
 
 Runner = Literal["pytest", "unittest", "launch_test"]

@@ -87,3 +87,48 @@ def test_the_compiler_of_the_page(tmp_path: Path, options: str, exported: list[s
 def test_a_page_that_speaks_of_cuda_changes_no_ubuntu(tree: Tree) -> None:
     files = CPP | {"README.md": "Ubuntu 18.04. CUDA 7.0 is optional.\n"}
     assert (tree(files).kind, tree(files).ubuntu) == ("cpp", "bionic")
+
+
+def demanding(*arguments: str) -> dict[str, str]:
+    """Return a package whose track.launch has these arguments and whose drive.launch has none."""
+    return ROS1 | {"launch/track.launch": f"<launch>{''.join(arguments)}</launch>"}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "stopped"),
+    [
+        ('<arg name="eye" doc="the arm\'s, if any"/>', True),
+        ('<arg doc="a > b"\n  name="eye" />', True),
+        ('<arg name="eye" default=""/>', False),
+        ("<arg default='' name='eye'/>", False),
+        ('<arg name="eye" value="left"/>', False),
+        ('<arg name="eye" if="$(arg left)"/>', False),
+        ('<!-- <arg name="eye"/> -->', False),
+    ],
+)
+def test_a_launch_file_that_demands_an_argument_is_not_started_without(
+    tree: Tree, arguments: str, stopped: bool
+) -> None:
+    decision = tree(demanding(arguments) | {"README.md": "ROS Noetic\n# Usage\nSee track.launch.\n"})
+    assert " ".join(decision.command) == ("bash" if stopped else "roslaunch demo track.launch")
+    assert ("roslaunch", "demo", "track.launch") in decision.command_candidates
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("roslaunch demo track.launch\nroslaunch demo drive.launch\n", "roslaunch demo drive.launch"),
+        (
+            "roslaunch demo track.launch\nroslaunch demo track.launch eye:=left\n",
+            "roslaunch demo track.launch eye:=left",
+        ),
+        (
+            "roslaunch demo track.launch eye:=left\nroslaunch demo drive.launch\n",
+            "roslaunch demo track.launch eye:=left",
+        ),
+        ("roslaunch demo track.launch\n", "roslaunch demo track.launch"),
+    ],
+)
+def test_a_call_that_gives_what_its_launch_file_demands_comes_first(tree: Tree, page: str, command: str) -> None:
+    files = demanding('<arg name="eye"/>') | {"README.md": f"ROS Noetic\n# Usage\n```\n{page}```\n"}
+    assert " ".join(tree(files).command) == command

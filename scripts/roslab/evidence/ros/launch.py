@@ -65,6 +65,8 @@ _ACTION = pattern(
 )
 _STARTED = pattern(r"<(node|test)\s([^>]{0,2000})>")
 _QUOTED = pattern(r"([\w-]+)\s*=\s*[\"']([^\"']*)[\"']")
+_ARGUMENT = pattern(r"<arg\s((?:[^<>\"']|\"[^\"<]{0,600}\"|'[^'<]{0,600}'){0,900})>")
+_ATTRIBUTES = pattern(r"([\w-]{1,40})\s{0,9}=\s{0,9}(?:\"([^\"]*)\"|'([^']*)')")
 _NO_PACKAGE = frozenset({"find", "pkg", "package", "name", "python", "python3", "self"})
 
 
@@ -90,6 +92,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 dependencies=tuple(_named(text, file, python=python)),
                 gui=any(matches_at(_GUI, text, *_VIEWERS)),
                 includes=tuple(sorted({*_included(text)} - {file.name})),
+                demands=_demanded(text) if xml else (),
                 **_tested(text, repository if old else None),
             )
         )
@@ -114,6 +117,19 @@ def plugins(repository: Repository) -> tuple[Dependency, ...]:
         viewer = Dependency(namespace="ros", name=name, strength="used", file=file.path, line=1, role="exec")
         found.setdefault(name, viewer)
     return tuple(found.values())
+
+
+def _demanded(text: str) -> tuple[str, ...]:
+    """Return the arguments that an XML file declares without a default: whoever starts it has to give them.
+
+    In ROS 1 (https://wiki.ros.org/roslaunch/XML/arg) and 2, 2026-11-23. Those under a condition are left out.
+    """
+    found: dict[str, None] = {}
+    for match in matches_at(_ARGUMENT, text, "<arg"):
+        said = {name: one or other for name, one, other in _ATTRIBUTES.findall(match[1])}
+        if said.get("name") and not said.keys() & {"default", "value", "if", "unless"}:
+            found[said["name"]] = None
+    return tuple(found)
 
 
 class _Tested(TypedDict):
