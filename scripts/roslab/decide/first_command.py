@@ -33,7 +33,8 @@ _SERVES = pattern(
 """The name of a program that serves the one that is meant."""
 _UPKEEP = pattern(
     r"(?:^|/)(?:\.\w[\w-]*|build[_-]?(?:tools?|utils?|scripts?)|ci|continuous_integration|docs?|documentation|sphinx\w*|"
-    r"packaging|releases?|deploy\w*|dev(?:[_-]?tools?)?|maint\w*|admin|debian|conda(?:[._-]recipe)?|recipe)/|"
+    r"packaging|releases?|deploy\w*(?=/[^ ]*\.sh$)|dev(?:[_-]?tools?)?|maint\w*|admin|debian|"
+    r"conda(?:[._-]recipe)?|recipe)/|"
     r"(?:^|[/_.-])(?:changelog|release(?:_?notes)?|bump(?:_?version)?|(?:get|update|set|sync|check)_(?:\w+_)?version|versioneer|publish|upload|"
     r"coverage|codecov|stubgen|pre_?commit|git_?hook|noxfile|fabfile|conftest|setup|conf|gen_?docs?|make_?docs?)\.(?:py|sh)$",
     re.IGNORECASE,
@@ -74,8 +75,9 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
 
     Pages nearer to the root come first, then sections about running it, then the order of the page. What needs a file
     that the tree lacks comes after what needs none, except for Python, whose READMEs usually name data; another
-    that is given with blanks to fill in comes last; programs that only serve others are never returned. What is
-    named like a test is returned where a section about running it has nothing else: the purpose may be to test.
+    that is given with blanks to fill in comes last, one of Python after what other sections of its page run whole;
+    programs that only serve others are never returned. What is named like a test is returned where a section about
+    running it has nothing else: the purpose may be to test.
     """
     written = [c for c in candidates if c.strong and not _helps(c) and not upkeep(c)]
     written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in _LAUNCHERS]
@@ -83,12 +85,27 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
         c for c in written if c.argv[0].startswith("python") or (_section(c.heading) > 0 and not _named(c, _AFTER))
     ]
     rest = rest or [c for c in written if _purpose(c)]
+    rest = [*_before_all(written, rest), *rest]
     whole = {program_of(c.argv) for c in rest if not c.cut}
     pages = {file: place for place, file in enumerate(dict.fromkeys(c.file for c in rest))}
-    ordered = sorted(
-        (c for c in rest if not c.cut or program_of(c.argv) not in whole), key=lambda c: _order(c, pages[c.file])
-    )
+    kept = [c for c in rest if not c.cut or program_of(c.argv) not in whole]
+    gaps = {(c.file, c.heading) for c in kept if c.cut}
+    ordered = sorted(kept, key=lambda c: _order(c, pages[c.file], gap=(c.file, c.heading) in gaps))
     return _filled_in(ordered[0], rest) if ordered else None
+
+
+def _before_all(written: Iterable[Candidate], rest: Iterable[Candidate]) -> list[Candidate]:
+    """Return the programs of Python that are named like an evaluation and that a page starts whole before any other.
+
+    A section about running it has to start them, and nothing else may be whole: they look at nothing that others did.
+    """
+    first: dict[str, int] = {}
+    for each in rest:
+        first[each.file] = min(each.line, first.get(each.file, each.line))
+        if not each.cut:
+            return []
+    own = [c for c in written if c.argv[0].startswith("python") and not c.cut and _after(c) and _section(c.heading) > 0]
+    return [c for c in own if c.line < first.get(c.file, 0)]
 
 
 def _filled_in(first: Candidate, candidates: Iterable[Candidate]) -> Candidate:
@@ -104,8 +121,11 @@ def _explains(candidate: Candidate) -> bool:
     return any(map(_HELP.match, candidate.argv))
 
 
-def _order(candidate: Candidate, page: int) -> tuple[bool, bool, bool, bool, int, int, int, int]:
-    """Return the place of a command in the order, ``page`` that of its page; equal ones keep theirs."""
+def _order(candidate: Candidate, page: int, *, gap: bool) -> tuple[bool, bool, bool, bool, int, int, int, bool, int]:
+    """Return the place of a command in the order, ``page`` that of its page; equal ones keep theirs.
+
+    ``gap``: the section leaves the reader something to fill in, so that what it runs later cannot do without.
+    """
     python = candidate.argv[0].startswith("python") or candidate.installed
     return (
         bool(_CLOUD.search(candidate.heading)),
@@ -115,6 +135,7 @@ def _order(candidate: Candidate, page: int) -> tuple[bool, bool, bool, bool, int
         candidate.file.count("/"),
         -_section(candidate.heading),
         page,
+        gap,
         candidate.line,
     )
 

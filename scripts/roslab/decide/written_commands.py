@@ -18,7 +18,7 @@ from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
 _PLACEHOLDER = pattern(
-    r"YOUR|your[_-]|path[/_-]to|/path|/where/|\[|\]|\.\.\.|…|/home/|~|\$|<|>|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
+    r"YOUR|your[_-]|path[/_-]to|/path|/where/|\[|\]|\.\.\.|…|/home/|~|\$|<|>|\{[a-z]\w*\}|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
     r"(?-i:/[A-Z_]{5,}(?:\.\w+)?$|=[A-Z_]+_(?:NAME|PATH|DIR|FILE|FOLDER|ID|IP)$)",
     re.IGNORECASE,
 )

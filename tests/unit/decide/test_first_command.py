@@ -344,6 +344,26 @@ def test_the_first_program_of_python_counts_even_with_blanks(tree: Tree, page: s
     assert " ".join(tree({**files, "README.md": f"```\n{page}```\n"}).command) == command
 
 
+@pytest.mark.parametrize(
+    ("sections", "command"),
+    [
+        (("Play", "play.py --task=xxx", "Example: running one", "deploy/drive.py a.yaml"), "deploy/drive.py a.yaml"),
+        (("Play", "play.py --task=xxx\npython show.py -n 1", "Results", "drive.py"), "play.py"),
+        (("Running it", "eval_agent.py --show", "Training", "train.py --log_dir [DIR]"), "eval_agent.py --show"),
+        (("Training", "train.py --log_dir [DIR]", "Running it", "eval_agent.py --show"), "train.py"),
+        (("Running it", "eval_agent.py --show", "Training", "train.py -n 1"), "train.py -n 1"),
+        (("Run", "drive.py {config_name}", "More", "play.py"), "drive.py"),
+    ],
+)
+def test_what_a_section_of_its_own_runs_whole_comes_before_what_has_blanks(
+    tree: Tree, sections: tuple[str, ...], command: str
+) -> None:
+    page = "".join(f"## {a}\n```\npython {b}\n```\n" for a, b in zip(sections[::2], sections[1::2], strict=True))
+    names = ("play.py", "show.py", "train.py", "eval_agent.py", "drive.py", "deploy/drive.py")
+    files = {name: "import numpy\n" for name in names if f"python {name}" in page}
+    assert " ".join(tree({**files, "README.md": page}).command) == f"python {command}"
+
+
 def test_a_program_that_pip_installs_counts_even_with_blanks(tree: Tree) -> None:
     page = "# Usage\n```\nsegment --show <weights> <data>\n```\n# Training\n```\npython scripts/train.py -n 1\n```\n"
     own = "[project]\nname = 'seg'\nversion = '1'\ndependencies = ['numpy']\n[project.scripts]\nsegment = 'seg:main'\n"
