@@ -43,7 +43,7 @@ MAX_LINE = 400
 def read(repository: Repository) -> tuple[Requirement, ...]:
     """Return what the pages at the root list or name with a version, each once."""
     pages = (file for file in readme.pages(repository) if "/" not in file.path)
-    return tuple(dict.fromkeys(asked for file in pages for asked in said(repository.read(file), file.path)))
+    return tuple(dict.fromkeys(asked for file in pages for asked in said(readme.text_of(repository, file), file.path)))
 
 
 def said(text: str, file: str) -> Iterator[Requirement]:

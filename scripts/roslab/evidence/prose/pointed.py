@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.headings import FENCE, MAX_LINE, heading_of, section_of, title_of
-from roslab.evidence.prose.readme import pages
+from roslab.evidence.prose.readme import pages, text_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -19,7 +19,7 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     """Return each such file once, by its path, with the titles that it stands under."""
     found: dict[str, Mention] = {}
     for page in pages(repository):
-        text = repository.read(page) if "/" not in page.path else ""
+        text = text_of(repository, page) if "/" not in page.path else ""
         for number, line, heading in _sentences(text) if _FILE.search(text) else ():
             for match in _FILE.finditer(line):
                 if (path := _path(match[0], repository)) and len(found) < MOST:

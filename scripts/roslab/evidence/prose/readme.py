@@ -15,6 +15,7 @@ from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
 from roslab.evidence.prose import apt_scripts, exports, mentions, python_path
+from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.headings import FENCE, MAX_LINE, heading_of, section_of, title_of
 from roslab.evidence.prose.installs import BLANK, Collector, merge
 from roslab.evidence.prose.own_scripts import checked, compilers
@@ -83,8 +84,9 @@ _STRUCK = pattern(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
 def read(repository: Repository) -> Prose:
     """Return the install and run lines and the versions of the pages that explain how to install."""
     found = pages(repository)
-    paths = (mention for file in found for mention in python_path.read(repository, file, repository.read(file)))
-    exported = (mention for file in found for mention in exports.read(repository, file, repository.read(file)))
+    texts = [(file, text_of(repository, file)) for file in found]
+    paths = (mention for file, text in texts for mention in python_path.read(repository, file, text))
+    exported = (mention for file, text in texts for mention in exports.read(repository, file, text))
     read = merge(of_page(repository, file) for file in found)
     return read._replace(mentions=(*read.mentions, *paths, *exported))
 
@@ -96,7 +98,7 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
     called = re.compile(rf"^\s*(?:[$>]\s+)?(?:{'|'.join(map(re.escape, sorted(programs)))})(?:\s|$)", re.MULTILINE)
     found: list[Mention] = []
     for file in pages(repository):
-        text = repository.read(file)
+        text = text_of(repository, file)
         for line, code, heading in _code(text, called) if called.search(text) else ():
             for start, logical in logical_lines(BLANK.sub("$UNKNOWN", code), line):
                 found += (
@@ -115,9 +117,14 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
     return tuple(_with_files(mention, repository) for mention in found)
 
 
+def text_of(repository: Repository, file: File) -> str:
+    """Return what a page says to those who read it: not what it comments out."""
+    return without_comments(repository.read(file))
+
+
 def of_page(repository: Repository, file: File) -> Prose:
     """Return what a page says; in its commands, files of the tree are relative to the root: ``../map.yaml``."""
-    prose = _read(repository.read(file), file)
+    prose = _read(text_of(repository, file), file)
     told = tuple(each for m in prose.mentions for each in _checked(m, repository))
     asked = (each for m in told if m.topic == "build_script" for each in compilers(m, repository))
     return prose._replace(mentions=told, dependencies=(*prose.dependencies, *asked))
