@@ -10,6 +10,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.branches import branches
 from roslab.evidence.lex.shell import fill_placeholders
+from roslab.evidence.prose import only_on
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.knowledge.distros import distros
 from roslab.repository.checkout import Repository
@@ -60,6 +61,8 @@ def read(repository: Repository) -> Prose:
             found = collector.prose()
             found = found._replace(requirements=_of_one_branch(found.requirements, text))
             kept = (*(m for m in found.mentions if m.topic in _KEPT), *_distros(found.dependencies))
+            if file.path.count("/") <= 1:
+                kept = (*kept, *only_on.read(text, file.path))
             parts.append(found._replace(mentions=kept))
     lists = (
         file

@@ -59,7 +59,8 @@ def _patterns() -> tuple[tuple[Topic, tuple[str, ...], re.Pattern[str]], ...]:
 def _goes_on() -> dict[str, tuple[re.Pattern[str], re.Pattern[str]]]:
     """Return, for each topic, a pattern for a list of further versions, and one for a version in it."""
     number = "|".join(map(re.escape, ubuntus()))
-    more = rf"(?:[\s,/|&~-]{{0,4}}(?:or|and|to)?\s{{0,3}}(?:ubuntu)?\s{{0,2}}(?:{number})(?![\d.]\d)){{1,5}}"
+    released = r"(?:1\d|2\d)\.(?:04|10)"  # those between two long-term releases may stand in a list of them
+    more = rf"(?:[\s,/|&~-]{{0,4}}(?:or|and|to)?\s{{0,3}}(?:ubuntu)?\s{{0,2}}{released}(?![\d.]\d)){{1,5}}"
     return {
         "python": (_MORE, re.compile(r"\d\.\d{1,2}")),
         "ubuntu": (re.compile(more, re.IGNORECASE), re.compile(number)),  # 18.04~20.04
