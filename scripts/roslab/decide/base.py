@@ -74,7 +74,10 @@ def decide_base(
     python = None if kind == "cpp" else python  # for C++ the Ubuntu is chosen without regard to Python
     cudnn = cuda.cudnn if cuda.cudnn_named else None
     toolkit = "devel" if base.cuda else toolkit
-    image, ubuntu, reasons = base_for(kind, cuda.version, cudnn, base.ubuntu, python, toolkit=toolkit)
+    named = _named(evidence, config) if kind == "cuda" and python is None and not base.ubuntu else None
+    asked = named.answer if named else base.ubuntu
+    image, ubuntu, reasons = base_for(kind, cuda.version, cudnn, asked, python, toolkit=toolkit)
+    reasons = (*reasons, named) if named and named.answer == ubuntu else reasons
     return Choice(answer=BaseImage(image=image, ubuntu=ubuntu), reasons=reasons)
 
 
@@ -171,6 +174,12 @@ def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
     image = f"ubuntu:{version}"
     base = replace(best, question="base_image", answer=image, reason=f"plain C++ on Ubuntu {version}")
     return Choice(answer=BaseImage(image=image, ubuntu=best.answer), reasons=(base, *ranked(reasons, best.answer)))
+
+
+def _named(evidence: Evidence, config: Config) -> Reason | None:
+    """Return the Ubuntu that the author names for code that is only compiled, if it compiles there."""
+    best = strongest(each for each in _cpp(evidence, config).reasons if each.question == "ubuntu")
+    return best if best.weight >= Weight.SAID_ELSEWHERE else None
 
 
 def _by_date(evidence: Evidence) -> Reason:

@@ -222,3 +222,18 @@ def test_a_project_below_the_root_is_compiled_where_no_python_is(
 ) -> None:
     decision = tree({**CUDA_BELOW, **more})
     assert (decision.kind, decision.build_tool) == ("cuda", tool)
+
+
+@pytest.mark.parametrize(
+    ("page", "image"),
+    [
+        ("* Ubuntu 18.04 or 20.04\n", "nvidia/cuda:11.8.0-devel-ubuntu18.04"),
+        ("Tested on Ubuntu 20.04.\n", "nvidia/cuda:11.8.0-devel-ubuntu20.04"),
+        ("* Ubuntu 14.04\n", "nvidia/cuda:11.8.0-devel-ubuntu22.04"),  # no image of that CUDA
+        ("Compile it.\n", "nvidia/cuda:11.8.0-devel-ubuntu22.04"),
+    ],
+)
+def test_code_for_cuda_is_compiled_on_the_ubuntu_that_the_page_names(
+    tree: Callable[[dict[str, str]], Decision], page: str, image: str
+) -> None:
+    assert tree({**CUDA_BELOW, "README.md": page}).base_image == image
