@@ -23,3 +23,9 @@ def architectures() -> tuple[tuple[str, str], ...]:
 def public_hosts() -> frozenset[str]:
     """Return the hosts of public code whose every repository can be cloned by https."""
     return frozenset(row["host"] for row in rows("git_hosts"))
+
+
+@cache
+def programs() -> dict[str, str]:
+    """Return the package of apt that has a program, by the program's name."""
+    return {row["program"]: row["apt"] for row in rows("programs")}

@@ -6,6 +6,7 @@ import re
 
 from roslab.config.model import Config, Source
 from roslab.decide.decision import Decision
+from roslab.knowledge.compiled import programs
 from roslab.knowledge.distros import distro
 from roslab.knowledge.on_request import packages
 from roslab.knowledge.package_data import PackageData, package_data
@@ -63,6 +64,8 @@ def _compilers(decision: Decision, *, own_python: bool) -> list[str]:
     has_one = decision.kind in ("ros1", "ros2") or "-devel" in decision.base_image
     needs = [] if has_one else ["build-essential"]
     needs += ["cmake"] if decision.scripts else []
+    if decision.python.conda_file:  # its pip part is compiled while the environment is made, before pip's own steps
+        needs += [programs()[each.key] for each in decision.python.first if each.key in programs()]
     if decision.python.manager != "conda" and not own_python:
         needs.append("python-dev" if (decision.python.version or "").startswith("2") else "python3-dev")
     return needs + (["cargo"] if decision.compiling.rust else [])

@@ -87,6 +87,26 @@ def test_the_folders_are_taken_out_of_the_file_before_conda_reads_it(tmp_path: P
     assert left == "name: a\ndependencies:\n  - python=3.8\n  - pytorch=1.12.1\n"
 
 
+@pytest.mark.parametrize(
+    ("line", "apt"),
+    [
+        ("dlib==19.17.0", {"cmake", "build-essential"}),
+        ("box2d-py", {"swig", "build-essential"}),
+        ("munch", {"build-essential"}),
+    ],
+)
+def test_what_the_pip_part_of_a_conda_file_is_compiled_with_is_there_before(
+    tmp_path: Path, line: str, apt: set[str]
+) -> None:
+    conda = f"name: a\ndependencies:\n  - python=3.8\n  - pip:\n    - {line}\n"
+    (tmp_path / "environment.yml").write_text(conda, encoding="utf-8")
+    (tmp_path / "run.py").write_text("print('runs')\n", encoding="utf-8")
+    plan = plan_repository(tmp_path).plan
+    assert apt == {"cmake", "swig", "build-essential"} & set(plan.apt)
+    text = dockerfile(plan)
+    assert all(text.index(f"      {name} ") < text.index("micromamba create") for name in apt)
+
+
 @pytest.mark.parametrize(("name", "kind"), [("detector", "cuda"), ("detector_ros", "ros2"), ("ROS2-detector", "ros2")])
 def test_what_is_named_after_ros_is_no_wrapper(tmp_path: Path, name: str, kind: str) -> None:
     files = {
