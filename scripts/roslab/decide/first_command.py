@@ -23,6 +23,8 @@ _ASIDE = pattern(
     re.IGNORECASE,
 )
 """A section about something else than starting it."""
+_TO_TEST = pattern(r"(?<!\w)(start|run|launch)\b(.{1,80}?)\bto test\b", re.IGNORECASE)
+"""What a section starts to see whether it works: ``Start the simulation to test your setup``."""
 _SERVES = pattern(
     r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre-?proc\w*|(?:pre-?)?cach(?:e|ing)|prepare\w*|extract\w*|install\w*|set-?up|format|"
     r"record\w*|collect\w*|tokenize\w*|generate\w*|gen|export\w*|annotate\w*|"
@@ -143,7 +145,7 @@ def _order(candidate: Candidate, page: int, *, gap: bool) -> tuple[bool, bool, b
 def _section(heading: str) -> int:
     """Return 1 for a section about running it, -1 for one about something else, else 0; the innermost title counts."""
     for title in reversed(heading.split(" / ")):
-        if _ASIDE.search(title):
+        if _ASIDE.search(_TO_TEST.sub(r"\1\2", title)):
             return -1
         if _USAGE.search(title):
             return 1

@@ -562,3 +562,19 @@ def test_a_script_that_opens_a_shell_is_not_what_is_run(tree: Tree, last: str, c
     page = "# Usage\nOpen a shell with `./robot.sh master`, then\n```\nroslaunch demo map.launch\n```\n"
     script = f"#!/bin/bash\nexport ROBOT=$1\n{last}\n"
     assert " ".join(tree({**ROS1, "robot.sh": script, "README.md": page}).command) == command
+
+
+@pytest.mark.parametrize(
+    ("title", "launched"),
+    [
+        ("3. Start the demo simulation to test your setup", "world"),
+        ("Test the demo", "drive"),
+        ("Run the tests", "drive"),
+    ],
+)
+def test_what_a_section_starts_to_test_the_installation_is_run_first(tree: Tree, title: str, launched: str) -> None:
+    page = f"# For ROS Noetic\n## {title}\n```roslaunch demo world.launch```\n"
+    page += "## Start driving\n`roslaunch demo drive.launch`\n"
+    files = {f"launch/{name}.launch": "<launch/>\n" for name in ("world", "drive")}
+    found = tree({"package.xml": PACKAGE.format(tool="catkin"), "README.md": page} | files)
+    assert found.command == ("roslaunch", "demo", f"{launched}.launch")
