@@ -8,6 +8,8 @@ from collections.abc import Iterable, Mapping
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate, program_of
 from roslab.evidence.facts import Evidence, LaunchFile
+from roslab.knowledge.distros import distros
+from roslab.knowledge.released import released
 from roslab.values.pattern import pattern
 
 _USAGE = pattern(
@@ -49,6 +51,8 @@ _AFTER = pattern(
     re.IGNORECASE,
 )
 """The name of a program that looks at what another one did; a README of Python may name its examples so."""
+_OF_RESULTS = pattern(r"(?:eval|evaluat\w*|metrics?)", re.IGNORECASE)
+"""The name of a folder whose programs look at what another one made."""
 _SHOWS = pattern(r"(?:^|[_.-])(?:visuali[sz]\w*|vis|viz)(?:[_.-]|$)", re.IGNORECASE)
 """The name of a file of Python that shows what another one made; a launch file of that name may be a demonstration."""
 _TEST = pattern(r"(?:^|[_.-])tests?(?:[_.-]|$)", re.IGNORECASE)
@@ -170,7 +174,9 @@ def _helps(candidate: Candidate) -> bool:
 
 def _after(candidate: Candidate) -> bool:
     python = candidate.argv[0].startswith("python")
-    return _named(candidate, _AFTER) or _named(candidate, _SHOWS if python else _TEST)
+    place = program_of(candidate.argv)[-1].rpartition("/")[0].rpartition("/")[2]
+    of_results = bool(python and _OF_RESULTS.fullmatch(place))
+    return of_results or _named(candidate, _AFTER) or _named(candidate, _SHOWS if python else _TEST)
 
 
 def _purpose(candidate: Candidate) -> bool:
@@ -239,7 +245,8 @@ def named_like_it(candidates: Iterable[Candidate]) -> Candidate | None:
 def whole_of(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate | None:
     """Return the launch file that brings most of the others, itself brought by none: it starts the whole.
 
-    It has to bring two or more, and more than any other that nothing brings.
+    It has to bring two or more, and more than any other that nothing brings, and nothing of a package that neither the
+    tree has, nor a package.xml asks for, nor any distribution of ROS released.
     """
     named: dict[str, list[LaunchFile]] = {}
     for launch in evidence.launch:
@@ -250,10 +257,20 @@ def whole_of(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate |
         name = candidate.argv[-1].rpartition("/")[2]
         started = candidate.argv[0] == "roslaunch" or candidate.argv[:2] == ("ros2", "launch")
         if started and not candidate.strong and name not in brought and len(named.get(name, ())) == 1:
-            sizes.append((len(_below(name, named)), candidate))
+            below = _below(name, named)
+            if all(_known(launch, evidence) for each in {name, *below} for launch in named[each]):
+                sizes.append((len(below), candidate))
     sizes.sort(key=lambda each: -each[0])
     alone = sizes and sizes[0][0] >= FEWEST and (len(sizes) == 1 or sizes[1][0] < sizes[0][0])
     return sizes[0][1] if alone else None
+
+
+def _known(launch: LaunchFile, evidence: Evidence) -> bool:
+    """Tell whether all packages that a launch file starts are known."""
+    asked = {manifest.name for manifest in evidence.manifests}
+    asked |= {dependency.name for manifest in evidence.manifests for dependency in manifest.dependencies}
+    started = {dependency.name for dependency in launch.dependencies if dependency.namespace == "ros"} - asked
+    return not started or any(started <= released(name) for name in distros())
 
 
 def _below(name: str, named: Mapping[str, list[LaunchFile]]) -> set[str]:

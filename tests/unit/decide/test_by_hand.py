@@ -302,6 +302,11 @@ def test_a_library_that_is_linked_and_cloned_is_built(tree: Tree, tmp_path: Path
     assert 'mv "$DESTDIR"/usr/lib64/libuWS.* "$DESTDIR/usr/lib/"' in dockerfile(plan_repository(tmp_path).plan)
 
 
+def test_a_library_that_is_the_repository_itself_is_not_built_beside_it(tree: Tree) -> None:
+    own = SOCKETS["CMakeLists.txt"].replace("project(", "project(uWebSockets)\nproject(", 1)
+    assert tree({**SOCKETS, "CMakeLists.txt": own, "README.md": PAGE}).source == ()
+
+
 def test_a_library_that_is_only_linked_may_be_compiled_beside_it(tree: Tree) -> None:
     assert tree({**SOCKETS, "README.md": "Run `./demo`\n"}).source == ()
     own = SOCKETS["CMakeLists.txt"].replace("add_executable", "add_library(uWS all.cpp)\nadd_executable")

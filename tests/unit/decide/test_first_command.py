@@ -117,6 +117,9 @@ def test_of_many_launch_files_no_name_tells(tree: Tree) -> None:
         ({"whole": "map", "other": "drive", "drive": ""}, ""),
         ({"whole": "map drive", "other": "map drive", "drive": ""}, ""),
         ({"whole": "gone map", "drive": ""}, ""),
+        ({"whole": "map drive", "drive": "", "wheels": "@nowhere_at_all"}, "whole.launch.py"),
+        ({"whole": "map drive", "drive": "@nav2_bringup"}, "whole.launch.py"),
+        ({"whole": "map drive", "drive": "@nowhere_at_all"}, ""),
     ],
 )
 def test_where_no_page_runs_anything_the_launch_file_that_brings_most_is_run(
@@ -125,7 +128,11 @@ def test_where_no_page_runs_anything_the_launch_file_that_brings_most_is_run(
     parts = {"map": "", "wheels": "", **parts}
     text = "from launch import LaunchDescription\n"
     launch = {
-        f"launch/{name}.launch.py": text + "".join(f"include('{part}.launch.py')\n" for part in below.split())
+        f"launch/{name}.launch.py": text
+        + "".join(
+            f"Node(package='{part[1:]}', executable='x')\n" if part[0] == "@" else f"include('{part}.launch.py')\n"
+            for part in below.split()
+        )
         for name, below in parts.items()
     }
     files = {path: text for path, text in ROS2.items() if not path.startswith("launch/")}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Source
-from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.source_names import itself_in, plain
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import CodeLimit, Evidence
 from roslab.knowledge.libraries import library
@@ -47,10 +47,12 @@ def linked(
 ) -> Iterator[tuple[str, Dependency]]:
     """Yield the libraries without a package that are linked and that a page or a script of the repository clones.
 
-    A name that is only linked may be a library that is compiled beside it: the clone tells. ``needed`` are names, each
-    with whether it may be taken for more than a guess.
+    A name that is only linked may be a library that is compiled beside it: the clone tells, where it is not one of the
+    repository itself. ``needed`` are names, each with whether it may be taken for more than a guess.
     """
-    cloned = {plain(git.name) for git in evidence.sources if git.kind == "clone"}
+    names = (*(manifest.name for manifest in evidence.manifests), *(each.name for each in evidence.cmake))
+    own = {name for name in names if name}
+    cloned = {plain(git.name) for git in evidence.sources if git.kind == "clone" and not itself_in(git, own)}
     for dependency, trusted in needed:
         if not trusted or dependency.namespace != "link" or library("link", dependency.name, ubuntu):
             continue
