@@ -111,3 +111,27 @@ def test_unknown_keys_are_told_together_with_the_source_that_may_have_them(
     alone = [("rosdep has no key odd_core for ROS noetic", "package.xml", 1)]
     alone.append(("rosdep has no key odd_maps for ROS noetic", "package.xml", 2))
     assert said == (every if together else alone)
+
+
+@pytest.mark.parametrize(
+    ("ignored", "more", "said"),
+    [
+        ("*pyc\n*_pb2.py\n", {}, True),
+        ("*pyc\n", {}, False),
+        ("*_pb2.py\n", {"proto/state_pb2.py": "x = 1\n"}, False),
+        ("*_pb2.py\n", {"CMakeLists.txt": "project(demo)\nadd_executable(a a.cpp)\n"}, False),
+    ],
+)
+def test_a_call_of_make_that_generates_modules_is_told(
+    tree: Tree, ignored: str, more: dict[str, str], *, said: bool
+) -> None:
+    files = {
+        "README.md": "# Demo\n## Build\n``` shell\nmake -j build_it=1\n```\nThen make coffee.\n",
+        "proto/state.proto": 'syntax = "proto3";\n',
+        "run.py": "import numpy\nimport proto.state_pb2\n",
+        "requirements.txt": "numpy\n",
+        ".gitignore": ignored,
+    }
+    begin = "not part of the image: `make -j build_it=1`"
+    found = [(w.file, w.line) for w in tree({**files, **more}).warnings if w.message.startswith(begin)]
+    assert found == ([("README.md", 4)] if said else [])

@@ -14,7 +14,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
-from roslab.evidence.prose import apt_scripts, exports, mentions, python_path
+from roslab.evidence.prose import apt_scripts, exports, generated, mentions, python_path
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.headings import FENCE, MAX_LINE, heading_of, section_of, title_of
 from roslab.evidence.prose.installs import BLANK, Collector, merge
@@ -87,8 +87,9 @@ def read(repository: Repository) -> Prose:
     texts = [(file, text_of(repository, file)) for file in found]
     paths = (mention for file, text in texts for mention in python_path.read(repository, file, text))
     exported = (mention for file, text in texts for mention in exports.read(repository, file, text))
+    made = (mention for file in found for mention in generated.read(repository, file, repository.read(file)))
     read = merge(of_page(repository, file) for file in found)
-    return read._replace(mentions=(*read.mentions, *paths, *exported))
+    return read._replace(mentions=(*read.mentions, *paths, *exported, *made))
 
 
 def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, ...]:
