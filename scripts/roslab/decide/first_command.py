@@ -95,7 +95,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     whole = {program_of(c.argv) for c in rest if not c.cut}
     pages = {file: place for place, file in enumerate(dict.fromkeys(c.file for c in rest))}
     kept = [c for c in rest if not c.cut or program_of(c.argv) not in whole]
-    gaps = {(c.file, c.heading) for c in kept if c.cut}
+    gaps = {(c.file, c.heading) for c in kept if c.cut and (c.argv[0].startswith("python") or c.installed)}
     ordered = sorted(kept, key=lambda c: _order(c, pages[c.file], gap=(c.file, c.heading) in gaps))
     return _filled_in(ordered[0], rest) if ordered else None
 

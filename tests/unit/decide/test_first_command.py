@@ -371,6 +371,12 @@ def test_what_a_section_of_its_own_runs_whole_comes_before_what_has_blanks(
     assert " ".join(tree({**files, "README.md": page}).command) == f"python {command}"
 
 
+def test_a_blank_beside_a_launch_file_does_not_put_off_its_section(tree: Tree) -> None:
+    first = "# Run it\n```\nroslaunch demo map.launch\nrosrun demo demo_node <config file>\n```\n"
+    page = f"{first}# Run more\n```\nroslaunch demo replay.launch\n```\n"
+    assert tree({**ROS1, "README.md": page}).command == ("roslaunch", "demo", "map.launch")
+
+
 def test_a_program_that_pip_installs_counts_even_with_blanks(tree: Tree) -> None:
     page = "# Usage\n```\nsegment --show <weights> <data>\n```\n# Training\n```\npython scripts/train.py -n 1\n```\n"
     own = "[project]\nname = 'seg'\nversion = '1'\ndependencies = ['numpy']\n[project.scripts]\nsegment = 'seg:main'\n"
