@@ -31,7 +31,7 @@ from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.named import named
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.sources import decide_sources, with_recipes
-from roslab.decide.ros.workspace import Packages, of_one_ros, packages_of
+from roslab.decide.ros.workspace import names_of, of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.system.by_hand import as_written, by_hand
 from roslab.decide.system.guards import required_by_command
@@ -215,13 +215,13 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         variables=() if own.answer else variables.answer,
         scripts=() if own.answer else scripts.answer,
         packages=tuple(m.file for m in packages.built if m.name not in left_out) if kind.answer in _ROS else (),
-        package_names=(own_names := tuple(n for n in _names(packages, kind.answer) if n not in left_out)),
+        package_names=names_of(packages, kind.answer, left_out),
         named=named(
             evidence,
             config,
             build_tool.answer,
             packages=packages,
-            own=own_names,
+            left_out=left_out,
             sources=sources.answer.sources,
             ros_distro=distro,
         ),
@@ -254,6 +254,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cudnn=cuda.answer.cudnn,
         gpu=on_cuda if config.gpu is None else config.gpu,
         gui=command.answer.gui,
+        ports=command.answer.ports,
         warnings=(
             *(Warning_(message=message, file=file, line=line) for message, file, line in evidence.problems),
             *(warn(message, origin) for message, origin in config.warnings),
@@ -261,15 +262,6 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         ),
         reasons=tuple(reason for choice in choices for reason in choice.reasons),
     )
-
-
-def _names(packages: Packages, kind: Kind) -> tuple[str, ...]:
-    """Return the packages that ``rospack`` or ``ros2 pkg`` must find; rospack does not list metapackages.
-
-    https://github.com/ros/rospack/issues/26
-    """
-    built = (m for m in packages.built if kind in _ROS and not (kind == "ros1" and m.metapackage))
-    return tuple(sorted(manifest.name for manifest in built if manifest.name))
 
 
 def _something(evidence: Evidence, config: Config, folder_name: str) -> None:

@@ -12,7 +12,7 @@ from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.first_command import first_of, named_like_it, pointed_at, serves, upkeep, whole_of
 from roslab.decide.reasons import because, configured
-from roslab.decide.written_commands import TOOLS
+from roslab.decide.written_commands import NOTEBOOK, PORT, TOOLS
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.windows import opens
@@ -45,6 +45,8 @@ class Command:
     command: tuple[str, ...] | str = ("bash",)
     candidates: tuple[tuple[str, ...], ...] = ()
     gui: bool = False
+    ports: tuple[str, ...] = ()
+    """Where it listens."""
     given: bool = False
     """A container of the author's image has to be given it, as the image does not start it by itself."""
     entrypoint: bool = True
@@ -71,7 +73,8 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = _opened(evidence, config, shlex.join(command))
     inside = next((c for c in found if c.argv == command and c.inside), None)
-    chosen = Command(command=there(inside) if inside else command, candidates=candidates, gui=gui)
+    ports = (PORT,) if command[: len(NOTEBOOK)] == NOTEBOOK else ()
+    chosen = Command(command=there(inside) if inside else command, candidates=candidates, gui=gui, ports=ports)
     if not (authored and started(authored)) and command != ("bash",):
         chosen = _given(chosen, dockerfile, authored)
     return Choice(answer=chosen, reasons=(why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES])))

@@ -215,5 +215,7 @@ class Decision:
     cudnn: str | None = None
     gpu: bool = False
     gui: bool = False
+    ports: tuple[str, ...] = ()
+    """Where the command listens."""
     warnings: tuple[Warning_, ...] = ()
     reasons: tuple[Reason, ...] = ()

@@ -7,9 +7,11 @@ from collections.abc import Iterable, Mapping
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate, program_of
-from roslab.evidence.facts import Evidence, LaunchFile
+from roslab.evidence.facts import Evidence
+from roslab.evidence.launch_file import LaunchFile
 from roslab.knowledge.distros import distros
 from roslab.knowledge.released import released
+from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
 
 _USAGE = pattern(
@@ -182,11 +184,7 @@ def _after(candidate: Candidate) -> bool:
 def _purpose(candidate: Candidate) -> bool:
     """Tell whether a node or a launch file has the name of its package: what that is called is what it is for."""
     words = program_of(candidate.argv)
-    return words[0] in _LAUNCHERS and _plain(words[-1]).startswith(_plain(words[-2]))
-
-
-def _plain(name: str) -> str:
-    return re.sub(r"[^a-z0-9]", "", name.lower())
+    return words[0] in _LAUNCHERS and bare_name(words[-1]).startswith(bare_name(words[-2]))
 
 
 def _named(candidate: Candidate, names: re.Pattern[str]) -> bool:

@@ -37,6 +37,8 @@ _BESIDE = pattern(r"\./[\w.+-]+")
 _ABOVE = pattern(r"^(--?[\w-]+=)?(?:\.\./)+(?=[\w-])")
 NOTEBOOK = ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser")
 """Reachable from outside of a container, which has no browser."""
+PORT = "8888"
+"""Where it listens: https://jupyter-server.readthedocs.io/en/latest/other/full-config.html, 2026-11-23"""
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 """Files that serve a project without being its purpose."""
 

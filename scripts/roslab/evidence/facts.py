@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal, NamedTuple
 
 from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.launch_file import LaunchFile
 from roslab.values.conda import CondaPackage
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
@@ -53,7 +54,8 @@ class CMakeProject:
     tests: bool = False
     """It has tests for ctest."""
     programs_in: str | None = None
-    """The folder of its programs, from the root (``source/…``), the top CMakeLists.txt (``top/…``), or ``build/…``."""
+    """The folder that programs are written to; ``None`` if the file names none. ``source/…`` is relative to the root of
+    the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, ``build/…`` to the build folder."""
     linked: tuple[tuple[str, int], ...] = ()
     """Files of libraries below the source that it links and that are not there, as written, each with its line."""
     lacks: bool = False
@@ -181,27 +183,6 @@ class Mention:
     """The titles of the sections that it stands in, the outermost first (``Usage / Simulation``); of a page only."""
     inside: str = ""
     """Of a command: the folder of the tree that it has to be started in."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class LaunchFile:
-    """A launch file, ROS 1 (XML) or ROS 2 (Python, XML, YAML)."""
-
-    file: str
-    line: int
-    package: str | None
-    """The name of the package that it belongs to."""
-    ros: Literal[1, 2]
-    dependencies: tuple[Dependency, ...]
-    gui: bool
-    """Whether it starts rviz, rqt, Gazebo's client or the like."""
-    tests: int = 0  # for rostest
-    compiled: tuple[tuple[str, str], ...] = ()
-    """Of a file with tests: package and program of what it starts that is no file of the tree."""
-    includes: tuple[str, ...] = ()
-    """The names of other files that it names, as it does to include them: ``map.launch``."""
-    demands: tuple[str, ...] = ()
-    """Arguments without a default, without which it is not started."""
 
 
 Runner = Literal["pytest", "unittest", "launch_test"]

@@ -6,6 +6,7 @@ import re
 
 from roslab.config.model import Config, Source
 from roslab.decide.decision import Decision
+from roslab.decide.ros.source_names import wraps
 from roslab.knowledge.compiled import programs
 from roslab.knowledge.distros import distro
 from roslab.knowledge.on_request import packages
@@ -102,8 +103,8 @@ def _ros_tools(decision: Decision, in_workspace: tuple[Source, ...]) -> list[str
         tools += [f"ros-{release.name}-rosmake", f"ros-{release.name}-mk"] if "rosmake" in used else []
     if "colcon" in used and (decision.packages or in_workspace) and (bare or release.ros == 1):
         tools.append("python3-colcon-common-extensions")
-    wrapped = any(source.name.endswith("_catkin") for source in in_workspace)
-    tools += ["wget"] if wrapped else []  # wrappers of libraries for catkin fetch them with it
+    if any(wraps(source.name) for source in in_workspace):
+        tools += packages("catkin-wrapper", decision.ubuntu)
     return list(dict.fromkeys((*tools, *(name for data in data_of(decision) for name in data.needs))))
 
 

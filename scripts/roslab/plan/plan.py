@@ -194,7 +194,7 @@ def make_plan(
         gui=decision.gui,
         gpu=decision.gpu,
         volumes=config.volume,
-        ports=config.ports or (("8888",) if decision.command[:1] == ("jupyter",) else ()),  # where it listens
+        ports=config.ports or decision.ports,
         matlab=config.matlab,
         given=given(decision),
     )

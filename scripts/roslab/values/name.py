@@ -5,6 +5,7 @@ from __future__ import annotations
 from roslab.values.pattern import pattern
 
 _RUN = pattern(r"[-_.]+")
+_OTHER = pattern(r"[^a-z0-9]")
 
 
 def canonicalize_name(name: str) -> str:
@@ -14,3 +15,8 @@ def canonicalize_name(name: str) -> str:
     for. https://peps.python.org/pep-0503/#normalized-names.
     """
     return _RUN.sub("-", name).lower()
+
+
+def bare_name(name: str) -> str:
+    """Return the letters and digits of a name in lower case, to compare names that are written in several ways."""
+    return _OTHER.sub("", name.lower())

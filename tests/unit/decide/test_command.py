@@ -17,11 +17,11 @@ from roslab.evidence.facts import (
     CMakeProject,
     CondaEnvironment,
     Evidence,
-    LaunchFile,
     Mention,
     Program,
     RequirementFile,
 )
+from roslab.evidence.launch_file import LaunchFile
 from roslab.values.conda import conda_package
 from roslab.values.requirement_line import stated
 

@@ -26,10 +26,8 @@ def first(asked: Sequence[Requirement], projects: Sequence[PythonProject]) -> tu
     needs += [need for project in projects for need in _for_setup(project)]
     if needs:
         asking = [line for project in projects for line in project.build_requires]
-        needs += asking
-        needs += [
-            stated(name) for line in asking for name in build_needs().get(line.key, ())
-        ]  # asked for while building
+        while_building = [name for line in asking for name in build_needs().get(line.key, ())]
+        needs += [*asking, *map(stated, while_building)]
     return tuple({need.key: by_name.get(need.key, need) for need in needs}.values())
 
 

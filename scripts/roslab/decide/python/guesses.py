@@ -11,27 +11,22 @@ from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.evidence.ros.vcs import https
-from roslab.knowledge.frameworks import imports
+from roslab.knowledge.frameworks import imports, tabled
 from roslab.knowledge.guesses import same_module, tooling
 from roslab.values.dataclass import replace
-from roslab.values.name import canonicalize_name
+from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
 _FOR_DEVELOPERS = pattern(r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|(?:bitbucket|azure)-pipelines\.|docs?\d?/)")
 _FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
-_TENSORFLOW = frozenset(
-    {f"tensorflow-{build}" for build in ("gpu", "cpu", "rocm", "macos", "intel", "aarch64")} | {"tf-nightly"}
-)
-"""Other builds of TensorFlow; ``tensorflow-datasets`` and the like are none, and most do not ask for it."""
 _BESIDE = frozenset({"torchvision", "torchaudio", "jaxlib"})
-_NONE: frozenset[str] = frozenset()
 MAX_GUESSES = 40
 
 
 def guesses(
-    evidence: Evidence, pins: tuple[Pin, ...], *, ros: bool, manifests: bool, known: set[str], loose: Set[str] = _NONE
+    evidence: Evidence, pins: tuple[Pin, ...], *, ros: bool, manifests: bool, known: set[str], loose: Set[str]
 ) -> tuple[Requirement, ...]:
     """Return the packages that only prose, Dockerfiles and imports name, each once, from the best source.
 
@@ -85,17 +80,13 @@ def _linked(evidence: Evidence) -> dict[str, Requirement]:
     One that has the name of a CMake project of the tree is the repository itself, which compiles that module.
     """
     found: dict[str, Requirement] = {}
-    compiled = {_joined(project.name) for project in evidence.cmake if project.name}
+    compiled = {bare_name(project.name) for project in evidence.cmake if project.name}
     for git in evidence.sources:
         offered = git.kind in {"link", "clone"} and "/" not in git.file and not git.installed
-        if offered and _joined(git.name) not in compiled:
+        if offered and bare_name(git.name) not in compiled:
             ref = f"@{git.ref}" if git.ref and re.fullmatch(r"[\w.-]+", git.ref) else ""
             found.setdefault(canonicalize_name(git.name), stated(f"git+{https(git.url)}{ref}", "import"))
     return found
-
-
-def _joined(name: str) -> str:
-    return re.sub(r"[^a-z0-9]", "", name.lower())
 
 
 def _aside(path: str) -> bool:
@@ -135,4 +126,4 @@ def known_names(
             asked += [*environment.requirements, *of_conda(environment)]
     known = {each.key for each in asked if ANY.may(each)}
     known |= {canonicalize_name(project.name) for project in evidence.python if project.name}
-    return known | {"tensorflow" for name in known if name in _TENSORFLOW}
+    return known | {tabled(name) for name in known}

@@ -8,6 +8,7 @@ from typing import ClassVar
 from roslab.config.model import BuildTool
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because, ranked, strongest
+from roslab.decide.ros.source_names import wraps
 from roslab.decide.ros.workspace import of_rosbuild, packages_of, ros_versions, types
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -68,7 +69,7 @@ def _simple(evidence: Evidence) -> Iterator[Dependency]:
     """
     declared = [dependency for manifest in packages_of(evidence).built for dependency in manifest.dependencies]
     found = [dependency for project in evidence.cmake for dependency in project.dependencies]
-    yield from (d for d in (*declared, *found) if d.name == "catkin_simple" or d.name.endswith("_catkin"))
+    yield from (d for d in (*declared, *found) if d.name == "catkin_simple" or wraps(d.name))
 
 
 def _colcon(evidence: Evidence) -> Mention | None:

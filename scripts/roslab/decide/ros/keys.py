@@ -18,7 +18,6 @@ from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import dataclass
 
-_NOTHING = "nothing here says where it comes from"
 _NOT_INSTALLED = frozenset({"doc"})
 """rosdep leaves documentation alone."""
 
@@ -68,8 +67,9 @@ def translate(key: Dependency, target: Target, *, cloned: bool, submodules: tupl
             hint = "it is taken out of the manifest in the image, and rosmake stops where the code needs it"
             return Translated(skip=True, warning=warn(f"{message}: {hint}", key))
         message = f"rosdep has no key {name} for ROS {target.ros_distro}"
-        hint = _hint(name, target, cloned=cloned, submodules=submodules)
-        return Translated(warning=warn(f"{message}: {hint}", key), unknown=hint.startswith(_NOTHING))
+        folder = next((path for path in submodules if path.rpartition("/")[2] == name), None)
+        hint = _hint(name, target, cloned=cloned, folder=folder)
+        return Translated(warning=warn(f"{message}: {hint}", key), unknown=not (cloned or folder))
     instead = " ".join(found.apt) or f"{found.recipe}, built from source,"
     message = f"{name} is the name of a library, not a key of rosdep: {instead} is installed for it"
     return Translated(
@@ -91,12 +91,11 @@ def of_an_apt_source(keys: Sequence[str], target: Target, evidence: Evidence) ->
     return warn(f"{message}: {hint}, or give their repositories under `source`", step)
 
 
-def _hint(name: str, target: Target, *, cloned: bool, submodules: tuple[str, ...]) -> str:
-    folder = next((path for path in submodules if path.rpartition("/")[2] == name), None)
+def _hint(name: str, target: Target, *, cloned: bool, folder: str | None) -> str:
     if folder:
         return f"the submodule {folder} may hold it, but is not checked out: git submodule update --init --recursive"
     near = _nearest(name, rosdep_keys() | released(target.ros_distro or ""))
-    where = "one of the cloned repositories may hold it" if cloned else _NOTHING
+    where = "one of the cloned repositories may hold it" if cloned else "nothing here says where it comes from"
     meant = f"correct the name (is {near} meant?)" if near else "correct the name"
     return f"{where}; else {meant}, or give its repository under source in roslab.yaml"
 

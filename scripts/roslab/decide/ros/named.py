@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from roslab.config.model import BuildTool, Config, Source
 from roslab.decide.ros.source_names import plain
-from roslab.decide.ros.workspace import Packages
+from roslab.decide.ros.workspace import Packages, names_of
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.released import released, rosdep_keys
 
@@ -17,7 +17,7 @@ def named(
     build_tool: BuildTool,
     *,
     packages: Packages,
-    own: tuple[str, ...],
+    left_out: Collection[str],
     sources: Iterable[Source],
     ros_distro: str | None,
 ) -> tuple[str, ...]:
@@ -26,6 +26,7 @@ def named(
     catkin builds what these need, too, and nothing else of the clones: their tools and bindings may need packages that
     nobody asked for. All is built where a launch file starts a package of a clone that no package.xml names.
     """
+    own = names_of(packages, "ros1", left_out)
     cloned = {plain(source.name): source.name for source in sources if source.build == "catkin_tools"}
     said = tuple(_said(evidence)) if cloned and build_tool == "catkin_tools" else ()
     if config.compatible or config.build_args or not {*said} & {*own}:

@@ -50,6 +50,11 @@ def plain(name: str) -> str:
     return re.sub(r"[-_.]+", "_", name.rpartition("/")[2]).lower()
 
 
+def wraps(name: str) -> bool:
+    """Tell whether a package wraps a library for catkin, which it fetches and compiles: ``yaml_cpp_catkin``."""
+    return name.endswith("_catkin")
+
+
 def itself_in(git: GitSource, names: set[str]) -> bool:
     """Tell whether a list or a page names the repository itself, ``c-blox`` where it is ``cblox`` by now."""
     joined = {plain(name).replace("_", "") for name in names}

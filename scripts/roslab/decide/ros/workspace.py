@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from functools import cache
 from typing import Literal
 
@@ -213,3 +213,12 @@ def _built_with(manifest: PackageManifest, ros: RosVersion) -> set[str]:
     variables = {"ROS_VERSION": str(ros)}
     needs = (d for d in manifest.dependencies if d.role in {"buildtool", "build"})
     return {d.name for d in needs if holds(d.condition, variables)}
+
+
+def names_of(packages: Packages, kind: Kind, left_out: Collection[str]) -> tuple[str, ...]:
+    """Return the packages that ``rospack`` or ``ros2 pkg`` must find, without those left out.
+
+    rospack does not list metapackages. https://github.com/ros/rospack/issues/26
+    """
+    built = (m for m in packages.built if kind in {"ros1", "ros2"} and not (kind == "ros1" and m.metapackage))
+    return tuple(sorted(manifest.name for manifest in built if manifest.name and manifest.name not in left_out))

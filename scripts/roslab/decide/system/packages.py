@@ -23,6 +23,7 @@ from roslab.knowledge.never import never
 from roslab.knowledge.on_request import packages as on_request
 from roslab.knowledge.recipes import recipe
 from roslab.values.dataclass import dataclass, field, replace
+from roslab.values.name import bare_name
 from roslab.values.requirement import Requirement
 
 _IN_ANY_ROS = ("catkin", "ros_base", "ros_core", "ament_cmake")
@@ -160,7 +161,7 @@ def _drop(
 
 def without_twins(choice: Choice[SystemPackages], built: frozenset[str]) -> Choice[SystemPackages]:
     """Leave out ROS's packages of libraries that are built from their source: two versions would be mixed."""
-    names = "|".join(re.escape(re.sub(r"[^a-z0-9]", "", name.lower())) for name in built)
+    names = "|".join(bare_name(name) for name in built)
     twin = re.compile(rf"ros-[a-z]+-(?:{names})") if names else None
     kept = tuple(name for name in choice.answer.apt_guessed if twin is None or not twin.fullmatch(name))
     return replace(choice, answer=replace(choice.answer, apt_guessed=kept))

@@ -73,8 +73,6 @@ _TARGET = pattern(r"[A-Za-z][\w.+-]*$")
 _CODE = pattern(r"\w[\w./+-]*\.(?:c|cc|cpp|cxx|cu)$")
 _SWITCH = pattern(r"(?:OFF )?(?!UNIX$|LINUX$|WIN32$|MSVC$|APPLE$)[A-Za-z]\w*(?<!_FOUND)")
 _WHERE_FOUND = pattern(r"(?<!NOT )\b(?:(\w+)_FOUND\b|TARGET (\w+)::)")
-_OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Google")
-"""How names of CMake's own modules begin."""
 
 
 @dataclass
@@ -174,7 +172,7 @@ def _include(call: Call, repository: Repository, file: File, reading: _Reading) 
     """Note the folder that a file of the tree, which is included, gives programs."""
     written = call.words[0] if call.words else ""
     name = written.rpartition("/")[2].removesuffix(".cmake")
-    if not _TARGET.match(name) or (written == name and name.startswith(_OF_CMAKE)):
+    if not _TARGET.match(name) or (written == name and name.startswith(included.OF_CMAKE)):
         return
     for module in repository.named(f"{name}.cmake")[:1]:
         text = repository.read(module) if module.size <= MAX_MODULE else ""

@@ -19,7 +19,7 @@ _FINDS = frozenset({"find_package", "find_dependency", "pkg_check_modules", "pkg
 _FETCHES = frozenset({"fetchcontent_declare", "externalproject_add"})
 _SOURCE = pattern(r"^\$\{(?:CMAKE(?:_CURRENT)?|PROJECT)_(?:SOURCE|LIST)_DIR\}/|^\./")
 _NAME = pattern(r"[A-Za-z][\w.+-]*$")
-_OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Google", "Use", "Generate", "Write")
+OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Google", "Use", "Generate", "Write")
 """How names of CMake's own modules begin."""
 
 
@@ -47,7 +47,7 @@ def _module(call: Call, repository: Repository, file: File) -> File | None:
     written = call.words[0] if call.words else ""
     path = _SOURCE.sub("", written)
     name = posixpath.basename(path).removesuffix(".cmake")
-    if "$" in path or not _NAME.match(name) or (written == name and name.startswith(_OF_CMAKE)):
+    if "$" in path or not _NAME.match(name) or (written == name and name.startswith(OF_CMAKE)):
         return None
     found = [each for each in repository.named(f"{name}.cmake") if each.size <= MAX_SIZE]
     if path != name:

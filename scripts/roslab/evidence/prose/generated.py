@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.prose.headings import FENCE, MAX_LINE
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
 DEEPEST = 1
 """A page below is about a part."""
 _MAKE = pattern(r"^[ \t]{0,8}(?:\$[ \t]+)?(make(?:[ \t]+[\w.+=/-]{1,80}){0,10})[ \t]*$")
-_FENCE = pattern(r"^[ \t]{0,8}(?:```|~~~)")
 _IGNORED = pattern(r"^/?(?:[\w.*-]+/)*\*_pb2\*?(?:\.py)?\s*$")
 
 
@@ -25,7 +25,7 @@ def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
         return
     fenced = False
     for number, line in enumerate(text.split("\n"), 1):
-        if _FENCE.match(line):
+        if FENCE.match(line[:MAX_LINE]):
             fenced = not fenced
         elif fenced and (match := _MAKE.match(line)):
             value = " ".join(match[1].split())

@@ -12,15 +12,13 @@ MAX_LINE = 2_000
 FENCE = pattern(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
 """Backquotes that are closed on their own line are inline code. https://spec.commonmark.org/0.31.2/#fenced-code-blocks"""
 _HEADING = pattern(r"^(#{1,6})\s+(.*?)\s*#*$")
+_SYSTEMS = r"windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry"
 _ELSEWHERE = pattern(
-    r"\b(?:windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry|nvidia driver|"
-    r"uninstall|docker (?:install|engine)|real[- ]robots?|"
+    rf"\b(?:{_SYSTEMS}|nvidia driver|uninstall|docker (?:install|engine)|real[- ]robots?|"
     r"hardware(?: setup)?|kernel|contribut|changelog|news|acknowledg|citation|licen[sc]e)",
     re.IGNORECASE,
 )
-_SYSTEM = pattern(
-    r"\b(?:windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry)", re.IGNORECASE
-)
+_SYSTEM = pattern(rf"\b(?:{_SYSTEMS})", re.IGNORECASE)
 """What the title of a whole page may be about; other words tell what the code is for: ``Policies for Real Robots``."""
 _LEAF = pattern(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
 DEEPEST = 7

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.readme import MAX_SIZE, of_page, pages
+from roslab.evidence.prose.readme import MAX_SIZE, of_page, pages, text_of
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -41,7 +41,7 @@ def _pages(repository: Repository) -> Iterator[File]:
     for page in read:
         if "/" in page.path:
             return
-        for match in _LINK.finditer(repository.read(page)):
+        for match in _LINK.finditer(text_of(repository, page)):
             path = posixpath.normpath(match[1])
             if path in taken or len(taken) - len(read) >= MOST or not (file := files.get(path)):
                 continue

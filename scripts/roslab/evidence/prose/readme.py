@@ -87,7 +87,7 @@ def read(repository: Repository) -> Prose:
     texts = [(file, text_of(repository, file)) for file in found]
     paths = (mention for file, text in texts for mention in python_path.read(repository, file, text))
     exported = (mention for file, text in texts for mention in exports.read(repository, file, text))
-    made = (mention for file in found for mention in generated.read(repository, file, repository.read(file)))
+    made = (mention for file, text in texts for mention in generated.read(repository, file, text))
     read = merge(of_page(repository, file) for file in found)
     return read._replace(mentions=(*read.mentions, *paths, *exported, *made))
 

@@ -12,7 +12,7 @@ from typing import Literal, TypedDict
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
-from roslab.evidence.facts import LaunchFile
+from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import lines_with, matches_at, matching_lines
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern

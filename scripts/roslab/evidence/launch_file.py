@@ -1,0 +1,30 @@
+"""What one launch file tells."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from roslab.evidence.dependency import Dependency
+from roslab.values.dataclass import dataclass
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class LaunchFile:
+    """A launch file, ROS 1 (XML) or ROS 2 (Python, XML, YAML)."""
+
+    file: str
+    line: int
+    package: str | None
+    """The name of the package that it belongs to."""
+    ros: Literal[1, 2]
+    dependencies: tuple[Dependency, ...]
+    gui: bool
+    """Whether it starts rviz, rqt, Gazebo's client or the like."""
+    tests: int = 0
+    """Number of its tests for rostest."""
+    compiled: tuple[tuple[str, str], ...] = ()
+    """Of a file with tests: package and program of what it starts that is no file of the tree."""
+    includes: tuple[str, ...] = ()
+    """The names of other files that it names, as it does to include them: ``map.launch``."""
+    demands: tuple[str, ...] = ()
+    """Arguments without a default, without which it is not started."""
