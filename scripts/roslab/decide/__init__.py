@@ -272,7 +272,8 @@ def _something(evidence: Evidence, config: Config, folder_name: str) -> None:
     sources = [git for git in evidence.sources if git.kind != "link" and plain(git.name) != plain(folder_name)]
     found = (
         *(evidence.manifests, evidence.cmake, evidence.python, evidence.requirements, evidence.conda),
-        *(evidence.dockerfiles, evidence.programs, sources, evidence.code, evidence.cuda_files),
+        *(evidence.dockerfiles, evidence.programs, evidence.notebooks),
+        *(sources, evidence.code, evidence.cuda_files),
     )
     if any(found) or config.file:
         return

@@ -10,7 +10,7 @@ from roslab.decide.candidate import Candidate
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
-from roslab.decide.written_commands import written
+from roslab.decide.written_commands import NOTEBOOK, written
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.values.dataclass import replace
@@ -33,6 +33,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         yield from (_cut(each, demands) for each in launched or _nodes(evidence, kind))
     elif compiled or not evidence.programs:
         yield from _compiled(evidence)
+        yield from () if compiled else of_notebooks(evidence)
     else:
         yield from _installed(evidence)
 
@@ -107,6 +108,18 @@ def _left_out(evidence: Evidence) -> Iterator[tuple[str, str]]:
             off = variable.startswith("OFF ") or places.example(project.file)
             if off and f"-D{variable.removeprefix('OFF ')}" not in given:
                 yield project.file, name
+
+
+def of_notebooks(evidence: Evidence) -> Iterator[Candidate]:
+    """Yield the server of the notebooks that a tree consists of, where neither a program nor a package is beside them.
+
+    It opens the one notebook, of several the folder.
+    """
+    library = any(project.installable for project in evidence.python)
+    if evidence.notebooks and not (evidence.programs or library):
+        opened = evidence.notebooks if len(evidence.notebooks) == 1 else ()
+        why = "the tree consists of notebooks"
+        yield Candidate(argv=(*NOTEBOOK, *opened), why=why, file=evidence.notebooks[0], line=1, strong=False)
 
 
 def _installed(evidence: Evidence) -> Iterator[Candidate]:

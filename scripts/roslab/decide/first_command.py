@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.written_commands import NOTEBOOK
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
 from roslab.knowledge.distros import distros
@@ -201,7 +202,7 @@ def _lacks(candidate: Candidate) -> bool:
 
 
 def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
-    """Return the launch file, else the script, that a page at the root names without running it.
+    """Return the launch file, script or notebook that a page at the root names without running it.
 
     A section about running it names the first; elsewhere it must be the only one.
     """
@@ -217,6 +218,8 @@ def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
             argv = (*start, launch.package or "", said.value.rpartition("/")[2])
         elif said.topic == "pointed" and kind not in {"ros1", "ros2"} and _RUNS.match(said.value.rpartition("/")[2]):
             argv = ("bash", said.value)
+        elif said.topic == "pointed" and kind in {"python", "cuda"} and said.value.endswith(".ipynb"):
+            argv = (*NOTEBOOK, said.value)
         if argv:
             why = "the README names it"
             found.append(

@@ -242,6 +242,8 @@ class Evidence:
     dockerfiles: tuple[AuthorDockerfile, ...] = ()
     launch: tuple[LaunchFile, ...] = ()
     programs: tuple[Program, ...] = ()
+    notebooks: tuple[str, ...] = ()
+    """Notebooks in Python of a tree without other Python at its root, those nearest to the root first."""
     tests: tuple[TestFile, ...] = ()
     code: tuple[Dependency, ...] = ()
     """Includes and imports."""

@@ -20,7 +20,18 @@ from roslab.evidence.prose import (
     worked_on,
 )
 from roslab.evidence.prose.installs import merge
-from roslab.evidence.python import conda, imports, limits, pixi, print_statement, project, removed, requirements, tests
+from roslab.evidence.python import (
+    conda,
+    imports,
+    limits,
+    notebooks,
+    pixi,
+    print_statement,
+    project,
+    removed,
+    requirements,
+    tests,
+)
 from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, rosbuild, vcs
 from roslab.repository.checkout import Repository
 
@@ -58,6 +69,7 @@ def gather(repository: Repository) -> Evidence:
         dockerfiles=author_dockerfile.read(own),
         launch=launch.read(repository),
         programs=imports.programs(repository),
+        notebooks=notebooks.alone(own),
         tests=tests.read(repository),
         code=(
             *cpp.read(repository, signs),

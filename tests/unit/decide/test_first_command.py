@@ -291,6 +291,7 @@ NOTEBOOK = '{"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 4}'
     [
         ("```\njupyter notebook demo.ipynb\n```\n", "jupyter notebook --ip=0.0.0.0 --no-browser demo.ipynb"),
         ("Run `jupyter lab nb/more.ipynb` then.\n", "jupyter notebook --ip=0.0.0.0 --no-browser nb/more.ipynb"),
+        ("```\njupyter lab $HOME/x/nb/more.ipynb\n```\n", "jupyter notebook --ip=0.0.0.0 --no-browser nb/more.ipynb"),
         ("```\njupyter notebook demo.ipynb\npython train.py --fast\n```\n", "python train.py --fast"),
         ("```\njupyter notebook\n```\n", "bash"),
         ("```\njupyter notebook gone.ipynb\n```\n", "bash"),
@@ -308,6 +309,46 @@ def test_a_notebook_that_the_page_opens_is_served(tree: Tree, page: str, command
     assert any(each.key == "notebook" for each in decision.python.pip_guessed) == (
         ".ipynb" in page and "gone" not in page
     )
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("# Running\nThe demo is at `nb/more.ipynb`, as is demo.ipynb.\n", "nb/more.ipynb"),
+        ("# About\nSee [the notebook](demo.ipynb).\n", "demo.ipynb"),
+        ("# About\nSee nb/more.ipynb and demo.ipynb.\n", ""),
+        ("# Running\nSee demo.ipynb.\n```\npython train.py\n```\n", ""),
+    ],
+)
+def test_a_notebook_that_a_page_names_is_served_where_no_page_runs_anything(
+    tree: Tree, page: str, command: str
+) -> None:
+    files = {"demo.ipynb": NOTEBOOK, "nb/more.ipynb": NOTEBOOK, "requirements.txt": "numpy\n"}
+    decision = tree({**files, "train.py": "import numpy\n", "README.md": page})
+    served = decision.command == ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser", command)
+    assert served == bool(command)
+    assert any(each.key == "notebook" for each in decision.python.pip_guessed) == served
+
+
+IN_JULIA = '{"cells": [], "metadata": {"kernelspec": {"language": "julia"}}, "nbformat": 4, "nbformat_minor": 4}'
+
+
+@pytest.mark.parametrize(
+    ("files", "opened"),
+    [
+        ({"demo.ipynb": NOTEBOOK}, ("demo.ipynb",)),
+        ({"1.ipynb": NOTEBOOK, "2.ipynb": NOTEBOOK, "lib/filters.py": "import numpy\n"}, ()),
+        ({"demo.ipynb": NOTEBOOK, "lib/run.py": "if __name__ == '__main__':\n    main()\n"}, None),
+        ({"demo.ipynb": NOTEBOOK, "setup.py": "from setuptools import setup\nsetup(name='demo')\n"}, None),
+        ({"demo.ipynb": IN_JULIA, "lib/filters.py": "import numpy\n"}, None),
+    ],
+)
+def test_a_tree_of_notebooks_is_served(tree: Tree, files: dict[str, str], opened: tuple[str, ...] | None) -> None:
+    decision = tree({**files, "README.md": "# Course\n"})
+    served = decision.command[:2] == ("jupyter", "notebook")
+    assert served == (opened is not None)
+    assert decision.command[4:] == (opened or ())
+    assert any(each.key == "notebook" for each in decision.python.pip_guessed) == served
 
 
 def test_the_port_of_a_notebook_is_open_to_this_machine(tmp_path: Path) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Set
 
+from roslab.config.model import Kind
+from roslab.decide.notebooks import opened
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pythons import ANY
@@ -26,13 +28,14 @@ MAX_GUESSES = 40
 
 
 def guesses(
-    evidence: Evidence, pins: tuple[Pin, ...], *, ros: bool, manifests: bool, known: set[str], loose: Set[str]
+    evidence: Evidence, pins: tuple[Pin, ...], kind: Kind, *, manifests: bool, known: set[str], loose: Set[str]
 ) -> tuple[Requirement, ...]:
     """Return the packages that only prose, Dockerfiles and imports name, each once, from the best source.
 
     Of the ``known`` ones, those that a page gives an older version: ``loose`` are declared in any version.
     """
     found: dict[str, Requirement] = {}
+    ros = kind in {"ros1", "ros2"}
     own = {canonicalize_name(project.name).replace("-", "") for project in evidence.python if project.name}
     urls = {_repository(pin.requirement.url) for pin in pins if pin.trust >= 2} - {""}
     for pin in sorted((pin for pin in pins if pin.trust == 1), key=_specific):
@@ -48,8 +51,8 @@ def guesses(
         ):
             continue
         found.setdefault(pin.name, pin.requirement)
-    opened = (m for m in evidence.mentions if m.topic == "command" and m.value.startswith("jupyter") and m.files)
-    if (first := next(opened, None)) and not {"jupyter", "jupyterlab", "notebook"} & {*known, *found}:
+    first = opened(evidence, kind)
+    if first and not {"jupyter", "jupyterlab", "notebook"} & {*known, *found}:
         found["notebook"] = stated("notebook", "prose", first.file, first.line)
     tools = tooling("installers") | tooling("developers")
     heavy = bool(known & {"torch", "tensorflow", "jax"})

@@ -40,7 +40,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     return Chosen(
         files=files,
         projects=folders,
-        guessed=(*more, *guesses(evidence, pins, ros=ros, manifests=manifests, known=known, loose=loose)),
+        guessed=(*more, *guesses(evidence, pins, kind, manifests=manifests, known=known, loose=loose)),
         options=tuple(dict.fromkeys(_options(evidence))),
         conda=conda,
     )

@@ -1,4 +1,4 @@
-"""Launch files and scripts of the tree that a page at the root only names in its sentences."""
+"""Launch files, scripts and notebooks of the tree that a page at the root only names in its sentences."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from roslab.evidence.prose.readme import pages, text_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
-_FILE = pattern(r"(?<![\w./-])(?:[\w-]+/)*[\w-]+(?:\.launch(?:\.(?:py|xml))?|\.sh)(?![\w/-])")
+_FILE = pattern(r"(?<![\w./-])(?:[\w-]+/)*[\w-]+(?:\.launch(?:\.(?:py|xml))?|\.sh|\.ipynb)(?![\w/-])")
 _COMMAND = pattern(r"\b(?:roslaunch|rosrun|rosbag|ros2)\s")
 """A line that runs something: it is read as a command."""
 MOST = 20

@@ -153,6 +153,8 @@ def _with_files(mention: Mention, repository: Repository) -> Mention:
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = _only(path, repository) or path
+        if path.endswith(".ipynb") and words[0].startswith("jupyter"):
+            path = _below(path, repository)
         beside = (
             folder and path.endswith((".py", ".sh")) and (index == 0 or words[0].startswith(("python", "bash", "sh")))
         )
@@ -170,6 +172,13 @@ def _only(path: str, repository: Repository) -> str | None:
     ends = [file.path for file in repository.named(posixpath.basename(path)) if file.path.endswith(f"/{path}")]
     own = [each for each in ends if not places.vendored(each)]
     return own[0] if len(own) == 1 else None
+
+
+def _below(path: str, repository: Repository) -> str:
+    """Return the path from the root of what a page names with the folders above it (``$HOME/demo/nb/a.ipynb``)."""
+    parts = path.split("/")
+    ends = ("/".join(parts[start:]) for start in range(len(parts)))
+    return next((end for end in ends if repository.has(end)), path)
 
 
 def pages(repository: Repository) -> list[File]:

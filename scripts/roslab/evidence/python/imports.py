@@ -29,7 +29,6 @@ _IMPORT = pattern(
     r"|from[ \t]+(?P<module>[A-Za-z_][\w.]*)[ \t]+import\b)",
     re.MULTILINE,
 )
-MAX_NOTEBOOK = 1024 * 1024
 _TYPELIB = pattern(r"\brequire_version\(\s*[\"'](\w+)[\"']\s*,\s*[\"']([\d.]+)[\"']")
 _PLAIN_PYTHON = pattern(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python[ \t]*\r?$", re.MULTILINE)
 """A first line that starts `python`, which Ubuntu 20.04 and newer install only on demand."""
@@ -129,8 +128,8 @@ def _typelibs(file: File, text: str) -> Iterator[Dependency]:
 
 
 def _add_notebooks(repository: Repository, local: frozenset[str], found: dict[str, Dependency]) -> None:
-    for file in _notebooks(repository):
-        text = repository.read(file, limit=MAX_NOTEBOOK)
+    for file in notebooks.files(repository):
+        text = repository.read(file, limit=notebooks.MAX_SIZE)
         for line, code in notebooks.imports(text):
             match = _IMPORT.match(code)
             for top in _modules_of(match) if match and not match["indent"] else ():
@@ -161,13 +160,6 @@ def _modules_of(match: re.Match[str]) -> list[str]:
 def _standard(module: str) -> bool:
     """Tell whether a module is in Python's library; Debian and Ubuntu have separate packages for parts of it."""
     return module in _STANDARD and module not in known_imports()
-
-
-def _notebooks(repository: Repository) -> list[File]:
-    kept = [
-        file for file in repository.suffixed(".ipynb") if not places.vendored(file.path) and file.size < MAX_NOTEBOOK
-    ]
-    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:50]
 
 
 def programs(repository: Repository) -> tuple[Program, ...]:

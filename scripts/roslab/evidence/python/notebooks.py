@@ -10,17 +10,38 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
+from roslab.evidence import places
+from roslab.repository.checkout import File, Repository
+
+MAX_SIZE = 1024 * 1024
+MAX_FILES = 50
+
+
+def files(repository: Repository) -> list[File]:
+    """Return the notebooks that are opened, those nearest to the root first."""
+    kept = [file for file in repository.suffixed(".ipynb") if not places.vendored(file.path) and file.size < MAX_SIZE]
+    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]
+
+
+def alone(repository: Repository) -> tuple[str, ...]:
+    """Return the notebooks in Python of a tree that has no other Python at its root, nearest to the root first."""
+    if any("/" not in file.path for file in repository.suffixed(".py")):
+        return ()
+    return tuple(file.path for file in files(repository) if _of_python(repository.read(file, limit=MAX_SIZE)))
+
+
+def _of_python(text: str) -> bool:
+    notebook = _parsed(text)
+    return notebook is not None and _language(notebook) == "python"
+
 
 def imports(text: str) -> Iterator[tuple[int, str]]:
     """Yield ``(line of the file, line of code)`` for the lines of code cells that begin with an import.
 
     Nothing if the text is no notebook, or a notebook in another language.
     """
-    try:
-        notebook = json.loads(text)
-    except (ValueError, RecursionError):
-        return
-    if not isinstance(notebook, dict) or _language(notebook) != "python":
+    notebook = _parsed(text)
+    if notebook is None or _language(notebook) != "python":
         return
     position, number = 0, 1
     for code in _code(notebook):
@@ -30,6 +51,14 @@ def imports(text: str) -> Iterator[tuple[int, str]]:
                 number += text.count("\n", position, found)
                 position = found
             yield number, code
+
+
+def _parsed(text: str) -> dict[str, Any] | None:
+    try:
+        notebook = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    return notebook if isinstance(notebook, dict) else None
 
 
 def _code(notebook: dict[str, Any]) -> Iterator[str]:
