@@ -199,7 +199,7 @@ def _python_place(evidence: Evidence) -> tuple[Placed, str, int] | None:
             weight = Weight.INSTALLABLE_BELOW if project.folder else Weight.INSTALLABLE
             return project, "pip can install it", weight
     for environment in evidence.conda:
-        if not places.vendored(environment.file):
+        if not places.vendored(environment.file) and not places.test(environment.file):
             weight = Weight.CONDA_BELOW if "/" in environment.file else Weight.CONDA
             return environment, "a conda environment", weight
     for requirement in evidence.requirements:

@@ -245,6 +245,14 @@ def test_a_page_that_builds_with_cmake_beside_a_setup_py(tree: Tree, page: str, 
 
 
 @pytest.mark.parametrize(
+    ("environment", "kind"), [(".github/conda/environment.yml", "cpp"), ("tools/environment.yml", "python")]
+)
+def test_an_environment_of_conda_below_the_ci_is_not_the_program(tree: Tree, environment: str, kind: str) -> None:
+    files = {f"core/{path}": text for path, text in CPP.items() if path != "setup.py"}
+    assert tree(files | {environment: "name: a\ndependencies:\n  - eigen\n"}).kind == kind
+
+
+@pytest.mark.parametrize(
     ("line", "told"),
     [
         ('set(CMAKE_CXX_FLAGS "-O3 -march=native")', True),
