@@ -132,3 +132,31 @@ def test_a_launch_file_that_demands_an_argument_is_not_started_without(
 def test_a_call_that_gives_what_its_launch_file_demands_comes_first(tree: Tree, page: str, command: str) -> None:
     files = demanding('<arg name="eye"/>') | {"README.md": f"ROS Noetic\n# Usage\n```\n{page}```\n"}
     assert " ".join(tree(files).command) == command
+
+
+IN_PYTHON = (
+    "from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription([{}])\n"
+)
+ROS2 = {
+    "package.xml": "<package format='3'><name>demo</name><export><build_type>ament_python</build_type></export></package>",
+    "setup.py": "from setuptools import setup\nsetup(name='demo')\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("declared", "stopped"),
+    [
+        ("DeclareLaunchArgument('map', description='the map (a file)')", True),
+        ('DeclareLaunchArgument(\n        name="map",\n        description=str(1),\n    )', True),
+        ("DeclareLaunchArgument('map', default_value=os.path.join(get('demo'), 'a.yaml'), description='b')", False),
+        ("DeclareLaunchArgument('map', **options)", False),
+        ("DeclareLaunchArgument('map', condition=IfCondition(known))", False),
+        ("DeclareLaunchArgument(name)", False),
+    ],
+)
+def test_a_launch_file_in_python_may_demand_an_argument(tree: Tree, declared: str, stopped: bool) -> None:
+    files = ROS2 | {"launch/demo.launch.py": IN_PYTHON.format(declared), "launch/bring.launch.py": IN_PYTHON.format("")}
+    first = "bring" if stopped else "demo"
+    assert tree(files | {"README.md": "ROS Humble\n"}).command[-1] == f"{first}.launch.py"
+    page = "```\nros2 launch demo demo.launch.py\nros2 launch demo bring.launch.py\n```\n"
+    assert tree(files | {"README.md": f"ROS Humble\n{page}"}).command[-1] == f"{first}.launch.py"

@@ -67,6 +67,12 @@ _STARTED = pattern(r"<(node|test)\s([^>]{0,2000})>")
 _QUOTED = pattern(r"([\w-]+)\s*=\s*[\"']([^\"']*)[\"']")
 _ARGUMENT = pattern(r"<arg\s((?:[^<>\"']|\"[^\"<]{0,600}\"|'[^'<]{0,600}'){0,900})>")
 _ATTRIBUTES = pattern(r"([\w-]{1,40})\s{0,9}=\s{0,9}(?:\"([^\"]*)\"|'([^']*)')")
+_DECLARED = pattern(
+    r"DeclareLaunchArgument\(((?:[^()\"']|\"[^\"\n]{0,600}\"|'[^'\n]{0,600}'|\((?:[^()]|\([^()]{0,200}\)){0,600}\)){0,900})\)"
+)
+_DECLARED_NAME = pattern(r"\s{0,99}(?:name\s?=\s?)?[\"']([\w.-]{1,60})[\"']")
+_OPTIONAL = pattern(r"\b(?:default(?:_value)?|condition)\s?=|\*\*")
+"""What makes an argument one that may be left out, or that may be declared in a way that is not seen."""
 _NO_PACKAGE = frozenset({"find", "pkg", "package", "name", "python", "python3", "self"})
 
 
@@ -92,7 +98,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 dependencies=tuple(_named(text, file, python=python)),
                 gui=any(matches_at(_GUI, text, *_VIEWERS)),
                 includes=tuple(sorted({*_included(text)} - {file.name})),
-                demands=_demanded(text) if xml else (),
+                demands=_demanded(text) if xml else _declared(text) if python else (),
                 **_tested(text, repository if old else None),
             )
         )
@@ -130,6 +136,16 @@ def _demanded(text: str) -> tuple[str, ...]:
         if said.get("name") and not said.keys() & {"default", "value", "if", "unless"}:
             found[said["name"]] = None
     return tuple(found)
+
+
+def _declared(text: str) -> tuple[str, ...]:
+    """Return the arguments that a file in Python declares without a default.
+
+    https://docs.ros.org/en/rolling/Tutorials/Intermediate/Launch/Using-Substitutions.html, 2026-11-23.
+    """
+    calls = (match[1] for match in matches_at(_DECLARED, text, "DeclareLaunchArgument"))
+    names = (_DECLARED_NAME.match(call) for call in calls if not _OPTIONAL.search(call))
+    return tuple(dict.fromkeys(name[1] for name in names if name))
 
 
 class _Tested(TypedDict):
