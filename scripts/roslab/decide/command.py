@@ -11,6 +11,7 @@ from roslab.decide.candidate import Candidate, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.first_command import first_of, named_like_it, pointed_at, serves, upkeep, whole_of
+from roslab.decide.included import included
 from roslab.decide.reasons import because, configured
 from roslab.decide.written_commands import NOTEBOOK, PORT, TOOLS
 from roslab.evidence import places
@@ -112,8 +113,9 @@ def _obvious(
         others = len({program_of(c.argv) for c in ours if c.strong}) - 1
         why = f"{first.why}, before {others} other{'s' * (others > 1)}" if others else f"the only one: {first.why}"
         return first.argv, because("command", shlex.join(first.argv), why, first, weight=Weight.FIRST)
-    if not dockerfile and (pointed := pointed_at(evidence, kind)) and not upkeep(pointed):
-        return pointed.argv, because("command", shlex.join(pointed.argv), pointed.why, pointed, weight=Weight.FIRST)
+    meant = None if dockerfile else pointed_at(evidence, kind) or included(evidence, kind)
+    if meant and not upkeep(meant):
+        return meant.argv, because("command", shlex.join(meant.argv), meant.why, meant, weight=Weight.FIRST)
     ours = [c for c in ours if c.strong or not c.cut]
     if kind in {"ros1", "ros2", "cpp"} and (named := named_like_it(ours)):
         why = f"{named.why}, named like its package or like a demonstration"

@@ -138,7 +138,7 @@ IN_PYTHON = (
     "from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription([{}])\n"
 )
 ROS2 = {
-    "package.xml": "<package format='3'><name>demo</name><export><build_type>ament_python</build_type></export></package>",
+    "package.xml": "<package><name>demo</name><export><build_type>ament_python</build_type></export></package>",
     "setup.py": "from setuptools import setup\nsetup(name='demo')\n",
 }
 
@@ -160,3 +160,27 @@ def test_a_launch_file_in_python_may_demand_an_argument(tree: Tree, declared: st
     assert tree(files | {"README.md": "ROS Humble\n"}).command[-1] == f"{first}.launch.py"
     page = "```\nros2 launch demo demo.launch.py\nros2 launch demo bring.launch.py\n```\n"
     assert tree(files | {"README.md": f"ROS Humble\n{page}"}).command[-1] == f"{first}.launch.py"
+
+
+@pytest.mark.parametrize(
+    ("inside", "command"),
+    [
+        (
+            '><arg name="eye" value="left"/><arg name="rate" value="9"/></include>',
+            "roslaunch demo track.launch eye:=left",
+        ),
+        ('>\n  <!-- yours -->\n  <arg name="eye" value="left" />\n</include>', "roslaunch demo track.launch eye:=left"),
+        ('><arg name="eye" value="$(arg eye)"/></include>', "bash"),
+        ("/>", "bash"),
+    ],
+)
+def test_a_launch_file_that_the_page_shows_how_to_include(tree: Tree, inside: str, command: str) -> None:
+    page = f'ROS Noetic\n```xml\n<launch>\n  <include file="$(find demo)/launch/track.launch"{inside}\n</launch>\n```\n'
+    assert " ".join(tree(demanding('<arg name="eye"/>') | {"README.md": page}).command) == command
+
+
+def test_what_a_page_runs_comes_before_what_it_shows_how_to_include(tree: Tree) -> None:
+    page = '```xml\n<include file="$(find demo)/launch/track.launch"/>\n```\n```\nroslaunch demo drive.launch\n```\n'
+    assert tree(ROS1 | {"README.md": f"ROS Noetic\n{page}"}).command == ("roslaunch", "demo", "drive.launch")
+    page = page.partition("```\n```")[0]
+    assert tree(ROS1 | {"README.md": f"ROS Noetic\n{page}"}).command == ("roslaunch", "demo", "track.launch")

@@ -1,0 +1,27 @@
+"""The launch file that a page shows how to include, with the arguments that it demands."""
+
+from __future__ import annotations
+
+from roslab.config.model import Kind
+from roslab.decide.candidate import Candidate
+from roslab.evidence.facts import Evidence
+
+
+def included(evidence: Evidence, kind: Kind) -> Candidate | None:
+    """Return the call of the first launch file of the tree that a page at the root includes.
+
+    Only what has no default is given: what else the page sets belongs to the reader's system. ``None`` if the page
+    leaves an argument open that the file demands.
+    """
+    start = ("roslaunch",) if kind == "ros1" else ("ros2", "launch")
+    demands = {(each.package, each.file.rpartition("/")[2]): each.demands for each in evidence.launch}
+    for said in evidence.mentions:
+        if said.topic != "included" or kind not in {"ros1", "ros2"}:
+            continue
+        _, package, name, *rest = said.value.split()
+        asked = demands.get((package, name))
+        given = {word.partition(":=")[0]: word for word in rest}
+        if asked is not None and given.keys() >= set(asked):
+            argv = (*start, package, name, *(given[each] for each in asked))
+            return Candidate(argv=argv, why="the README includes it", file=said.file, line=said.line, strong=True)
+    return None
