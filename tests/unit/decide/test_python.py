@@ -281,6 +281,8 @@ def test_a_page_of_the_documentation_tells_what_to_install_but_not_what_develope
         ("Compile it.", "jammy", ("3.10", "venv")),
         ("Compile it.", "focal", ("3.8", "venv")),
         ("Needs Python 3.9.", "jammy", ("3.9", "conda")),
+        ("Needs Python 2.7.", "bionic", ("2.7", "system")),
+        ("Needs Python 2.7.", "jammy", ("2.7", "conda")),
     ],
 )
 def test_scripts_beside_cpp_run_on_the_python_of_its_ubuntu(

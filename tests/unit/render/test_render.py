@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -53,3 +54,12 @@ def test_nothing_slow_is_imported_where_nothing_is_rendered() -> None:
     code = "import sys, roslab.render; sys.exit('nbformat' in sys.modules or 'markdown_it' in sys.modules)"
     scripts = Path(__file__).resolve().parents[3] / "scripts"
     subprocess.run([sys.executable, "-c", code], cwd=scripts, check=True)
+
+
+@pytest.mark.parametrize("version", ["2.7", "3.7"])
+def test_an_environment_of_conda_is_called_by_a_name_that_it_has(plan: Plans, version: str) -> None:
+    python = replace(plan().python, manager="conda", version=version, pip=("numpy",), pip_guessed=("scipy",))
+    files = render_all(plan(python=python), readme="# x", output_is_root=True, context="ignored")
+    name = f"python{version[0]}"
+    for part in (f"{name} -m pip install --no-cache-dir numpy", f"install-optional-pip {name} -- scipy"):
+        assert part in _text(files, "Dockerfile")

@@ -15,7 +15,7 @@ from roslab.decide.reasons import because, warn
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.days import existed, usual
-from roslab.knowledge.distros import distro, python_of_ubuntu
+from roslab.knowledge.distros import distro, python_of_ubuntu, ubuntus_with_python2
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 
@@ -81,6 +81,8 @@ def manager_of(config: Config, kind: Kind, own: OwnPython, ubuntu: str | None) -
     """
     if own.system:
         return "system"
+    if kind == "cpp" and not own.chosen.conda and own.version == "2.7" and ubuntu in ubuntus_with_python2():
+        return "system"  # CMake finds its headers, and C++ that embeds it the packages beside them
     if own.chosen.conda or (own.version or "").startswith("2"):
         return "conda"
     if config.base.image and kind in {"cuda", "python"}:

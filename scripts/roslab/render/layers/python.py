@@ -95,7 +95,7 @@ def constraints(plan: Plan) -> str:
 
 def interpreter(plan: Plan) -> str:
     """Name of the interpreter that the packages are for."""
-    return "python2" if (plan.python.version or "").startswith("2") and plan.python.manager == "system" else "python3"
+    return "python2" if (plan.python.version or "").startswith("2") else "python3"
 
 
 def _tools(plan: Plan) -> tuple[str, ...]:
