@@ -12,7 +12,10 @@ from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
 
 Tree = Callable[[dict[str, str]], Decision]
-MADE = "cmake_minimum_required(VERSION 3.10)\nproject(Demo)\nadd_executable(solve a.cpp)\n"
+MADE = (
+    "cmake_minimum_required(VERSION 3.10)\nproject(Demo)\nadd_executable(solve a.cpp)\n"
+    "option(DEMO_GUI 'windows' OFF)\noption(DEMO_FAST 'fast' OFF)\noption(DEMO_CUDA 'CUDA' OFF)\n"
+)
 CODE = {"CMakeLists.txt": MADE, "a.cpp": "#include <vector>\nint main() {}\n"}
 
 
@@ -26,6 +29,7 @@ CODE = {"CMakeLists.txt": MADE, "a.cpp": "#include <vector>\nint main() {}\n"}
         ("cd lib/release\ncmake -DDEMO_GUI=ON ..", ()),
         ("cmake -S . -B build -DDEMO_GUI=ON -DCMAKE_BUILD_TYPE=Debug\ncmake --build build", ("-DDEMO_GUI=ON",)),
         ("cmake ..\nmake\n```\nWith CUDA:\n```\ncmake -DDEMO_CUDA=ON ..", ()),
+        ("cmake -DWITH_QT=OFF ..\n```\nThen:\n```\ncmake -DDEMO_GUI=ON ..", ("-DDEMO_GUI=ON",)),
         ("git clone https://github.com/a/other\ncd other/build\ncmake -DOTHER=ON ..", ()),
         ("cmake -DQt5_DIR=/opt/qt -DACME_ROOT=/home/me -DDEMO_DATA=/data ..", ()),
         ("cmake -DCMAKE_CXX_COMPILER=clang++-12 -DCMAKE_INSTALL_PREFIX=out ..", ()),

@@ -3,13 +3,34 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Sequence
 
+from roslab.evidence.facts import Mention
+from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _OPTION = pattern(r"-D[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
 _SEPARATE = pattern(r" -D +(?=[A-Za-z_])")
 _BUILD_FOLDER = pattern(r"(?:^|/)build[\w-]*(?:/.*)?$")
+
+
+_NAME = pattern(r"-D(?!CMAKE_|BUILD_SHARED_LIBS|BUILD_TESTING)([A-Za-z_]\w*)")
+"""The name of an option that a project declares itself, not CMake or a module of it."""
+MAX_SIZE = 256 * 1024
+
+
+def of_another(said: Mention, repository: Repository) -> bool:
+    """Tell whether a call without a folder of its own configures another project: no option of it stands in the tree.
+
+    A page may say in a sentence alone what its options are for. Submodules that are not there may declare any option.
+    """
+    names = _NAME.findall(said.text)
+    if said.value != "." or not names or repository.has(".gitmodules"):
+        return False
+    word = re.compile(rf"\b(?:{'|'.join(names)})\b")
+    files = (*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake"))
+    return not any(word.search(repository.read(file)) for file in files if file.size <= MAX_SIZE)
 
 
 def options_of(words: Sequence[str]) -> str:

@@ -16,6 +16,7 @@ from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
 from roslab.evidence.prose import apt_scripts, exports, generated, mentions, python_path
 from roslab.evidence.prose.comments import without_comments
+from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.headings import FENCE, MAX_LINE, heading_of, section_of, title_of
 from roslab.evidence.prose.installs import BLANK, Collector, merge
 from roslab.evidence.prose.own_scripts import checked, compilers
@@ -135,7 +136,7 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
     if mention.topic == "build_script":
         yield from checked(mention, repository)
     elif mention.topic != "command":
-        yield mention
+        yield from () if mention.topic == "compiled" and of_another(mention, repository) else (mention,)
     elif not opens_a_shell(told := _with_files(mention, repository), repository):
         yield told
 
