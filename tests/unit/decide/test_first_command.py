@@ -264,6 +264,19 @@ def test_what_the_reader_fills_in_is_left_out(tree: Tree, page: str, command: st
     assert " ".join(tree({**ROS1, **files, "README.md": page}).command) == command
 
 
+@pytest.mark.parametrize(
+    ("value", "command"),
+    [
+        ("/maps/hall.yaml", "roslaunch demo map.launch map:=/maps/hall.yaml"),
+        ("/other/hall.yaml", "roslaunch demo replay.launch"),
+        ("/hall.yaml", "roslaunch demo replay.launch"),
+    ],
+)
+def test_a_path_below_the_package_that_a_launch_file_is_given(tree: Tree, value: str, command: str) -> None:
+    page = f"roslaunch demo map.launch map:={value}\nroslaunch demo replay.launch\n"
+    assert " ".join(tree({**ROS1, "maps/hall.yaml": "a: 1\n", "README.md": page}).command) == command
+
+
 def test_options_of_python_go_with_the_value_that_the_reader_fills_in(tree: Tree) -> None:
     page = "# Train\n```\npython train.py --net small --data <Path To Dataset> --fast\n```\n"
     assert tree({"train.py": "import numpy\n", "README.md": page}).command == (

@@ -164,8 +164,17 @@ def _with_files(mention: Mention, repository: Repository) -> Mention:
         if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):
             words[index] = path
             found.append(path)
+        elif _of_package(word, repository):
+            found.append(word)
     inside = script[2] if script else started_in(mention, words, repository) if mention.inside else ""
     return replace(mention, value=" ".join(words), files=tuple(found), inside=inside)
+
+
+def _of_package(word: str, repository: Repository) -> bool:
+    """Tell whether a launch file is given a path that its node puts behind its package's: ``map:=/maps/hall.yaml``."""
+    path = word.partition(":=")[2]
+    below = path.startswith("/") and path.count("/") > 1
+    return below and any(f"/{file.path}".endswith(path) for file in repository.named(posixpath.basename(path)))
 
 
 def _only(path: str, repository: Repository) -> str | None:
