@@ -224,7 +224,8 @@ def _cpp(evidence: Evidence) -> list[Reason]:
     bindings = any(not project.folder and "cmake" in project.extensions for project in evidence.python)
     if root and bindings and _mostly_cpp(evidence) and not _only_by_pip(evidence):
         return [because("kind", answer, "a CMake project with Python bindings", top, weight=Weight.BINDINGS)]
-    if root and (said := _built_by_page(evidence)) and _mostly_cpp(evidence):
+    said = None if "rosbuild" in top.macros else _built_by_page(evidence)  # rosbuild's packages are made by CMake, too
+    if root and said and _mostly_cpp(evidence):
         return [
             because(
                 "kind", answer, "a CMake project, which the README builds with CMake alone", said, weight=Weight.BUILT

@@ -52,6 +52,18 @@ def test_a_package_of_rosbuild_is_built_with_rosmake_under_its_own_name(tmp_path
     assert "rosbuild's packages" not in "".join(warning.message for warning in found.warnings)
 
 
+def test_a_package_of_rosbuild_whose_page_runs_cmake_alone_is_still_of_ros(tmp_path: Path) -> None:
+    page = "# Installation\n\n    mkdir build\n    cd build\n    cmake ..\n    make\n"
+    files = {
+        "manifest.xml": MANIFEST,
+        "CMakeLists.txt": f"project(tracker)\n{CMAKE}",
+        "src/a.cpp": "#include <opencv2/core.hpp>\n",
+        "README.md": page,
+    }
+    found = decided(tmp_path, files)
+    assert (found.kind, found.build_tool, found.package_names) == ("ros1", "rosmake", ("tracker",))
+
+
 def test_a_stack_is_the_packages_below_it_and_their_launch_files_are_commands(tmp_path: Path) -> None:
     files = {
         "stack.xml": '<stack><description brief="robot">A robot</description><depend stack="ros_comm"/></stack>',
