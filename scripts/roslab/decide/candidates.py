@@ -10,6 +10,7 @@ from roslab.decide.candidate import Candidate
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
+from roslab.decide.system.switches import given
 from roslab.decide.written_commands import NOTEBOOK, written
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
@@ -102,11 +103,11 @@ def _compiled(evidence: Evidence) -> Iterator[Candidate]:
 
 def _left_out(evidence: Evidence) -> Iterator[tuple[str, str]]:
     """Yield the programs that wait for an option, each with its file, which nobody sets."""
-    given = " ".join(m.text for m in evidence.mentions if m.topic == "compiled" and "/" not in m.file)
+    options = given(evidence)
     for project in evidence.cmake:
         for name, variable in project.optional:
             off = variable.startswith("OFF ") or places.example(project.file)
-            if off and f"-D{variable.removeprefix('OFF ')}" not in given:
+            if off and f"-D{variable.removeprefix('OFF ')}" not in options:
                 yield project.file, name
 
 

@@ -13,6 +13,7 @@ from roslab.decide.ros.clones import beside, clones, unreleased
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import address, asked_for, drifts, fixed, fixed_at, itself_in, plain, wanted_names
 from roslab.decide.ros.vcs_files import vcs_files
+from roslab.decide.system.switches import given, waits
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
@@ -253,7 +254,7 @@ class _Chosen:
 def _used(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependency]:
     """Yield the names that the build uses: a package.xml may name what its CMakeLists.txt, which has a list, does not.
 
-    catkin_simple looks for all that the package.xml names.
+    catkin_simple looks for all that the package.xml names. Nothing is used that waits for an option that is off.
     """
     needed = tuple(needed)
     used = {dependency.name for dependency in needed if dependency.namespace != "rosdep"}
@@ -263,7 +264,10 @@ def _used(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependen
         if any(d.namespace == "ros" for d in project.dependencies)
         and not any(d.name == "catkin_simple" for d in project.dependencies)
     }
+    options = given(evidence)
     for dependency in needed:
+        if waits(dependency, options):
+            continue
         if dependency.name in used or dependency.file.rpartition("/")[0] not in listing:
             yield dependency
 

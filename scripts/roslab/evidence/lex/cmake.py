@@ -47,11 +47,14 @@ class Call:
     in_function: bool = False
 
 
-def calls(text: str, names: frozenset[str]) -> Iterator[Call]:
-    """Yield the calls of the given lower-cased names in order; a name may end in ``*``."""
+def calls(text: str, names: frozenset[str], off: set[str] | None = None) -> Iterator[Call]:
+    """Yield the calls of the given lower-cased names in order; a name may end in ``*``.
+
+    ``off``: the options that are off where the text begins; those that it declares so are added on the way.
+    """
     if "#[" in text:
         text = _BRACKET_COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text)
-    scope = _Scope()
+    scope = _Scope(off=set() if off is None else off)
     beginnings = tuple(name[:-1] for name in names if name.endswith("*"))
     position, line, total = 0, 1, 0
     for match in _CALL.finditer(text):
@@ -113,6 +116,8 @@ class _Scope:
         if name == "set" and len(words) <= MAX_EXPANSION:
             values = (w for w in _filled(words[1:], self.variables) if w not in {"CACHE", "PARENT_SCOPE", "FORCE"})
             self.variables[words[0]] = tuple(values)[:MAX_EXPANSION]
+            if self.variables[words[0]][:1] in {("ON",), ("TRUE",), ("1",)}:
+                self.off.discard(words[0])
         elif name == "list" and len(words) > 2 and words[0].upper() == "APPEND":
             more = (*self.variables.get(words[1], ()), *_filled(words[2:], self.variables))
             self.variables[words[1]] = more[:MAX_EXPANSION]

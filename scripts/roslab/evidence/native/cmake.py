@@ -103,7 +103,7 @@ class _Reading:
 def read(repository: Repository) -> tuple[CMakeProject, ...]:
     """Return every CMakeLists.txt with anything of interest, sorted by path; build folders are skipped."""
     files = sorted(repository.named("CMakeLists.txt"), key=lambda file: (file.path.count("/"), file.path))
-    added: set[str] = set()
+    added: dict[str, frozenset[str]] = {}
     found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
     kept = (p for p in found if p.name or p.top_level or p.dependencies or p.executables or p.macros or p.linked)
     return tuple(sorted(kept, key=lambda project: project.file))
@@ -130,17 +130,21 @@ def fetching(repository: Repository) -> tuple[Dependency, ...]:
     return ()
 
 
-def _project(repository: Repository, file: File, added: set[str]) -> CMakeProject:
-    """Read one file; the folders that it adds go into ``added``, so parents must be read first."""
+def _project(repository: Repository, file: File, added: dict[str, frozenset[str]]) -> CMakeProject:
+    """Read one file; the folders that it adds go into ``added``, so parents must be read first.
+
+    Each has the options that are off where it is added.
+    """
     reading = _Reading()
     adds = False
-    for call in calls(repository.read(file), _NAMES):
+    off = set(added.get(file.folder, ()))
+    for call in calls(repository.read(file), _NAMES, off):
         if call.name == "add_subdirectory" and call.words:
             adds = True
-            added.add(_joined(file.folder, call.words[0]))
+            added.setdefault(_joined(file.folder, call.words[0]), frozenset(off))
         elif call.name == "include":
             _include(call, repository, file, reading)
-            for needing, path in included.needing(call, repository, file, reading.included):
+            for needing, path in included.needing(call, repository, file, reading.included, off):
                 _note(needing, path, reading)
         else:
             _note(call, file.path, reading)

@@ -23,21 +23,23 @@ OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Goog
 """How names of CMake's own modules begin."""
 
 
-def needing(call: Call, repository: Repository, file: File, seen: set[str] | None = None) -> Iterator[tuple[Call, str]]:
+def needing(
+    call: Call, repository: Repository, file: File, seen: set[str], off: set[str]
+) -> Iterator[tuple[Call, str]]:
     """Yield the calls that find or fetch something in a file that ``include`` names, each with that file's path.
 
     A call has the conditions of the ``include`` too; what a function does when it is called is left out. Of files that
-    include others each is read once.
+    include others each is read once: ``seen`` are those that were. The options that they declare as off are added to
+    ``off``.
     """
-    seen = set() if seen is None else seen
     module = _module(call, repository, file)
     if module is None or module.path in seen or len(seen) >= MAX_FILES or len(call.conditions) > MAX_DEPTH * 4:
         return
     seen.add(module.path)
-    for inner in calls(repository.read(module), _FINDS | _FETCHES):
+    for inner in calls(repository.read(module), _FINDS | _FETCHES, off):
         told = replace(inner, conditions=(*call.conditions, *inner.conditions))
         if inner.name == "include":
-            yield from needing(told, repository, module, seen)
+            yield from needing(told, repository, module, seen, off)
         elif not inner.in_function:
             yield told, module.path
 

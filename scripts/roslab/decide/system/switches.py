@@ -1,0 +1,19 @@
+"""The options of CMake that nobody sets: what waits for one that is off is not built."""
+
+from __future__ import annotations
+
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+from roslab.values.pattern import pattern
+
+_OFF = pattern(r"(?:^| AND )OFF (\w+)")
+
+
+def given(evidence: Evidence) -> str:
+    """Return the options that pages at the root give CMake, one after the other."""
+    return " ".join(m.text for m in evidence.mentions if m.topic == "compiled" and "/" not in m.file)
+
+
+def waits(dependency: Dependency, options: str) -> bool:
+    """Tell whether CMake looks for it only where an option is set which is off and is none of those given."""
+    return any(f"-D{name}" not in options for name in _OFF.findall(dependency.condition or ""))

@@ -1,0 +1,54 @@
+"""What CMake takes only where an option is set: nobody sets one that is off by default."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+MANIFEST = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+MADE = "project(demo)\nfind_package(catkin REQUIRED COMPONENTS roscpp)\n"
+OFF, ON = "option(WITH_BRISK 'more corners' OFF)\n", "option(WITH_BRISK 'more corners' ON)\n"
+FINDS = "if(WITH_BRISK)\nfind_package(brisk REQUIRED)\nendif()\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "page", "cloned"),
+    [
+        ({"CMakeLists.txt": f"{MADE}{OFF}{FINDS}"}, "", False),
+        ({"CMakeLists.txt": f"{MADE}{ON}{FINDS}"}, "", True),
+        ({"CMakeLists.txt": f"{MADE}{OFF}set(WITH_BRISK ON)\n{FINDS}"}, "", True),
+        ({"CMakeLists.txt": f"{MADE}{OFF}{FINDS}"}, "```\ncd build\ncmake -DWITH_BRISK=ON ..\n```\n", True),
+        (
+            {
+                "CMakeLists.txt": f"{MADE}include(cmake/setup.cmake)\ninclude(cmake/brisk.cmake)\n",
+                "cmake/setup.cmake": "include(options)\n",
+                "cmake/options.cmake": OFF,
+                "cmake/brisk.cmake": FINDS,
+            },
+            "",
+            False,
+        ),
+        ({"CMakeLists.txt": f"{MADE}{OFF}add_subdirectory(lib)\n", "lib/CMakeLists.txt": FINDS}, "", False),
+        ({"CMakeLists.txt": f"{MADE}add_subdirectory(lib)\n{OFF}", "lib/CMakeLists.txt": FINDS}, "", True),
+    ],
+)
+def test_what_waits_for_an_option_that_is_off_is_not_cloned(
+    tree: Tree, files: dict[str, str], page: str, cloned: bool
+) -> None:
+    decision = tree({"package.xml": MANIFEST, "README.md": f"ROS Noetic\n{page}", **files})
+    assert ("ethzasl_brisk" in {source.name for source in decision.source}) == cloned
+
+
+def test_a_program_that_waits_for_an_option_of_an_included_file_is_not_the_obvious_one(tree: Tree) -> None:
+    files = {
+        "CMakeLists.txt": "project(x CXX)\ninclude(cmake/options.cmake)\nadd_subdirectory(apps)\n",
+        "cmake/options.cmake": "option(WITH_APPS 'programs' OFF)\n",
+        "apps/CMakeLists.txt": "if(WITH_APPS)\nadd_executable(show show.cpp)\nendif()\n",
+        "apps/show.cpp": "int main() {}\n",
+    }
+    assert tree(files).command == ("bash",)
+    assert tree({**files, "README.md": "```\ncd build\ncmake -DWITH_APPS=ON ..\n```\n"}).command == ("show",)
