@@ -277,6 +277,20 @@ def test_a_path_below_the_package_that_a_launch_file_is_given(tree: Tree, value:
     assert " ".join(tree({**ROS1, "maps/hall.yaml": "a: 1\n", "README.md": page}).command) == command
 
 
+@pytest.mark.parametrize(
+    ("folder", "command"),
+    [
+        ("~/catkin_ws/src/Paper/demo/scripts", "cd demo/scripts && exec bash spawn.sh"),
+        ("~/catkin_ws/src/Paper", "rosrun demo demo_node"),
+        ("~/other/demo/scripts", "rosrun demo demo_node"),
+    ],
+)
+def test_a_script_below_a_folder_of_the_workspace(tree: Tree, folder: str, command: str) -> None:
+    page = f"```\ncd {folder}\n./spawn.sh\n```\n```\nrosrun demo demo_node\n```\n"
+    found = tree({**ROS1, "demo/scripts/spawn.sh": "roslaunch demo map.launch\n", "README.md": page}).command
+    assert (found if isinstance(found, str) else " ".join(found)) == command
+
+
 def test_options_of_python_go_with_the_value_that_the_reader_fills_in(tree: Tree) -> None:
     page = "# Train\n```\npython train.py --net small --data <Path To Dataset> --fast\n```\n"
     assert tree({"train.py": "import numpy\n", "README.md": page}).command == (

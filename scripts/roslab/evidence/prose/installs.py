@@ -15,7 +15,7 @@ from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.configured import options_of, source_of
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.telling import telling
-from roslab.evidence.prose.workspaces import beside, of_packages
+from roslab.evidence.prose.workspaces import below_sources, beside, end_of, longer, of_packages
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks
 from roslab.knowledge.tools import PIXI
 from roslab.values.dataclass import dataclass, field, replace
@@ -34,8 +34,6 @@ _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--de
 _APT_NAME = pattern(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
 _PYTHON = pattern(r"^(?:i?python)(\d(?:\.\d+)?)?$")
 _URL = pattern(r"^(?:https?://|git://|ssh://|git@)\S+$")
-_IN_BUILD = pattern(r"[^/]/build[\w-]*/?$")
-"""A folder in which CMake builds what the folder above it, whose name tells more, is."""
 _BUILT = pattern(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
 """The path of a compiled program."""
 _STARTS = pattern(
@@ -59,6 +57,8 @@ class Collector:
     mentions: list[Mention] = field(default_factory=list)
     folder: str = ""
     """The folder after ``cd``, as far as known; paths given to pip are relative to it."""
+    whole: str = ""
+    """That folder from the ``src`` of a workspace on, where its path has one."""
     inside: bool = False
     """The folder is the ``src`` of a workspace."""
     heading: str = ""
@@ -143,7 +143,7 @@ class Collector:
                 line=command.line,
                 text=words,
                 heading=self.heading,
-                inside=self.folder if topic == "command" and self.source == "readme" else "",
+                inside=longer(self.folder, self.whole) if topic == "command" and self.source == "readme" else "",
             )
         )
 
@@ -195,8 +195,8 @@ class Collector:
     def _cd(self, target: str) -> None:
         self.inside = of_packages(target)
         if target.startswith(("/", "~", "$", "-")) or UNKNOWN in target or "<" in target:
-            known = "/".join(target.rstrip("/").split("/")[-1 - bool(_IN_BUILD.search(target)) :])
-            self.folder = "" if target in {"~", "-"} else known.replace(UNKNOWN, "").strip("/")
+            self.folder = "" if target in {"~", "-"} else end_of(target).replace(UNKNOWN, "").strip("/")
+            self.whole = below_sources(target)
         else:
             self.folder = posixpath.normpath(posixpath.join(self.folder, target)).removeprefix("../").strip(".")
 

@@ -11,6 +11,26 @@ _ASIDE = pattern(r"option|troubl|docker|hardware|simulat|advanced|develop|faq|kn
 """Titles of sections that not everybody follows."""
 
 
+_IN_BUILD = pattern(r"[^/]/build[\w-]*/?$")
+"""A folder in which CMake builds what the folder above it, whose name tells more, is."""
+
+
+def end_of(target: str) -> str:
+    """Return the name of the folder that ``cd`` goes into by a path of the reader's, with the one above a ``build``."""
+    return "/".join(target.rstrip("/").split("/")[-1 - bool(_IN_BUILD.search(target)) :])
+
+
+def below_sources(target: str) -> str:
+    """Return what follows the ``src`` of a workspace in such a path: ``REPOSITORY/scripts``; ``""`` without one."""
+    before, _, after = target.rstrip("/").rpartition("/src/")
+    return after if of_packages(f"{before}/src") else ""
+
+
+def longer(folder: str, whole: str) -> str:
+    """Return the longer of two paths where both are of one folder, else the first."""
+    return whole if folder and whole.endswith(f"/{folder}") else folder
+
+
 def of_packages(folder: str) -> bool:
     """Tell whether ``cd`` goes into the ``src`` of a workspace; of ``cd src`` nothing else is known."""
     folder = folder.rstrip("/")
