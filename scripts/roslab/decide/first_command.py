@@ -172,7 +172,16 @@ def serves(candidate: Candidate) -> bool:
 
 
 def _helps(candidate: Candidate) -> bool:
+    if _of_its_package(candidate):
+        return False
     return _named(candidate, _SERVES) or (candidate.argv[0].startswith("python") and _named(candidate, _DATASET))
+
+
+def _of_its_package(candidate: Candidate) -> bool:
+    """Tell whether the service in a node's name is in its package's too: the package is there for it."""
+    words = program_of(candidate.argv)
+    found = _SERVES.search(_stem(words)) if words[0] in _LAUNCHERS else None
+    return found is not None and found[0].strip("_.-") in words[-2].split("_")
 
 
 def _after(candidate: Candidate) -> bool:
@@ -189,10 +198,14 @@ def _purpose(candidate: Candidate) -> bool:
 
 
 def _named(candidate: Candidate, names: re.Pattern[str]) -> bool:
-    words = program_of(candidate.argv)
+    return bool(names.search(_stem(program_of(candidate.argv))))
+
+
+def _stem(words: tuple[str, ...]) -> str:
+    """Return the name of a program without its folder and ending, its parts joined by ``_``."""
     name = words[-1].rpartition("/")[2]
     name = name.rpartition(".")[2] if words[1:2] == ("-m",) else re.sub(r"\.\w+$", "", name)
-    return bool(names.search(re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name)))
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name)
 
 
 def _lacks(candidate: Candidate) -> bool:

@@ -291,6 +291,17 @@ def test_a_script_below_a_folder_of_the_workspace(tree: Tree, folder: str, comma
     assert (found if isinstance(found, str) else " ".join(found)) == command
 
 
+@pytest.mark.parametrize(
+    ("package", "command"),
+    [("cloud_conversion", "rosrun cloud_conversion conversion.py"), ("cloud", "roslaunch cloud map.launch")],
+)
+def test_a_node_with_the_service_of_its_package_is_meant(tree: Tree, package: str, command: str) -> None:
+    files = {path: text.replace("demo", package) for path, text in ROS1.items()}
+    page = f"You can test it by:\n> $ rosrun {package} conversion.py\n\nThen: `roslaunch {package} map.launch`\n"
+    found = tree({**files, "conversion.py": "import rospy\n", "README.md": page})
+    assert " ".join(found.command) == command
+
+
 def test_options_of_python_go_with_the_value_that_the_reader_fills_in(tree: Tree) -> None:
     page = "# Train\n```\npython train.py --net small --data <Path To Dataset> --fast\n```\n"
     assert tree({"train.py": "import numpy\n", "README.md": page}).command == (
