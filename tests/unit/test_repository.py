@@ -27,6 +27,21 @@ def test_lists_regular_files_sorted_and_skips_version_control(tmp_path: Path) ->
     assert [file.path for file in repository.suffixed(".CPP", ".txt")] == ["a/z.cpp", "b.txt"]
 
 
+def test_what_is_made_of_a_repository_is_made_once_and_anew_without_files(tmp_path: Path) -> None:
+    write(tmp_path / "a.txt")
+    write(tmp_path / "b.txt")
+    asked: list[Repository] = []
+
+    def names(repository: Repository) -> tuple[str, ...]:
+        asked.append(repository)
+        return tuple(file.name for file in repository.files)
+
+    repository = Repository.open(tmp_path)
+    assert repository.once(names) == repository.once(names) == ("a.txt", "b.txt")
+    assert repository.leaving_out({"a.txt"}).once(names) == ("b.txt",)
+    assert len(asked) == 2
+
+
 def test_a_link_out_of_the_tree_is_named_and_never_read(tmp_path: Path) -> None:
     secret = write(tmp_path / "outside/secret.txt", "token")
     root = tmp_path / "tree"

@@ -1,12 +1,14 @@
 """Hints, which tell that a pattern need not be tried on a text: every match of it holds one of them.
 
 The tables have some dozens for Python code. To find out which words a module has takes as long as to look for fifteen
-of them, one after the other.
+of them, one after the other; the rows that can match are then found by these words.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cache
+from typing import Generic, Protocol, TypeVar
 
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
@@ -28,13 +30,43 @@ class Hints:
     parts: tuple[str, ...]
     """The others, which may stand anywhere."""
 
-    def stand_in(self, text: str) -> bool:
-        """Tell whether one of them stands in a Python module."""
-        return not self.words.isdisjoint(words_of(text)) or any(part in text for part in self.parts)
 
-    def are_part_of(self, text: str) -> bool:
-        """Tell whether one of them stands anywhere in a text, which is faster where few ask about it."""
-        return any(hint in text for hint in self.each)
+class Hinted(Protocol):
+    """A row of a table that has hints."""
+
+    @property
+    def hints(self) -> Hints:
+        """Those of its pattern."""
+
+
+Row = TypeVar("Row", bound=Hinted)
+
+
+class Search(Generic[Row]):
+    """Rows that are looked for in one text after the other: of each, only those that can match are tried."""
+
+    def __init__(self, rows: Iterable[Row], *, words: bool = False) -> None:
+        """With ``words``, hints that are names are looked for among the words of the texts, not in these."""
+        self._rows = tuple(rows)
+        self._words = words
+        self._by_word: dict[str, list[int]] = {}
+        self._by_part: dict[str, list[int]] = {}
+        for number, row in enumerate(self._rows):
+            for hint in row.hints.each:
+                by = self._by_word if words and hint in row.hints.words else self._by_part
+                by.setdefault(hint, []).append(number)
+
+    def possible(self, text: str, words: frozenset[str] = frozenset()) -> list[Row]:
+        """Return the rows of which a hint stands in a text, or among its words, in their order."""
+        found = {number for word in words for number in self._by_word.get(word, ())}
+        for part, numbers in self._by_part.items():
+            if not found.issuperset(numbers) and part in text:
+                found.update(numbers)
+        return [self._rows[number] for number in sorted(found)]
+
+    def without(self, row: Row) -> Search[Row]:
+        """Return the search for the other rows."""
+        return Search((other for other in self._rows if other is not row), words=self._words)
 
 
 def hints(cell: str) -> Hints:
@@ -44,10 +76,9 @@ def hints(cell: str) -> Hints:
     return Hints(each=each, words=words, parts=tuple(hint for hint in each if hint not in words))
 
 
-@cache
 def words_of(text: str) -> frozenset[str]:
-    """Return the names in a text that are hints: several readers ask about each module."""
-    words = text.encode("ascii", errors="replace").translate(_BLANK).split()
+    """Return the names in a text that are hints."""
+    words = text.encode(errors="replace").translate(_BLANK).split()
     return frozenset(word.decode() for word in _names().intersection(words))
 
 

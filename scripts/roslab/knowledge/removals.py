@@ -17,6 +17,8 @@ from roslab.values.requirement_line import stated
 class Removal:
     """One removed name of one package."""
 
+    rank: int
+    """Its place in the table: of a package, that of the lowest bound is the first."""
     package: str
     having: str
     """The versions that still have it, ``matplotlib<3.5``."""
@@ -41,9 +43,10 @@ class Removal:
 
 @cache
 def removals() -> tuple[Removal, ...]:
-    """Return the table; the lowest bound of a package comes first."""
+    """Return the table."""
     return tuple(
         Removal(
+            rank=rank,
             package=row["package"],
             having=row["bound"],
             with_it=row["beside"],
@@ -52,5 +55,5 @@ def removals() -> tuple[Removal, ...]:
             what=row["what"],
             source=row["source"],
         )
-        for row in rows("removals")
+        for rank, row in enumerate(rows("removals"))
     )

@@ -6,8 +6,9 @@ import re
 from functools import cache
 from typing import Literal
 
-from roslab.knowledge.hints import Hints, hints
+from roslab.knowledge.hints import Hints, Search, hints
 from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
 
@@ -22,21 +23,34 @@ def opens(where: str, name: str) -> bool:
     return any(each.search(name) for each in _patterns().get(where, ()))
 
 
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Call:
+    """A call that opens a window."""
+
+    library: str
+    hints: Hints
+    pattern: re.Pattern[str]
+
+
 @cache
-def _calls(language: str) -> tuple[tuple[str, Hints, re.Pattern[str]], ...]:
-    return tuple(
-        (row["library"], hints(row["hints"]), pattern(row["pattern"], re.MULTILINE))
+def _calls(language: str) -> Search[_Call]:
+    found = (
+        _Call(library=row["library"], hints=hints(row["hints"]), pattern=pattern(row["pattern"], re.MULTILINE))
         for row in rows("window_calls")
         if row["language"] == language
     )
+    return Search(found, words=language == "python")
 
 
-def shown(text: str, language: Literal["python", "c++"] = "python") -> dict[str, int]:
-    """Return the libraries by which a file opens windows, each with the place of its first call."""
+def shown(
+    text: str, language: Literal["python", "c++"] = "python", words: frozenset[str] = frozenset()
+) -> dict[str, int]:
+    """Return the libraries by which a file opens windows, each with the place of its first call.
+
+    ``words`` are those of a Python module.
+    """
     found: dict[str, int] = {}
-    for library, hinted, each in _calls(language):
-        if library in found or not (hinted.stand_in(text) if language == "python" else hinted.are_part_of(text)):
-            continue
-        if match := each.search(text):
-            found[library] = match.start()
+    for call in _calls(language).possible(text, words):
+        if call.library not in found and (match := call.pattern.search(text)):
+            found[call.library] = match.start()
     return found

@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Collection
 from functools import cached_property
 from pathlib import Path
+from typing import Any, TypeVar
 
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 from roslab.repository import git, listing
@@ -22,6 +23,7 @@ MAX_KEPT = 256 * 1024
 """Texts below this many bytes are cached; longer ones are read again."""
 MAX_NAMED = 80
 """Characters of a folder's path that a message quotes."""
+Made = TypeVar("Made")
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,7 @@ class Repository:
     branch_hint: str | None = None
     top: Path | None = None
     _texts: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
+    _made: dict[Callable[[Repository], Any], Any] = field(default_factory=dict, repr=False, compare=False)
 
     @classmethod
     def open(cls, path: str | Path, *, branch: str | None = None, top: Path | None = None) -> Repository:
@@ -67,6 +70,13 @@ class Repository:
     def listing(self) -> Listing:
         """Everything in the tree, sorted by path; folders that cannot be listed are left out and named."""
         return list_tree(self.root)
+
+    def once(self, make: Callable[[Repository], Made]) -> Made:
+        """Return what a function makes of this repository, which it makes at the first call."""
+        if make not in self._made:
+            self._made[make] = make(self)
+        made: Made = self._made[make]
+        return made
 
     def leaving_out(self, paths: Collection[str]) -> Repository:
         """Return the same folder without some of its files: no reader sees them."""

@@ -4,8 +4,20 @@ from __future__ import annotations
 
 import pytest
 
-from roslab.knowledge.hints import hints, words_of
+from roslab.knowledge.hints import Hints, Search, hints, words_of
 from roslab.knowledge.windows import shown
+from roslab.values.dataclass import dataclass
+
+
+@dataclass(frozen=True, kw_only=True)
+class Row:
+    """A row that has hints and nothing else."""
+
+    hints: Hints
+
+
+def row(cell: str) -> Row:
+    return Row(hints=hints(cell))
 
 
 def test_only_words_that_somebody_looks_for_are_kept() -> None:
@@ -25,11 +37,26 @@ def test_only_words_that_somebody_looks_for_are_kept() -> None:
     ],
 )
 def test_a_name_is_a_whole_word_and_anything_else_a_part(cell: str, text: str, found: bool) -> None:
-    assert hints(cell).stand_in(text) is found
+    (wanted,) = rows = [row(cell)]
+    assert Search(rows, words=True).possible(text, words_of(text)) == ([wanted] if found else [])
+
+
+def test_of_other_texts_every_hint_is_a_part() -> None:
+    (wanted,) = rows = [row("gca")]
+    assert Search(rows).possible("agca gcas") == [wanted]
+
+
+def test_rows_come_in_their_order_each_once_and_can_be_left_out() -> None:
+    first, second, third = rows = [row("gca|np."), row("tomllib"), row("np.|gca")]
+    text = "import tomllib\nnp.gca()"
+    search = Search(rows, words=True)
+    assert search.possible(text, words_of(text)) == [first, second, third]
+    assert search.without(first).possible(text, words_of(text)) == [second, third]
 
 
 def test_every_call_of_a_row_has_a_hint() -> None:
-    assert shown("o3d.draw_geometries([cloud])") == {"open3d": 4}
+    text = "o3d.draw_geometries([cloud])"
+    assert shown(text, words=words_of(text)) == {"open3d": 4}
     assert shown("cv::imshow(name, image);", "c++") == {"opencv": 0}
 
 
@@ -45,4 +72,4 @@ def test_every_call_of_a_row_has_a_hint() -> None:
     ],
 )
 def test_a_call_begins_with_a_whole_name(text: str, found: dict[str, int]) -> None:
-    assert shown(text) == found
+    assert shown(text, words=words_of(text)) == found

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.facts import CodeLimit
 from roslab.evidence.lex.lines import matching_lines
 from roslab.knowledge.code_limits import Limit, Sign, limits
+from roslab.knowledge.hints import Search
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
@@ -33,21 +33,12 @@ MAX_PLACES = 100
 @cache
 def _signs(where: Sign, value: str) -> tuple[Limit, ...]:
     """Return the signs that a header or a standard is; few of them are named in thousands of files."""
-    return tuple(limit for limit in _possible(where, value) if limit.pattern.search(value))
-
-
-def _possible(where: Sign, text: str) -> Iterable[Limit]:
-    """Return the signs of which a hint stands in a text, each once."""
-    hinted = _hinted(where)
-    return dict.fromkeys(limit for word in [word for word in hinted if word in text] for limit in hinted[word])
+    return tuple(limit for limit in _search(where).possible(value) if limit.pattern.search(value))
 
 
 @cache
-def _hinted(where: Sign) -> dict[str, tuple[Limit, ...]]:
-    """Return the signs of a kind by their hints."""
-    found = [limit for limit in limits() if limit.where == where]
-    words = dict.fromkeys(hint for limit in found for hint in limit.hints.each)
-    return {word: tuple(limit for limit in found if word in limit.hints.each) for word in words}
+def _search(where: Sign) -> Search[Limit]:
+    return Search(limit for limit in limits() if limit.where == where)
 
 
 @dataclass
@@ -68,7 +59,7 @@ class Signs:
         self.guarded = self.guarded or any(
             shared in text and any(word in text for word in words) for shared, words in _GUARDS.items()
         )
-        for limit in _possible("name", text):
+        for limit in _search("name").possible(text):
             names: dict[str, int] = {}
             for match in limit.pattern.finditer(text):
                 before = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]

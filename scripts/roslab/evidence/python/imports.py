@@ -11,18 +11,14 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Program
 from roslab.evidence.lex.lines import first_line
 from roslab.evidence.python import notebooks
+from roslab.evidence.python.modules import Module, modules
 from roslab.knowledge.frameworks import imports as known_imports
-from roslab.knowledge.hints import words_of
 from roslab.knowledge.typelibs import typelibs
 from roslab.knowledge.windows import shown
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
-MAX_READ = 128 * 1024
-"""Bytes of a module that are searched: imports are at its top."""
-MAX_MODULES = 6_000
-"""Most modules opened, those nearest to the root first."""
 _IMPORT = pattern(
     r"^(?P<indent>[ \t]*)(?:import[ \t]+(?P<plain>[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?"
     r"(?:[ \t]*,[ \t]*[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?)*)"
@@ -61,19 +57,19 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     """
     local = _local(repository)
     found: dict[str, Dependency] = {}
-    for file in modules(repository):
-        text = repository.read(file, limit=MAX_READ)
+    for module in modules(repository):
+        file, text = module.file, module.text
         if "" not in found and (started := _started(file, text)):
             found[""] = started
         if "import" not in text:
             continue
-        for library, position in shown(text).items():
+        for library, position in shown(text, words=module.words).items():
             found[f"{library} {file.path}"] = Dependency(
                 namespace="call", name=library, strength="used", file=file.path, line=text.count("\n", 0, position) + 1
             )
-        found |= {f"{each.name} {each.role}": each for each in _typelibs(file, text)}
+        found |= {f"{each.name} {each.role}": each for each in _typelibs(module)}
         statements = [(match, _modules_of(match)) for match in _imports(text)]
-        node = any(not _OF_NODES.isdisjoint(tops) for _, tops in statements) and _of_node(text)
+        node = any(not _OF_NODES.isdisjoint(tops) for _, tops in statements) and _of_node(module)
         for match, tops in statements:
             for top in tops:
                 if _standard(top) or top in local or top.startswith("_"):
@@ -105,21 +101,18 @@ def _started(file: File, text: str) -> Dependency | None:
     )
 
 
-def _of_node(text: str) -> bool:
+def _of_node(module: Module) -> bool:
     """Tell whether a module imports the library of ROS's nodes."""
-    return _names_ros(text) and bool(_ROS.search(text))
+    return module.names_ros and bool(_ROS.search(module.text))
 
 
-def _names_ros(text: str) -> bool:
-    return "rospy" in text or "rclpy" in text
-
-
-def _typelibs(file: File, text: str) -> Iterator[Dependency]:
+def _typelibs(module: Module) -> Iterator[Dependency]:
     """Yield the packages of ``gi.require_version("Gtk", "3.0")``.
 
     https://pygobject.gnome.org/guide/api/api.html#gi.require_version
     """
-    if "require_version" not in words_of(text) or places.test(file.path):
+    file, text = module.file, module.text
+    if "require_version" not in module.words or places.test(file.path):
         return
     for match in _TYPELIB.finditer(text):
         if apt := typelibs().get((match[1], match[2])):
@@ -165,14 +158,14 @@ def _standard(module: str) -> bool:
 def programs(repository: Repository) -> tuple[Program, ...]:
     """Return the Python files that are programs: a ``__main__`` guard, ``__main__.py``, a ROS node."""
     found = []
-    for file in modules(repository):
+    for module in modules(repository):
+        file, text = module.file, module.text
         if places.test(file.path) or file.name in {"setup.py", "conftest.py"}:
             continue
-        text = repository.read(file, limit=MAX_READ)
         if file.name == "__main__.py":
             found.append(Program(file=file.path, line=1, kind="main"))
-        elif "__main__" in words_of(text) and (match := first_line(_MAIN, text, "__main__")):
-            node = _names_ros(text) and bool(_NODE.search(text))
+        elif "__main__" in module.words and (match := first_line(_MAIN, text, "__main__")):
+            node = module.names_ros and bool(_NODE.search(text))
             found.append(
                 Program(
                     file=file.path,
@@ -181,19 +174,6 @@ def programs(repository: Repository) -> tuple[Program, ...]:
                 )
             )
     return tuple(sorted(found, key=lambda script: script.file))
-
-
-def modules(repository: Repository) -> list[File]:
-    """Return the modules worth reading, nearest to the root first; vendored code, documentation and CI are left out."""
-    kept = [
-        file
-        for file in repository.suffixed(".py")
-        if not places.vendored(file.path)
-        and not places.documentation(file.path)
-        and file.size < 16 * MAX_READ
-        and file.name != "setup.py"
-    ]
-    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:MAX_MODULES]
 
 
 def _local(repository: Repository) -> frozenset[str]:

@@ -9,8 +9,9 @@ from packaging.version import Version
 from roslab.evidence import places
 from roslab.evidence.facts import CodeLimit
 from roslab.evidence.lex.lines import lines_with
-from roslab.evidence.python.imports import MAX_READ, modules
+from roslab.evidence.python.modules import modules
 from roslab.knowledge.code_limits import Limit, limits
+from roslab.knowledge.hints import Search
 from roslab.repository.checkout import Repository
 
 NODES = "Python of nodes"
@@ -22,19 +23,21 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
 
     Tests and examples tell nothing, nor do launch files that are written for two versions.
     """
-    signs = [limit for limit in limits() if limit.where in {"line", "python", "launch"}]
+    code = [limit for limit in limits() if limit.where in {"line", "python"}]
+    wanted = {
+        "launch": Search((limit for limit in limits() if limit.where == "launch"), words=True),
+        # A node of ROS has the Python of its distribution, whatever one of its modules needs
+        "node": Search((limit for limit in code if not limit.below), words=True),
+        "other": Search(code, words=True),
+    }
     found: dict[tuple[str, str], CodeLimit] = {}
-    for file in modules(repository):
+    for module in modules(repository):
+        file, text = module.file, module.text
         if places.test(file.path) or places.example(file.path):
             continue
-        text = repository.read(file, limit=MAX_READ)
-        launch, node = "LaunchDescription" in text, "rospy" in text or "rclpy" in text
-        for sign in signs:
-            library = NODES if node and not launch else sign.library
-            if (sign.where == "launch") != launch or (library, sign.what) in found:
-                continue
-            if sign.below and node and not launch:
-                continue  # a node of ROS has the Python of its distribution, whatever one of its modules needs
+        kind = "launch" if "LaunchDescription" in text else "node" if module.names_ros else "other"
+        for sign in wanted[kind].possible(text, module.words):
+            library = NODES if kind == "node" else sign.library
             if place := _first(sign, text):
                 line = text.count("\n", 0, place) + 1
                 found[library, sign.what] = CodeLimit(
@@ -45,6 +48,7 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
                     file=file.path,
                     line=line,
                 )
+                wanted[kind] = wanted[kind].without(sign)
     all_found = tuple(found.values())
     return tuple(limit for limit in all_found if not _contradicted(limit, all_found))
 
@@ -69,8 +73,6 @@ def _first(sign: Limit, text: str) -> int | None:
 
 def _parts(sign: Limit, text: str) -> Iterator[tuple[int, int]]:
     """Yield where the parts of a text begin and end in which a sign can be: the lines with a hint, or all of it."""
-    if not sign.hints.stand_in(text):
-        return
     if sign.where != "line":
         yield 0, len(text)
         return

@@ -6,8 +6,7 @@ import re
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import first_line
-from roslab.evidence.python.imports import MAX_READ, modules
-from roslab.knowledge.hints import words_of
+from roslab.evidence.python.modules import modules
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -22,9 +21,9 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     """Return Python 2, with the first place that shows it, if more modules use the statement than the function."""
     old: list[Mention] = []
     new = 0
-    for file in modules(repository):
-        text = repository.read(file, limit=MAX_READ)
-        if "print" not in words_of(text):
+    for module in modules(repository):
+        file, text = module.file, module.text
+        if "print" not in module.words:
             continue
         if match := first_line(_STATEMENT, text, "print"):
             line = text.count("\n", 0, match.start()) + 1

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from roslab.evidence.facts import Removed
-from roslab.evidence.python.imports import MAX_READ, modules
+from roslab.evidence.python.modules import modules
+from roslab.knowledge.hints import Search
 from roslab.knowledge.removals import removals
 from roslab.repository.checkout import Repository
 
@@ -11,19 +12,18 @@ from roslab.repository.checkout import Repository
 def read(repository: Repository) -> tuple[Removed, ...]:
     """Return the lowest bound for each package that the code needs, with the first place that needs it."""
     found: dict[str, tuple[int, Removed]] = {}
-    for file in modules(repository):
-        text = repository.read(file, limit=MAX_READ)
-        for rank, row in enumerate(removals()):
-            if row.package in found and found[row.package][0] <= rank:
+    wanted = Search(removals(), words=True)
+    for module in modules(repository):
+        text = module.text
+        for row in wanted.possible(text, module.words):
+            if row.package in found and found[row.package][0] <= row.rank:
                 continue  # only a lower bound of the same package would matter
-            if not row.hints.stand_in(text):
-                continue
             match = next((m for m in row.pattern.finditer(text) if not _comment(text, m.start())), None)
             if match is None:
                 continue
             line = text.count("\n", 0, match.start()) + 1
-            use = Removed(bound=row.bound, what=row.what, file=file.path, line=line)
-            found[row.package] = (rank, use)
+            use = Removed(bound=row.bound, what=row.what, file=module.file.path, line=line)
+            found[row.package] = (row.rank, use)
     return tuple(sorted((use for _, use in found.values()), key=lambda use: use.bound.written))
 
 

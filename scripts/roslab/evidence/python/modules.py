@@ -1,0 +1,56 @@
+"""The Python modules of a tree: each is read, and its words are found, once for all who look for something in it."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from roslab.evidence import places
+from roslab.knowledge.hints import words_of
+from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import dataclass
+
+MAX_READ = 128 * 1024
+"""Bytes of a module that are searched: imports are at its top."""
+MAX_MODULES = 6_000
+"""Most modules opened, those nearest to the root first."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Module:
+    """A module of a repository."""
+
+    file: File
+    repository: Repository
+
+    @property
+    def text(self) -> str:
+        """Its code, or the beginning of it."""
+        return self.repository.read(self.file, limit=MAX_READ)
+
+    @cached_property
+    def words(self) -> frozenset[str]:
+        """The names in it that are hints."""
+        return words_of(self.text)
+
+    @cached_property
+    def names_ros(self) -> bool:
+        """Whether the library of ROS's nodes stands anywhere in it."""
+        return "rospy" in self.text or "rclpy" in self.text
+
+
+def modules(repository: Repository) -> tuple[Module, ...]:
+    """Return the modules worth reading, nearest to the root first; vendored code, documentation and CI are left out."""
+    return repository.once(_modules)
+
+
+def _modules(repository: Repository) -> tuple[Module, ...]:
+    kept = [
+        file
+        for file in repository.suffixed(".py")
+        if not places.vendored(file.path)
+        and not places.documentation(file.path)
+        and file.size < 16 * MAX_READ
+        and file.name != "setup.py"
+    ]
+    nearest = sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:MAX_MODULES]
+    return tuple(Module(file=file, repository=repository) for file in nearest)
