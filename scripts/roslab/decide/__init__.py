@@ -38,7 +38,7 @@ from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.missing import decide_missing, marked
 from roslab.decide.system.names import Target
-from roslab.decide.system.needs import code_needs, started
+from roslab.decide.system.needs import code_needs, host_options, started
 from roslab.decide.system.own_options import own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, without_twins
@@ -232,6 +232,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cmake_folder=layout.answer.cmake_folder,
         program_folders=layout.answer.program_folders,
         cmake_options=own_options(evidence, config, folder_name) if build_tool.answer == "cmake" else (),
+        cuda_options=host_options(system.answer.apt_guessed, base.answer.ubuntu),
         native=told(evidence.problems) and not config.compatible,
         compilers=own_compilers(evidence, config, folder_name) if build_tool.answer == "cmake" else (),
         dockerfile=own.answer.file if own.answer else None,

@@ -171,6 +171,8 @@ class Decision:
     """Packages that are not built, because nothing brings what they require and no other one needs them."""
     cmake_options: tuple[str, ...] = ()
     """What a page tells CMake for the repository itself, where it is no ROS package."""
+    cuda_options: tuple[str, ...] = ()
+    """What tells CMake the compiler that the image's toolkit of CUDA takes."""
     native: bool = False
     """CMake files compile for the processor of the machine that builds."""
     compilers: tuple[tuple[str, str], ...] = ()

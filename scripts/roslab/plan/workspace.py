@@ -157,7 +157,10 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
     return RosBuild(
         tool=tool,
         arguments=(*_of_rosmake(decision), *config.build_args, *skipping(tool, decision.left_out)) if own else (),
-        cmake_options=(*(_cmake_options(config) if own else ()), *of_sisters),
+        cmake_options=(
+            *((*_cmake_options(config), *_unset(decision.cuda_options, config)) if own else ()),
+            *of_sisters,
+        ),
         setup=f"{WORKSPACE}/{_SETUP[tool]}",
         ignored=decision.ignored if own else (),
         named=decision.named if own else (),
@@ -179,17 +182,17 @@ def _program(decision: Decision, config: Config, folder: str) -> Program:
         folder=decision.cmake_folder,
         build=f"{inside}/build" if config.compatible else f"{folder}-build",
         arguments=config.build_args,
-        cmake_options=(*_cmake_options(config), *_of_page(decision, config)),
+        cmake_options=(*_cmake_options(config), *_unset((*decision.cmake_options, *decision.cuda_options), config)),
         on_path=not config.compatible,
         programs=() if config.compatible else programs[:MAX_FOLDERS],
         compilers=decision.compilers,
     )
 
 
-def _of_page(decision: Decision, config: Config) -> tuple[str, ...]:
-    """Return the options of the page that roslab.yaml does not set."""
+def _unset(options: tuple[str, ...], config: Config) -> tuple[str, ...]:
+    """Return the options that roslab.yaml does not set."""
     said = {word.partition("=")[0].partition(":")[0] for word in shlex.split(config.cmake_options)}
-    return tuple(word for word in decision.cmake_options if word.partition("=")[0].partition(":")[0] not in said)
+    return tuple(word for word in options if word.partition("=")[0].partition(":")[0] not in said)
 
 
 def _cmake_options(config: Config) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.errors import NothingToBuildError
 from roslab.evidence.gather import gather
+from roslab.plan.plan import make_plan
 from roslab.repository.checkout import Repository
 from roslab.values.origin import Place
 
@@ -344,6 +345,28 @@ def test_cuda_that_a_package_of_ros_cannot_do_without(tmp_path: Path, cmake: str
     assert (CUDA in decided(tmp_path, files).apt_guessed) == asked
     files["Dockerfile"] = "FROM nvidia/cuda:11.8.0-devel-ubuntu20.04\nRUN apt-get install -y ros-noetic-ros-base\n"
     assert CUDA not in decided(tmp_path, files).apt_guessed
+
+
+@pytest.mark.parametrize(
+    ("release", "language", "compiler"),
+    [("melodic", "CUDA", "g++-6"), ("noetic", "CUDA", "g++-8"), ("kinetic", "CUDA", ""), ("melodic", "CXX", "")],
+)
+def test_ubuntus_own_cuda_gets_a_compiler_that_it_takes(
+    tmp_path: Path, release: str, language: str, compiler: str
+) -> None:
+    made = "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package(catkin REQUIRED)\n"
+    cmake = f"{made}enable_language({language})\n"
+    found = decided(tmp_path, {**package(), "CMakeLists.txt": cmake, "README.md": f"ROS {release}\n"})
+    options = {f"-D{name}=/usr/bin/{compiler}" for name in ("CUDA_HOST_COMPILER", "CMAKE_CUDA_HOST_COMPILER")}
+    assert {*found.cuda_options} == (options if compiler else set())
+    assert [name for name in found.apt_guessed if name.startswith("g++")] == ([compiler] if compiler else [])
+    written = make_plan(found, Config(), folder_name="demo").workspace.ros
+    assert written is not None
+    assert {*found.cuda_options} <= {*written.cmake_options}
+    said = replace(Config(), cmake_options="-DCUDA_HOST_COMPILER=gcc-5")
+    again = make_plan(found, said, folder_name="demo").workspace.ros
+    assert again is not None
+    assert f"-DCUDA_HOST_COMPILER=/usr/bin/{compiler}" not in again.cmake_options
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
 from roslab.decide.ros.workspace import Packages
@@ -10,11 +10,13 @@ from roslab.decide.system.names import written_for
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.cuda_toolkits import host_compilers
 from roslab.knowledge.frameworks import imports
 from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 
+_TOOLKIT = "nvidia-cuda-toolkit"
 _STARTED = pattern(r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch))\s+(?:--?\S+\s+)*([a-z][a-z0-9_]+)\s")
 
 
@@ -33,20 +35,31 @@ def needs(
         yield dependency, False
 
 
-def compiler_of_cuda(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[Dependency]:
-    """Yield Ubuntu's own toolkit of CUDA where CMake stops without one, in what is built.
+def compiler_of_cuda(evidence: Evidence, packages: Packages, kind: Kind, ubuntu: str | None) -> Iterator[Dependency]:
+    """Yield Ubuntu's own toolkit of CUDA where CMake stops without one, in what is built, and a compiler that it takes.
 
     https://packages.ubuntu.com/search?keywords=nvidia-cuda-toolkit
     """
+    compiler = host_compilers().get(ubuntu or "")
     folders = frozenset(manifest.file.rpartition("/")[0] for manifest in packages.built)
     for project in evidence.cmake if kind in {"ros1", "ros2", "cpp"} else ():
         path = project.file
         aside = places.vendored(path) or places.example(path) or places.test(path)
         if "cuda" in project.macros and not aside and (not folders or "" in folders or _inside(path, folders)):
             asked = project.line
-            yield Dependency(
-                namespace="apt", name="nvidia-cuda-toolkit", strength="used", file=path, line=asked, role="cuda"
-            )
+            for name in (_TOOLKIT, compiler) if compiler else (_TOOLKIT,):
+                yield Dependency(namespace="apt", name=name, strength="used", file=path, line=asked, role="cuda")
+
+
+def host_options(apt: Iterable[str], ubuntu: str | None) -> tuple[str, ...]:
+    """Return what tells CMake the compiler that Ubuntu's own toolkit of CUDA takes; nothing without that toolkit.
+
+    FindCUDA has the first, CUDA as a language the second: https://cmake.org/cmake/help/v3.10/module/FindCUDA.html
+    https://cmake.org/cmake/help/latest/variable/CMAKE_LANG_HOST_COMPILER.html
+    """
+    compiler = host_compilers().get(ubuntu or "")
+    variables = ("CUDA_HOST_COMPILER", "CMAKE_CUDA_HOST_COMPILER") if compiler and _TOOLKIT in apt else ()
+    return tuple(f"-D{variable}=/usr/bin/{compiler}" for variable in variables)
 
 
 def code_needs(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:

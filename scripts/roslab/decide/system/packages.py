@@ -116,7 +116,7 @@ def decide_system(
             _add(dependency, target, found, known, trusted=trusted, by_hand=by_hand)
     for library, dependency in linked(needed, evidence, target.ubuntu):
         found.recipes.setdefault(library, dependency)
-    for dependency in compiler_of_cuda(evidence, packages, kind) if not target.cuda else ():
+    for dependency in compiler_of_cuda(evidence, packages, kind, target.ubuntu) if not target.cuda else ():
         _add(dependency, target, found, known, trusted=True, by_hand=by_hand)
     for apt, asked in apt_for_wheels(python, installed, target.ubuntu, evidence):
         found.guessed.setdefault(apt, asked)
