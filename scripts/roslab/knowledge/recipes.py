@@ -45,6 +45,13 @@ def recipe_at(url: str) -> str | None:
     return next((name for name, repo in found if repo.lower().removesuffix(".git") == url), None)
 
 
+@cache
+def releases(name: str) -> tuple[str, ...]:
+    """Return the releases of a library that the table knows how to build; ``()`` where it names none."""
+    found = _table().get(name)
+    return tuple(found.get("releases", {})) if isinstance(found, dict) else ()
+
+
 def recipe(name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]] = NO_BOUNDS) -> tuple[Recipe, ...]:
     """Return what to build for a library, its own needs first; empty if the table does not have it.
 

@@ -116,3 +116,19 @@ def test_versions() -> None:
 def test_a_header_that_nothing_includes_is_not_compiled(tree: Tree, more: str, distro: str) -> None:
     header = {"include/toolkit/types/wrapped.hpp": "#include <opencv/cv.h>\n"}
     assert tree({**ros1(code=more, page="Tested with ROS Noetic"), **header}).ros_distro == distro
+
+
+@pytest.mark.parametrize(
+    ("code", "page", "built"),
+    [
+        ("problem.EvaluateResidualBlock(id, false, &cost, nullptr, nullptr);\n", "ROS Noetic", [("ceres", "2.0.0")]),
+        ("auto m = new ceres::SubsetManifold(3, {2});\n", "ROS Noetic", [("ceres", "2.1.0")]),
+        ("problem.RemoveResidualBlock(id);\n", "ROS Noetic", []),
+    ],
+)
+def test_a_library_that_is_too_old_on_the_ubuntu_of_ros_is_built(
+    tree: Tree, code: str, page: str, built: list[tuple[str, str]]
+) -> None:
+    padded = "#include <ceres/ceres.h>\n" + "// padding\n" * 4000 + f"void f() {{ {code} }}\n"
+    found = tree(ros1("find_package(Ceres REQUIRED)\n", padded, page))
+    assert [(source.name, source.ref) for source in found.source] == built

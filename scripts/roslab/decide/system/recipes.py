@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from packaging.version import Version
+
 from roslab.config.model import Source
 from roslab.decide.ros.source_names import itself_in, plain
+from roslab.decide.system.names import Target
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import CodeLimit, Evidence
+from roslab.knowledge.code_limits import fits
 from roslab.knowledge.libraries import library
-from roslab.knowledge.recipes import Bound, Recipe, recipe
+from roslab.knowledge.recipes import Bound, Recipe, recipe, releases
 
 
 def recipes_for(
@@ -72,3 +76,20 @@ def of_another_release(evidence: Evidence, apt: Iterable[str]) -> tuple[tuple[st
         for limit in evidence.limits
         if limit.below and (name := limit.library.lower()) in brought and recipe(name, None)
     )
+
+
+def too_old_here(evidence: Evidence, apt: Iterable[str], target: Target) -> tuple[tuple[str, Dependency], ...]:
+    """Return the libraries whose package is older on this Ubuntu than the code needs, and that a recipe has newer."""
+    installed, ubuntu = frozenset(apt), target.ubuntu
+    found: dict[str, Dependency] = {}
+    for limit in evidence.limits:
+        name, oldest = limit.library.lower(), limit.at_least
+        packaged = library("cmake", limit.library, ubuntu)
+        if not (oldest and ubuntu and packaged and installed & {*packaged.apt}):
+            continue
+        newer = any(Version(release) >= Version(oldest) for release in releases(name))
+        if newer and not fits(limit.library, ubuntu, at_least=oldest, below=None):
+            found[name] = Dependency(
+                namespace="include", name=limit.what, strength="used", file=limit.file, line=limit.line
+            )
+    return tuple(found.items())

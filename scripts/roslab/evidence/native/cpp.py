@@ -11,8 +11,8 @@ from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
 SUFFIXES = (".cpp", ".hpp", ".h", ".cc", ".cxx", ".hh", ".c", ".cu", ".cuh")
-MAX_READ = 32 * 1024
-"""Bytes of a source file that are searched: includes are at its top."""
+MAX_READ = 64 * 1024
+"""Bytes of a source file that are searched: includes are at its top, and few files are longer."""
 MAX_SOURCES = 2_500
 """Most source files opened, those nearest to the root first."""
 MAX_SIZE = 1024 * 1024
