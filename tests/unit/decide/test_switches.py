@@ -52,3 +52,26 @@ def test_a_program_that_waits_for_an_option_of_an_included_file_is_not_the_obvio
     }
     assert tree(files).command == ("bash",)
     assert tree({**files, "README.md": "```\ncd build\ncmake -DWITH_APPS=ON ..\n```\n"}).command == ("show",)
+
+
+LINKED = "It needs [eigen-odd](https://github.com/lab/eigen-odd).\n"
+
+
+@pytest.mark.parametrize(
+    ("cmake", "page", "built"),
+    [
+        ("option(WITH_ODD 'a solver' ON)\nif(WITH_ODD)\n{}endif()\n", "", True),
+        ("include(cmake/options.cmake)\nif(WITH_ODD)\n{}endif()\n", "", True),
+        ("if(WITH_ODD)\n{}endif()\n", "", False),
+        ("option(WITH_ODD 'a solver' OFF)\nif(WITH_ODD)\n{}endif()\n", "", False),
+        ("option(WITH_ODD 'a solver' ON)\nif(NOT WITH_ODD)\n{}endif()\n", "", False),
+        ("option(WITH_ODD 'a solver' ON)\nif(WITH_ODD)\n{}endif()\n", "cmake -DWITH_ODD:BOOL=OFF ..", False),
+    ],
+)
+def test_what_an_option_asks_for_that_is_on_is_required(tree: Tree, cmake: str, page: str, built: bool) -> None:
+    made = "project(x CXX)\nadd_executable(show show.cpp)\n" + cmake.format("find_package(eigen-odd REQUIRED)\n")
+    readme = f"{LINKED}```\ncd build\n{page}\n```\n"
+    files = {"CMakeLists.txt": made, "show.cpp": "int main() {}\n", "README.md": readme}
+    files["cmake/options.cmake"] = "option(WITH_ODD 'a solver' ON)\n"
+    decision = tree(files)
+    assert ([source.name for source in decision.source] == ["eigen-odd"]) == built

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from roslab.config.model import Kind
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import written_for
+from roslab.decide.system.switches import given, switched_off
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -63,13 +64,18 @@ def host_options(apt: Iterable[str], ubuntu: str | None) -> tuple[str, ...]:
 
 
 def code_needs(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
-    """Yield what CMake files look for, except in vendored code and in packages that are not built."""
+    """Yield what CMake files look for, except in vendored code and in packages that are not built.
+
+    What an option switches off with which a page configures the project is left out, too.
+    """
+    options = given(evidence)
     skipped = frozenset(m.file.rpartition("/")[0] for m in packages.left_out if m.ignored)
     for project in evidence.cmake:
         if places.vendored(project.file) or _inside(project.file, skipped):
             continue
         for dependency in project.dependencies:
-            if dependency.role != "test" and dependency.name not in packages.names:
+            unasked = dependency.role == "test" or switched_off(dependency, options)
+            if not unasked and dependency.name not in packages.names:
                 yield dependency
 
 

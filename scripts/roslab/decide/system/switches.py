@@ -1,12 +1,16 @@
-"""The options of CMake that nobody sets: what waits for one that is off is not built."""
+"""The options of CMake that somebody sets or that nobody sets: what waits for one that is off is not built."""
 
 from __future__ import annotations
+
+import re
 
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.values.pattern import pattern
 
 _OFF = pattern(r"(?:^| AND )OFF (\w+)")
+
+_ON = pattern(r"(?:^| AND )ON (\w+)")
 
 
 def given(evidence: Evidence) -> str:
@@ -17,3 +21,9 @@ def given(evidence: Evidence) -> str:
 def waits(dependency: Dependency, options: str) -> bool:
     """Tell whether CMake looks for it only where an option is set which is off and is none of those given."""
     return any(f"-D{name}" not in options for name in _OFF.findall(dependency.condition or ""))
+
+
+def switched_off(dependency: Dependency, options: str) -> bool:
+    """Tell whether CMake looks for it only where an option is set that is on, and one of those given turns it off."""
+    names = _ON.findall(dependency.condition or "")
+    return any(re.search(rf"-D{name}(?::\w+)?=(?:OFF|FALSE|NO|0)\b", options, re.IGNORECASE) for name in names)

@@ -47,14 +47,14 @@ class Call:
     in_function: bool = False
 
 
-def calls(text: str, names: frozenset[str], off: set[str] | None = None) -> Iterator[Call]:
+def calls(text: str, names: frozenset[str], options: dict[str, bool] | None = None) -> Iterator[Call]:
     """Yield the calls of the given lower-cased names in order; a name may end in ``*``.
 
-    ``off``: the options that are off where the text begins; those that it declares so are added on the way.
+    ``options``: those that are declared where the text begins, and whether each is on; its own are added on the way.
     """
     if "#[" in text:
         text = _BRACKET_COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text)
-    scope = _Scope(off=set() if off is None else off)
+    scope = _Scope(options={} if options is None else options)
     beginnings = tuple(name[:-1] for name in names if name.endswith("*"))
     position, line, total = 0, 1, 0
     for match in _CALL.finditer(text):
@@ -81,10 +81,11 @@ def calls(text: str, names: frozenset[str], off: set[str] | None = None) -> Iter
 
 @dataclass
 class _Scope:
-    """The state at one point of a file: variables, options that are off, enclosing blocks."""
+    """The state at one point of a file: variables, options, enclosing blocks."""
 
     variables: dict[str, tuple[str, ...]] = field(default_factory=dict)
-    off: set[str] = field(default_factory=set)
+    options: dict[str, bool] = field(default_factory=dict)
+    """Those that are declared, and whether each is on."""
     conditions: list[str] = field(default_factory=list)
     stack: list[str] = field(default_factory=list)
 
@@ -116,18 +117,19 @@ class _Scope:
         if name == "set" and len(words) <= MAX_EXPANSION:
             values = (w for w in _filled(words[1:], self.variables) if w not in {"CACHE", "PARENT_SCOPE", "FORCE"})
             self.variables[words[0]] = tuple(values)[:MAX_EXPANSION]
-            if self.variables[words[0]][:1] in {("ON",), ("TRUE",), ("1",)}:
-                self.off.discard(words[0])
+            if words[0] in self.options and self.variables[words[0]][:1] in {("ON",), ("TRUE",), ("1",)}:
+                self.options[words[0]] = True
         elif name == "list" and len(words) > 2 and words[0].upper() == "APPEND":
             more = (*self.variables.get(words[1], ()), *_filled(words[2:], self.variables))
             self.variables[words[1]] = more[:MAX_EXPANSION]
-        elif name == "option" and not (len(words) > 2 and words[-1].upper() in {"ON", "TRUE", "1", "YES"}):
-            self.off.add(words[0])
+        elif name == "option":
+            on = len(words) > 2 and words[-1].upper() in {"ON", "TRUE", "1", "YES"}
+            self.options.setdefault(words[0], on)
 
     def _condition(self, words: list[str]) -> str:
-        """Return a condition's text; an option that is off by default makes it ``OFF``."""
-        if len(words) == 1 and words[0] in self.off:
-            return f"OFF {words[0]}"
+        """Return a condition's text: ``OFF NAME`` of an option that is off by default, else ``ON NAME``."""
+        if len(words) == 1 and words[0] in self.options:
+            return f"{'ON' if self.options[words[0]] else 'OFF'} {words[0]}"
         return " ".join(words)[:MAX_VALUE]
 
 

@@ -103,7 +103,7 @@ class _Reading:
 def read(repository: Repository) -> tuple[CMakeProject, ...]:
     """Return every CMakeLists.txt with anything of interest, sorted by path; build folders are skipped."""
     files = sorted(repository.named("CMakeLists.txt"), key=lambda file: (file.path.count("/"), file.path))
-    added: dict[str, frozenset[str]] = {}
+    added: dict[str, dict[str, bool]] = {}
     found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
     kept = (p for p in found if p.name or p.top_level or p.dependencies or p.executables or p.macros or p.linked)
     return tuple(sorted(kept, key=lambda project: project.file))
@@ -130,21 +130,21 @@ def fetching(repository: Repository) -> tuple[Dependency, ...]:
     return ()
 
 
-def _project(repository: Repository, file: File, added: dict[str, frozenset[str]]) -> CMakeProject:
+def _project(repository: Repository, file: File, added: dict[str, dict[str, bool]]) -> CMakeProject:
     """Read one file; the folders that it adds go into ``added``, so parents must be read first.
 
-    Each has the options that are off where it is added.
+    Each has the options that are declared where it is added.
     """
     reading = _Reading()
     adds = False
-    off = set(added.get(file.folder, ()))
-    for call in calls(repository.read(file), _NAMES, off):
+    options = dict(added.get(file.folder, {}))
+    for call in calls(repository.read(file), _NAMES, options):
         if call.name == "add_subdirectory" and call.words:
             adds = True
-            added.setdefault(_joined(file.folder, call.words[0]), frozenset(off))
+            added.setdefault(_joined(file.folder, call.words[0]), dict(options))
         elif call.name == "include":
             _include(call, repository, file, reading)
-            for needing, path in included.needing(call, repository, file, reading.included, off):
+            for needing, path in included.needing(call, repository, file, reading.included, options):
                 _note(needing, path, reading)
         else:
             _note(call, file.path, reading)
@@ -216,7 +216,8 @@ def _program(call: Call, reading: _Reading) -> None:
     reading.executables.setdefault(name, call.line)
     reading.named.update(word for word in files if _CODE.match(word))
     for condition in call.conditions:
-        reading.optional |= {(name, condition): None} if _SWITCH.fullmatch(condition) else {}
+        switch = condition.removeprefix("ON ")
+        reading.optional |= {(name, switch): None} if _SWITCH.fullmatch(switch) else {}
         found = _WHERE_FOUND.finditer(condition) if not condition.startswith("NOT (") else ()
         reading.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
 

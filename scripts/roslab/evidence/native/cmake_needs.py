@@ -72,7 +72,7 @@ _ROS_FINDERS = frozenset(
 """ROS packages whose components are packages themselves."""
 _TEST = pattern(r"CATKIN_ENABLE_TESTING|BUILD_TEST(?:S|ING)?|_TESTS?\b|GTEST", re.IGNORECASE)
 _ELSEWHERE = pattern(r"^(?:WIN32|MSVC|APPLE)\b")
-_HERE = pattern(r"^(?:UNIX\b(?! AND (?:APPLE))|NOT \(?(?:WIN32|MSVC|APPLE)\)?$|NOT (?:WIN32|MSVC|APPLE)\b)")
+_HERE = pattern(r"^(?:ON \w|UNIX\b(?! AND (?:APPLE))|NOT \(?(?:WIN32|MSVC|APPLE)\)?$|NOT (?:WIN32|MSVC|APPLE)\b)")
 _NAME = pattern(r"^[A-Za-z][\w.+-]*$")
 _LINK = pattern(r"^(?:-l)?([A-Za-z_][\w.+-]*)$")
 _LOCAL = pattern(r"^/usr/local/lib/(?:[\w+-]+/)?lib([A-Za-z][\w+-]*)\.(?:so|a)$")

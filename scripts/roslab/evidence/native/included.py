@@ -24,22 +24,22 @@ OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Goog
 
 
 def needing(
-    call: Call, repository: Repository, file: File, seen: set[str], off: set[str]
+    call: Call, repository: Repository, file: File, seen: set[str], options: dict[str, bool]
 ) -> Iterator[tuple[Call, str]]:
     """Yield the calls that find or fetch something in a file that ``include`` names, each with that file's path.
 
     A call has the conditions of the ``include`` too; what a function does when it is called is left out. Of files that
-    include others each is read once: ``seen`` are those that were. The options that they declare as off are added to
-    ``off``.
+    include others each is read once: ``seen`` are those that were. The options that they declare are added to
+    ``options``.
     """
     module = _module(call, repository, file)
     if module is None or module.path in seen or len(seen) >= MAX_FILES or len(call.conditions) > MAX_DEPTH * 4:
         return
     seen.add(module.path)
-    for inner in calls(repository.read(module), _FINDS | _FETCHES, off):
+    for inner in calls(repository.read(module), _FINDS | _FETCHES, options):
         told = replace(inner, conditions=(*call.conditions, *inner.conditions))
         if inner.name == "include":
-            yield from needing(told, repository, module, seen, off)
+            yield from needing(told, repository, module, seen, options)
         elif not inner.in_function:
             yield told, module.path
 
