@@ -150,7 +150,10 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     system = without_twins(system, frozenset(source.name for source, _ in (*libraries, *linked)))
 
     inside = compiled_inside(evidence, config, kind.answer)
-    scripts, variables = decide_scripts(evidence, config, kind.answer, inside), decide_variables(evidence, config)
+    scripts, variables = (
+        decide_scripts(evidence, config, kind.answer, inside, python.answer.projects),
+        decide_variables(evidence, config),
+    )
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else NO_CUDA
     compiling = decide_compiling(

@@ -27,6 +27,7 @@ API = "git clone https://github.com/lab/graspAPI.git\n"
         ),
         ("git clone https://github.com/lab/demo.git\ncd demo\npip install -e .\n", []),
         (f"{API}pip install -r requirements.txt\n", []),
+        (f"{API}cd graspAPI\npython setup.py install\n", ["git+https://github.com/lab/graspAPI.git"]),
     ],
 )
 def test_a_clone_that_pip_installs(tree: Tree, page: str, urls: list[str]) -> None:

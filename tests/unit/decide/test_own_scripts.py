@@ -11,6 +11,7 @@ from roslab.decide.decision import Decision
 Tree = Callable[[dict[str, str]], Decision]
 CODE = {"play.py": "import numpy\n"}
 MAKE = "cd src\nnvcc -c a.cu\npython setup.py build_ext --inplace\n"
+SETUP = "from setuptools import Extension, setup\nsetup(name='ops', ext_modules=[Extension('ops', ['a.cpp'])])\n"
 MODULE = {".gitmodules": '[submodule "planner"]\n\tpath = planner\n\turl = https://github.com/a/planner.git\n'}
 
 
@@ -26,6 +27,18 @@ MODULE = {".gitmodules": '[submodule "planner"]\n\tpath = planner\n\turl = https
         (MODULE, "./planner/build.py\n", [("", "planner/build.py", "python3 planner/build.py")]),
         (MODULE, "cd demo/planner && ./build.sh\n", [("planner", "planner/build.sh", "bash build.sh")]),
         (MODULE, "./planner/install.sh\n", []),
+        (
+            {"net/ops/nms/setup.py": SETUP},
+            "cd DEMO/net/ops/nms\npython setup.py build_ext --inplace\n",
+            [("net/ops/nms", "net/ops/nms/setup.py", "python3 setup.py build_ext --inplace")],
+        ),
+        (
+            {"tools/mesh_setup.py": "from Cython.Build import cythonize\n"},
+            "python tools/mesh_setup.py build_ext -i\n",
+            [("", "tools/mesh_setup.py", "python3 tools/mesh_setup.py build_ext -i")],
+        ),
+        ({"setup.py": SETUP}, "python setup.py build_ext --inplace\n", []),
+        ({"net/ops/nms/setup.py": SETUP}, "cd net/ops/nms\npython setup.py build_ext\n", []),
         ({"lib/make.sh": MAKE, "setup.cfg": "", "roslab.yaml": ""}, "# Docker\nsh lib/make.sh\n", []),
     ],
 )
@@ -80,3 +93,10 @@ def test_a_library_that_a_script_compiles_with_cmake_is_compiled_once(tree: Tree
     page += "Or run `cd third_party/words; ./build.sh`.\n"
     found = tree({**made, **library, "README.md": page})
     assert ([folder for folder, _ in found.inside], found.scripts) == (["third_party/words"], ())
+
+
+@pytest.mark.parametrize("verb", ["install", "develop", "build develop"])
+def test_a_page_installs_the_folder_that_it_goes_to(tree: Tree, verb: str) -> None:
+    page = f"```\npip install -r requirements.txt\ncd demo/net/lib/ops\npython setup.py {verb}\n```\n"
+    found = tree({**CODE, "requirements.txt": "numpy\n", "net/lib/ops/setup.py": SETUP, "README.md": page})
+    assert (found.python.projects, found.scripts) == (("net/lib/ops",), ())

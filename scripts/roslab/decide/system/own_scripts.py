@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 import shlex
+from collections.abc import Collection
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, OwnScript
@@ -25,12 +26,16 @@ _PLAIN = pattern(r"[\w./=+-]+")
 
 
 def decide_scripts(
-    evidence: Evidence, config: Config, kind: Kind, inside: Choice[tuple[tuple[str, str], ...]]
+    evidence: Evidence,
+    config: Config,
+    kind: Kind,
+    inside: Choice[tuple[tuple[str, str], ...]],
+    projects: Collection[str] = (),
 ) -> Choice[tuple[OwnScript, ...]]:
     """Return the scripts that the pages nearest to the root run to compile, in their order; none where ROS does it.
 
     Of a C++ project only those of copied libraries and submodules: CMake compiles the project itself, and the folders
-    ``inside`` too.
+    ``inside`` too. ``projects``: folders that pip installs editable, which compiles what their setup.py does.
     """
     if config.compatible or config.custom or config.build or kind not in {"python", "cuda", "cpp"}:
         return Choice(answer=())
@@ -44,6 +49,8 @@ def decide_scripts(
     for mention in said:
         script = _script(mention, absent) if mention.file.count("/") == nearest else None
         library = script and (places.vendored(script.path) or script.path.startswith(modules))
+        if script and posixpath.basename(script.path) == "setup.py" and (script.folder or ".") in projects:
+            continue
         if script and (kind != "cpp" or (library and not {script.folder, script.path} & compiled)):
             found.setdefault(script.path, (script, mention))
     chosen = list(found.values())[:MOST]

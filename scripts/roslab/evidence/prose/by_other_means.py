@@ -8,6 +8,7 @@ from typing import Literal
 
 from roslab.evidence.lex.shell import Command
 from roslab.evidence.prose.archives import is_release
+from roslab.evidence.python.install_lines import builds_in_place
 from roslab.values.pattern import pattern
 
 Topic = Literal["step", "image_built", "image_pulled", "build_script"]
@@ -30,7 +31,8 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
     words = command.words
     program = words[0].rpartition("/")[2]
     called = words[1:] if program in _RUNNERS else words
-    if called and _SCRIPT.match(called[0]) and (called is not words or "/" in called[0]):
+    script = called and _SCRIPT.match(called[0]) and (called is not words or "/" in called[0])
+    if script or (called is not words and builds_in_place(called)):
         yield "build_script", " ".join((folder or ".", *called))
     if program == "docker":
         yield from _docker(words)

@@ -16,7 +16,7 @@ from roslab.evidence.prose.configured import options_of, source_of
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.telling import telling
 from roslab.evidence.prose.workspaces import below_sources, beside, end_of, longer, of_packages
-from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks
+from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks, setup_asks
 from roslab.knowledge.tools import PIXI
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
@@ -272,10 +272,7 @@ class Collector:
             if python[1] and "." in python[1]:
                 self._mention("python", python[1], command)
             if words[1].endswith("setup.py"):
-                folder, line = words[1].removesuffix("setup.py") or ".", command.line
-                self.requirements.append(
-                    Requirement(name="", written=folder, origin="prose", role="project", file=self.file, line=line)
-                )
+                self._python(setup_asks(command, self.file, self._here), command)
             elif any(word.endswith(".py") for word in words[1:4]) or words[1] == "-m":
                 self._run(command)
         elif self.source == "readme" and _STARTS.match(" ".join(words[:2])):

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.started_in import ends
+from roslab.evidence.python.install_lines import builds_in_place
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -34,7 +35,7 @@ def checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         if not repository.has(path):
             continue
         text = repository.read(path, limit=MAX_SIZE)
-        if _COMPILES.search(text) and not _ASKS.search(text):
+        if (builds_in_place((script, *words)) or _COMPILES.search(text)) and not _ASKS.search(text):
             yield replace(mention, value=" ".join((start or ".", script, *words)), files=(path,))
         return
     yield mention

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Literal, NamedTuple
 
 from roslab.evidence.lex.shell import UNKNOWN, Command
@@ -36,6 +36,7 @@ _PIP_OPTIONS = {
 }  # fmt: skip
 CONDA = frozenset({"conda", "mamba", "micromamba"})
 _CONDA_VALUED = frozenset({"-n", "-c", "--name", "--channel", "-p", "--prefix", "-f", "--file"})
+_IN_PLACE = frozenset({"--inplace", "-i"})
 _CUDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit"})
 _PATH = pattern(r"^[./~]|^(?!.*://).*(?:\.whl|\.tar\.gz|/)$")
 _FOLDER = pattern(r"[\w.-]+(?:/[\w.-]+)+(?:\[[\w,-]+\])?")
@@ -49,6 +50,19 @@ class Version(NamedTuple):
 
     topic: Literal["python", "cuda"]
     number: str
+
+
+def builds_in_place(words: Sequence[str]) -> bool:
+    """Tell whether a script of setuptools is run to compile extensions beside their sources, and for nothing else."""
+    return words[1:2] == ("build_ext",) and not _IN_PLACE.isdisjoint(words) and words[0].endswith("setup.py")
+
+
+def setup_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterator[Requirement]:
+    """Yield the folder whose setup.py is run; ``here`` makes it relative to the text's folder."""
+    script = command.words[1]
+    if script.rpartition("/")[2] == "setup.py" and not builds_in_place(command.words[1:]):
+        folder = here(script.removesuffix("setup.py") or ".")
+        yield Requirement(name="", written=folder, origin="prose", role="project", file=file, line=command.line)
 
 
 def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterator[Requirement]:
