@@ -89,6 +89,10 @@ def test_a_dockerfile_in_a_copy_of_another_project_is_not_the_authors(tmp_path: 
 
     assert purpose({}) == "project"
     assert purpose({"src/other/LICENCE": "GPL\n"}) == "vendored"
+    (tmp_path / "src/own/package.xml").unlink()
+    del files["src/own/package.xml"]
+    assert purpose({"README.md": "A paper's code.\n"}) == "project"
+    assert purpose({"LICENSE": "MIT\n"}) == "vendored"
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ from roslab.evidence.lex.dockerfile import Instruction, argv, instructions, sour
 from roslab.evidence.lex.shell import expand
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.build_values import Values, secret_of
+from roslab.evidence.prose.copies import in_copy
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.evidence.prose.recipe import recipe
 from roslab.repository.checkout import File, Repository
@@ -34,7 +35,6 @@ _DOCKER_FOLDER = pattern(
 _FROM = pattern(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
 _UPDATE = pattern(r"\brosdep\s+update\b(?!\s+--(?:include-eol-distros|rosdistro))")
 """Not told to keep distributions that have ended. https://github.com/ros-infrastructure/rosdep/issues/818"""
-_RECIPES = pattern(r"(?:^|/)\.?docker\w*(?:/.*)?$", re.IGNORECASE)
 _PAIR = pattern(r"(\w+)=(\"[^\"]*\"|'[^']*'|\S*)")
 _DEPLOY = pattern(
     r"jetson|l4t|deploy|tegra|raspberry|\brpi\b|arm64|aarch64|armhf|production|release|simulator|\bursim\b",
@@ -214,7 +214,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         command_line=start.line,
         entrypoint=start.entrypoint,
         starts_in_source=start.source is not None and start.source == posixpath.normpath(start.workdir),
-        purpose="vendored" if _copied_in(repository, file) else _purpose(file.path, reading.base or "", problem),
+        purpose="vendored" if in_copy(repository, file) else _purpose(file.path, reading.base or "", problem),
         problem=problem or reading.needs or missing,
         context=context,
         secrets=tuple(sorted(dict(reversed(reading.secrets)).items(), key=lambda found: found[1])),
@@ -267,15 +267,6 @@ def _context(repository: Repository, file: File, copied: list[tuple[str, int]]) 
 def _holds_source(repository: Repository, folder: str) -> bool:
     prefix = folder + "/"
     return any(file.path.startswith(prefix) and file.name.endswith(_REPOSITORY_FILES) for file in repository.files)
-
-
-def _copied_in(repository: Repository, file: File) -> bool:
-    """Tell whether a Dockerfile lies in a copy of another project: a folder with a page and a licence of its own."""
-    if not (part := _RECIPES.sub("", file.folder)):
-        return False
-    names = {beside.name.lower().partition(".")[0] for beside in repository.files if beside.folder == part}
-    outside = any(not manifest.path.startswith(f"{part}/") for manifest in repository.named("package.xml"))
-    return outside and "readme" in names and bool(names & {"license", "licence", "copying"})
 
 
 def _purpose(

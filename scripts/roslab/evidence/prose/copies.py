@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from roslab.evidence.facts import PackageManifest
-from roslab.repository.checkout import Repository
+from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
 
 _LICENCES = ("LICENSE", "LICENSE.md", "LICENSE.txt", "LICENCE", "COPYING", "LICENSE.rst", "License.txt")
 _PAGES = ("README.md", "README.rst", "README", "README.txt", "Readme.md", "readme.md", "ReadMe.md")
+_RECIPES = pattern(r"(?:^|/)\.?docker\w*(?:/.*)?$", re.IGNORECASE)
+"""The end of a path in which images are described."""
 
 
 def read(repository: Repository, manifests: Sequence[PackageManifest]) -> tuple[str, ...]:
@@ -22,3 +26,19 @@ def read(repository: Repository, manifests: Sequence[PackageManifest]) -> tuple[
 def below(path: str, folders: Sequence[str]) -> bool:
     """Tell whether a path lies in one of the folders."""
     return any(path.startswith(f"{folder}/") for folder in folders)
+
+
+def in_copy(repository: Repository, file: File) -> bool:
+    """Tell whether a Dockerfile lies in a copy of another project: a folder with a page and a licence of its own.
+
+    The repository has packages outside of it, or a page and a licence at its root, too.
+    """
+    if not (part := _RECIPES.sub("", file.folder)):
+        return False
+    outside = any(not manifest.path.startswith(f"{part}/") for manifest in repository.named("package.xml"))
+    return _whole(repository, part) and (outside or _whole(repository, ""))
+
+
+def _whole(repository: Repository, folder: str) -> bool:
+    names = {beside.name.lower().partition(".")[0] for beside in repository.files if beside.folder == folder}
+    return "readme" in names and bool(names & {"license", "licence", "copying"})
