@@ -29,6 +29,17 @@ _ELSEWHERE = pattern(r"(?:^|[-_./])(?:mac|macos|osx|darwin|windows|win(?:32|64)?
 MAX_PROJECTS = 6
 
 
+def for_reference(evidence: Evidence) -> frozenset[str]:
+    """Return the lists that a page names as a reference only, while it installs packages by lines of its own."""
+    asked = [each for each in evidence.prose_pip if each.role in {"environment", "file"}]
+    named = {m.value for m in evidence.mentions if m.topic == "reference" and _installs(evidence, m.file)}
+    return frozenset(named - {_resolve(each, named) for each in asked})
+
+
+def _installs(evidence: Evidence, page: str) -> bool:
+    return any(each.file == page and each.name and not each.role for each in evidence.prose_pip)
+
+
 def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
     """Return the project's environment file: the plainest name, nearest to the root.
 
@@ -38,10 +49,11 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
         return config.conda
     if kind in {"ros1", "ros2", "cpp"}:
         return None
+    shown = for_reference(evidence)
     own = [
         environment
         for environment in evidence.conda
-        if not places.vendored(environment.file) and environment.file.count("/") <= 1
+        if not places.vendored(environment.file) and environment.file.count("/") <= 1 and environment.file not in shown
     ]
     if not own:
         return None
@@ -93,7 +105,12 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
     if config.requirements is not None:
         wanted = {posixpath.normpath(path) for path in config.requirements}
         return tuple(file for file in evidence.requirements if file.file in wanted)
-    run = {file.file: file for file in evidence.requirements if file.purpose == "run" and not places.example(file.file)}
+    shown = for_reference(evidence)
+    run = {
+        file.file: file
+        for file in evidence.requirements
+        if file.purpose == "run" and not places.example(file.file) and file.file not in shown
+    }
     if conda:
         named = {r.written for e in evidence.conda if e.file == conda for r in e.requirements if r.role == "file"}
         folder = conda.rpartition("/")[0]
