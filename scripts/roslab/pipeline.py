@@ -75,7 +75,7 @@ def plan_repository(
     if config.submodules == "required":
         _require_submodules(repository)
     evidence = gather(repository)
-    name = folder_name or _folder_name(repository)
+    name = folder_name or repository.name
     try:
         decision = decide(evidence, config, folder_name=name)
     except NothingToBuildError as error:
@@ -167,13 +167,6 @@ def _what_is_there(repository: Repository) -> str:
     kinds = ", ".join(f"{count} {printable(suffix)}" for count, suffix in counts[:5])
     more = f" and {len(counts) - 5} kinds more" if len(counts) > 5 else ""
     return f"there is only {kinds}{more}{unread}"
-
-
-def _folder_name(repository: Repository) -> str:
-    """Return the name in the origin's URL, else the folder's: on a runner the folder may be called anything."""
-    if repository.origin:
-        return repository.origin.rstrip("/").rpartition("/")[2].removesuffix(".git")
-    return repository.root.name
 
 
 def _configuration(

@@ -209,6 +209,11 @@ class Repository:
         return match[1] if match else None
 
     @cached_property
+    def name(self) -> str:
+        """Its name in the origin's URL, else the folder's: on a runner the folder may be called anything."""
+        return self.origin.rstrip("/").rpartition("/")[2].removesuffix(".git") if self.origin else self.root.name
+
+    @cached_property
     def committed(self) -> dt.datetime | None:
         """Time of the checkout's commit in UTC; ``None`` if there is no commit or no git."""
         seconds = git.head(self.root)[1] if self.git_folder else None

@@ -44,10 +44,14 @@ def test_a_clone_that_pip_installs(tree: Tree, page: str, urls: list[str]) -> No
         ("export PYTHONPATH=`pwd`:$PYTHONPATH\n", (".",)),
         ("PYTHONPATH=. python play.py\n", (".",)),
         ("export PYTHONPATH=/opt/caffe/python:$PYTHONPATH\n", ()),
+        ('export PYTHONPATH="${PYTHONPATH}:PATH_TO_REACH_NET"\n', (".",)),
+        ("export PYTHONPATH=$PYTHONPATH:/home/me/reach-net/\n", (".",)),
+        ("export PYTHONPATH=$PYTHONPATH:/path/to/reach\n", ()),
     ],
 )
 def test_the_folders_that_a_page_puts_on_the_path(tree: Tree, page: str, folders: tuple[str, ...]) -> None:
-    assert tree({**CODE, "README.md": f"```\n{page}```\n"}).python_path == folders
+    origin = {".git/config": '[remote "origin"]\n\turl = https://github.com/lab/Reach-Net.git\n'}
+    assert tree({**CODE, **origin, "README.md": f"```\n{page}```\n"}).python_path == folders
 
 
 def test_the_image_has_the_path(tree: Tree) -> None:

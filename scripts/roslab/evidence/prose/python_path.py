@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from roslab.evidence.facts import Mention
 from roslab.repository.checkout import File, Repository
+from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
 
 DEEPEST = 1
 """A page below is about a part."""
 _SET = pattern(r"\bPYTHONPATH=([^\n#`]{1,300})")
 _END = pattern(r"[\"'\s]")
+_TO = pattern(r"^(?:path[_-]?to|your)[_-]", re.IGNORECASE)
+"""What a page writes before the name of the folder: ``PATH_TO_DEMO``."""
 _HERE = pattern(r"^(?:\.|\./|\$\(pwd\)|\$\{?PWD\}?)$")
 
 
 def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
-    """Yield each folder, ``.`` for the root; what does not end with a folder of the tree is another project's."""
+    """Yield each folder, ``.`` for the root; what ends with neither a folder of the tree nor its name is another's."""
     if "PYTHONPATH=" not in text or file.path.count("/") > DEEPEST:
         return
     text = text.replace("`pwd`", "$(pwd)")
@@ -38,4 +42,5 @@ def _folder(path: str, repository: Repository) -> str:
         return "."
     parts = [part for part in path.rstrip("/").split("/") if part not in {"", "."}]
     tails = ("/".join(parts[start:]) for start in range(len(parts)))
-    return next((tail for tail in tails if tail in repository.folders), "")
+    itself = "." if parts and bare_name(_TO.sub("", parts[-1])) == bare_name(repository.name) else ""
+    return next((tail for tail in tails if tail in repository.folders), itself)
