@@ -327,6 +327,22 @@ def test_cuda_under_ros_starts_from_nvidia(tmp_path: Path) -> None:
     assert "ros-noetic-ros-base" in found.apt
 
 
+@pytest.mark.parametrize(
+    ("line", "names"),
+    [
+        ("ros-noetic-map-server*", {"ros-noetic-map-server"}),
+        ("ros-melodic-velodyne-pcl*", {"ros-noetic-velodyne-pcl"}),
+        ("'ros-$ROS_DISTRO-octomap-m*'", {"ros-noetic-octomap-mapping", "ros-noetic-octomap-msgs"}),
+        ("ros-noetic-moveit*", {"ros-noetic-moveit"}),
+        ("ros-noetic-nothing-of-it*", set()),
+        ("ros-noetic-*", set()),
+    ],
+)
+def test_packages_of_ros_that_a_page_names_by_a_pattern(tmp_path: Path, line: str, names: set[str]) -> None:
+    page = f"ROS Noetic\n```\nsudo apt-get install {line}\n```\n"
+    assert {*decided(tmp_path, {**package(), "README.md": page}).apt_guessed} == names
+
+
 CUDA = "nvidia-cuda-toolkit"
 
 

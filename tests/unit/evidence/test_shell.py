@@ -41,7 +41,7 @@ def pip(text: str) -> list[str]:
         ("apt-get install -t focal-backports liba libc++-dev g++", ["liba", "libc++-dev", "g++"]),
         ("apt-get install liba and then run it", ["liba"]),
         ("apt-get install liba sudo apt-get install libb", ["liba"]),
-        ("apt-get install ros-humble-gazebo-* ./local.deb libA", []),
+        ("apt-get install ros-humble-gazebo-* ./local.deb libA", ["ros-humble-gazebo-*"]),
         ("X=libfoo apt-get install $X", []),
     ],
 )

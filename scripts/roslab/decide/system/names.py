@@ -9,6 +9,8 @@ from roslab.knowledge.released import released
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
+MOST_OF_A_PATTERN = 30
+"""Most packages that are taken for one pattern of names: more hold drivers and tools that nobody meant."""
 APT_NAME = pattern(r"^[a-z0-9][a-z0-9.+-]+$")
 _PLACEHOLDER = pattern(r"^ros-(\{distro\}|[a-z]+)-(.+)$")
 
@@ -90,8 +92,20 @@ def _apt(name: str, target: Target) -> tuple[str, ...]:
     if match and written_for(name):
         if not target.ros_distro:
             return ()
+        if match[2].endswith("*"):
+            return _beginning(match[2].rstrip("*"), target)
         name = f"ros-{target.ros_distro}-{match[2]}"
     return (name,) if APT_NAME.match(name) else ()
+
+
+def _beginning(start: str, target: Target) -> tuple[str, ...]:
+    """Return the released packages whose names begin so, as apt reads ``ros-noetic-navigation*``.
+
+    Of too many, it is the one of that name alone. https://manpages.ubuntu.com/manpages/focal/man8/apt-get.8.html
+    """
+    names = sorted(target.ros(name) for name in released(target.ros_distro or ""))
+    found = tuple(name for name in names if name.startswith(target.ros(start)))
+    return found if len(found) <= MOST_OF_A_PATTERN else tuple(n for n in found if n == target.ros(start.rstrip("-")))
 
 
 def written_for(name: str) -> str | None:

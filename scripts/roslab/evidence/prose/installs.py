@@ -31,7 +31,9 @@ _CHOICE = pattern(r"(?<==)\{\s*([\w.-]+)\s*(?:[,|/]\s*[\w.-]+\s*){1,12}\}")
 """Values of which the reader chooses one: ``rviz:={true, false}``."""
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
-_APT_NAME = pattern(r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+)$")
+_APT_NAME = pattern(
+    r"^(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]+|ros-(?:\{distro\}|[a-z]+)-[a-z0-9][a-z0-9-]{2,}\*)$"
+)
 _PYTHON = pattern(r"^(?:i?python)(\d(?:\.\d+)?)?$")
 _URL = pattern(r"^(?:https?://|git://|ssh://|git@)\S+$")
 _BUILT = pattern(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
