@@ -295,6 +295,24 @@ def test_scripts_beside_cpp_run_on_the_python_of_its_ubuntu(
     assert (found.version, found.manager) == python
 
 
+@pytest.mark.parametrize(
+    ("pin", "ubuntu", "python"),
+    [
+        ("numpy==1.26.4", "noble", ("3.12", "venv")),
+        ("numpy==1.26.4", "jammy", ("3.10", "venv")),
+        ("numpy==1.26.4", "focal", ("3.10", "conda")),
+        ("numpy==1.19.5", "bionic", ("3.6", "venv")),
+    ],
+)
+def test_pins_beside_cpp_that_the_python_of_its_ubuntu_fits_ask_for_no_other(
+    tmp_path: Path, pin: str, ubuntu: str, python: tuple[str, str]
+) -> None:
+    script = "import numpy\n\nif __name__ == '__main__':\n    print(numpy)\n"
+    files = {"requirements.txt": f"{pin}\n", "CMakeLists.txt": "project(x)\n", "plot.py": script}
+    found = chosen(evidence_of(tmp_path, files), Config(), "cpp", ubuntu)
+    assert (found.version, found.manager) == python
+
+
 def test_documentation_itself_is_installed_nowhere(tmp_path: Path) -> None:
     tools = {"CMakeLists.txt": "project(x)\n", "docs/install.sh": "pip install sphinx-thing\n"}
     assert decide(tmp_path, tools, kind="cpp").pip_guessed == ()

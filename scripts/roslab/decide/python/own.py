@@ -38,6 +38,8 @@ class OwnPython:
     wanted: str | None
     """What the repository asks for."""
     chosen: Chosen
+    fitting: tuple[str, ...] = ()
+    """Those that fit all it says, where nothing names one."""
 
 
 def decide_version(
@@ -53,12 +55,13 @@ def decide_version(
     chosen = choose(evidence, config, kind, pins)
     said = python_version(evidence, config, pins)
     if kind in {"ros1", "ros2"} or _plain(evidence, config, kind, chosen):
-        number, first = _of_ros(evidence, ros_distro, said.answer)
-        own = OwnPython(version=number, system=True, wanted=said.answer, chosen=chosen)
+        number, first = _of_ros(evidence, ros_distro, said.answer.version)
+        own = OwnPython(version=number, system=True, wanted=said.answer.version, chosen=chosen)
         return Choice(answer=own, reasons=(*first, *said.reasons))
-    number = said.answer or _then(evidence.day) or _default(config, kind, cuda, _usual(evidence.pip_day))
-    own = OwnPython(version=number, system=False, wanted=said.answer, chosen=chosen)
-    if said.answer:
+    wanted, fitting = said.answer.version, said.answer.fitting
+    number = wanted or _then(evidence.day) or _default(config, kind, cuda, _usual(evidence.pip_day))
+    own = OwnPython(version=number, system=False, wanted=wanted, chosen=chosen, fitting=fitting)
+    if wanted:
         return Choice(answer=own, reasons=said.reasons)
     which = f"one that was usual on {evidence.pip_day}" if evidence.pip_day else "the Python of the base"
     why = because("python", number, f"nothing names a version: {which}", weight=VersionWeight.DEFAULT)
@@ -66,11 +69,15 @@ def decide_version(
 
 
 def of_ubuntu(own: Choice[OwnPython], kind: Kind, ubuntu: str | None) -> Choice[OwnPython]:
-    """Return the Ubuntu's own Python where nothing names one and C++ chose the Ubuntu: CMake finds no other then."""
+    """Return the Ubuntu's own Python where C++ chose the Ubuntu and nothing names another: CMake finds no other."""
     number = python_of_ubuntu().get(ubuntu or "")
-    if kind != "cpp" or number is None or own.answer.system or own.answer.wanted or own.answer.chosen.conda:
+    if kind != "cpp" or number is None or own.answer.system or own.answer.chosen.conda:
         return own
     why = because("python", number, f"nothing names a version: that of {ubuntu}", weight=VersionWeight.DEFAULT)
+    if own.answer.wanted:
+        if number not in own.answer.fitting:
+            return own
+        why = because("python", number, f"that of {ubuntu}, and it fits every pin below", weight=VersionWeight.PINS)
     return Choice(answer=replace(own.answer, version=number), reasons=(why, *own.reasons[1:]))
 
 

@@ -26,7 +26,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.days import existed, usual
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus
-from roslab.values.dataclass import replace
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 from roslab.values.version import version_of
 
@@ -40,11 +40,21 @@ _BOTH = pattern(
 """A sentence about Python 2 that allows Python 3 as well."""
 
 
-def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Choice[str | None]:
-    """Return ``3.8`` and why; ``None`` if the repository says nothing about Python."""
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Wanted:
+    """The Python that the repository asks for."""
+
+    version: str | None
+    """``3.8``; ``None`` if it says nothing about Python."""
+    fitting: tuple[str, ...] = ()
+    """Those that fit all it says, where nothing names one."""
+
+
+def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Choice[Wanted]:
+    """Return the Python that the repository asks for, and why."""
     if config.base.python:
         said = configured(config, "python", config.base.python, "base.python")
-        return Choice(answer=config.base.python, reasons=(said,))
+        return Choice(answer=Wanted(version=config.base.python), reasons=(said,))
     known = (*ranges(evidence, pins, _telling(evidence)), *ranges_at_least(evidence))
     named = sorted(_named(evidence, pins), key=_order)
     if known or named:  # syntax alone tells nothing of the version that is meant
@@ -60,11 +70,11 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
     reasons = [each.reason for each in known]
     if chosen is not None:
         others = (reason for reason in (*named, *reasons) if reason is not chosen)
-        return Choice(answer=chosen.answer, reasons=(chosen, *outweighed(others, chosen)))
+        return Choice(answer=Wanted(version=chosen.answer), reasons=(chosen, *outweighed(others, chosen)))
     if not known or not fitting:
-        return Choice(answer=None, reasons=tuple(replace(reason, decisive=False) for reason in named))
+        return Choice(answer=Wanted(version=None), reasons=tuple(replace(reason, decisive=False) for reason in named))
     fits = because("python", fitting[0], "fits every pin below", weight=Weight.PINS)
-    return Choice(answer=fits.answer, reasons=(fits, *reasons))
+    return Choice(answer=Wanted(version=fits.answer, fitting=tuple(fitting)), reasons=(fits, *reasons))
 
 
 def _fitting(known: tuple[Range, ...]) -> list[str]:
