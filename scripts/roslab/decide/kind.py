@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import cast
 
 from roslab.config.model import Config, Kind
@@ -14,6 +15,7 @@ from roslab.evidence.facts import Evidence, Mention, PackageManifest
 from roslab.knowledge.distros import distro, distros
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
+from roslab.values.requirement import Requirement
 
 SMALL_WRAPPER = 3
 """A Python program with at most this many ROS packages below its root only has a ROS wrapper."""
@@ -100,7 +102,8 @@ def _packages(evidence: Evidence, built: tuple[PackageManifest, ...], *, named: 
     for manifest in built:
         for version in ros_versions(manifest, macros.get(manifest.file.rpartition("/")[0], ())):
             by_version[version].append(manifest)
-    wrapper = not named and _wrapper(evidence, [m.file for m in (*by_version[1], *by_version[2])])
+    files = [m.file for m in (*by_version[1], *by_version[2])]
+    wrapper = not named and (_wrapper(evidence, files) or _of_library(evidence, files))
     reasons: list[Reason] = []
     for version, made in by_version.items():
         if not made:
@@ -139,6 +142,23 @@ def _wrapper(evidence: Evidence, manifests: list[str]) -> bool:
     code = {d.file for d in evidence.code if d.namespace == "import"} | {script.file for script in evidence.programs}
     inside = sum(_within(file, folders) for file in code)
     return 2 * inside < len(code)
+
+
+def _of_library(evidence: Evidence, manifests: list[str]) -> bool:
+    """Tell whether the only package is the root of a Python library, which a page has pip install: nodes are extras.
+
+    It compiles nothing, setup.py asks for what pip installs, and most programs are none of ROS's.
+    """
+    library = any(p.installable and not p.folder and p.requirements for p in evidence.python)
+    if set(manifests) != {"package.xml"} or not library or any(project.executables for project in evidence.cmake):
+        return False
+    by_page = any(asked.role == "project" and asked.written in {".", "./"} for asked in _of_pages(evidence))
+    nodes = sum(program.kind == "node" for program in evidence.programs)
+    return by_page and 2 * nodes < len(evidence.programs)
+
+
+def _of_pages(evidence: Evidence) -> Iterator[Requirement]:
+    return (asked for asked in evidence.prose_pip if asked.file.endswith((".md", ".rst", ".txt")))
 
 
 def _within(file: str, folders: set[str]) -> bool:

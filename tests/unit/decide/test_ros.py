@@ -146,6 +146,35 @@ def test_a_robots_description_makes_no_ros_repository(tmp_path: Path) -> None:
     assert decided(tmp_path, files).kind == "python"
 
 
+LIBRARY = "from setuptools import setup\nsetup(name='demo', install_requires={})\n"
+RUNS = "if __name__ == '__main__':\n    main()\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "more", "kind"),
+    [
+        ("pip install .", {}, "python"),
+        ("pip install -e .", {"tools/node.py": f"import rospy\n{RUNS}"}, "python"),
+        ("catkin_make", {}, "ros1"),
+        ("pip install .", {"setup.py": LIBRARY.format([])}, "ros1"),
+        ("pip install .", {"CMakeLists.txt": CMAKE.format(name="demo") + "add_executable(a a.cpp)\n"}, "ros1"),
+        ("pip install .", {"node.py": f"import rospy\n{RUNS}", "other.py": f"import rospy\n{RUNS}"}, "ros1"),
+    ],
+)
+def test_a_package_at_the_root_of_a_python_library_makes_no_ros_repository(
+    tmp_path: Path, page: str, more: dict[str, str], kind: str
+) -> None:
+    files = {
+        "package.xml": CATKIN.format(name="demo"),
+        "CMakeLists.txt": CMAKE.format(name="demo"),
+        "setup.py": LIBRARY.format(["numpy"]),
+        "README.md": f"```\n{page}\n```\n",
+        "tools/train.py": f"import numpy\n{RUNS}",
+        "tools/plan.py": f"import numpy\n{RUNS}",
+    }
+    assert decided(tmp_path, files | more).kind == kind
+
+
 def test_a_wrapper_beside_a_python_program_makes_no_ros_repository(tmp_path: Path) -> None:
     files = {
         **package(folder="ros/wrapper"),
