@@ -81,6 +81,8 @@ def test_plugins_of_parameter_files(tmp_path: Path) -> None:
         ("demo.repos", "repositories:\n  glim:\n    type: git\n    url: git@github.com:koide3/glim.git\n    version: v1.0\n"),  # noqa: E501
         ("install/deps.yaml", "repositories:\n  glim: {type: git, url: 'https://github.com/koide3/glim.git', version: v1.0}\n"),  # noqa: E501
         (".rosinstall", "- git: {local-name: glim, uri: 'ssh://git@github.com/koide3/glim.git', version: v1.0}\n"),
+        ("p.repos", "repositories: {glim: {url: 'http://git.example.org/https://github.com/koide3/glim.git', version: v1.0}}\n"),  # noqa: E501
+        ("q.repos", "repositories: {glim: {url: 'https://clone.example.org/github.com/koide3/glim.git', version: v1.0}}\n"),  # noqa: E501
         ("x_https.rosinstall", "- git:\n    local-name: glim\n    uri: git://github.com/koide3/glim.git\n    version: v1.0\n"),  # noqa: E501
     ],
 )  # fmt: skip

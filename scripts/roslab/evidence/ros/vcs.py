@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.lex.yaml import load
+from roslab.knowledge.compiled import public_hosts
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -22,6 +23,7 @@ _SUFFIX = pattern(r"\.(?:repos|rosinstall)$|^\.rosinstall$|[._]rosinstall$|\.rep
 _LOOKS = pattern(r"^repositories:[ \t]*(?:#.*)?$|^-[ \t]*(?:git|hg|svn|tar):", re.MULTILINE)
 _INLINE = pattern(r"\b(?:url|uri)[ \t]*:", re.MULTILINE)
 _SSH = pattern(r"^(?:ssh://)?(?:[\w.-]+@)([\w.-]+)(?::(?:\d+/)?|/)(.+)$")
+_BEHIND = pattern(r"^https?://([\w.-]+)/(?:https?:/{1,2})?([\w.-]+)/(.+)$")
 _PLAIN_URL = pattern(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
 
 
@@ -68,8 +70,15 @@ def submodules(repository: Repository) -> tuple[str, ...]:
 
 
 def https(url: str, origin: str | None = None) -> str:
-    """Return a URL that anybody can clone: https in place of ssh and git, relative ones resolved against ``origin``."""
+    """Return a URL that anybody can clone: https in place of ssh and git, relative ones resolved against ``origin``.
+
+    Of somebody's proxy, whose address ends in that of a public host (``https://proxy.org/https://github.com/a/b``), the
+    public address: such proxies come and go.
+    """
     url = url.strip()
+    behind = _BEHIND.match(url)
+    if behind and behind[1] not in public_hosts() and behind[2] in public_hosts():
+        return f"https://{behind[2]}/{behind[3]}"
     if url.startswith(("./", "../")) and origin:
         base = https(origin).rstrip("/").split("/")
         for part in url.rstrip("/").split("/"):
