@@ -176,6 +176,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         ),
         keys=system.answer.rosdep,
         command=command.answer.command,
+        switch=build_tool.answer == "cmake" and not config.compatible,
         cloned=any(source.build != "cmake" for source in (*sources.answer.sources, *sources.answer.submodules)),
     )
     left_out = () if own.answer else missing.answer.packages
@@ -237,7 +238,10 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         workspace=layout.answer.workspace,
         cmake_folder=layout.answer.cmake_folder,
         program_folders=layout.answer.program_folders,
-        cmake_options=own_options(evidence, config, folder_name) if build_tool.answer == "cmake" else (),
+        cmake_options=(
+            *(own_options(evidence, config, folder_name) if build_tool.answer == "cmake" else ()),
+            *missing.answer.options,
+        ),
         cuda_options=host_options(system.answer.apt_guessed, base.answer.ubuntu),
         native=told(evidence.problems) and not config.compatible,
         compilers=own_compilers(evidence, config, folder_name) if build_tool.answer == "cmake" else (),

@@ -188,3 +188,39 @@ def test_a_version_that_a_folder_of_the_program_requires(tree: Tree) -> None:
     below = "find_package(OpenCV 3.0 REQUIRED)\nfind_package(Boost 1.72 REQUIRED)\nadd_executable(a a.cpp)\n"
     found = tree({"CMakeLists.txt": top, "src/CMakeLists.txt": below, "README.md": "Ubuntu 18.04\n"})
     assert [w.line for w in found.warnings if "Boost 1.72, and this Ubuntu (bionic) has 1.65" in w.message] == [2]
+
+
+CAMERA = """\
+cmake_minimum_required(VERSION 3.8)
+project(tracker)
+option(USE_CAMERA "Take a camera" {value})
+if(USE_CAMERA)
+  find_package({package} REQUIRED)
+endif()
+add_executable(track track.cpp)
+"""
+
+
+@pytest.mark.parametrize(
+    ("value", "package", "page", "options"),
+    [
+        ("ON", "acme_camera_sdk", "", ("-DUSE_CAMERA=OFF",)),
+        ("ON", "realsense2", "", ("-DUSE_CAMERA=OFF",)),  # ROS has it, and this is an Ubuntu without
+        ("ON", "Eigen3", "", ()),
+        ("ON", "OpenMP", "", ()),  # the compiler's own
+        ("OFF", "acme_camera_sdk", "", ()),
+        ("ON", "acme_camera_sdk", "    cmake -DUSE_CAMERA=ON ..\n    make\n", ("-DUSE_CAMERA=ON",)),
+    ],
+)
+def test_an_option_that_only_asks_for_what_nothing_brings_is_off(
+    tree: Tree, value: str, package: str, page: str, options: tuple[str, ...]
+) -> None:
+    code = {
+        "track.cpp": "int main() {}\n",
+        "README.md": f"# Build\n\nOn Ubuntu 22.04:\n\n    mkdir build\n    cd build\n{page}",
+    }
+    decision = tree(code | {"CMakeLists.txt": CAMERA.format(value=value, package=package)})
+    assert (decision.kind, decision.cmake_options) == ("cpp", options)
+    told = [w for w in decision.warnings if "-DUSE_CAMERA=OFF" in w.message]
+    assert bool(told) == (options == ("-DUSE_CAMERA=OFF",))
+    assert not told or (told[0].file, told[0].line) == ("CMakeLists.txt", 5)

@@ -14,6 +14,7 @@ from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
+from roslab.decide.system.switches import given, switch_of
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import CMakeProject, Evidence
@@ -35,6 +36,10 @@ _PERHAPS = (
     "CMake requires {}, which no package.xml asks for and no table knows: one of the cloned repositories may hold it; "
     "else give its repository under `source` in roslab.yaml"
 )
+_OFF = (
+    "nothing is known that brings {}: it is built without it, with -D{}=OFF; give its repository under `source` in "
+    "roslab.yaml to have it, and set the option in `cmake_options`"
+)
 ENDED = 300
 """Weight of the reasons for what is taken out of a manifest; nothing competes with them."""
 
@@ -47,6 +52,8 @@ class Missing:
     """Packages of the repository that are not built."""
     ended: tuple[str, ...] = ()
     """Packages that the manifests of rosbuild are told not to need."""
+    options: tuple[str, ...] = ()
+    """What turns those options of CMake off that are on and ask for a package which nothing brings."""
 
 
 def decide_missing(
@@ -59,12 +66,14 @@ def decide_missing(
     provided: Iterable[str],
     keys: Iterable[str] = (),
     command: tuple[str, ...] | str,
+    switch: bool = False,
     cloned: bool = False,
 ) -> Choice[Missing]:
     """Return the packages to leave out of the build because of what they lack, with those that need these.
 
     ``provided``: names of everything that is installed, built or cloned; a similar one is taken for the package.
     ``keys``: what rosdep is asked for, of which only what its tables or the distribution have is provided.
+    ``switch``: options of CMake may be turned off that a page does not set.
     ``cloned``: the image clones packages whose names are not known here. What cannot be left out is told, for there
     the build stops.
     """
@@ -76,12 +85,15 @@ def decide_missing(
     names = {plain(name) for name in provided}
     named = known | packages.names
     unsure = {m.name for m in packages.built if any(_of_a_clone(d, named) for d in m.dependencies)}
-    lacking = {
-        package: asked
+    unmet = [
+        (package, asked)
         for package, asked in (_of_program if kind == "cpp" else _required)(evidence, packages)
         if not (cloned and (asked.namespace == "ros" or package in unsure))
         if not resolve(asked, target).known and not _similar(plain(asked.name), names)
-    }
+    ]
+    options = given(evidence) if switch else ""
+    off = {switch_of(asked, options): asked for _, asked in unmet if switch and switch_of(asked, options)}
+    lacking = {package: asked for package, asked in unmet if switch_of(asked, options) not in off}
     keyed = {d.name for manifest in packages.built for d in manifest.dependencies}  # these are told as keys
     unsure_of = [
         asked
@@ -108,11 +120,12 @@ def decide_missing(
         hint = "give its repository under `source` in roslab.yaml"
         warnings.append(warn(f"nothing is known that brings {asked.name}, which CMake requires: {then}; {hint}", asked))
     warnings += [warn(_PERHAPS.format(asked.name), asked) for asked in unsure_of]
+    warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
     asks = _of_program_and_below if kind == "cpp" else _required
     warnings += _too_old(asks(evidence, packages), target, out.keys(), names, build_tool)
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
     return Choice(
-        answer=Missing(packages=tuple(sorted(out)), ended=tuple(ended)),
+        answer=Missing(packages=tuple(sorted(out)), ended=tuple(ended), options=tuple(f"-D{name}=OFF" for name in off)),
         warnings=tuple(warnings),
         reasons=(
             *(because("dependencies", name, why, asked, weight=ENDED) for name, asked in ended.items()),

@@ -42,7 +42,7 @@ class Resolved:
     """Packages that are only guessed, even if the name itself is certain."""
     recipe: str = ""
     known: bool = True
-    """False for a name that no table has."""
+    """False for a name that no table has, and for one that only a ROS has, which is not the image's."""
 
 
 def resolve(dependency: Dependency, target: Target) -> Resolved:
@@ -66,7 +66,8 @@ def _library(found: Library, target: Target) -> Resolved:
     """Prefer a ROS package of the image's distribution: its other packages were built with it."""
     if found.ros and target.knows(found.ros):
         return Resolved(apt=(target.ros(found.ros),), beside=found.beside)
-    return Resolved(apt=found.apt, beside=found.beside, recipe=found.recipe if not found.apt else "")
+    known = bool(found.apt or found.recipe or not found.ros)
+    return Resolved(apt=found.apt, beside=found.beside, recipe=found.recipe if not found.apt else "", known=known)
 
 
 def _ros(name: str, target: Target) -> Resolved:

@@ -27,3 +27,9 @@ def switched_off(dependency: Dependency, options: str) -> bool:
     """Tell whether CMake looks for it only where an option is set that is on, and one of those given turns it off."""
     names = _ON.findall(dependency.condition or "")
     return any(re.search(rf"-D{name}(?::\w+)?=(?:OFF|FALSE|NO|0)\b", options, re.IGNORECASE) for name in names)
+
+
+def switch_of(dependency: Dependency, options: str) -> str:
+    """Return the innermost option that is on and without which CMake does not look for it; ``""`` if one is given."""
+    names = _ON.findall(dependency.condition or "")
+    return "" if any(f"-D{name}" in options for name in names) else next(reversed(names), "")
