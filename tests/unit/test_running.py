@@ -20,7 +20,7 @@ FOCAL = blame.Base(
 )
 REAL = replace(FOCAL, stand_in="", lacking=frozenset())
 BOOST = "/ws/src/a.cpp:8:30: error: '_1' was not declared in this scope"
-CERES = "/usr/include/ceres/internal/jet_traits.h:118:21: error: ‘enable_if_t’ is not a member of ‘std’"
+CERES = "/usr/include/ceres/internal/jet_traits.h:118:21: error: 'enable_if_t' is not a member of 'std'"
 LOG = """\
 #9 [5/5] RUN catkin_make
 #9 1.0 {error}
@@ -47,6 +47,8 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         ("a.cpp:1:10: fatal error: pluginlib/class_list_macros.h: No such file or directory",
          replace(FOCAL, ubuntu="noble", python="3.12"), "ours or the code's"),
         (CERES, replace(FOCAL, ubuntu="bionic"), "stand-in"),
+        ("E: Package 'libav-tools' has no installation candidate", replace(FOCAL, ubuntu="xenial"), "stand-in"),
+        ("E: Package 'libav-tools' has no installation candidate", FOCAL, "ours or the code's"),
         (CERES, replace(FOCAL, ubuntu="jammy", python="3.10"), "ours or the code's"),
         ("a.h:46:8: error: 'shared_ptr' in namespace 'std' does not name a template type", FOCAL, "stand-in"),
         ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", FOCAL, "stand-in"),
