@@ -50,3 +50,16 @@ def test_a_node_has_the_python_of_its_distribution(tree: Tree) -> None:
     }
     found = tree({**files, "a/node.py": "import rclpy\nfrom collections import Iterable\n"})
     assert (found.ros_distro, found.ubuntu) == ("humble", "jammy")
+
+
+@pytest.mark.parametrize(("page", "python"), [("", "2.7"), ("Needs Python 3.6.\n", None)])
+def test_what_a_newer_python_lost_tells_nothing_of_the_python_of_nodes(
+    tree: Tree, page: str, python: str | None
+) -> None:
+    files = {
+        "package.xml": "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>",
+        "CMakeLists.txt": "project(a)\nfind_package(catkin REQUIRED)\n",
+        "README.md": f"ROS Melodic\n{page}",
+        "nodes/node.py": "#!/usr/bin/env python\nimport rospy\nimport tensorflow as tf\nsession = tf.Session()\n",
+    }
+    assert tree(files).python.version == python

@@ -9,7 +9,7 @@ from roslab.decide.python.base import cuda_ubuntu
 from roslab.decide.python.packages import Chosen, choose
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pythons import PREFERRED
-from roslab.decide.python.version import python_version
+from roslab.decide.python.version import Wanted, python_version
 from roslab.decide.python.weights import VersionWeight
 from roslab.decide.reasons import because, warn
 from roslab.evidence import places
@@ -55,7 +55,8 @@ def decide_version(
     chosen = choose(evidence, config, kind, pins)
     said = python_version(evidence, config, pins)
     if kind in {"ros1", "ros2"} or _plain(evidence, config, kind, chosen):
-        number, first = _of_ros(evidence, ros_distro, said.answer.version)
+        meant = None if _only_bounded(said) else said.answer.version
+        number, first = _of_ros(evidence, ros_distro, meant)
         own = OwnPython(version=number, system=True, wanted=said.answer.version, chosen=chosen)
         return Choice(answer=own, reasons=(*first, *said.reasons))
     wanted, fitting = said.answer.version, said.answer.fitting
@@ -132,6 +133,11 @@ def _of_ros(evidence: Evidence, ros_distro: str | None, said: str | None) -> tup
         return None, ()
     why = f"its first line starts `python`, which is Python 2 on ROS {known.name}"
     return known.python, (because("python", known.python, why, node, weight=VersionWeight.DEFAULT),)
+
+
+def _only_bounded(said: Choice[Wanted]) -> bool:
+    """Tell whether nothing names a Python or asks for a newer one: what the code uses is gone from the newest alone."""
+    return bool(said.answer.fitting) and all(each.answer.startswith(("<", "≤")) for each in said.reasons[1:])
 
 
 def _then(day: str | None) -> str | None:
