@@ -304,3 +304,21 @@ def test_a_folder_of_the_authors_computer_is_told(tree: Tree, cmake: str, told: 
     found = [(w.file, w.line, w.message) for w in warnings if "computer" in w.message]
     assert [(file, line) for file, line, _ in found] == ([("CMakeLists.txt", 2)] if told else [])
     assert all(message.startswith(told) for *_, message in found)
+
+
+@pytest.mark.parametrize(
+    ("folders", "told"),
+    [
+        (("one", "two", "two/part", "examples/three"), "of 2 folders with a CMake project of their own one alone"),
+        (("one", "one/part"), ""),
+        ((".", "one", "two"), ""),
+    ],
+)
+def test_cmake_projects_beside_the_one_that_is_compiled_are_told(
+    tree: Tree, folders: tuple[str, ...], told: str
+) -> None:
+    made = "cmake_minimum_required(VERSION 3.5)\nproject(demo CXX)\nadd_executable(a a.cpp)\n"
+    files = {f"{folder}/CMakeLists.txt": made for folder in folders}
+    found = tree(files | {f"{folder}/a.cpp": "#include <vector>\nint main() {}\n" for folder in folders})
+    messages = [warning.message for warning in found.warnings if "alone is compiled" in warning.message]
+    assert [message.startswith(told) for message in messages] == ([True] if told else [])

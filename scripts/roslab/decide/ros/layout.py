@@ -5,16 +5,19 @@ from __future__ import annotations
 from typing import Literal
 
 from roslab.config.model import Kind
-from roslab.decide.decision import Choice
+from roslab.decide.decision import Choice, Warning_
 from roslab.decide.programs import compiled, top_of
-from roslab.decide.reasons import because
+from roslab.decide.reasons import because, warn
 from roslab.decide.ros.workspace import Packages
-from roslab.evidence.facts import Evidence
+from roslab.evidence import places
+from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 
 LAYOUT = 100
 """A single fact decides, so the weight has nothing to compete with."""
+MOST_NAMED = 6
+"""Most folders that one warning names."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -34,7 +37,8 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
         top = top_of(evidence)
         folders = tuple(dict.fromkeys(program.folder for program in compiled(evidence)))
         folder = top.file.rpartition("/")[0] if top else ""
-        return Choice(answer=Layout(cmake_folder=folder, program_folders=folders))
+        warnings = _alone(evidence, top) if top and kind == "cpp" else ()
+        return Choice(answer=Layout(cmake_folder=folder, program_folders=folders), warnings=warnings)
     if not packages.built:
         return Choice(answer=Layout())
     first = Place(file=packages.built[0].file, line=1)
@@ -43,3 +47,20 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
         return Choice(answer=Layout(workspace="root"), reasons=(why,))
     why = because("workspace", "overlay", "its packages lie beside its other files", first, weight=LAYOUT)
     return Choice(answer=Layout(workspace="overlay"), reasons=(why,))
+
+
+def _alone(evidence: Evidence, top: CMakeProject) -> tuple[Warning_, ...]:
+    """Warn where folders beside the one that is compiled hold CMake projects of their own, which nothing compiles."""
+    folder = top.file.rpartition("/")[0]
+    own = (project for project in evidence.cmake if project.top_level and project.name and not project.lacks)
+    paths = sorted({project.file.rpartition("/")[0] for project in own if not _aside(project.file)})
+    others = [path for path in paths if not any(path == folder or path.startswith(f"{each}/") for each in paths)]
+    if not folder or not others:
+        return ()
+    named = ", ".join(others[:MOST_NAMED]) + (" …" if len(others) > MOST_NAMED else "")
+    message = f"of {len(others) + 1} folders with a CMake project of their own {folder} alone is compiled, not {named}"
+    return (warn(f"{message}; compile the others under `custom` in roslab.yaml", top),)
+
+
+def _aside(path: str) -> bool:
+    return places.vendored(path) or places.test(path) or places.example(path) or places.documentation(path)
