@@ -6,6 +6,7 @@ from roslab.config.model import Config
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.search_paths import search_paths
 
 SET = 40
 """Weight of the reason; nothing competes with it."""
@@ -24,7 +25,11 @@ def decide_variables(evidence: Evidence, config: Config) -> Choice[tuple[tuple[s
     return Choice(
         answer=tuple((name, value) for name, (value, _) in found.items()),
         reasons=tuple(
-            because("workspace", f"{name}={value}", "a page sets it, and the tree reads it", place, weight=SET)
+            because("workspace", f"{name}={value}", f"a page sets it, and {_reader(name)} reads it", place, weight=SET)
             for name, (value, place) in found.items()
         ),
     )
+
+
+def _reader(name: str) -> str:
+    return "the simulator" if name in search_paths() else "the tree"

@@ -55,3 +55,29 @@ def test_roslab_yaml_has_the_last_word(tmp_path: Path) -> None:
     config = Config(env=(("DEVICE", "imu-2"),))
     found = decide(gather(Repository.open(tmp_path)), config, folder_name="demo")
     assert found.variables == (("DEVICE", "imu-2"),)
+
+
+MODELS = {**BUILT, "models/cup/model.sdf": "<sdf/>\n", "worlds/a.world": "<sdf/>\n"}
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ("export GAZEBO_MODEL_PATH=~/ws/src/demo/models", "./models"),
+        ("echo 'export GAZEBO_MODEL_PATH=$GAZEBO_MODEL_PATH:$HOME/ws/src/demo/models' >> ~/.bashrc", "./models"),
+        ("export GAZEBO_MODEL_PATH=$(rospack find demo)/models:$PWD/worlds", "./models:./worlds"),
+        ("export GAZEBO_MODEL_PATH=/opt/ros/humble/share/other/models", ""),
+        ("export GAZEBO_MODEL_PATH=~/other/things", ""),
+        ("export SOME_OTHER_PATH=~/ws/src/demo/models", ""),
+    ],
+)
+def test_the_folders_in_which_a_simulator_looks_for_models(tree: Tree, line: str, found: str) -> None:
+    decision = tree({**MODELS, "README.md": f"```\n{line}\n```\n"})
+    assert decision.variables == ((("GAZEBO_MODEL_PATH", found),) if found else ())
+
+
+def test_the_image_has_the_folders_of_models(tree: Tree) -> None:
+    decision = tree({**MODELS, "README.md": "```\nexport GAZEBO_MODEL_PATH=~/ws/src/demo/models:.\n```\n"})
+    text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
+    here = "/home/${NB_USER}/ws/src/demo"
+    assert f'ENV GAZEBO_MODEL_PATH="{here}/models:{here}"\n' in text

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.prose import search_paths
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -30,7 +31,8 @@ _READS = (
 
 
 def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
-    """Yield ``NAME=VALUE`` for each variable whose value is written out and which the tree reads."""
+    """Yield ``NAME=VALUE`` for each variable whose value is written out and which the tree or a simulator reads."""
+    yield from search_paths.read(repository, file, text)
     if "export " not in text or file.path.count("/") > DEEPEST:
         return
     for match in _EXPORT.finditer(text):

@@ -29,14 +29,14 @@ def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
         value = match[1].lstrip("\"'")
         said = _END.split(value, maxsplit=1)[0] if "<" not in value else value.replace(" ", "")
         for part in said.split(":"):
-            folder = _folder(part.strip("\"'<>"), repository)
+            folder = folder_of(part.strip("\"'<>"), repository)
             if folder:
                 yield Mention(
                     topic="python_path", value=folder, source="readme", file=file.path, line=line, text=match[0][:80]
                 )
 
 
-def _folder(path: str, repository: Repository) -> str:
+def folder_of(path: str, repository: Repository) -> str:
     """Return the folder of the tree that a path ends with, ``.`` for the root, ``""`` for none."""
     if _HERE.match(path):
         return "."

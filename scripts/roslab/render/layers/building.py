@@ -36,9 +36,18 @@ def settings(plan: Plan) -> str:
 
 
 def variables(plan: Plan) -> str:
-    """Set the variables that the build or a launch file reads, as the author's page does."""
-    pairs = [f"{name}={quote.docker(value)}" for name, value in plan.workspace.variables]
+    """Set the variables that the build, a launch file or a simulator reads, as the author's page does."""
+    pairs = [f"{name}={_value(value, plan)}" for name, value in plan.workspace.variables]
     return "# The page of the repository sets it\nENV " + " \\\n    ".join(pairs) if pairs else ""
+
+
+def _value(value: str, plan: Plan) -> str:
+    """Return a value as it is written, with the folders of the repository (``./models``) at their place."""
+    parts = value.split(":")
+    if not all(part.startswith("./") for part in parts):
+        return quote.docker(value)
+    placed = ":".join(f"/home/{quote.USER}/{plan.workspace.folder}/{part[2:]}".rstrip("/") for part in parts)
+    return f'"{quote.docker_path(placed)}"'
 
 
 def installs(plan: Plan) -> bool:
