@@ -281,3 +281,26 @@ def test_a_branch_for_a_newer_distribution_than_ci_has_is_no_old_name(
         (tmp_path / path).write_text(text, encoding="utf-8")
     found = decide(gather(Repository.open(tmp_path, branch=branch)), Config(), folder_name="a")
     assert found.ros_distro == distro
+
+
+@pytest.mark.parametrize(
+    ("page", "names"),
+    [
+        ("It needs [odd messages](https://github.com/lab/odd_msgs).", ["odd_msgs"]),
+        ("It needs https://github.com/lab/odd_msgs and https://github.com/lab/odd.", ["odd_msgs"]),
+        ("It needs [weird](https://github.com/lab/weird).", ["weird"]),
+        ("See [a filter](https://github.com/lab/filters) and [roscpp](https://github.com/lab/roscpp).", []),
+        (
+            "git clone https://github.com/lab/odd_msgs.git -b v2\nOr [a fork](https://github.com/you/odd_msgs).",
+            ["odd_msgs"],
+        ),
+        ("The camera's [driver](https://github.com/lab/odd_viewer).", []),
+    ],
+)
+def test_what_a_page_links_to_is_cloned_for_a_package_that_no_distribution_has(
+    tmp_path: Path, page: str, names: list[str]
+) -> None:
+    more = "<depend>odd_msgs</depend><depend>weird_filters</depend><test_depend>odd_viewer</test_depend>"
+    found = decided(tmp_path, {**catkin(more), "README.md": f"ROS Noetic\n\n{page}\n"})
+    assert [source.name for source in found.source] == names
+    assert all(source.repo and source.repo.startswith("https://github.com/lab/") for source in found.source)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from collections.abc import Set as AbstractSet
 
+from roslab.decide.ros.source_names import SHORTEST, plain
 from roslab.decide.ros.vcs_files import distros_in
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
@@ -46,3 +47,30 @@ def unreleased(needed: Iterable[Dependency], known: AbstractSet[str]) -> Depende
         if of_ros and asked.strength != "prose" and asked.name not in known and not library("cmake", asked.name, None):
             return asked
     return None
+
+
+def linked(
+    evidence: Evidence, needed: Iterable[Dependency], known: AbstractSet[str]
+) -> Iterator[tuple[GitSource, Dependency]]:
+    """Yield the repositories that pages only link to, each with the package that it has to bring.
+
+    That is one which a manifest or CMake asks for and which is not ``known``; it has the name of the repository, or one
+    that begins with it where nothing known has that name. The nearest page comes first.
+    """
+    found = [git for git in evidence.sources if git.kind == "link" and not places.vendored(git.file)]
+    found.sort(key=lambda git: (git.file.count("/"), git.file, git.line))
+    lacking = {plain(asked.name): asked for asked in needed if asked.name not in known and _built_with(asked)}
+    for exact in (True, False):
+        for git in found:
+            name = plain(git.name)
+            begins = not exact and len(name) >= SHORTEST and name not in known
+            meant = [each for each in lacking if each == name or (begins and each.startswith(f"{name}_"))]
+            if meant:
+                yield git, lacking[meant[0]]
+            for each in meant:
+                del lacking[each]
+
+
+def _built_with(asked: Dependency) -> bool:
+    """Tell whether a package of ROS is one that a manifest declares or CMake requires."""
+    return asked.namespace in {"rosdep", "ros"} and asked.strength == "declared" and asked.role not in {"test", "doc"}

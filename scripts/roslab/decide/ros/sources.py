@@ -9,7 +9,7 @@ from typing import Literal
 from roslab.config.model import BuildTool, Config, Kind, Source
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
-from roslab.decide.ros.clones import beside, clones, unreleased
+from roslab.decide.ros.clones import beside, clones, linked, unreleased
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import address, asked_for, drifts, fixed, fixed_at, itself_in, plain, wanted_names
 from roslab.decide.ros.vcs_files import vcs_files
@@ -102,7 +102,9 @@ def decide_sources(
             if not itself_in(git, itself) and plain(git.name) not in own and git.name not in known:
                 why = f"{git.file} clones it into the workspace, and no distribution released {unknown.name}"
                 chosen.add(git, f"{why} ({unknown.file}:{unknown.line})")
-    chosen.known(_used(evidence, needed), known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
+    used = tuple(_used(evidence, needed))
+    chosen.known(used, known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
+    chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
     return chosen.choice(files)
 
 
@@ -227,6 +229,13 @@ class _Chosen:
             self.libraries.setdefault(found.library, asked)
         options = source.cmake_options or found.options.format(distro=distro)
         self.sources[name] = replace(source, prepare=found.prepare, cmake_options=options)
+
+    def linked(self, evidence: Evidence, needed: Iterable[Dependency], known: frozenset[str], itself: set[str]) -> None:
+        """Add what pages link to for packages that are needed and that nothing brings so far."""
+        others = [each for each in needed if each.name not in self.packages]
+        for git, asked in linked(evidence, others, known | {*self.sources}):
+            if not itself_in(git, itself):
+                self.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and {git.file} links to it")
 
     def loose(self) -> tuple[Warning_, ...]:
         """Warn about sources without a ref: a later build may get other code."""
