@@ -160,6 +160,24 @@ def test_torch_fits_the_toolkit_that_compiles_its_extensions(
     assert ([each.written for each in found[0]], list(found[1])) == (limits, options)
 
 
+@pytest.mark.parametrize(
+    ("line", "limits", "index"),
+    [
+        ("conda install pytorch torchvision pytorch-cuda=11.6 -c pytorch -c nvidia", {"torch==1.13.*"}, "/cu116"),
+        ("conda install pytorch cudatoolkit=11.3 -c pytorch", {"torch==1.12.*"}, "/cu113"),
+        ("conda install pytorch -c pytorch", set(), ""),
+        ("conda install pytorch==1.13.0 pytorch-cuda=11.6 -c pytorch -c nvidia", set(), ""),
+    ],
+)
+def test_the_torch_that_conda_would_take_for_the_cuda_beside_it(
+    tree: Callable[[dict[str, str]], Decision], line: str, limits: set[str], index: str
+) -> None:
+    page = f"```\nconda create -n demo python=3.8\n{line}\npip install -r requirements.txt\n```\n"
+    python = tree({"README.md": page, "requirements.txt": "numpy\n", "run.py": "import torch\n"}).python
+    assert {each.written for each in python.bounds if each.key == "torch"} == limits
+    assert any(each.endswith(index) for each in python.options) == bool(index)
+
+
 LIBRARY = (
     '[project]\nname = "high-way"\nversion = "1"\ndependencies = [{needs}]\n'
     '[project.optional-dependencies]\nnn = ["jax"]\n'

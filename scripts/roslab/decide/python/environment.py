@@ -21,7 +21,7 @@ from roslab.decide.python.pins import Pin
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, repair, right, untold
-from roslab.decide.python.torch_build import ONE_PAGE_BEFORE, numpy_of, torch_build
+from roslab.decide.python.torch_build import ONE_PAGE_BEFORE, beside_torch, numpy_of, torch_build
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import packages_of, ros_versions, types
@@ -79,7 +79,10 @@ def decide_python(
     bounds = decide_bounds(evidence.bounds if manager != "system" else (), everything)
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
     compiled = kind == "cuda" and manager != "system" and not exact.answer and extends_torch(evidence, chosen)
+    on_page = beside_torch(evidence) if kind == "cuda" and manager != "system" and not exact.answer else None
     build = torch_build(everything if compiled else (), cuda, number, evidence.pip_day)
+    if on_page and not compiled:
+        build = torch_build(everything, on_page, number, evidence.pip_day, "conda is asked for CUDA {cuda} beside it")
     numpy = numpy_of(everything if manager != "system" else ())
     if any(bound.key == "numpy" for bound in bounds.answer):
         numpy = Choice(answer=())

@@ -9,6 +9,7 @@ from packaging.version import Version
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import Framework, framework, newest_on_cuda
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -23,8 +24,23 @@ Build = tuple[tuple[Requirement, ...], tuple[str, ...]]
 """Constraints, and pip's options."""
 
 
+def beside_torch(evidence: Evidence) -> str | None:
+    """Return the CUDA that a page asks conda for beside a torch of no version, ``None`` if none does.
+
+    conda then takes the newest torch that was built for that CUDA.
+    """
+    torch = {(asked.file, asked.line) for asked in evidence.prose_pip if asked.role == "conda" and asked.key == "torch"}
+    limited = any(asked.key == "torch" and asked.limited for asked in evidence.prose_pip)
+    said = (m.value for m in evidence.mentions if m.topic == "cuda" and (m.file, m.line) in torch)
+    return None if limited else next(said, None)
+
+
 def torch_build(
-    asked: Iterable[Requirement], cuda: str | None, python: str | None, day: str | None = None
+    asked: Iterable[Requirement],
+    cuda: str | None,
+    python: str | None,
+    day: str | None = None,
+    why: str = "extensions are compiled with CUDA {cuda}",
 ) -> Choice[Build]:
     """Return a limit for a torch that nothing pins, and the index of its wheels for this CUDA, which knows no ``day``.
 
@@ -44,7 +60,7 @@ def torch_build(
     if torch.release or torch.below:
         return Choice(answer=((), options))
     limit = stated(f"torch=={row.first}.*")
-    return Choice(answer=((limit,), options), reasons=(_why(limit, cuda, torch),))
+    return Choice(answer=((limit,), options), reasons=(_why(limit, why.format(cuda=cuda), torch),))
 
 
 def numpy_of(asked: Iterable[Requirement]) -> Choice[tuple[Requirement, ...]]:
@@ -72,6 +88,6 @@ def _option(row: Framework, cuda: str) -> str:
     return f"--find-links {page}/torch_stable.html" if old else f"--extra-index-url {page}"
 
 
-def _why(limit: Requirement, cuda: str, torch: Requirement) -> Reason:
-    why = f"extensions are compiled with CUDA {cuda}: the newest torch that was built with it"
+def _why(limit: Requirement, cause: str, torch: Requirement) -> Reason:
+    why = f"{cause}: the newest torch that was built with it"
     return because("dependencies", limit.written, why, torch if torch.file else None, weight=Weight.BOUND)
