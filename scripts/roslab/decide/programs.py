@@ -14,6 +14,9 @@ from roslab.values.pattern import pattern
 
 _NAME = pattern(r"[A-Za-z0-9_.+-]+")
 _FOLDER = pattern(r"[A-Za-z0-9_.+/-]+")
+_ASIDE = (places.vendored, places.test, places.example, places.documentation)
+MOST_BESIDE = 16
+"""Most projects beside the first that are compiled."""
 _TEST = pattern(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
 
 
@@ -35,6 +38,15 @@ def top_of(evidence: Evidence) -> CMakeProject | None:
     """
     tops = [project for project in evidence.cmake if project.top_level and not places.vendored(project.file)]
     return min(tops, key=lambda project: (project.lacks, project.file.count("/"), project.file), default=None)
+
+
+def beside_top(evidence: Evidence) -> tuple[CMakeProject, ...]:
+    """Return the projects of C++ in the folders beside that one's: the parts of a course, the chapters of a book."""
+    top = top_of(evidence)
+    folder = _place(top) if top else ""
+    found = (p for p in evidence.cmake if p.top_level and p.name and not p.lacks and _place(p) not in {"", folder})
+    beside = [p for p in found if folder and posixpath.dirname(_place(p)) == posixpath.dirname(folder)]
+    return tuple(p for p in beside if not any(aside(p.file) for aside in _ASIDE))[:MOST_BESIDE]
 
 
 def compiled(evidence: Evidence) -> tuple[Compiled, ...]:

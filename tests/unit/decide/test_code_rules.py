@@ -14,6 +14,8 @@ from roslab.decide.decision import Decision
 from roslab.evidence.facts import Mention
 from roslab.evidence.gather import gather
 from roslab.evidence.lex.balance import unbalanced
+from roslab.plan.plan import make_plan
+from roslab.render.dockerfile import dockerfile
 from roslab.repository.checkout import Repository
 
 Tree = Callable[[dict[str, str]], Decision]
@@ -306,19 +308,42 @@ def test_a_folder_of_the_authors_computer_is_told(tree: Tree, cmake: str, told: 
     assert all(message.startswith(told) for *_, message in found)
 
 
+PROJECT = "cmake_minimum_required(VERSION 3.5)\nproject(demo CXX)\nadd_executable(a a.cpp)\n"
+
+
+def projects(*folders: str) -> dict[str, str]:
+    files = {f"{folder}/CMakeLists.txt": PROJECT for folder in folders}
+    return files | {f"{folder}/a.cpp": "#include <vector>\nint main() {}\n" for folder in folders}
+
+
 @pytest.mark.parametrize(
     ("folders", "told"),
     [
-        (("one", "two", "two/part", "examples/three"), "of 2 folders with a CMake project of their own one alone"),
+        (("one", "two", "two/part", "tools/three", "examples/four"), "one is compiled, not tools/three;"),
         (("one", "one/part"), ""),
-        ((".", "one", "two"), ""),
+        ((".", "one", "tools/two"), ""),
     ],
 )
-def test_cmake_projects_beside_the_one_that_is_compiled_are_told(
-    tree: Tree, folders: tuple[str, ...], told: str
+def test_cmake_projects_that_are_not_compiled_are_told(tree: Tree, folders: tuple[str, ...], told: str) -> None:
+    messages = [w.message for w in tree(projects(*folders)).warnings if "is compiled, not" in w.message]
+    assert [told in message for message in messages] == ([True] if told else [])
+
+
+@pytest.mark.parametrize(
+    ("folders", "beside"),
+    [
+        (("part 1", "part 2", "part 2/lib", "part 3", "tests"), ["part 2", "part 3"]),
+        (("src/core", "src/gui", "tools"), []),
+        ((".", "part 1", "part 2"), []),
+    ],
+)
+def test_cmake_projects_beside_the_first_are_compiled_too(
+    tree: Tree, folders: tuple[str, ...], beside: list[str]
 ) -> None:
-    made = "cmake_minimum_required(VERSION 3.5)\nproject(demo CXX)\nadd_executable(a a.cpp)\n"
-    files = {f"{folder}/CMakeLists.txt": made for folder in folders}
-    found = tree(files | {f"{folder}/a.cpp": "#include <vector>\nint main() {}\n" for folder in folders})
-    messages = [warning.message for warning in found.warnings if "alone is compiled" in warning.message]
-    assert [message.startswith(told) for message in messages] == ([True] if told else [])
+    found = tree(projects(*folders))
+    assert [script.folder for script in found.scripts] == beside
+    text = dockerfile(make_plan(found, Config(), folder_name="demo"))
+    for folder in beside:
+        assert (
+            f'RUN cd "/home/${{NB_USER}}/demo/{folder}" \\\n && {{ mkdir --parents build && cd build && cmake ' in text
+        )

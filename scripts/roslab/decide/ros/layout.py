@@ -6,7 +6,7 @@ from typing import Literal
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Choice, Warning_
-from roslab.decide.programs import compiled, top_of
+from roslab.decide.programs import beside_top, compiled, top_of
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
@@ -54,11 +54,12 @@ def _alone(evidence: Evidence, top: CMakeProject) -> tuple[Warning_, ...]:
     folder = top.file.rpartition("/")[0]
     own = (project for project in evidence.cmake if project.top_level and project.name and not project.lacks)
     paths = sorted({project.file.rpartition("/")[0] for project in own if not _aside(project.file)})
-    others = [path for path in paths if not any(path == folder or path.startswith(f"{each}/") for each in paths)]
+    done = {folder, *(project.file.rpartition("/")[0] for project in beside_top(evidence))}
+    others = [path for path in paths if not any(path in done or path.startswith(f"{each}/") for each in paths)]
     if not folder or not others:
         return ()
     named = ", ".join(others[:MOST_NAMED]) + (" …" if len(others) > MOST_NAMED else "")
-    message = f"of {len(others) + 1} folders with a CMake project of their own {folder} alone is compiled, not {named}"
+    message = f"of the folders with a CMake project of their own {folder} is compiled, not {named}"
     return (warn(f"{message}; compile the others under `custom` in roslab.yaml", top),)
 
 

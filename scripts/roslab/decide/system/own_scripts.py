@@ -9,9 +9,11 @@ from collections.abc import Collection
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, OwnScript
+from roslab.decide.programs import beside_top
 from roslab.decide.reasons import because
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.facts import CMakeProject, Evidence, Mention
+from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
 WEIGHT = 300
@@ -54,11 +56,23 @@ def decide_scripts(
         if script and (kind != "cpp" or (library and not {script.folder, script.path} & compiled)):
             found.setdefault(script.path, (script, mention))
     chosen = list(found.values())[:MOST]
-    why = "the README runs it to compile"
+    parts = [_part(project) for project in beside_top(evidence) if kind == "cpp"]
+    parts = [part for part in parts if part.folder not in compiled]
+    why, other = "the README runs it to compile", "a CMake project beside the one that is compiled"
     return Choice(
-        answer=tuple(script for script, _ in chosen),
-        reasons=tuple(because("source", script.path, why, mention, weight=WEIGHT) for script, mention in chosen),
+        answer=(*(script for script, _ in chosen), *parts),
+        reasons=(
+            *(because("source", script.path, why, mention, weight=WEIGHT) for script, mention in chosen),
+            *(because("source", part.folder, other, Place(file=part.path, line=1), weight=WEIGHT) for part in parts),
+        ),
     )
+
+
+def _part(project: CMakeProject) -> OwnScript:
+    """Return how CMake compiles a project where it lies."""
+    folder = project.file.rpartition("/")[0]
+    make = 'mkdir --parents build && cd build && cmake -DCMAKE_BUILD_TYPE=Release .. && make --jobs="$(compile-jobs)"'
+    return OwnScript(folder=folder, path=project.file, command=make)
 
 
 def _script(mention: Mention, absent: tuple[str, ...]) -> OwnScript | None:

@@ -160,7 +160,7 @@ def compile_inside(plan: Plan) -> str:
 
 
 def own_scripts(plan: Plan) -> str:
-    """Run the scripts with which the README compiles something; one that fails is told and stops nothing."""
+    """Run what compiles something beside the program; what fails is told and stops nothing."""
     if not plan.workspace.scripts:
         return ""
     runs = []
@@ -168,7 +168,7 @@ def own_scripts(plan: Plan) -> str:
         where = quote.shell_with_user(f"{source_folder(plan)}/{folder}".rstrip("/"))
         left_out = quote.shell(f"roslab: left out: {command} failed")
         runs.append(shell.run(f"cd {where}", f"{{ {command} || echo {left_out}; }}"))
-    head = "# What the README compiles by scripts of the repository"
+    head = "# What is compiled beside the program: by scripts that the README runs, and in other folders"
     return "\n".join([head, "USER root", *runs, own_home(plan)])
 
 
