@@ -16,6 +16,8 @@ class _Lazy:
 
     def __getattr__(self, name: str) -> Any:
         """Compile the pattern, and keep the method, so that the next use of it does not come here."""
+        if name == "pattern":
+            return self._given[0]
         found = getattr(re.compile(*self._given), name)
         setattr(self, name, found)
         return found

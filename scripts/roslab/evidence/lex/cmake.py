@@ -15,7 +15,11 @@ from roslab.values.pattern import pattern
 
 _CALL = pattern(r"^[ \t]*(\w+)[ \t]*\(", re.MULTILINE)
 _BRACKET_COMMENT = pattern(r"#\[(=*)\[.*?\]\1\]", re.DOTALL)
-_TOKEN = pattern(r"#[^\n]*|\"((?:[^\"\\]|\\.)*)\"|\[(=*)\[(.*?)\]\2\]|([()])|((?:[^\s()#\"\\]|\\.)+)", re.DOTALL)
+_TOKEN = pattern(
+    r"#[^\n]*|\"([^\"\\]*(?:\\.[^\"\\]*)*)\"|\[(=*)\[(.*?)\]\2\]|([()])|"
+    r"((?:[^\s()#\"\\]|\\.)[^\s()#\"\\]*(?:\\.[^\s()#\"\\]*)*)",
+    re.DOTALL,
+)
 _VARIABLE = pattern(r"\$\{(\w+)\}")
 _OPENERS = frozenset({"if", "while", "function", "macro", "foreach", "block"})
 _CONTROL = _OPENERS - {"while", "block"} | {

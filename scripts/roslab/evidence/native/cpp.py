@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Collection, Iterator
+
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.native.limits import Signs
+from roslab.evidence.native.limits import Signs, tells
 from roslab.knowledge.libraries import library
 from roslab.knowledge.windows import shown as shown_by
 from roslab.repository.checkout import File, Repository
@@ -33,6 +36,8 @@ def read(repository: Repository, signs: Signs | None = None) -> tuple[Dependency
     found: dict[str, Dependency] = {}
     opened: dict[str, Dependency] = {}
     outside: dict[str, bool] = {}
+    settled: set[str] = set()
+    """Headers of which another include tells nothing more: most are included by many files."""
     for file in _sources(repository):
         text = repository.read_bytes(file, limit=MAX_READ).decode("utf-8", errors="replace")
         shown = signs if not file.name.endswith((".cu", ".cuh")) else None  # compiled where there is CUDA only
@@ -43,12 +48,12 @@ def read(repository: Repository, signs: Signs | None = None) -> tuple[Dependency
             said = Dependency(namespace="call", name=opener, strength="used", file=file.path, line=at, role="build")
             opened.setdefault(opener, said)
         position, line = 0, 1
-        for match in _INCLUDE.finditer(text):
-            if text[text.rfind("\n", 0, match.start()) + 1 : match.start()].strip(" \t"):
-                continue  # commented out
+        for match in _includes(text, settled):
             name = match[1]
             if shown:
                 shown.header(name, file.path, text, match.start(1))
+            if shown is signs and not tells(name):
+                settled.add(name)
             key = name if "/" not in name else "/".join(name.split("/")[:2])
             if name not in outside:
                 outside[name] = not (_standard(name) or _local(repository, name))
@@ -58,6 +63,15 @@ def read(repository: Repository, signs: Signs | None = None) -> tuple[Dependency
             position = match.start(1)
             found[key] = Dependency(namespace="include", name=name, strength="used", file=file.path, line=line)
     return (*found.values(), *opened.values())
+
+
+def _includes(text: str, settled: Collection[str]) -> Iterator[re.Match[str]]:
+    """Yield the includes of headers that are not settled; what is commented out is none."""
+    for match in _INCLUDE.finditer(text):
+        if match[1] in settled:
+            continue
+        if not text[text.rfind("\n", 0, match.start()) + 1 : match.start()].strip(" \t"):
+            yield match
 
 
 def cuda_files(repository: Repository) -> tuple[str, ...]:

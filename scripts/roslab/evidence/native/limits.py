@@ -36,6 +36,11 @@ def _signs(where: Sign, value: str) -> tuple[Limit, ...]:
     return tuple(limit for limit in _search(where).possible(value) if limit.pattern.search(value))
 
 
+def tells(header: str) -> bool:
+    """Tell whether a header is a sign: of another one it matters once that a file includes it."""
+    return bool(_signs("include", header))
+
+
 @cache
 def _search(where: Sign) -> Search[Limit]:
     return Search(limit for limit in limits() if limit.where == where)
@@ -56,9 +61,7 @@ class Signs:
 
     def source(self, path: str, text: str) -> None:
         """Read a C++ file."""
-        self.guarded = self.guarded or any(
-            shared in text and any(word in text for word in words) for shared, words in _GUARDS.items()
-        )
+        self.guarded = self.guarded or _guarded(text)
         for limit in _search("name").possible(text):
             names: dict[str, int] = {}
             for match in limit.pattern.finditer(text):
@@ -108,6 +111,13 @@ class Signs:
         known = self.found.setdefault((sign.library, sign.what), [])
         if all((name, file) != (other, limit.file) for other, limit in known[-1:]) and len(known) < MAX_PLACES:
             known.append((name, found))
+
+
+def _guarded(text: str) -> bool:
+    for shared, words in _GUARDS.items():  # noqa: SIM110 - of each source: `any` takes longer
+        if shared in text and any(word in text for word in words):
+            return True
+    return False
 
 
 def _conditional(text: str, position: int) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.headings import FENCE, MAX_LINE
+from roslab.evidence.prose.headings import fence
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -25,7 +25,7 @@ def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
         return
     fenced = False
     for number, line in enumerate(text.split("\n"), 1):
-        if FENCE.match(line[:MAX_LINE]):
+        if fence(line):
             fenced = not fenced
         elif fenced and (match := _MAKE.match(line)):
             value = " ".join(match[1].split())

@@ -9,7 +9,7 @@ from roslab.values.pattern import pattern
 
 MAX_LINE = 2_000
 """Most characters of a line that a person types."""
-FENCE = pattern(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
+_FENCE = pattern(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
 """Backquotes that are closed on their own line are inline code. https://spec.commonmark.org/0.31.2/#fenced-code-blocks"""
 _HEADING = pattern(r"^(#{1,6})\s+(.*?)\s*#*$")
 _SYSTEMS = r"windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry"
@@ -24,13 +24,19 @@ _LEAF = pattern(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
 DEEPEST = 7
 """Such a section ends at the next heading, whatever the level of that one."""
 _RST_LINE = pattern(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
+_RST_BEGINS = frozenset(4 * mark for mark in "=-~^\"'`+#*")
+
+
+def fence(line: str) -> bool:
+    """Tell whether a line begins or ends a block of code."""
+    return ("```" in line or "~~~" in line) and bool(_FENCE.match(line[:MAX_LINE]))
 
 
 def heading_of(line: str, below: str) -> tuple[int, str] | None:
     """Return the level and the title of a heading: ``## Title``, or a line above a line of ``===``."""
-    if heading := _HEADING.match(line[:200]):
+    if line.startswith("#") and (heading := _HEADING.match(line[:200])):
         return len(heading[1]), heading[2]
-    if line.strip() and _RST_LINE.match(below[:200]):
+    if below[:4] in _RST_BEGINS and line.strip() and _RST_LINE.match(below[:200]):
         return 2, line.strip()[:200]
     return None
 
@@ -42,9 +48,9 @@ def title_of(lines: Sequence[str]) -> int:
     """
     fenced, found = False, 0
     for number, line in enumerate(lines, 1):
-        if FENCE.match(line[:MAX_LINE]):
+        if fence(line):
             fenced = not fenced
-        elif not fenced and (heading := _HEADING.match(line[:200])):
+        elif not fenced and line.startswith("#") and (heading := _HEADING.match(line[:200])):
             first = len(heading[1]) == 1
             if first == bool(found) or (not found and _SYSTEM.search(heading[2])):
                 return 0

@@ -25,7 +25,7 @@ _LOCAL = pattern(r"(?<=[+/])cu(\d{2,3})\b")
 """``+cu118`` and ``/cu118``."""
 _MORE = pattern(r"(?:[\s,/|&-]{0,4}(?:or|and|to)?\s{0,3}(?:python)?\s{0,2}[23]\.\d{1,2}(?![\d.])){1,6}", re.IGNORECASE)
 """What may follow a Python version: ``3.6, 3.7 or 3.8``. Blanks are bounded, so that no line takes long."""
-_LIST = r"([\w-][\w.-]{0,60}\.(?:repos|rosinstall))\b"
+_LIST = pattern(r"(?<![A-Za-z])([\w-][\w.-]{0,60}\.(?:repos|rosinstall))\b", re.IGNORECASE)
 
 
 def _word(source: str) -> re.Pattern[str]:
@@ -37,7 +37,10 @@ Topic = Literal["distro", "ubuntu", "cuda", "cudnn", "python", "vcs_file"]
 
 @cache
 def _patterns() -> tuple[tuple[Topic, tuple[str, ...], re.Pattern[str]], ...]:
-    """Return each topic with texts, of which every match contains one, and its pattern, made from the tables' names."""
+    """Return each topic with texts, of which every match has one, and its pattern, made from the tables' names.
+
+    Where the pattern is a ``_word``, its matches begin with one of the texts.
+    """
     numbers = "|".join(map(re.escape, ubuntus()))
     codenames = "|".join(name + _NO_UBUNTU.get(name, "") for name in ubuntus().values())
     return (
@@ -51,7 +54,7 @@ def _patterns() -> tuple[tuple[Topic, tuple[str, ...], re.Pattern[str]], ...]:
         ("cuda", ("+cu", "/cu"), _LOCAL),
         ("cudnn", ("cudnn",), _word(_CUDNN)),
         ("python", ("python",), _word(_PYTHON)),
-        ("vcs_file", (".repos", ".rosinstall"), _word(_LIST)),
+        ("vcs_file", (".repos", ".rosinstall"), _LIST),
     )
 
 
@@ -80,10 +83,8 @@ def read(
     """Yield the versions that a text names, with the line each stands on; ``first`` is the number of its first line."""
     lowered = text.lower()
     for topic, words, each in _patterns():
-        if topic != "distro" and not any(word in lowered for word in words):
-            continue  # most texts name few of them, and each pattern has to be compiled
         position, line, found = 0, first, 0
-        for match in _matches(each, words, text, lowered) if topic == "distro" else each.finditer(text):
+        for match in _matches(each, words, text, lowered):
             start = max(text.rfind("\n", max(0, match.start() - 200), match.start()) + 1, match.start() - 90)
             end = text.find("\n", match.end(), match.end() + 90)
             context = text[max(0, start) : end if end >= 0 else match.end() + 90].strip()
@@ -107,10 +108,11 @@ def read(
 
 
 def _matches(each: re.Pattern[str], words: Iterable[str], text: str, lowered: str) -> Iterator[re.Match[str]]:
-    """Yield the matches of a pattern that begins with one of the words."""
-    if len(lowered) != len(text):
-        return each.finditer(text)  # a letter became two, so that a place in one is none in the other
-    return matches_at(each, text, *words, place_in=lowered)
+    """Return the matches of a pattern; most texts have few of the words, and each pattern has to be compiled."""
+    if each not in {_LOCAL, _LIST} and len(lowered) == len(text):
+        return matches_at(each, text, *words, place_in=lowered)
+    # It begins otherwise; or a letter became two, so that a place in one text is none in the other
+    return each.finditer(text) if any(word in lowered for word in words) else iter(())
 
 
 def _introduced(text: str, start: int, context: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.headings import FENCE, MAX_LINE, heading_of, section_of, title_of
+from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of
 from roslab.evidence.prose.readme import pages, text_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -53,7 +53,7 @@ def _sentences(text: str) -> list[tuple[int, str, str]]:
     found: list[tuple[int, str, str]] = []
     elsewhere, fenced, top = 0, False, title_of(lines)
     for number, line in enumerate(lines, 1):
-        if FENCE.match(line[:MAX_LINE]):
+        if fence(line):
             fenced = not fenced
             continue
         below = lines[number] if number < len(lines) else ""

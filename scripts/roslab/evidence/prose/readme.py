@@ -17,7 +17,7 @@ from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
 from roslab.evidence.prose import apt_scripts, exports, generated, mentions, python_path
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
-from roslab.evidence.prose.headings import FENCE, MAX_LINE, heading_of, section_of, title_of
+from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of
 from roslab.evidence.prose.installs import BLANK, Collector, merge
 from roslab.evidence.prose.own_scripts import checked, compilers
 from roslab.evidence.prose.shells import opens_a_shell
@@ -68,6 +68,8 @@ _NAMED_PYTHON = pattern(
     re.IGNORECASE,
 )
 """A sentence that runs a file of Python."""
+_IN_SENTENCES = ((_NAMED, "`"), (_NAMED_PYTHON, ".py"), (_GO_INTO, "/"))
+"""What a sentence tells to do, each with a part of what it quotes."""
 _SAID_LAUNCH = pattern(
     r"(?<![`\w/-])(?:roslaunch|ros2 launch) +[a-z]\w+ +[\w./-]+(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.py)"
     r"(?: +\w+:=[^\s\"'\u201d`,;)]+)*(?![\w`])"
@@ -251,7 +253,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
         index += 1
         if not line.strip():
             continue
-        if FENCE.match(line[:MAX_LINE]):
+        if fence(line):
             fenced = not fenced
             continue
         if not fenced:
@@ -276,8 +278,8 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
 
 def _tells(line: str, *, fenced: bool) -> bool:
     """Tell whether a line may hold a command."""
-    said = (_NAMED, _NAMED_PYTHON, _GO_INTO) if not fenced and "`" in line else ()
-    return telling(line) or any(each.search(line) for each in said)
+    said = _IN_SENTENCES if not fenced and "`" in line else ()
+    return telling(line) or any(sign in line and each.search(line) for each, sign in said)
 
 
 def _shell(line: str, *, fenced: bool) -> Iterator[str]:

@@ -33,7 +33,9 @@ _TELLING = tuple(
         (".deb", r"\.deb\b"),
         (".t", r"\.t(?:ar|gz)\b"),
         ("docker", r"\bdocker\s"),
-        ("/", r"(?:^|[\s`$])(?:\.{1,2}|build|bin)/\w"),
+        ("./", r"(?:^|[\s`$])\.{1,2}/\w"),
+        ("build/", r"(?:^|[\s`$])build/\w"),
+        ("bin/", r"(?:^|[\s`$])bin/\w"),
     )
 )
 """Signs of a command, each after a word without which it need not be looked for, which takes much less time."""

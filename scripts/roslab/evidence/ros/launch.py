@@ -52,6 +52,8 @@ _PLUGINS = ("plugin", "type", "planner", "class")
 _INCLUDED = pattern(r"(?<![\w.-])\w[\w.-]{0,80}(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.(?:py|xml|ya?ml))(?![\w.])")
 _NEW = pattern(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node")
 """Words that only ROS 2 uses in XML launch files."""
+_NEWER = ("find-pkg-share", "<node_container", "exec=", "namespace=", "<composable_node")
+"""What stands in its matches."""
 _GUI = pattern(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
 _VIEWERS = ("rviz", "rqt", "gzclient", "gzweb", "plotjuggler", "image_view", "foxglove_studio")
 """What its matches begin with."""
@@ -88,7 +90,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
         if not python and xml and "<launch" not in text:
             continue
         text = _uncommented(text, "xml" if xml else "hash")
-        old = bool(xml) and not _NEW.search(text) and not file.name.endswith(".launch.xml")
+        old = bool(xml) and not _new(text) and not file.name.endswith(".launch.xml")
         found.append(
             LaunchFile(
                 file=file.path,
@@ -123,6 +125,11 @@ def plugins(repository: Repository) -> tuple[Dependency, ...]:
         viewer = Dependency(namespace="ros", name=name, strength="used", file=file.path, line=1, role="exec")
         found.setdefault(name, viewer)
     return tuple(found.values())
+
+
+def _new(text: str) -> bool:
+    """Tell whether an XML file uses a word that only ROS 2 knows."""
+    return any(word in text for word in _NEWER) and bool(_NEW.search(text))
 
 
 def _demanded(text: str) -> tuple[str, ...]:
