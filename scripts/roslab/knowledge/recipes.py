@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
@@ -12,15 +13,28 @@ from packaging.version import Version
 
 from roslab.values import toml
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 Bound = tuple[str | None, str | None]
 """The oldest version that fits, and the first that does not."""
+_NAME = pattern(r"^\[(.+)\]$", re.MULTILINE)
 NO_BOUNDS: Mapping[str, tuple[Bound, ...]] = MappingProxyType({})
 
 
 @cache
-def _table() -> dict[str, Any]:
-    return toml.parsed(Path(__file__).with_name("recipes.toml").read_text(encoding="utf-8"))
+def _text() -> str:
+    return Path(__file__).with_name("recipes.toml").read_text(encoding="utf-8")
+
+
+@cache
+def _table(name: str) -> dict[str, Any] | None:
+    """Return the table of one library, ``None`` if there is none; the others are not parsed."""
+    start = _text().find(f"\n[{name}]\n")
+    if start < 0:
+        return None
+    end = _text().find("\n[", start + 1)
+    found: dict[str, Any] = toml.parsed(_text()[start : end if end >= 0 else None])[name]
+    return found
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -41,8 +55,10 @@ class Recipe:
 @cache
 def recipe_at(url: str) -> str | None:
     """Return the name of the library that the table builds from an address, in lower case and without ``.git``."""
-    found = ((name, row["repo"]) for name, row in _table().items() if isinstance(row, dict))
-    return next((name for name, repo in found if repo.lower().removesuffix(".git") == url), None)
+    if url not in _text().lower():
+        return None
+    found = ((name, _table(name)) for name in _NAME.findall(_text()))
+    return next((name for name, row in found if row and row["repo"].lower().removesuffix(".git") == url), None)
 
 
 @cache
@@ -57,8 +73,8 @@ def recipe(name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]
 
     ``bounds``: of libraries, the versions that the code compiles with.
     """
-    found = _table().get(name)
-    if not isinstance(found, dict):
+    found = _table(name)
+    if found is None:
         return ()
     depends = (*found.get("depends", ()), *found.get("depends_on", {}).get(ubuntu or "", ()))
     own = Recipe(
