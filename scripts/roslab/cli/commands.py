@@ -9,7 +9,6 @@ from pathlib import Path
 
 from roslab.cli.planning import named, planned_of, warnings_of
 from roslab.config import locate
-from roslab.config.generation import NAMES
 from roslab.errors import ConfigurationError, Problem
 
 
@@ -42,6 +41,8 @@ def plan(options: argparse.Namespace) -> int:
 
 def check(options: argparse.Namespace) -> int:
     """Validate roslab.yaml, and check that the repository can be planned with it."""
+    from roslab.config.generation import NAMES  # noqa: PLC0415 - the other commands do without
+
     planned = planned_of(options)
     config = planned.config
     if options.format == "json":

@@ -11,6 +11,7 @@ from typing import Any
 
 from roslab.config import reader, vocabulary
 from roslab.config.cited import FORBIDDEN
+from roslab.config.given import Override
 from roslab.config.model import Base, Config, TagParts
 from roslab.config.node import Mapping, Mark, Node, Scalar, Sequence
 from roslab.config.reading import Reading
@@ -18,25 +19,14 @@ from roslab.config.shape import Shape
 from roslab.config.vocabulary import Schema
 from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.distros import releases_of
-from roslab.values.dataclass import dataclass, fields, replace
-from roslab.values.origin import Input, Option, Origin
+from roslab.values.dataclass import fields, replace
+from roslab.values.origin import Origin
 from roslab.values.pattern import pattern
 
 _SEPARATOR = pattern(r"[\s,]+")
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Override:
-    """One value that an input or an option gives for a key of roslab.yaml."""
-
-    key: str
-    """The key in today's format, with dots between nested keys: ``platforms``, ``base.ros``."""
-    text: str
-    """The value as given; in the value of a list, commas, blanks and line breaks separate the entries."""
-    origin: Input | Option
-
-
-def configure(text: str | None, overrides: Several[Override] = (), *, file: str | None = None) -> Config:
+def overridden(text: str | None, overrides: Several[Override], *, file: str | None) -> Config:
     """Return the content of roslab.yaml with the overrides applied; ``text`` is ``None`` if there is no such file.
 
     Raises ``ConfigurationError`` with every problem of both.
@@ -45,7 +35,7 @@ def configure(text: str | None, overrides: Several[Override] = (), *, file: str 
         return Config() if text is None else reader.read(text, file=file or "roslab.yaml")
     said, problems = _read(overrides)
     try:
-        config = configure(text, file=file)
+        config = overridden(text, (), file=file)
     except ConfigurationError as error:
         raise ConfigurationError(*error.problems, *problems) from None
     problems = problems or _conflicts(config, said)

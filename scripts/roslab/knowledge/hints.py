@@ -60,7 +60,7 @@ class Search(Generic[Row]):
         """Return the rows of which a hint stands in a text, or among its words, in their order."""
         found = {number for word in words for number in self._by_word.get(word, ())}
         for part, numbers in self._by_part.items():
-            if not found.issuperset(numbers) and part in text:
+            if not (found and found.issuperset(numbers)) and part in text:
                 found.update(numbers)
         return [self._rows[number] for number in sorted(found)]
 
