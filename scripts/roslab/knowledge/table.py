@@ -27,7 +27,8 @@ def row(name: str, key: str) -> dict[str, str] | None:
     start = text.find(f"\n{key},") + 1
     if not start:
         return None
-    head, found = csv.reader([text[: text.index("\n")], text[start : text.index("\n", start)]])
+    lines = (text[: text.index("\n")], text[start : text.index("\n", start)])
+    head, found = (next(csv.reader([line])) if '"' in line else line.split(",") for line in lines)
     return dict(zip(head, found, strict=True))
 
 

@@ -65,7 +65,7 @@ def list_tree(root: Path) -> Listing:
     while pending and len(files) < MAX_FILES:
         folder = pending.pop()
         try:
-            with os.scandir(root / folder) as entries:
+            with os.scandir(f"{root}/{folder}") as entries:
                 for entry in entries:
                     if len(files) == MAX_FILES:
                         pending.append(folder)  # not all of it was seen

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterator
+from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -150,6 +151,7 @@ def _modules_of(match: re.Match[str]) -> list[str]:
     return [name.partition(".")[0] for name in names]
 
 
+@cache
 def _standard(module: str) -> bool:
     """Tell whether a module is in Python's library; Debian and Ubuntu have separate packages for parts of it."""
     return module in _STANDARD and module not in known_imports()
