@@ -64,8 +64,7 @@ def recipe_at(url: str) -> str | None:
 @cache
 def releases(name: str) -> tuple[str, ...]:
     """Return the releases of a library that the table knows how to build; ``()`` where it names none."""
-    found = _table().get(name)
-    return tuple(found.get("releases", {})) if isinstance(found, dict) else ()
+    return tuple((_table(name) or {}).get("releases", {}))
 
 
 def recipe(name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]] = NO_BOUNDS) -> tuple[Recipe, ...]:

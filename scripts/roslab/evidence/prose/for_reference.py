@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.headings import FENCE, MAX_LINE
+from roslab.evidence.prose.headings import MAX_LINE, fence
 from roslab.evidence.prose.readme import pages, text_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -21,7 +21,7 @@ def read(repository: Repository) -> tuple[Mention, ...]:
         text = text_of(repository, page) if "/" not in page.path else ""
         fenced = False
         for number, line in enumerate(text.split("\n"), 1) if _REFERENCE.search(text) else ():
-            if FENCE.match(line[:MAX_LINE]):
+            if fence(line):
                 fenced = not fenced
             if fenced or len(line) > MAX_LINE or not _REFERENCE.search(line):
                 continue
