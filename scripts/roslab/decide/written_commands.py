@@ -28,6 +28,8 @@ _BRACKETS = pattern(r"<[^<>]{1,80}>|\[[^\[\]]{1,80}\]|\$\([^()]{1,80}\)")
 _OPTIONAL = pattern(r"\[\s*(?:-|\w+:=)")
 _NUMBERS = pattern(r"\[[.,\s-]*\d[\d.,\s-]*\]")
 """A list of numbers: ``--hid [32,32]``."""
+_PATHS = pattern(r"(?<==)\[([\w.:-]*/[\w./:,-]+)\]")
+"""A list of paths that Hydra is given: ``models=[out/a.pth,out/b.pth]``."""
 _NAMED_VALUE = pattern(r"([\w-]+) \1[_-](?:name|id|path|dir|folder|file)", re.IGNORECASE)
 """An option and a value that only says what it is: ``--algo algo_name``."""
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
@@ -126,7 +128,7 @@ def _filled(command: str) -> tuple[tuple[str, ...], bool, tuple[str, ...]]:
     blanks: list[str] = []
     gap = positional = False
     for word in _BRACKETS.sub(_blank, command).split():
-        blank = bool(_PLACEHOLDER.search(_NUMBERS.sub("", word))) or word.endswith(":=")
+        blank = bool(_PLACEHOLDER.search(_PATHS.sub(r"\1", _NUMBERS.sub("", word)))) or word.endswith(":=")
         value = bool(kept) and kept[-1].startswith("-") and not word.startswith("-")
         blank = blank or (value and bool(_NAMED_VALUE.fullmatch(f"{kept[-1].lstrip('-')} {word}")))
         if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
@@ -144,7 +146,7 @@ def _filled(command: str) -> tuple[tuple[str, ...], bool, tuple[str, ...]]:
 
 def _blank(match: re.Match[str]) -> str:
     """Return a blank without its words, nothing for an argument that may be left out: ``[rviz:=true]``."""
-    if _NUMBERS.fullmatch(match[0]):
+    if _NUMBERS.fullmatch(match[0]) or _PATHS.match(match.string, match.start()):
         return match[0]
     return "" if _OPTIONAL.match(match[0]) else "<>"
 

@@ -107,6 +107,8 @@ def test_a_python_that_the_pinned_opencv_has_a_wheel_for(tmp_path: Path) -> None
         ("python download.py\npython tools/make_dataset.py\npython demo.py\n", ("python", "demo.py")),
         ("python -m tools.kitti_dataset create\n", ("bash",)),
         ("python demo.py --hid [32,32]\n", ("python", "demo.py", "--hid", "[32,32]")),
+        ("python demo.py nets=['out/a.pth','b.pth'] n=1\n", ("python", "demo.py", "nets=[out/a.pth,b.pth]", "n=1")),
+        ("python demo.py net=[path/to/net] n=1\n", ("python", "demo.py")),
         ("CUDA_VISIBLE_DEVICES=0 python demo.py\n", ("python", "demo.py")),
         ("poetry run python demo.py\n", ("python", "demo.py")),
         ("uv run --extra viz demo.py --fast\n", ("python", "demo.py", "--fast")),
