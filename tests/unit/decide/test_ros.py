@@ -372,6 +372,34 @@ def test_packages_of_ros_that_a_page_names_by_a_pattern(tmp_path: Path, line: st
     assert {*decided(tmp_path, {**package(), "README.md": page}).apt_guessed} == names
 
 
+@pytest.mark.parametrize(
+    ("launch", "apt"),
+    [
+        ('<launch><node pkg="demo" type="a" launch-prefix="xterm -e" /></launch>', ["xterm"]),
+        ("<launch><node pkg='demo' type='a' launch-prefix='gdb -ex run --args'/></launch>", ["gdb"]),
+        ('<launch><node pkg="demo" type="a" launch-prefix="nice" /></launch>', []),
+        ('<launch><node if="$(arg d)" pkg="demo" type="a" launch-prefix="gdb --args" /></launch>', []),
+        ('<launch><!-- <node pkg="demo" type="a" launch-prefix="xterm -e" /> --></launch>', []),
+    ],
+)
+def test_a_program_that_starts_a_node_in_its_place(tmp_path: Path, launch: str, apt: list[str]) -> None:
+    files = {**package(), "launch/a.launch": launch, "README.md": "ROS noetic\n"}
+    assert [name for name in decided(tmp_path, files).apt_guessed if not name.startswith("ros-")] == apt
+
+
+@pytest.mark.parametrize(
+    ("script", "apt"),
+    [
+        ("x-terminal-emulator -e roslaunch demo a.launch &\nroslaunch demo b.launch\n", ["xterm"]),
+        ("# x-terminal-emulator -e roslaunch demo a.launch &\nroslaunch demo b.launch\n", []),
+    ],
+)
+def test_a_terminal_that_a_script_of_the_page_opens(tmp_path: Path, script: str, apt: list[str]) -> None:
+    page = "ROS noetic\n```\n./start.sh\n```\n"
+    found = decided(tmp_path, {**package(), "start.sh": script, "README.md": page})
+    assert [name for name in found.apt_guessed if not name.startswith("ros-")] == apt
+
+
 CUDA = "nvidia-cuda-toolkit"
 
 

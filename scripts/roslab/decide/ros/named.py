@@ -34,7 +34,8 @@ def named(
     sisters = tuple(dict.fromkeys(name for name in said if name not in own and cloned.get(plain(name)) == name))
     known = {*own, *sisters, *packages.names} | released(ros_distro or "") | rosdep_keys()
     known |= {dependency.name for manifest in packages.built for dependency in manifest.dependencies}
-    started = (dependency.name for launch in evidence.launch for dependency in launch.dependencies)
+    named_there = (each for launch in evidence.launch for each in launch.dependencies)
+    started = (each.name for each in named_there if each.namespace == "ros")
     return () if any(name not in known for name in started) else (*own, *sisters)
 
 

@@ -10,6 +10,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.started_in import ends
 from roslab.evidence.python.install_lines import builds_in_place
+from roslab.knowledge.compiled import programs
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -17,6 +18,7 @@ from roslab.values.pattern import pattern
 MAX_SIZE = 64 * 1024
 _COMPILES = pattern(r"\b(?:c?make|ninja|g\+\+|gcc|clang|nvcc|cython|setup\.py|build_ext)\b")
 _COMPILER = pattern(r"(?:=|\s|/)(clang)(?:\+\+)?(?=[\s\"'}]|$)", re.MULTILINE)
+_TERMINAL = pattern(r"^[ \t]*(x-terminal-emulator|xterm)[ \t]", re.MULTILINE)
 _ASKS = pattern(
     r"\b(?:sudo|apt|apt-get|yum|dnf|brew|docker|conda|mamba|catkin\w*|colcon|rosdep|roslaunch|wget|curl|gdown|scp|"
     r"xcodebuild|emcc|idf\.py)\b|\bread\s+-|\binput\(|rm\s+-rf?\s+[/~]"
@@ -41,10 +43,13 @@ def checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
     yield mention
 
 
-def compilers(mention: Mention, repository: Repository) -> Iterator[Dependency]:
-    """Yield the compiler that such a script names, where it is not the one that every image compiles with."""
-    text = repository.read(mention.files[0], limit=MAX_SIZE) if mention.files else ""
-    if match := _COMPILER.search(text):
+def called(mention: Mention, repository: Repository) -> Iterator[Dependency]:
+    """Yield what a script calls that a page runs: a compiler that is not every image's, a terminal for a program."""
+    wanted = {"build_script": _COMPILER, "command": _TERMINAL}.get(mention.topic)
+    script = next((file for file in mention.files if wanted and file.endswith((".sh", ".py", ".bash"))), None)
+    match = wanted.search(repository.read(script, limit=MAX_SIZE)) if wanted and script else None
+    if match:
+        name = programs().get(match[1], match[1])
         yield Dependency(
-            namespace="apt", name=match[1], strength="used", file=mention.file, line=mention.line, role="script"
+            namespace="apt", name=name, strength="used", file=mention.file, line=mention.line, role="script"
         )

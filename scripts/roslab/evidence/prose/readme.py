@@ -19,7 +19,7 @@ from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of
 from roslab.evidence.prose.installs import BLANK, Collector, merge
-from roslab.evidence.prose.own_scripts import checked, compilers
+from roslab.evidence.prose.own_scripts import called, checked
 from roslab.evidence.prose.shells import opens_a_shell
 from roslab.evidence.prose.started_in import script_in, started_in
 from roslab.evidence.prose.telling import telling
@@ -130,7 +130,7 @@ def of_page(repository: Repository, file: File) -> Prose:
     """Return what a page says; in its commands, files of the tree are relative to the root: ``../map.yaml``."""
     prose = _read(text_of(repository, file), file)
     told = tuple(each for m in prose.mentions for each in _checked(m, repository))
-    asked = (each for m in told if m.topic == "build_script" for each in compilers(m, repository))
+    asked = (each for mention in told for each in called(mention, repository))
     return prose._replace(mentions=told, dependencies=(*prose.dependencies, *asked))
 
 

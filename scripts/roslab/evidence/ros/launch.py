@@ -14,6 +14,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import lines_with, matches_at, matching_lines
+from roslab.knowledge.compiled import programs
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -31,6 +32,8 @@ _PYTHON_PACKAGE = pattern(
     rf"\(\s*(?:package\s*=\s*)?[\"']({_PACKAGE})[\"']"
     rf"|\b(?:package|node_package|pkg)\s*=\s*[\"']({_PACKAGE})[\"']|\bros2\s+(?:run|launch)\s+({_PACKAGE})\b"
 )
+_PREFIX = pattern(r"\b(?:launch-)?prefix\s{0,9}=\s{0,9}\[?\s{0,9}[\"']\s{0,9}([a-z][\w.-]{1,40})(?=[\s\"'])")
+"""A program that starts a node in its place: ``launch-prefix="xterm -e"``."""
 _NODELET = pattern(rf"\bload\s+({_PACKAGE})/[A-Za-z]")
 _PLUGIN = pattern(
     rf"^[ \t]{{0,99}}(?:-[ \t]{{0,99}})?(?:\{{[ \t]{{0,99}})?(?:name[ \t]*:[ \t]*\S+[ \t]*,[ \t]*)?"
@@ -210,6 +213,10 @@ def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
         if dependency.name not in seen:
             seen.add(dependency.name)
             yield dependency
+    for match in _PREFIX.finditer(text) if "prefix" in text else ():
+        if (name := programs().get(match[1])) and not _conditional(text, match.start(), match.end()):
+            line = text.count("\n", 0, match.start()) + 1
+            yield Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="exec")
 
 
 def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> Iterator[Dependency]:
