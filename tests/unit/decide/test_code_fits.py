@@ -132,3 +132,17 @@ def test_a_library_that_is_too_old_on_the_ubuntu_of_ros_is_built(
     padded = "#include <ceres/ceres.h>\n" + "// padding\n" * 4000 + f"void f() {{ {code} }}\n"
     found = tree(ros1("find_package(Ceres REQUIRED)\n", padded, page))
     assert [(source.name, source.ref) for source in found.source] == built
+
+
+@pytest.mark.parametrize(
+    ("header", "name", "distro"),
+    [
+        ("#include <cv_bridge/cv_bridge.h>\n", "CV_BGR2GRAY", "noetic"),
+        ("#include <cv_bridge/cv_bridge.h>\n", "CV_LOAD_IMAGE_COLOR", "melodic"),
+        ("", "CV_BGR2GRAY", "melodic"),
+    ],
+)
+def test_constants_that_cv_bridge_still_brings(tree: Tree, header: str, name: str, distro: str) -> None:
+    files = ros1("", f'#include "b.h"\nvoid f() {{ g({name}); }}\n', "Tested with ROS Noetic")
+    found = tree(files | {"src/b.h": '#include "c.h"\n', "src/c.h": header, "src/d.cpp": f"{header}int d;\n"})
+    assert found.ros_distro == distro

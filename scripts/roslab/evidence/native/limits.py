@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from collections.abc import Set as AbstractSet
 from functools import cache
 
 from roslab.evidence import places
@@ -10,6 +12,7 @@ from roslab.evidence.facts import CodeLimit
 from roslab.evidence.lex.lines import matching_lines
 from roslab.knowledge.code_limits import Limit, Sign, limits
 from roslab.knowledge.hints import Search
+from roslab.knowledge.kept_names import kept_names
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
@@ -56,6 +59,8 @@ class Signs:
     """The names that the code defines itself, which it then does not need of a library."""
     included: set[str] = field(default_factory=set)
     """The last parts of the headers that any file includes."""
+    includes: dict[str, set[str]] = field(default_factory=dict)
+    """What each file includes: headers by their last parts, and those that bring dropped names whole."""
     guarded: bool = False
     """A file of the tree asks for the version of a library: its names tell nothing."""
 
@@ -77,6 +82,7 @@ class Signs:
     def header(self, name: str, path: str, text: str, position: int) -> None:
         """Read an include at a position of a file."""
         self.included.add(name.rpartition("/")[2])
+        self.includes.setdefault(path, set()).add(name if name in kept_names() else name.rpartition("/")[2])
         found = _signs("include", name)
         for limit in found if found and not _conditional(text, position) else ():
             self._add(limit, path, text.count("\n", 0, position) + 1)
@@ -94,11 +100,26 @@ class Signs:
                 for match in matching_lines(_STANDARD, text, "CXX_STANDARD", "-std=", "cxx_std_"):
                     for sign in _signs("standard", match[1]):
                         self._add(sign, file.path, text.count("\n", 0, match.start(1)) + 1)
+        kept = {header: self._including(header) for header in kept_names()}
         first = (
-            next((limit for name, limit in each if name not in self.defined and self._compiled(limit.file)), None)
+            next((limit for name, limit in each if self._meant(name, limit.file, kept)), None)
             for each in self.found.values()
         )
         return tuple(limit for limit in first if limit)
+
+    def _meant(self, name: str, file: str, kept: Mapping[str, AbstractSet[str]]) -> bool:
+        """Tell whether a file has a name of a library's: the code defines no such name, and no header keeps it."""
+        brought = any(file in kept[header] and names.match(name) for header, names in kept_names().items())
+        return name not in self.defined and not brought and self._compiled(file)
+
+    def _including(self, header: str) -> set[str]:
+        """Return the files that include a header, themselves or by headers of the tree."""
+        found = {path for path, names in self.includes.items() if header in names}
+        last: set[str] = set()
+        while found and (new := {path.rpartition("/")[2] for path in found}) != last:
+            last = new
+            found |= {path for path, names in self.includes.items() if names & last}
+        return found
 
     def _compiled(self, file: str) -> bool:
         name = file.rpartition("/")[2]
