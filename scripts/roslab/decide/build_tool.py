@@ -18,6 +18,14 @@ class Weight:
     CPP = 100
 
 
+def _of_cpp(evidence: Evidence) -> Choice[BuildTool]:
+    """Return CMake, or none where make, which is no tool of this table, builds it like a script of the repository."""
+    for made in evidence.makefiles:
+        why = because("build_tool", "none", "make builds it, as its Makefile says", made, weight=Weight.CPP)
+        return Choice(answer="none", reasons=(why,))
+    return Choice(answer="cmake", reasons=(because("build_tool", "cmake", "plain C++", weight=Weight.CPP),))
+
+
 def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Python) -> Choice[BuildTool]:
     """Return the build tool: what roslab.yaml says, else the tool of the kind."""
     if config.build:
@@ -28,7 +36,7 @@ def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Py
         why = because("build_tool", "colcon", "ROS 2 is built by colcon", weight=Weight.ROS2)
         return Choice(answer="colcon", reasons=(why,))
     if kind == "cpp":
-        return Choice(answer="cmake", reasons=(because("build_tool", "cmake", "plain C++", weight=Weight.CPP),))
+        return _of_cpp(evidence)
     choice = tool_of_python(evidence, python)
     top = top_of(evidence)
     if kind == "cuda" and choice.answer == "none" and not evidence.programs and top and not top.lacks:

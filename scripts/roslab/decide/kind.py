@@ -38,6 +38,7 @@ class Weight:
     CONDA = 380  # it fits this code, but perhaps only its development
     OWN_LIST = 370  # a list that only ROS's tools read: wins over requirements, which a collection may have too
     ROSBUILD = 365  # wins over CMake, which rosbuild uses itself
+    MAKE = 355  # wins over requirements, as CMake does
     CMAKE = 360  # wins over requirements, which a C++ project may have for its scripts
     REQUIREMENTS = 350
     LIST = 300  # a list of repositories in a folder, or as submodules
@@ -233,10 +234,13 @@ def _python_place(evidence: Evidence) -> tuple[Placed, str, int] | None:
 
 
 def _cpp(evidence: Evidence) -> list[Reason]:
-    """Return the reasons that the CMake project nearest to the root gives: C++, or CUDA if it compiles that."""
+    """Return the reasons that the CMake project nearest to the root gives: C++, or CUDA if it compiles that.
+
+    Without one, those of a Makefile, which is one of C and C++.
+    """
     tops = [p for p in evidence.cmake if p.top_level and not places.vendored(p.file)]
     if not tops:
-        return []
+        return _by_make(evidence)
     top = min(tops, key=lambda p: (p.file.count("/"), p.file))
     root = "/" not in top.file
     compiled = "CUDA" in top.languages or evidence.cuda_files
@@ -254,6 +258,14 @@ def _cpp(evidence: Evidence) -> list[Reason]:
     below = Weight.CMAKE_BELOW if _mostly_cpp(evidence) else Weight.CMAKE_PART
     weight = Weight.CMAKE if root else below
     return [because("kind", answer, "a CMake project", top, weight=weight)]
+
+
+def _by_make(evidence: Evidence) -> list[Reason]:
+    for made in evidence.makefiles[:1]:
+        answer = "cuda" if made.cuda and evidence.cuda_files else "cpp"
+        weight = Weight.CMAKE_BELOW if made.folder else Weight.MAKE
+        return [because("kind", answer, "a Makefile that compiles C++", made, weight=weight)]
+    return []
 
 
 def _built_by_page(evidence: Evidence) -> Mention | None:

@@ -66,6 +66,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
         launched=_launch_files(evidence),
         packages=packages_of(evidence).names,
         installed=frozenset(name for project in evidence.python if project.installable for name, _ in project.scripts),
+        made={name: each.folder for each in evidence.makefiles if compiled for name in each.programs},
         tasks={name: command for environment in evidence.conda for name, command, _ in environment.tasks},
     )
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
@@ -109,6 +110,8 @@ class _Tree:
     """Programs that pip installs with the repository."""
     tasks: Mapping[str, str]
     """pixi's, by their names."""
+    made: Mapping[str, str]
+    """Programs that a Makefile may compile, each with its folder."""
 
 
 def _launch_files(evidence: Evidence) -> dict[str, frozenset[str]]:
@@ -231,6 +234,8 @@ def _built(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
     (ros2/ros2cli: ros2pkg/ros2pkg/api/__init__.py; ament/ament_package: environment_hook/path.sh.in; 2026-11-23).
     """
     name = argv[0].rpartition("/")[2]
+    if name in tree.made and argv[0].startswith("./"):  # it lies where make was called, or below
+        return (f"./{posixpath.normpath(posixpath.join(tree.made[name], argv[0]))}", *argv[1:])
     if name not in tree.compiled:
         return None
     if tree.kind == "cpp" and _BESIDE.fullmatch(argv[0]):  # the page is in its build folder, the image at the root

@@ -6,6 +6,7 @@ from typing import Literal, NamedTuple
 
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.launch_file import LaunchFile
+from roslab.evidence.makefile import Makefile
 from roslab.values.conda import CondaPackage
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
@@ -236,6 +237,7 @@ class Evidence:
 
     manifests: tuple[PackageManifest, ...] = ()
     cmake: tuple[CMakeProject, ...] = ()
+    makefiles: tuple[Makefile, ...] = ()
     python: tuple[PythonProject, ...] = ()
     requirements: tuple[RequirementFile, ...] = ()
     conda: tuple[CondaEnvironment, ...] = ()

@@ -6,7 +6,7 @@ import re
 
 from roslab.evidence import places, submodules
 from roslab.evidence.facts import Evidence, PackageManifest
-from roslab.evidence.native import authors_folders, cmake, cpp, cpu
+from roslab.evidence.native import authors_folders, cmake, cpp, cpu, makefiles
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import (
     author_dockerfile,
@@ -65,6 +65,7 @@ def gather(repository: Repository) -> Evidence:
     return Evidence(
         manifests=manifests,
         cmake=cmake_projects,
+        makefiles=makefiles.read(own),
         python=python_projects,
         requirements=submodules.named(requirements.read(repository), own, prose.requirements),
         conda=(*conda.read(own), *pixi.read(own)),

@@ -30,6 +30,9 @@ def needs(
         started_by = dependency.role == "shebang" and kind in {"ros1", "ros2"}  # others have a `python` of their own
         if dependency.namespace == "include" or started_by or dependency.role in {"fetch", "typelib"}:
             yield dependency, False
+    for made in evidence.makefiles if kind in {"cpp", "cuda"} else ():
+        for name in made.linked:
+            yield Dependency(namespace="link", name=name, strength="used", file=made.file, line=1, role="build"), False
     for dependency in started(evidence, kind):
         yield dependency, False
     for dependency in _installed(evidence, ros_distro):

@@ -36,11 +36,16 @@ def decide_scripts(
 ) -> Choice[tuple[OwnScript, ...]]:
     """Return the scripts that the pages nearest to the root run to compile, in their order; none where ROS does it.
 
+    What has Makefiles in place of CMake is compiled by make.
+
     Of a C++ project only those of copied libraries and submodules: CMake compiles the project itself, and the folders
     ``inside`` too. ``projects``: folders that pip installs editable, which compiles what their setup.py does.
     """
     if config.compatible or config.custom or config.build or kind not in {"python", "cuda", "cpp"}:
         return Choice(answer=())
+    listed = evidence.python or evidence.requirements or evidence.conda
+    if evidence.makefiles and (kind == "cpp" or (kind == "cuda" and not listed)):
+        return _made(evidence)
     compiled = {folder for folder, _ in inside.answer} | {reason.file for reason in inside.reasons}
     modules = tuple(f"{git.name}/" for git in evidence.sources if git.kind == "submodule")
     absent = tuple(git.name for git in evidence.sources if git.kind == "submodule" and git.absent)
@@ -73,6 +78,16 @@ def _part(project: CMakeProject) -> OwnScript:
     folder = project.file.rpartition("/")[0]
     make = 'mkdir --parents build && cd build && cmake -DCMAKE_BUILD_TYPE=Release .. && make --jobs="$(compile-jobs)"'
     return OwnScript(folder=folder, path=project.file, command=make)
+
+
+def _made(evidence: Evidence) -> Choice[tuple[OwnScript, ...]]:
+    """Return the call of make in each folder whose Makefile builds the project."""
+    made = evidence.makefiles
+    why = "its Makefile compiles the project"
+    return Choice(
+        answer=tuple(OwnScript(folder=each.folder, path=each.file, command="make") for each in made),
+        reasons=tuple(because("source", each.file, why, each, weight=WEIGHT) for each in made),
+    )
 
 
 def _script(mention: Mention, absent: tuple[str, ...]) -> OwnScript | None:

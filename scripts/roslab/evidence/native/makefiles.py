@@ -1,0 +1,85 @@
+"""Makefiles that authors write by hand: what they compile and link. They are searched by patterns, not run."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+
+from roslab.evidence import places
+from roslab.evidence.makefile import Makefile
+from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 64 * 1024
+MOST = 4
+"""Most folders below the root whose Makefiles count."""
+_NAMES = ("GNUmakefile", "makefile", "Makefile")
+_COMPILES = pattern(
+    r"\$[({](?:CXX|CC|NVCC|LINK\.\w+|MAKE)[)}]|^\s[^#\n]{0,200}\b(?:g\+\+|gcc|clang(?:\+\+)?|nvcc)(?:-[\d.]+)?\s",
+    re.MULTILINE,
+)
+_OTHERS = pattern(
+    r"\b(?:cmake|catkin\w*|colcon|rospack|rosmake|qmake|docker|sphinx-build|SPHINXBUILD|latex|pdflatex|"
+    r"arm-none-eabi-\w+|avr-\w+|obj-m|platformio)\b"
+)
+"""What a Makefile for something else calls: for another build tool, documents, firmware, the kernel."""
+_NVCC = pattern(r"\b(?:nvcc|NVCC)\b")
+_LINKED = pattern(r"(?<![\w-])-l([A-Za-z][\w+.-]{0,60})")
+_OUTPUT = pattern(r"(?<!\w)-o\s+(?:[\w.-]+/){0,4}([A-Za-z][\w-]{0,60})(?=\s|$)", re.MULTILINE)
+_TARGET = pattern(
+    r"^(?:(?:\w+_)?(?:TARGETS?|EXEC\w*|BIN(?:ARY|ARIES)?|PROG\w*|OUTPUT|APP\w*|EXE))\s*[:?]?=\s*([\w./ -]{1,300})$",
+    re.MULTILINE,
+)
+_RULE = pattern(r"^([\w./-]{1,80}(?: [\w./-]{1,80}){0,7}) ?:(?!=)", re.MULTILINE)
+_TASKS = frozenset(
+    (
+        *("all", "clean", "distclean", "install", "uninstall", "test", "tests", "check", "run", "help", "format"),
+        *("lint", "doc", "docs", "debug", "release", "default", "depend"),
+    )
+)
+"""Targets that are no files."""
+
+
+def read(repository: Repository) -> tuple[Makefile, ...]:
+    """Return the Makefile at the root, else those of the folders below it.
+
+    None where CMake or ROS builds the tree, or where it has more Python than C and C++.
+    """
+    if repository.named("CMakeLists.txt", "package.xml", "manifest.xml", "configure", "configure.ac"):
+        return ()
+    if _number(repository, ".py") > _number(repository, ".c", ".cc", ".cpp", ".cxx", ".cu"):
+        return ()
+    found = [each for file in _files(repository) if (each := _makefile(file, repository))]
+    return tuple([each for each in found if not each.folder] or found[:MOST])
+
+
+def _number(repository: Repository, *suffixes: str) -> int:
+    return sum(not places.vendored(file.path) for file in repository.suffixed(*suffixes))
+
+
+def _files(repository: Repository) -> list[File]:
+    """Return one Makefile of each folder near the root."""
+    kept: dict[str, File] = {}
+    for name in _NAMES:
+        for file in repository.named(name):
+            path = file.path
+            aside = places.vendored(path) or places.test(path) or places.documentation(path) or places.example(path)
+            if path.count("/") <= 1 and file.size <= MAX_SIZE and not aside:
+                kept.setdefault(file.folder, file)
+    return [kept[folder] for folder in sorted(kept)]
+
+
+def _makefile(file: File, repository: Repository) -> Makefile | None:
+    text = repository.read(file)
+    if _OTHERS.search(text) or not _COMPILES.search(text):
+        return None
+    names = [*_OUTPUT.findall(text)]
+    names += [posixpath.basename(word) for written in _TARGET.findall(text) for word in written.split()]
+    names += [posixpath.basename(word) for written in _RULE.findall(text) for word in written.split()]
+    return Makefile(
+        file=file.path,
+        line=1,
+        programs=tuple(dict.fromkeys(name for name in names if "." not in name and name not in _TASKS)),
+        linked=tuple(dict.fromkeys(_LINKED.findall(text))),
+        cuda=bool(_NVCC.search(text)),
+    )

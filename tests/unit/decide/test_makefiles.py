@@ -1,0 +1,58 @@
+"""C and C++ that a Makefile of the author's compiles, without CMake."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+MADE = "CXX = g++\nTARGET = slam\n\nall: $(TARGET)\n\n$(TARGET): main.o map.o\n\t$(CXX) -o $@ $^ -lfftw3 -lpthread\n"
+CODE = {"main.cpp": "#include <Eigen/Dense>\nint main() {}\n", "map.cpp": "#include <vector>\n"}
+SCRIPT = {"scripts/plot.py": "import numpy\nif __name__ == '__main__':\n    show()\n"}
+PAGE = {"README.md": "```\nmake\n./slam data/00\n```\n"}
+
+
+def test_a_makefile_is_run_and_helper_scripts_make_no_python_repository(tree: Tree) -> None:
+    decision = tree({**CODE, **SCRIPT, **PAGE, "Makefile": MADE})
+    assert (decision.kind, decision.build_tool, decision.command) == ("cpp", "none", ("./slam", "data/00"))
+    assert [(script.folder, script.command) for script in decision.scripts] == [("", "make")]
+    assert {"libeigen3-dev", "libfftw3-dev"} <= {*decision.apt, *decision.apt_guessed}
+
+
+def test_make_runs_in_the_image(tmp_path: Path) -> None:
+    for path, text in (CODE | PAGE | {"Makefile": MADE}).items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    plan = plan_repository(tmp_path).plan
+    assert "build-essential" in plan.apt
+    assert "{ make || echo" in dockerfile(plan)
+
+
+def test_makefiles_of_folders_are_run_where_the_root_has_none(tree: Tree) -> None:
+    files = {f"{folder}/{path}": text for folder in ("front", "back") for path, text in CODE.items()}
+    made = {"front/Makefile": MADE, "back/Makefile": MADE.replace("slam", "solve")}
+    page = {"README.md": "```\ncd back\nmake\n./solve\n```\n"}
+    decision = tree({**files, **made, **page})
+    assert [script.folder for script in decision.scripts] == ["back", "front"]
+    assert (decision.kind, decision.command) == ("cpp", ("./back/solve",))
+
+
+@pytest.mark.parametrize(
+    ("files", "kind"),
+    [
+        ({"Makefile": "docs:\n\tsphinx-build . out\n"}, "python"),
+        ({"Makefile": "test:\n\tpytest\n"}, "python"),
+        ({"Makefile": MADE, "a.py": "import os\n", "b.py": "import os\n", "c.py": "import os\n"}, "python"),
+        ({"Makefile": MADE, "setup.py": "from setuptools import setup\nsetup(name='demo')\n"}, "python"),
+        ({"Makefile": MADE, "CMakeLists.txt": "project(demo)\nadd_executable(demo main.cpp)\n"}, "cpp"),
+        ({"third_party/odd/Makefile": MADE}, "python"),
+    ],
+)
+def test_what_is_no_makefile_of_the_project(tree: Tree, files: dict[str, str], kind: str) -> None:
+    decision = tree({**CODE, **SCRIPT, **files})
+    assert (decision.kind, decision.scripts) == (kind, ())
