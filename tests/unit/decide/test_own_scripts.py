@@ -100,3 +100,10 @@ def test_a_page_installs_the_folder_that_it_goes_to(tree: Tree, verb: str) -> No
     page = f"```\npip install -r requirements.txt\ncd demo/net/lib/ops\npython setup.py {verb}\n```\n"
     found = tree({**CODE, "requirements.txt": "numpy\n", "net/lib/ops/setup.py": SETUP, "README.md": page})
     assert (found.python.projects, found.scripts) == (("net/lib/ops",), ())
+
+
+def test_what_a_script_that_is_run_installs_is_not_installed_before(tree: Tree) -> None:
+    script = "cd net/lib/ops\npython setup.py install\n"
+    files = {"net/lib/ops/setup.py": SETUP, "build_and_install.sh": script, "requirements.txt": "numpy\n"}
+    found = tree({**CODE, **files, "README.md": "```\nsh build_and_install.sh\n```\n"})
+    assert (found.python.projects, [each.path for each in found.scripts]) == ((), ["build_and_install.sh"])

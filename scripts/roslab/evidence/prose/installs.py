@@ -274,7 +274,8 @@ class Collector:
             if python[1] and "." in python[1]:
                 self._mention("python", python[1], command)
             if words[1].endswith("setup.py"):
-                self._python(setup_asks(command, self.file, self._here), command)
+                here = self._here if self.source == "readme" else str  # a script that compiles is run as it is
+                self._python(setup_asks(command, self.file, here), command)
             elif any(word.endswith(".py") for word in words[1:4]) or words[1] == "-m":
                 self._run(command)
         elif self.source == "readme" and _STARTS.match(" ".join(words[:2])):
