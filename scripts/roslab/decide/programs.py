@@ -41,12 +41,31 @@ def top_of(evidence: Evidence) -> CMakeProject | None:
 
 
 def beside_top(evidence: Evidence) -> tuple[CMakeProject, ...]:
-    """Return the projects of C++ in the folders beside that one's: the parts of a course, the chapters of a book."""
+    """Return the projects of C++ in the folders beside that one's: the parts of a course, the chapters of a book.
+
+    One that another finds by its name comes before it.
+    """
     top = top_of(evidence)
     folder = _place(top) if top else ""
     found = (p for p in evidence.cmake if p.top_level and p.name and not p.lacks and _place(p) not in {"", folder})
     beside = [p for p in found if folder and posixpath.dirname(_place(p)) == posixpath.dirname(folder)]
-    return tuple(p for p in beside if not any(aside(p.file) for aside in _ASIDE))[:MOST_BESIDE]
+    left = [p for p in beside if not any(aside(p.file) for aside in _ASIDE)][:MOST_BESIDE]
+    ordered: list[CMakeProject] = []
+    while left:
+        ready = [p for p in left if not any(names_of(each) & found_by(p) for each in left if each is not p)] or left
+        ordered += ready
+        left = [p for p in left if p not in ready]
+    return tuple(ordered)
+
+
+def names_of(project: CMakeProject) -> frozenset[str]:
+    """Return the names by which others may find a project: its own, which may be a variable's, and its folder's."""
+    return frozenset({project.name or "", posixpath.basename(_place(project))}) - {""}
+
+
+def found_by(project: CMakeProject) -> frozenset[str]:
+    """Return the names of what a project finds as packages of CMake."""
+    return frozenset(each.name for each in project.dependencies if each.namespace == "cmake")
 
 
 def compiled(evidence: Evidence) -> tuple[Compiled, ...]:

@@ -347,3 +347,11 @@ def test_cmake_projects_beside_the_first_are_compiled_too(
         assert (
             f'RUN cd "/home/${{NB_USER}}/demo/{folder}" \\\n && {{ mkdir --parents build && cd build && cmake ' in text
         )
+
+
+def test_a_project_that_another_one_finds_is_installed_before_it(tree: Tree) -> None:
+    finds = {"b_app/CMakeLists.txt": PROJECT.replace("demo", "b_app") + "find_package(z_core REQUIRED)\n"}
+    core = {"z_core/CMakeLists.txt": PROJECT.replace("demo", "z_core")}
+    found = tree(projects("a_tool", "b_app", "z_core") | finds | core)
+    assert [script.folder for script in found.scripts] == ["z_core", "b_app"]
+    assert [script.command.endswith(" install") for script in found.scripts] == [True, False]

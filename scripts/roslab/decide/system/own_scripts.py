@@ -9,7 +9,7 @@ from collections.abc import Collection
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, OwnScript
-from roslab.decide.programs import beside_top
+from roslab.decide.programs import beside_top, found_by, names_of
 from roslab.decide.reasons import because
 from roslab.evidence import places
 from roslab.evidence.facts import CMakeProject, Evidence, Mention
@@ -61,7 +61,10 @@ def decide_scripts(
         if script and (kind != "cpp" or (library and not {script.folder, script.path} & compiled)):
             found.setdefault(script.path, (script, mention))
     chosen = list(found.values())[:MOST]
-    parts = [_part(project) for project in beside_top(evidence) if kind == "cpp"]
+    wanted = frozenset[str]().union(*map(found_by, evidence.cmake))
+    parts = [
+        _part(project, found=bool(names_of(project) & wanted)) for project in beside_top(evidence) if kind == "cpp"
+    ]
     parts = [part for part in parts if part.folder not in compiled]
     why, other = "the README runs it to compile", "a CMake project beside the one that is compiled"
     return Choice(
@@ -73,11 +76,11 @@ def decide_scripts(
     )
 
 
-def _part(project: CMakeProject) -> OwnScript:
-    """Return how CMake compiles a project where it lies."""
+def _part(project: CMakeProject, *, found: bool) -> OwnScript:
+    """Return how CMake compiles a project where it lies, and installs it where another one finds it by its name."""
     folder = project.file.rpartition("/")[0]
     make = 'mkdir --parents build && cd build && cmake -DCMAKE_BUILD_TYPE=Release .. && make --jobs="$(compile-jobs)"'
-    return OwnScript(folder=folder, path=project.file, command=make)
+    return OwnScript(folder=folder, path=project.file, command=f"{make} install" if found else make)
 
 
 def _made(evidence: Evidence) -> Choice[tuple[OwnScript, ...]]:
