@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from roslab.config.model import Config
+from roslab.decide import decide
 from roslab.decide.author_dockerfile import Dockerfile, decide_dockerfile, doubt
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.evidence.gather import gather
@@ -91,8 +92,11 @@ def test_a_dockerfile_in_a_copy_of_another_project_is_not_the_authors(tmp_path: 
     assert purpose({"src/other/LICENCE": "GPL\n"}) == "vendored"
     (tmp_path / "src/own/package.xml").unlink()
     del files["src/own/package.xml"]
-    assert purpose({"README.md": "A paper's code.\n"}) == "project"
+    built = "ROS Noetic\n```\ncatkin_make\n```\n"
+    assert purpose({"README.md": built}) == "project"
     assert purpose({"LICENSE": "MIT\n"}) == "vendored"
+    found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo")
+    assert (found.ros_distro, found.build_tool) == ("noetic", "catkin_make")
 
 
 @pytest.mark.parametrize(

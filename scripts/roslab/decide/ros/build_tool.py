@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from typing import ClassVar
 
 from roslab.config.model import BuildTool
@@ -42,8 +42,9 @@ def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
     if old := next(filter(of_rosbuild, packages_of(evidence).built), None):
         why = "its packages have a manifest.xml, from before catkin"
         return Choice(answer="rosmake", reasons=(because("build_tool", "rosmake", why, old, weight=Weight.ROSBUILD),))
+    copied = {authored.file for authored in evidence.dockerfiles if authored.purpose == "vendored"}
     reasons = [
-        because("build_tool", mention.value, mention.text[:120], mention, weight=_weight(mention))
+        because("build_tool", mention.value, mention.text[:120], mention, weight=_weight(mention, copied))
         for mention in evidence.mentions
         if mention.topic == "build_tool" and mention.value in {"catkin_make", "catkin_tools"}
     ]
@@ -83,10 +84,11 @@ def _colcon(evidence: Evidence) -> Mention | None:
     return max(said, key=_weight, default=None)
 
 
-def _weight(mention: Mention) -> int:
+def _weight(mention: Mention, copied: Container[str] = ()) -> int:
+    """Return how much it counts where a tool is named; ``copied``: Dockerfiles of other projects in the tree."""
     weight = Weight.MENTION.get(mention.source, Weight.ELSEWHERE)
     deeper = Weight.DEEPER_DOCKERFILE if mention.source == "dockerfile" else Weight.DEEPER
     weight -= deeper * mention.file.count("/")
-    weight -= Weight.VENDORED if places.vendored(mention.file) else 0
+    weight -= Weight.VENDORED if places.vendored(mention.file) or mention.file in copied else 0
     weight -= Weight.DOCUMENTATION if places.documentation(mention.file) else 0
     return weight - (Weight.ISOLATED if "isolated" in mention.text else 0)
