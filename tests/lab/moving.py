@@ -25,6 +25,8 @@ class World:
     folder: Path
     debs: dict[tuple[str, str], bytes] = field(default_factory=dict)
     wheels: dict[tuple[str, str], bytes] = field(default_factory=dict)
+    asked: list[str] = field(default_factory=list)
+    """Each path that was asked for."""
 
     def add_deb(self, name: str, version: str, depends: str = "") -> None:
         """Add a version of a package that installs one file, /usr/share/NAME, with its version."""
@@ -95,10 +97,14 @@ def moving_world(host: str, folder: Path) -> Iterator[World]:
 
     class Handler(BaseHTTPRequestHandler):
         def do_GET(self) -> None:
-            data = world.answer(self.path.replace("/./", "/"))  # apt names a flat repository so
+            path = self.path.replace("/./", "/")  # apt names a flat repository so
+            world.asked.append(path)
+            data = world.answer(path)
             self.send_response(404 if data is None else 200)
             self.send_header("Content-Type", "text/html" if self.path.startswith("/simple/") else "application/x")
             self.send_header("Content-Length", str(len(data or b"")))
+            if path.startswith("/files/"):
+                self.send_header("Cache-Control", "max-age=365000000, immutable, public")  # as PyPI's do
             self.end_headers()
             self.wfile.write(data or b"")
 

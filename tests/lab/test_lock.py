@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import subprocess
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from subprocess import CompletedProcess
@@ -25,6 +26,8 @@ from .old_world import serving
 Roslab = Callable[..., CompletedProcess[str]]
 BASE = "repro-lab/moving:base"
 IMAGE = "lab-moving"
+ROOM_GB = 20
+"""Free on the builder's disk, from which on pip keeps what it downloads."""
 REPOSITORY = {
     "roslab.yaml": f"format: 3\nkind: python\nname: {IMAGE}\nbase: {{image: '{BASE}'}}\n"
     "apt: [robot-tool]\npip: [robot-lib]\ntest: python3 -c 'import robot_lib, robot_core'\n",
@@ -118,9 +121,32 @@ def test_with_the_lock_nothing_moves(lab: Laboratory, roslab: Roslab, world: Wor
     assert checked.stderr.count("can no longer be had") == 2
     built = run("build", str(tree), "--tag", "vanished")
     named = [built.stderr.index(line) for line in told]
-    assert max(named) < built.stderr.index("pip install --no-cache-dir robot-lib"), "it is named before the build"
+    assert max(named) < built.stderr.index('pip install "$(pip-cache)" robot-lib'), "it is named before the build"
     assert set(moved(f"{IMAGE}:first", f"{IMAGE}:vanished")) == {"apt robot-data", "pip robot-core"}
     docker(lab, "image", "rm", "--force", *(f"{IMAGE}:{tag}" for tag in ("first", "locked", "today", "vanished")))
+
+
+def test_another_package_downloads_no_earlier_one_again(
+    lab: Laboratory, roslab: Roslab, world: World, tmp_path: Path
+) -> None:
+    """pip keeps its downloads in a mount where the builder's disk has room for that too."""
+    ask = ["run", "--rm", "--entrypoint", "df", BASE, "--output=avail", "--block-size=1G", "/"]
+    room = int(docker(lab, *ask).split()[-1]) >= ROOM_GB
+    tree = write(tmp_path / "tree", REPOSITORY)
+    world.add_wheel("robot-more", "1.0")
+    for asked in ("[robot-lib]", "[robot-lib, robot-more]"):
+        (tree / "roslab.yaml").write_text(REPOSITORY["roslab.yaml"].replace("[robot-lib]", asked))
+        answer = roslab("build", tree, "--tag", "downloads", env=lab.environment, timeout=1800)
+        assert answer.returncode == 0, answer.stderr[-8000:]
+    counted = Counter(path for path in world.asked if path.startswith("/files/robot_"))
+    again = 1 if room else 2
+    assert counted == {
+        "/files/robot_lib-1.0-py3-none-any.whl": again,
+        "/files/robot_core-1.0-py3-none-any.whl": again,
+        "/files/robot_more-1.0-py3-none-any.whl": 1,
+    }
+    assert sum(path == "/apt/robot-tool_1.0.deb" for path in world.asked) == 1, "the step of apt is not repeated"
+    docker(lab, "image", "rm", "--force", f"{IMAGE}:downloads")
 
 
 def test_an_authors_dockerfile_takes_the_same_images_and_files_again(

@@ -12,8 +12,9 @@ from roslab.evidence.lex.dockerfile import instructions
 from roslab.plan.author_bases import Base
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import scripts, shell
+from roslab.render.layers import caches, scripts, shell
 from roslab.render.layers.base import renewal
+from roslab.render.layers.secrets import Secrets
 from roslab.render.output import Beside
 from roslab.values.pattern import pattern
 
@@ -67,7 +68,8 @@ def _global_arguments(text: str) -> list[str]:
 def _stage(number: int, base: Base) -> str:
     blocks = [f"{shell.comment_lines(base.why)}FROM {quote.image(base.image)} AS {stage_name(number)}"]
     if base.sources:
-        blocks.append(renewal(base.sources))
+        lists = Secrets(mounts=(caches.apt_lists("bases"),))
+        blocks.append(f"ARG TARGETARCH\n{renewal(base.sources, lists)}")
     if base.rosdistro_tag:
         blocks.append(_rosdep(base.rosdistro_tag))
     if base.installers:

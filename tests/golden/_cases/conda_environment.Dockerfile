@@ -20,6 +20,7 @@ FROM ubuntu:22.04
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
 USER root
 ARG DEBIAN_FRONTEND=noninteractive
+ARG TARGETARCH
 # The image's user, by Binder's names
 ARG NB_USER=jovyan
 ARG NB_UID=1000
@@ -30,14 +31,16 @@ RUN create-user
 # Package sources: what to do once this base has ended, on 2027-04-30
 COPY --from=scripts /renew-package-sources /usr/local/bin/
 COPY --from=scripts /archives.txt /usr/local/share/roslab/
-RUN renew-package-sources --after 2027-04-30 --ended
+RUN --mount=type=cache,id=apt-lists-conda_environment-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    renew-package-sources --after 2027-04-30 --ended
 
 # System packages
-RUN apt-get update \
+RUN --mount=type=cache,id=apt-lists-conda_environment-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    apt-get update \
  && apt-get install --yes --no-install-recommends \
       build-essential \
       ca-certificates \
- && rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
+ && rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
  && find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
 
 # An older wheel is taken before the source of a newer release
@@ -50,8 +53,9 @@ ENV MAMBA_ROOT_PREFIX=/opt/mamba \
     CONDA_PREFIX=/opt/conda \
     PATH=/opt/conda/bin:${PATH}
 RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
- && CONDA_CHANNELS=defaults micromamba create --yes --quiet --prefix /opt/conda --file /tmp/manifests/environment.yml \
- && micromamba clean --all --yes --quiet
+ && CONDA_CHANNELS=defaults PIP_CACHE_DIR=/tmp/pip-downloads micromamba create --yes --quiet --prefix /opt/conda --file /tmp/manifests/environment.yml \
+ && micromamba clean --all --yes --quiet \
+ && rm -rf /tmp/pip-downloads
 
 # The source
 USER ${NB_USER}

@@ -40,6 +40,7 @@ FROM ros:melodic-ros-base
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
 USER root
 ARG DEBIAN_FRONTEND=noninteractive
+ARG TARGETARCH
 # The image's user, by Binder's names
 ARG NB_USER=jovyan
 ARG NB_UID=1000
@@ -50,10 +51,12 @@ RUN create-user
 # Package sources that answer: this base's release has ended, or its keys may be old
 COPY --from=scripts /renew-package-sources /usr/local/bin/
 COPY --from=scripts /ros-snapshots.asc /archives.txt /usr/local/share/roslab/
-RUN renew-package-sources --ros http://snapshots.ros.org/melodic/final/ubuntu bionic ros-snapshots --ended
+RUN --mount=type=cache,id=apt-lists-beacon-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    renew-package-sources --ros http://snapshots.ros.org/melodic/final/ubuntu bionic ros-snapshots --ended
 
 # What every old image had
-RUN apt-get update \
+RUN --mount=type=cache,id=apt-lists-beacon-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    apt-get update \
  && apt-get install --yes --no-install-recommends \
       build-essential \
       ca-certificates \
@@ -63,12 +66,13 @@ RUN apt-get update \
       python3-pip \
       python3-setuptools \
       python3-venv \
- && rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
+ && rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
  && find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
 
 # Tools, where this base's apt knows them
 COPY --from=scripts /install-optional-apt /usr/local/bin/
-RUN install-optional-apt python-pip
+RUN --mount=type=cache,id=apt-lists-beacon-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    install-optional-apt python-pip
 
 # The image is the environment: packages go beside the distribution's own
 ENV PIP_BREAK_SYSTEM_PACKAGES=1
@@ -109,15 +113,17 @@ RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
       /opt/jupyter/bin/jupyter-notebook
 
 # System packages
-RUN apt-get update \
+RUN --mount=type=cache,id=apt-lists-beacon-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    apt-get update \
  && apt-get install --yes --no-install-recommends libeigen3-dev \
- && rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
+ && rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
  && find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
 
 # What the package.xml files name; keys that rosdep does not know stop nothing and are told
 COPY --from=scripts /install-rosdep-keys /usr/local/bin/
 COPY package.xml /tmp/manifests/
-RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
+RUN --mount=type=cache,id=apt-lists-beacon-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
  && install-rosdep-keys --tables melodic/2023-06-27 /tmp/manifests
 
 # The source

@@ -31,6 +31,10 @@ COPY --chmod=755 <<'EOF' /install-optional-pip
 @@ _constant/install-optional-pip @@
 EOF
 
+COPY --chmod=755 <<'EOF' /pip-cache
+@@ _constant/pip-cache @@
+EOF
+
 COPY --chmod=755 <<'EOF' /roslab-entrypoint
 @@ _constant/roslab-entrypoint @@
 EOF
@@ -55,6 +59,7 @@ FROM ros:melodic-ros-base AS dependencies
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
 USER root
 ARG DEBIAN_FRONTEND=noninteractive
+ARG TARGETARCH
 # The image's user, by Binder's names
 ARG NB_USER=jovyan
 ARG NB_UID=1000
@@ -65,17 +70,20 @@ RUN create-user
 # Package sources that answer: this base's release has ended, or its keys may be old
 COPY --from=scripts /renew-package-sources /usr/local/bin/
 COPY --from=scripts /ros-snapshots.asc /archives.txt /usr/local/share/roslab/
-RUN renew-package-sources --ros http://snapshots.ros.org/melodic/final/ubuntu bionic ros-snapshots --ended
+RUN --mount=type=cache,id=apt-lists-python2_node-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    renew-package-sources --ros http://snapshots.ros.org/melodic/final/ubuntu bionic ros-snapshots --ended
 
 # System packages
-RUN apt-get update \
+RUN --mount=type=cache,id=apt-lists-python2_node-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    apt-get update \
  && apt-get install --yes --no-install-recommends python-pip \
- && rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
+ && rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
  && find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
 
 # Read in code or prose, declared nowhere: none of them stops the build
 COPY --from=scripts /install-optional-apt /usr/local/bin/
-RUN install-optional-apt python-serial
+RUN --mount=type=cache,id=apt-lists-python2_node-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    install-optional-apt python-serial
 
 # An older wheel is taken before the source of a newer release
 ENV PIP_PREFER_BINARY=1
@@ -94,13 +102,16 @@ RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
 # What the package.xml files name; keys that rosdep does not know stop nothing and are told
 COPY --from=scripts /install-rosdep-keys /usr/local/bin/
 COPY package.xml /tmp/manifests/
-RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
+RUN --mount=type=cache,id=apt-lists-python2_node-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
  && install-rosdep-keys --tables melodic/2023-06-27 /tmp/manifests
 
 # Imported but declared nowhere: none of them stops the build
 COPY --from=scripts /install-optional-pip /usr/local/bin/
-RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
- && install-optional-pip python2 -- pyserial
+COPY --from=scripts /pip-cache /usr/local/bin/
+RUN --mount=type=cache,id=pip-python2_node-${TARGETARCH},target=/root/.cache/pip,sharing=locked \
+    export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
+ && install-optional-pip python2 "$(pip-cache)" -- pyserial
 
 # ROS and the workspace, for every command and every shell in the container
 RUN echo 'source /usr/local/share/roslab/environment.bash' >>/etc/bash.bashrc
@@ -115,7 +126,6 @@ FROM dependencies AS compiled
 USER ${NB_USER}
 WORKDIR /home/${NB_USER}/ws/src/python2_node
 COPY --from=source --chown=${NB_UID}:${NB_UID} / .
-ARG TARGETARCH
 WORKDIR /home/${NB_USER}/ws
 COPY --from=scripts /compile-jobs /reuse-build /usr/local/bin/
 RUN --mount=type=cache,id=build-python2_node-${TARGETARCH},target=/var/cache/roslab-build,uid=${NB_UID},sharing=locked \

@@ -44,6 +44,7 @@ FROM ros:indigo-ros-base
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
 USER root
 ARG DEBIAN_FRONTEND=noninteractive
+ARG TARGETARCH
 # The image's user, by Binder's names
 ARG NB_USER=jovyan
 ARG NB_UID=1000
@@ -54,7 +55,8 @@ RUN create-user
 # Package sources that answer: this base's release has ended, or its keys may be old
 COPY --from=scripts /renew-package-sources /usr/local/bin/
 COPY --from=scripts /ros-snapshots.asc /archives.txt /usr/local/share/roslab/
-RUN renew-package-sources --ros http://snapshots.ros.org/indigo/final/ubuntu trusty ros-snapshots --ended
+RUN --mount=type=cache,id=apt-lists-rosbuild-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    renew-package-sources --ros http://snapshots.ros.org/indigo/final/ubuntu trusty ros-snapshots --ended
 
 # The image is the environment: packages go beside the distribution's own
 ENV PIP_BREAK_SYSTEM_PACKAGES=1
@@ -64,7 +66,8 @@ COPY --from=scripts /install-rosdep-keys /usr/local/bin/
 COPY manifest.xml /tmp/manifests/
 COPY --from=scripts /write-package-xml /usr/local/bin/
 RUN write-package-xml /tmp/manifests
-RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
+RUN --mount=type=cache,id=apt-lists-rosbuild-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
  && install-rosdep-keys --tables kinetic/2021-05-11 --skip common_rosdeps /tmp/manifests
 
 # The source

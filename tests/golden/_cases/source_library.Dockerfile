@@ -35,6 +35,7 @@ FROM ubuntu:22.04 AS base
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
 USER root
 ARG DEBIAN_FRONTEND=noninteractive
+ARG TARGETARCH
 # The image's user, by Binder's names
 ARG NB_USER=jovyan
 ARG NB_UID=1000
@@ -45,11 +46,13 @@ RUN create-user
 # Package sources: what to do once this base has ended, on 2027-04-30
 COPY --from=scripts /renew-package-sources /usr/local/bin/
 COPY --from=scripts /archives.txt /usr/local/share/roslab/
-RUN renew-package-sources --after 2027-04-30 --ended
+RUN --mount=type=cache,id=apt-lists-source_library-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    renew-package-sources --after 2027-04-30 --ended
 
 
 FROM base AS library-1-pangolin
-RUN apt-get update \
+RUN --mount=type=cache,id=apt-lists-source_library-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    apt-get update \
  && apt-get install --yes --no-install-recommends \
       build-essential \
       ca-certificates \
@@ -61,7 +64,7 @@ RUN apt-get update \
       libegl1-mesa-dev \
       libpng-dev \
       libjpeg-dev \
- && rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
+ && rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
  && find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
 COPY --from=scripts /compile-jobs /usr/local/bin/
 RUN mkdir --parents /tmp/sources \
@@ -78,16 +81,18 @@ RUN mkdir --parents /tmp/sources \
 
 FROM base AS dependencies
 # System packages
-RUN apt-get update \
+RUN --mount=type=cache,id=apt-lists-source_library-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    apt-get update \
  && apt-get install --yes --no-install-recommends \
       build-essential \
       cmake \
- && rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
+ && rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
  && find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
 
 # Read in code or prose, declared nowhere: none of them stops the build
 COPY --from=scripts /install-optional-apt /usr/local/bin/
-RUN install-optional-apt libglew-dev
+RUN --mount=type=cache,id=apt-lists-source_library-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    install-optional-apt libglew-dev
 
 # Libraries built from their source
 COPY --from=library-1-pangolin /installed/ /

@@ -28,6 +28,7 @@ FROM ubuntu:20.04
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
 USER root
 ARG DEBIAN_FRONTEND=noninteractive
+ARG TARGETARCH
 # The image's user, by Binder's names
 ARG NB_USER=jovyan
 ARG NB_UID=1000
@@ -38,21 +39,24 @@ RUN create-user
 # Package sources that answer: this base's release has ended, or its keys may be old
 COPY --from=scripts /renew-package-sources /usr/local/bin/
 COPY --from=scripts /archives.txt /usr/local/share/roslab/
-RUN renew-package-sources --ended
+RUN --mount=type=cache,id=apt-lists-submodule-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    renew-package-sources --ended
 
 # System packages
-RUN apt-get update \
+RUN --mount=type=cache,id=apt-lists-submodule-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    apt-get update \
  && apt-get install --yes --no-install-recommends \
       build-essential \
       ca-certificates \
       cmake \
       git \
- && rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
+ && rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
  && find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
 
 # Read in code or prose, declared nowhere: none of them stops the build
 COPY --from=scripts /install-optional-apt /usr/local/bin/
-RUN install-optional-apt libnanoflann-dev
+RUN --mount=type=cache,id=apt-lists-submodule-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    install-optional-apt libnanoflann-dev
 
 # Submodules that are not checked out, at the commits that the repository records
 USER ${NB_USER}

@@ -19,11 +19,16 @@ COPY --chmod=755 <<'EOF' /install-optional-apt
 @@ _constant/install-optional-apt @@
 EOF
 
+COPY --chmod=755 <<'EOF' /pip-cache
+@@ _constant/pip-cache @@
+EOF
+
 
 FROM ubuntu:22.04
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
 USER root
 ARG DEBIAN_FRONTEND=noninteractive
+ARG TARGETARCH
 # The image's user, by Binder's names
 ARG NB_USER=jovyan
 ARG NB_UID=1000
@@ -34,20 +39,23 @@ RUN create-user
 # Package sources: what to do once this base has ended, on 2027-04-30
 COPY --from=scripts /renew-package-sources /usr/local/bin/
 COPY --from=scripts /archives.txt /usr/local/share/roslab/
-RUN renew-package-sources --after 2027-04-30 --ended
+RUN --mount=type=cache,id=apt-lists-window-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    renew-package-sources --after 2027-04-30 --ended
 
 # System packages
-RUN apt-get update \
+RUN --mount=type=cache,id=apt-lists-window-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    apt-get update \
  && apt-get install --yes --no-install-recommends \
       ca-certificates \
       python3 \
       python3-venv \
- && rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
+ && rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
  && find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
 
 # Read in code or prose, declared nowhere: none of them stops the build
 COPY --from=scripts /install-optional-apt /usr/local/bin/
-RUN install-optional-apt python3-tk
+RUN --mount=type=cache,id=apt-lists-window-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    install-optional-apt python3-tk
 
 # An older wheel is taken before the source of a newer release
 ENV PIP_PREFER_BINARY=1
@@ -66,8 +74,10 @@ RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
 
 # Requirement files
 COPY requirements.txt /tmp/manifests/
-RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
- && python3 -m pip install --no-cache-dir --requirement /tmp/manifests/requirements.txt
+COPY --from=scripts /pip-cache /usr/local/bin/
+RUN --mount=type=cache,id=pip-window-${TARGETARCH},target=/root/.cache/pip,sharing=locked \
+    export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
+ && python3 -m pip install "$(pip-cache)" --requirement /tmp/manifests/requirements.txt
 
 # The source
 USER ${NB_USER}

@@ -50,7 +50,7 @@ def test_ros_is_of_the_day(tmp_path: Path, day: str, distro: str, tables: str, r
     assert found.package_sources.ros
     assert f"/{distro}/{ros}/ubuntu" in found.package_sources.ros.url
     text = dockerfile(found)
-    assert f"RUN take-snapshots {day}" in text
+    assert f"    take-snapshots {day}" in text
     assert f'eval "$(index-as-of {day})"' in text
     assert from_json(to_json(found)) == found
 

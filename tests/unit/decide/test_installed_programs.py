@@ -62,4 +62,4 @@ def test_what_compiles_when_imported_is_not_editable(tmp_path: Path, backend: st
         target = tmp_path / path
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(text, encoding="utf-8")
-    assert f"pip install --no-cache-dir{installed}" in dockerfile(plan_repository(tmp_path).plan)
+    assert f'pip install "$(pip-cache)"{installed}' in dockerfile(plan_repository(tmp_path).plan)

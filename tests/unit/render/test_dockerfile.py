@@ -110,7 +110,7 @@ def test_declared_packages_stop_the_build_and_guessed_ones_are_named() -> None:
     declared, guessed = text.split("# Read in code or prose")
     assert "apt-get install --yes --no-install-recommends libeigen3-dev" in declared
     assert "libglew-dev" not in declared
-    assert "RUN install-optional-apt libglew-dev\n" in guessed
+    assert "    install-optional-apt libglew-dev\n" in guessed
 
 
 def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> None:
@@ -127,6 +127,7 @@ def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> No
         "install-optional-apt",
         "install-rosdep-keys",
         "install-optional-pip",
+        "pip-cache",
     ]
     assert carried.findall(text) == [*names, "roslab-entrypoint", "reuse-build"]
     library, image = text.split("\nFROM base AS library-1-ceres\n")[1].split("\nFROM base AS dependencies\n")
@@ -140,7 +141,7 @@ def test_every_script_is_called_by_some_dockerfile() -> None:
     folder = Path(image_scripts.__path__[0])
     calls = "".join(path.read_text() for path in folder.parent.rglob("*.py"))
     names = sorted(path.stem for path in folder.glob("*.sh"))
-    assert len(names) == 22
+    assert len(names) == 23
     assert [name for name in names if not re.search(rf"""["'/]{name}["' ]""", calls)] == []
 
 
@@ -432,7 +433,8 @@ def test_how_pip_builds(plan: Callable[..., Plan]) -> None:
     assert '\n    TORCH_CUDA_ARCH_LIST="7.0;7.5+PTX"\n' in text
     assert "git config --system --add url.https://github.com/.insteadOf git://github.com/ \\\n" in text
     assert "--add url.https://github.com/.insteadOf git@github.com:\n" in text
-    assert " && CONDA_CHANNELS=defaults micromamba create" in text
+    assert " && CONDA_CHANNELS=defaults PIP_CACHE_DIR=/tmp/pip-downloads micromamba create" in text
+    assert " && rm -rf /tmp/pip-downloads" in text
     assert text.index("insteadOf") < text.index("micromamba create")  # its pip part clones
     assert "insteadOf" not in dockerfile(plan())
     assert "TORCH_CUDA_ARCH_LIST" not in dockerfile(plan())

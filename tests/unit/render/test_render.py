@@ -61,5 +61,5 @@ def test_an_environment_of_conda_is_called_by_a_name_that_it_has(plan: Plans, ve
     python = replace(plan().python, manager="conda", version=version, pip=("numpy",), pip_guessed=("scipy",))
     files = render_all(plan(python=python), readme="# x", output_is_root=True, context="ignored")
     name = f"python{version[0]}"
-    for part in (f"{name} -m pip install --no-cache-dir numpy", f"install-optional-pip {name} -- scipy"):
+    for part in (f'{name} -m pip install "$(pip-cache)" numpy', f'install-optional-pip {name} "$(pip-cache)" -- scipy'):
         assert part in _text(files, "Dockerfile")

@@ -81,7 +81,7 @@ def test_rosdep_calls_apt_and_pip() -> None:
 
 def test_every_mount_is_required_and_no_value_stays() -> None:
     text = made(*ALL, custom=Custom(commands=("true",), as_root=False, chained=False, workdir="home"))
-    for mount in re.findall(r"--mount=\S+", text):
+    for mount in re.findall(r"--mount=(?!type=cache)\S+", text):
         assert re.search(r"type=(secret|ssh)\b.*required=true", mount), mount
     outside = re.sub(r"^RUN (?:.*\\\n)*.*$|^#.*$", "", text, flags=re.MULTILINE)
     for word in (*ALL, "PIP_EXTRA_INDEX_URL", "GIT_SSH_COMMAND"):
@@ -107,9 +107,9 @@ def test_a_build_with_a_key_asks_nothing_of_ssh_by_https(plan: Plans) -> None:
         assert found == written
 
 
-def test_without_secrets_nothing_is_mounted() -> None:
+def test_without_secrets_none_is_mounted() -> None:
     text = made()
-    assert "--mount" not in text
+    assert set(re.findall(r"--mount=type=(\w+)", text)) == {"cache"}
     assert "--netrc" not in text
     assert "openssh" not in text
 
@@ -159,3 +159,15 @@ def test_help_says_where_they_come_from(plan: Plans, call: Call) -> None:
     assert "Secrets of roslab.yaml: pip_index ssh." in called.out
     without = call(build_script(plan(), context="."), "--help", name="docker_build.sh")
     assert "ecret" not in without.out
+
+
+def test_nothing_is_kept_of_an_index_with_a_password() -> None:
+    """Beside an answer pip may keep the words that it was asked with."""
+    pip = "type=cache,id=pip-"
+    assert pip in made()
+    assert pip in made("ssh", "apt_auth")
+    for secret in ("pip_index", "netrc"):
+        text = made(secret)
+        assert pip not in text
+        assert "pip-cache" not in text
+        assert "-m pip install --no-cache-dir robot-core" in text

@@ -11,5 +11,5 @@ for name in "$@"; do
     echo "source ${name}" | tee --append /usr/local/share/roslab/left-out.txt
   fi
 done
-rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
+rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
 find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +

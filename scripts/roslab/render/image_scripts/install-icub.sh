@@ -15,5 +15,5 @@ if ! { curl --fail --silent --show-error --location "${key}" | gpg --dearmor --o
   rm --force "${list}"
   echo "apt icub" | tee --append /usr/local/share/roslab/left-out.txt
 fi
-rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
+rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
 find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +

@@ -21,5 +21,5 @@ if [ "${#known[@]}" -gt 0 ] && ! "${install[@]}" "${known[@]}"; then
   done
 fi
 if [ -s "${left_out}" ]; then sed 's/^/roslab: left out: /' "${left_out}"; fi
-rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
+rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
 find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +

@@ -4,7 +4,7 @@
 # another version is taken. The others are named and left out.
 set -euo pipefail
 
-pip=("$1" -m pip install --no-cache-dir)
+pip=("$1" -m pip install)
 shift
 while [ "$1" != -- ]; do
   pip+=("$1")

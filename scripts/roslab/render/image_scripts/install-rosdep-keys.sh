@@ -69,5 +69,5 @@ else
   install_keys --default-yes
 fi
 rm "${said}"
-rm -rf /var/lib/apt/lists/* /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
+rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
 find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +

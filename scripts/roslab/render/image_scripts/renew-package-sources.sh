@@ -156,5 +156,5 @@ if [ -n "${ended}" ]; then
     refused >"${log}.refused"
   fi
   while read -r at of; do leave_out "${at}" "${of}"; done <"${log}.refused"
-  rm -rf "${log}" "${log}.refused" /var/lib/apt/lists/*
+  rm -rf "${log}" "${log}.refused"
 fi

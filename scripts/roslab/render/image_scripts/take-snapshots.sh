@@ -55,4 +55,4 @@ elif grep --quiet --extended-regexp '^Err|^E: |^W: Failed to fetch' "${log}"; th
   exit 1
 fi
 apt-get --yes --no-install-recommends -o APT::Get::allow-downgrades=true dist-upgrade
-rm -rf "${log}" /tmp/own-sources /var/lib/apt/lists/*
+rm -rf "${log}" /tmp/own-sources

@@ -11,6 +11,7 @@ START = f"""\
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
 USER root
 ARG DEBIAN_FRONTEND=noninteractive
+ARG TARGETARCH
 # The image's user, by Binder's names
 ARG NB_USER=jovyan
 ARG NB_UID=1000

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from roslab.plan.locked import Distribution, Package
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import shell
+from roslab.render.layers import caches, shell
 from roslab.render.layers.shell import Around
 
 FOLDER = "/usr/local/share/roslab/lock"
@@ -78,7 +78,9 @@ def pip(plan: Plan, python: str, options: str, environment: str = "image") -> tu
         if lines:
             file = f"{FOLDER}/{name}-{environment}"
             before += shell.heredoc(file, "\n".join(map(quote.checked, lines)))
-            commands.append(f"{python} -m pip install --no-cache-dir --no-deps{flag}{options} --requirement {file}")
+            commands.append(
+                f"{python} -m pip install {caches.pip_option(plan)} --no-deps{flag}{options} --requirement {file}"
+            )
     return before, tuple(commands)
 
 

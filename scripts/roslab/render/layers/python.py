@@ -8,9 +8,11 @@ from collections.abc import Sequence
 from roslab.knowledge.tools import OLD_METADATA, python2_installers, tool_image
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import building, locks, manifests, secrets, shell
+from roslab.render.layers import building, caches, locks, manifests, secrets, shell
 
 GET_PIP = "https://bootstrap.pypa.io/pip/2.7/get-pip.py"
+DOWNLOADS = "/tmp/pip-downloads"  # noqa: S108 - a folder of the image while it is built
+"""Of the pip that a conda environment calls, removed in the same step."""
 
 
 def environment(plan: Plan) -> str:
@@ -119,12 +121,16 @@ def _conda(plan: Plan) -> str:
     lists, file = locks.conda(plan)
     if file:
         copy, source, without = lists, f"--file {file}", ()
-    create = f"{more}micromamba create --yes --quiet --prefix /opt/conda {source}"
+    create = (
+        f"{more}PIP_CACHE_DIR={DOWNLOADS} micromamba create --yes --quiet --prefix /opt/conda {source}",
+        "micromamba clean --all --yes --quiet",
+        f"rm -rf {DOWNLOADS}",
+    )
     return (
         "# A conda environment: the author's own, or for a Python that the base does not have\n"
         f"COPY --from={tool_image('micromamba')} /bin/micromamba /usr/local/bin/micromamba\n{copy}"
         "ENV MAMBA_ROOT_PREFIX=/opt/mamba \\\n    CONDA_PREFIX=/opt/conda \\\n    PATH=/opt/conda/bin:${PATH}\n"
-        + shell.run(*without, create, "micromamba clean --all --yes --quiet", secrets=secrets.for_pip(plan))
+        + shell.run(*without, *create, secrets=secrets.for_conda(plan))
     )
 
 
@@ -162,7 +168,7 @@ def packages(plan: Plan) -> str:
     """Install the declared packages from the manifests alone, so that an edit of the source reuses the layer."""
     python = plan.python
     blocks = []
-    pip = f"{interpreter(plan)} -m pip install --no-cache-dir{_options(python.options)}"
+    pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{_options(python.options)}"
     commands = [f"{pip}{shell.words(python.first)}"] if python.first else []
     if python.pip:
         commands.append(f"{pip}{_options(python.pip_options)}{shell.words(_arguments(python.pip))}")
@@ -180,7 +186,7 @@ def packages(plan: Plan) -> str:
                 f"if ! python2 -m pip --version >/dev/null 2>&1; then curl --fail --silent {GET_PIP} | python2; fi",
                 f"python2 -m pip install --no-cache-dir --upgrade{_words(python2_installers())}",
                 "ln --symbolic --force pip2 /usr/local/bin/pip",
-                f"python2 -m pip install --no-cache-dir{options}{shell.words(_arguments(python.python2))}",
+                f"python2 -m pip install {caches.pip_option(plan)}{options}{shell.words(_arguments(python.python2))}",
                 comment="Packages of Python 2",
                 secrets=secrets.for_pip(plan),
             )
@@ -192,9 +198,10 @@ def guessed_packages(plan: Plan) -> str:
     """Install what is imported but declared nowhere, one by one: a wrong guess is named and breaks nothing."""
     if not plan.python.pip_guessed:
         return ""
+    options = f"{caches.pip_option(plan)}{_options(plan.python.options)}"
     return shell.call(
         "install-optional-pip",
-        f" {interpreter(plan)}{_options(plan.python.options)} --{shell.words(plan.python.pip_guessed)}",
+        f" {interpreter(plan)} {options} --{shell.words(plan.python.pip_guessed)}",
         comment="Imported but declared nowhere: none of them stops the build",
         secrets=secrets.for_pip(plan),
     )
@@ -232,7 +239,7 @@ def projects(plan: Plan) -> str:
     if not folders:
         return ""
     isolation = " --no-build-isolation" if plan.python.first else ""
-    pip = f"{interpreter(plan)} -m pip install --no-cache-dir{isolation}{_options(plan.python.options)}"
+    pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{isolation}{_options(plan.python.options)}"
     whole = [folder for folder in folders if folder not in plan.python.alone]
     alone = [folder for folder in folders if folder in plan.python.alone]
     copied = frozenset(plan.python.copied)

@@ -1,4 +1,4 @@
-"""Secrets that single steps see: mounted for the one RUN, and in no layer; a step without its secret stops.
+"""What single steps mount: secrets, in no layer, without which a step stops, and the caches that go with them.
 
 What a mount does: https://docs.docker.com/reference/dockerfile/#run---mounttypesecret
 """
@@ -10,6 +10,7 @@ from typing import Literal
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
+from roslab.render.layers import caches
 from roslab.values.dataclass import dataclass
 from roslab.values.secret import APT_AUTH, NETRC, PIP_INDEX, SSH
 
@@ -42,8 +43,15 @@ NONE = Secrets()
 
 
 def for_pip(plan: Plan, user: User = "root") -> Secrets:
-    """Return what pip needs: the private index, and logins for packages from git."""
-    return _of(plan, (PIP_INDEX, NETRC, SSH), user, first=before_pip(plan))
+    """Return what pip needs: what it downloaded before, the private index, and logins for packages from git."""
+    downloads = caches.pip_downloads(plan)
+    mounted = (downloads,) if downloads else ()
+    return _of(plan, (PIP_INDEX, NETRC, SSH), user, first=before_pip(plan), mounted=mounted)
+
+
+def for_conda(plan: Plan) -> Secrets:
+    """Return what a conda environment needs, whose file may call pip."""
+    return _of(plan, (PIP_INDEX, NETRC, SSH), "root", first=before_pip(plan))
 
 
 def for_git(plan: Plan, user: User = "root") -> Secrets:
@@ -52,13 +60,15 @@ def for_git(plan: Plan, user: User = "root") -> Secrets:
 
 
 def for_apt(plan: Plan) -> Secrets:
-    """Return what apt needs for a package source with a password."""
-    return _of(plan, (APT_AUTH,), "root")
+    """Return what apt needs: its lists, and the password of a package source."""
+    return _of(plan, (APT_AUTH,), "root", mounted=(caches.apt_lists(plan.name),))
 
 
 def for_both(plan: Plan) -> Secrets:
     """Return what rosdep needs, which calls apt and pip."""
-    return _of(plan, (APT_AUTH, PIP_INDEX, NETRC, SSH), "root", first=(REPEATABLE, *as_of(plan)))
+    lists = caches.apt_lists(plan.name)
+    wanted = (APT_AUTH, PIP_INDEX, NETRC, SSH)
+    return _of(plan, wanted, "root", first=(REPEATABLE, *as_of(plan)), mounted=(lists,))
 
 
 def before_pip(plan: Plan) -> tuple[str, ...]:
@@ -82,11 +92,17 @@ def everything(plan: Plan, *, home: User, user: User) -> Secrets:
 
 
 def _of(
-    plan: Plan, wanted: Iterable[str], user: User, *, home: User | None = None, first: tuple[str, ...] = ()
+    plan: Plan,
+    wanted: Iterable[str],
+    user: User,
+    *,
+    home: User | None = None,
+    first: tuple[str, ...] = (),
+    mounted: tuple[str, ...] = (),
 ) -> Secrets:
     names = [name for name in wanted if name in plan.secrets]
     readable = ",mode=0444" if user == "user" else ""
-    mounts: list[str] = []
+    mounts = list(mounted)
     commands = list(first)
     for name in names:
         if name == SSH:

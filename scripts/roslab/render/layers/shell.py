@@ -12,12 +12,14 @@ JOBS = '"$(compile-jobs)"'
 """As many compilers as there are cores, but 2 GB of memory for each: a template-heavy file needs that much."""
 _LOGS = "/var/log/{apt/[!h]*,alternatives.log,dpkg.log}"
 FORGET = (
-    f"rm -rf /var/lib/apt/lists/* /var/cache/{{apt/*.bin,ldconfig/aux-cache}} {_LOGS}",
+    f"rm -rf /var/cache/{{apt/*.bin,ldconfig/aux-cache}} {_LOGS}",
     "find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +",
 )
-"""End a step of apt: lists that grow old go, and what holds the time of the build or the machine's inodes. apt's record
-of what each call installed stays, without its times: ``roslab lock`` reads it."""
+"""End a step of apt: what holds the time of the build or the machine's inodes goes. apt's record of what each call
+installed stays, without its times: ``roslab lock`` reads it. The lists are in a mount, and so in no layer."""
 SET_JOBS = f"jobs={JOBS}"
+_PRINTING = ("compile-jobs", "index-as-of", "pip-cache")
+"""Scripts that print what a command says with it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -43,7 +45,7 @@ def run(*commands: str, comment: str = "", secrets: Secrets = NONE, around: Arou
     body = "".join(f"{mount} \\\n    " for mount in secrets.mounts)
     body += " \\\n && ".join((*secrets.commands, *around.first, *commands, *around.last))
     said = "\n".join((*secrets.commands, *around.first, *commands))
-    scripts = "".join(copy_script(name) for name in ("compile-jobs", "index-as-of") if f'"$({name}' in said)
+    scripts = "".join(copy_script(name) for name in _PRINTING if f'"$({name}' in said)
     return f"{comment_lines(comment)}{scripts}{around.before}RUN {body}"
 
 
@@ -88,7 +90,7 @@ def words(items: Iterable[str], *, indent: int = 6) -> str:
 
 
 def apt_install(packages: Sequence[str], secrets: Secrets = NONE, around: Around = NOTHING) -> str:
-    """Return a RUN that installs packages and leaves neither lists nor times behind."""
+    """Return a RUN that installs packages and leaves no times behind."""
     return run(
         "apt-get update",
         f"apt-get install --yes --no-install-recommends{words(packages)}",

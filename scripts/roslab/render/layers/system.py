@@ -7,7 +7,7 @@ import shlex
 from roslab.config.model import Source
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import locks, secrets, shell
+from roslab.render.layers import caches, locks, secrets, shell
 from roslab.values.secret import NETRC, SSH
 
 SOURCES = "/tmp/sources"  # noqa: S108 - a folder of the image while it is built
@@ -110,7 +110,7 @@ def library_stages(plan: Plan) -> str:
         lines.append(
             shell.run(
                 *fetched,
-                *_compile(library, "export DESTDIR=/installed"),
+                *_compile(plan, library, "export DESTDIR=/installed"),
                 "mkdir --parents /installed",
                 secrets=secrets.for_pip(plan) if library.build == "pip" else secrets.NONE,
             )
@@ -147,7 +147,7 @@ def _in_place(plan: Plan, library: Source) -> str:
     comment = f"{library.name}, from its source"
     return depends + shell.run(
         *_fetch(plan, library),
-        *_compile(library),
+        *_compile(plan, library),
         "ldconfig",
         *keep,
         f"rm -rf {_folder(library)}",
@@ -191,10 +191,10 @@ def clone(source: Source, folder: str) -> list[str]:
     return [*commands, f"git -C {folder} submodule update --init --recursive"]
 
 
-def _compile(library: Source, *first: str) -> list[str]:
+def _compile(plan: Plan, library: Source, *first: str) -> list[str]:
     folder = _folder(library)
     if library.build == "pip":
-        return [f"python3 -m pip install --no-cache-dir {folder}"]
+        return [f"python3 -m pip install {caches.pip_option(plan)} {folder}"]
     if library.build != "cmake":
         return []
     options = "".join(f" {quote.shell(word)}" for word in shlex.split(library.cmake_options))

@@ -194,7 +194,7 @@ def compile_again(plan: Plan) -> str:
     scripts = ("compile-jobs", "reuse-build", *((WITHOUT_TESTS,) if WITHOUT_TESTS in run else ()))
     script = f"COPY --from=scripts{''.join(f' /{name}' for name in scripts)} /usr/local/bin/\n"
     run = run.replace(shell.copy_script("compile-jobs"), "")
-    return f"ARG TARGETARCH\nWORKDIR {WS}\n{script}{run}"
+    return f"WORKDIR {WS}\n{script}{run}"
 
 
 def tree_mount(plan: Plan) -> str:
