@@ -67,7 +67,8 @@ def _compilers(decision: Decision, *, own_python: bool) -> list[str]:
     needs += ["cmake"] if decision.scripts else []
     if decision.python.conda_file:  # its pip part is compiled while the environment is made, before pip's own steps
         needs += [programs()[each.key] for each in decision.python.first if each.key in programs()]
-    if decision.python.manager != "conda" and not own_python:
+    of_python = decision.compiling.compiler or decision.kind != "cpp"
+    if of_python and decision.python.manager != "conda" and not own_python:
         needs.append("python-dev" if (decision.python.version or "").startswith("2") else "python3-dev")
     return needs + (["cargo"] if decision.compiling.rust else [])
 

@@ -343,6 +343,7 @@ def test_cmake_projects_beside_the_first_are_compiled_too(
     found = tree(projects(*folders))
     assert [script.folder for script in found.scripts] == beside
     text = dockerfile(make_plan(found, Config(), folder_name="demo"))
+    assert "python3-dev" not in text
     for folder in beside:
         assert (
             f'RUN cd "/home/${{NB_USER}}/demo/{folder}" \\\n && {{ mkdir --parents build && cd build && cmake ' in text

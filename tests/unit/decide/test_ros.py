@@ -383,8 +383,13 @@ def test_packages_of_ros_that_a_page_names_by_a_pattern(tmp_path: Path, line: st
     ],
 )
 def test_a_program_that_starts_a_node_in_its_place(tmp_path: Path, launch: str, apt: list[str]) -> None:
-    files = {**package(), "launch/a.launch": launch, "README.md": "ROS noetic\n"}
-    assert [name for name in decided(tmp_path, files).apt_guessed if not name.startswith("ros-")] == apt
+    def named(name: str) -> list[str]:
+        files = {**package(), f"launch/{name}": launch, "README.md": "ROS noetic\n"}
+        found = decided(tmp_path / name, files).apt_guessed
+        return [each for each in found if not each.startswith("ros-")]
+
+    assert named("a.launch") == apt
+    assert named("a_gdb.launch") == []
 
 
 @pytest.mark.parametrize(

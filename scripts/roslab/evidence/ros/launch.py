@@ -34,6 +34,8 @@ _PYTHON_PACKAGE = pattern(
 )
 _PREFIX = pattern(r"\b(?:launch-)?prefix\s{0,9}=\s{0,9}\[?\s{0,9}[\"']\s{0,9}([a-z][\w.-]{1,40})(?=[\s\"'])")
 """A program that starts a node in its place: ``launch-prefix="xterm -e"``."""
+_DEBUGS = pattern(r"(?:^|[-_.])(?:gdb|debug\w*|valgrind|perf|profil\w*)(?:[-_.]|$)", re.IGNORECASE)
+"""The name of a launch file for those who look for a fault."""
 _NODELET = pattern(rf"\bload\s+({_PACKAGE})/[A-Za-z]")
 _PLUGIN = pattern(
     rf"^[ \t]{{0,99}}(?:-[ \t]{{0,99}})?(?:\{{[ \t]{{0,99}})?(?:name[ \t]*:[ \t]*\S+[ \t]*,[ \t]*)?"
@@ -213,7 +215,7 @@ def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
         if dependency.name not in seen:
             seen.add(dependency.name)
             yield dependency
-    for match in _PREFIX.finditer(text) if "prefix" in text else ():
+    for match in _PREFIX.finditer(text) if "prefix" in text and not _DEBUGS.search(file.name) else ():
         if (name := programs().get(match[1])) and not _conditional(text, match.start(), match.end()):
             line = text.count("\n", 0, match.start()) + 1
             yield Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="exec")
