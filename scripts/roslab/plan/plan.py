@@ -137,7 +137,9 @@ class Plan:
         compiled_here = place.python_projects or place.submodules or place.inside or place.scripts
         needed_later = self.custom or self.compatible or compiled_here
         beside = place.ros is not None and place.ros.tool == "rosmake"  # it compiles where the source lies
-        return bool(place.ros or place.program) and not needed_later and not beside
+        written = place.program.programs if place.program else ()
+        into_source = any(f"{program}/".startswith(f"{place.folder}/") for program in written)
+        return bool(place.ros or place.program) and not (needed_later or beside or into_source)
 
 
 def image_name(text: str) -> str:
