@@ -203,14 +203,18 @@ def test_what_needs_the_source_in_the_image_is_compiled_there() -> None:
 
 @pytest.mark.parametrize(("place", "apart"), [("source/bin", False), ("source/", False), ("build/bin", True)])
 def test_programs_that_are_written_into_the_source_are_compiled_where_it_stays(place: str, apart: bool) -> None:
-    changes = {
-        "kind": "cpp",
-        "ros_distro": None,
-        "build_tool": "cmake",
-        "workspace": "none",
-        "base_image": "ubuntu:22.04",
-    }
-    text = dockerfile(plan(**changes, packages=(), package_names=(), rosdep=(), program_folders=(place,)))
+    made = plan(
+        kind="cpp",
+        ros_distro=None,
+        base_image="ubuntu:22.04",
+        build_tool="cmake",
+        workspace="none",
+        packages=(),
+        package_names=(),
+        rosdep=(),
+        program_folders=(place,),
+    )
+    text = dockerfile(made)
     assert "cmake -D" in text
     assert ("AS compiled" in text) == apart
 
