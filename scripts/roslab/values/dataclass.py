@@ -14,6 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 __all__ = ["Field", "asdict", "dataclass", "field", "fields", "replace"]
 
+_HASH = "__hash__"
+"""Where a value keeps its hash, among its fields, of which none has such a name."""
+
 if TYPE_CHECKING:  # the checker takes them for the standard ones
     from dataclasses import Field, asdict, dataclass, field, fields, replace
 else:
@@ -54,7 +57,7 @@ else:
             if eq:
                 key = _key([each.name for each in found.values() if each.compare])
                 _add(cls, "__eq__", _eq(key))
-                cls.__hash__ = (lambda self: hash(key(self))) if frozen else None
+                cls.__hash__ = _hash(key) if frozen else None
             if frozen:
                 cls.__setattr__ = _frozen
                 cls.__delattr__ = _frozen
@@ -176,6 +179,19 @@ def _key(names: list[str]) -> Callable[[Any], Any]:
 
 def _eq(key: Callable[[Any], Any]) -> Callable[[Any, Any], Any]:
     return lambda self, other: key(self) == key(other) if other.__class__ is self.__class__ else NotImplemented
+
+
+def _hash(key: Callable[[Any], Any]) -> Callable[[Any], int]:
+    """Return a method that works out the hash of a frozen value once: some hold thousands of others."""
+
+    def __hash__(self: Any) -> int:  # noqa: N807 - it becomes one
+        kept: dict[str, Any] = self.__dict__
+        if _HASH not in kept:
+            kept[_HASH] = hash(key(self))
+        found: int = kept[_HASH]
+        return found
+
+    return __hash__
 
 
 def _frozen(self: Any, name: str, *_: Any) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from functools import cache
 from typing import Literal, TypedDict
 
 from roslab.evidence import places
@@ -233,15 +234,32 @@ def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> It
 
 
 def _conditional(text: str, begin: int, end: int) -> bool:
-    """Tell whether what names a package is only started under a condition: ``if="…"``, ``condition=IfCondition(…)``."""
+    """Tell whether what names a package or a program is only started under a condition."""
+    tags, calls = _conditions(text)
+    return (tags and _waiting_tag(text, begin, end)) or (calls and _waiting_call(text, begin, end))
+
+
+@cache
+def _conditions(text: str) -> tuple[bool, bool]:
+    """Tell whether a file has conditions of elements, and of calls; asked only of one that names something."""
+    return bool(_IF.search(text)), "condition" in text
+
+
+def _waiting_tag(text: str, begin: int, end: int) -> bool:
+    """Tell whether the element that names a package, or the group around it, has a condition: ``if="…"``."""
     closed = text.find(">", end, end + NEAR)
     tag = text[max(text.rfind("<", 0, begin), begin - NEAR, 0) : closed if closed >= 0 else end + NEAR]
     if _IF.search(tag):
         return True
     group = text.rfind("<group", 0, begin)
-    if group >= 0 and text.rfind("</group", 0, begin) < group and _IF.search(text[group : text.find(">", group)]):
-        return True
-    if "condition=" not in text[max(0, begin - 4 * NEAR) : end + 4 * NEAR].replace(" ", ""):
+    inside = group >= 0 and text.rfind("</group", 0, begin) < group
+    return inside and bool(_IF.search(text[group : text.find(">", group)]))
+
+
+def _waiting_call(text: str, begin: int, end: int) -> bool:
+    """Tell whether the call that names a package has a condition: ``condition=IfCondition(…)``."""
+    near = text[max(0, begin - 4 * NEAR) : end + 4 * NEAR]
+    if "condition" not in near or "condition=" not in near.replace(" ", ""):
         return False
     before = [match.end() for match in _ACTION.finditer(text, max(0, begin - 4 * NEAR), begin)]
     after = _ACTION.search(text, end, end + 4 * NEAR)
