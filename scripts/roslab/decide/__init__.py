@@ -174,6 +174,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             *(each.name for each in evidence.prose),
             *(each.key for each in everything if each.name),
         ),
+        built=(source.name for source in sources.answer.sources),
         keys=system.answer.rosdep,
         command=command.answer.command,
         switch=build_tool.answer == "cmake" and not config.compatible,

@@ -101,3 +101,19 @@ def test_bindings_that_the_page_has_pip_compile(tree: Tree, page: str, kind: str
     )
     code = CODE | {f"{name}.cpp": "#include <Eigen/Dense>\n" for name in "bcd"}
     assert tree(code | {"setup.py": setup, "README.md": f"```\n{page}\n```\n"}).kind == kind
+
+
+@pytest.mark.parametrize(("command", "told"), [("make", True), ("sudo make install", False)])
+def test_what_a_script_clones_and_does_not_install_brings_no_newer_version(
+    tmp_path: Path, command: str, told: bool
+) -> None:
+    files = {
+        **CODE,
+        "CMakeLists.txt": f"{MADE}find_package(OpenCV 3.1 REQUIRED)\n",
+        "build.sh": f"git clone -b 3.4.1 https://github.com/opencv/opencv.git\ncd opencv/build\ncmake ..\n{command}\n",
+        "roslab.yaml": "format: 3\nbase: {ubuntu: 16.04}\n",
+    }
+    for path, text in files.items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    warnings = plan_repository(tmp_path).plan.warnings
+    assert any("CMake requires OpenCV 3.1" in warning.message for warning in warnings) == told

@@ -295,3 +295,31 @@ def test_the_branches_of_a_script_are_alternatives(tmp_path: Path) -> None:
 )
 def test_the_title_of_a_page_tells_what_it_is_for(tmp_path: Path, text: str, read_lines: list[int]) -> None:
     assert [line for _, line in named(read(readme, tmp_path, {"README.md": text}))] == read_lines
+
+
+@pytest.mark.parametrize(
+    ("function", "call", "cloned"),
+    [
+        ('fetch() {\n  git clone "$1" || (cd x && git pull)\n}', "fetch https://github.com/lab/odd.git", ("odd", None)),
+        (
+            'function fetch {\n  local url=$1\n  local branch=$2\n  git clone -b "$branch" "$url"\n}',
+            "  fetch https://github.com/lab/odd.git v1.2 # the last",
+            ("odd", "v1.2"),
+        ),
+        ('function fetch(){\n  eval "$1"\n}', 'fetch "git clone -b v3 https://github.com/lab/odd.git"', ("odd", "v3")),
+        (
+            'fetch() {\n  git clone "$1"\n  git checkout $2\n}',
+            'fetch "https://github.com/lab/odd" abc123',
+            ("odd", "abc123"),
+        ),
+        ("fetch() {\n  wget $1\n}", "fetch https://github.com/lab/odd.git", None),
+        ("fetch() {\n  git clone $1\n}", 'fetch "$URL"', None),
+    ],
+)
+def test_a_function_of_a_script_clones_what_it_is_given(
+    tmp_path: Path, function: str, call: str, cloned: tuple[str, str | None] | None
+) -> None:
+    (tmp_path / "install.sh").write_text(f"#!/bin/bash\n{function}\napt-get install -y cmake\n{call}\n")
+    found = scripts.read(Repository.open(tmp_path)).sources
+    assert [(git.name, git.ref) for git in found] == ([cloned] if cloned else [])
+    assert all(git.line == function.count("\n") + 4 for git in found)

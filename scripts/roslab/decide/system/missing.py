@@ -64,6 +64,7 @@ def decide_missing(
     target: Target,
     packages: Packages,
     provided: Iterable[str],
+    built: Iterable[str],
     keys: Iterable[str] = (),
     command: tuple[str, ...] | str,
     switch: bool = False,
@@ -72,6 +73,7 @@ def decide_missing(
     """Return the packages to leave out of the build because of what they lack, with those that need these.
 
     ``provided``: names of everything that is installed, built or cloned; a similar one is taken for the package.
+    ``built``: names of what is built from its source; other clones bring no newer version of anything.
     ``keys``: what rosdep is asked for, of which only what its tables or the distribution have is provided.
     ``switch``: options of CMake may be turned off that a page does not set.
     ``cloned``: the image clones packages whose names are not known here. What cannot be left out is told, for there
@@ -122,6 +124,7 @@ def decide_missing(
     warnings += [warn(_PERHAPS.format(asked.name), asked) for asked in unsure_of]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
     asks = _of_program_and_below if kind == "cpp" else _required
+    names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - {plain(name) for name in built}
     warnings += _too_old(asks(evidence, packages), target, out.keys(), names, build_tool)
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
     return Choice(

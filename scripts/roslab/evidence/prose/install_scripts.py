@@ -11,6 +11,7 @@ from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.branches import branches
 from roslab.evidence.lex.shell import fill_placeholders
 from roslab.evidence.prose import only_on
+from roslab.evidence.prose.cloners import spelled_out
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.knowledge.distros import distros
 from roslab.repository.checkout import Repository
@@ -57,7 +58,7 @@ def read(repository: Repository) -> Prose:
         if any(word in text for word in ("install", "clone", "cmake", "docker")):
             collector = Collector(file.path, "script")
             _assignments(text, collector)
-            collector.text(text)
+            collector.text(spelled_out(text))
             found = collector.prose()
             found = found._replace(requirements=_of_one_branch(found.requirements, text))
             kept = (*(m for m in found.mentions if m.topic in _KEPT), *_distros(found.dependencies))
