@@ -224,3 +224,10 @@ def test_an_option_that_only_asks_for_what_nothing_brings_is_off(
     told = [w for w in decision.warnings if "-DUSE_CAMERA=OFF" in w.message]
     assert bool(told) == (options == ("-DUSE_CAMERA=OFF",))
     assert not told or (told[0].file, told[0].line) == ("CMakeLists.txt", 5)
+
+
+def test_the_programs_that_doxygen_calls_are_installed(tree: Tree) -> None:
+    cmake = "project(tracker)\nadd_executable(track track.cpp)\nadd_subdirectory(doc)\n"
+    files = {"doc/CMakeLists.txt": "find_package(Doxygen REQUIRED dot)\n", "track.cpp": "int main() {}\n"}
+    decision = tree(files | {"CMakeLists.txt": cmake})
+    assert {"doxygen", "graphviz"} <= {*decision.apt, *decision.apt_guessed}

@@ -54,6 +54,7 @@ def test_components_of_catkin_are_ros_packages(tmp_path: Path, call: str) -> Non
         ),
         ("find_package(Qt5 REQUIRED COMPONENTS Core SerialPort)", ["Qt5Core", "Qt5SerialPort"]),
         ("find_package(VTK REQUIRED COMPONENTS CommonCore GUISupportQt)", ["VTK GUISupportQt"]),
+        ("find_package(Doxygen REQUIRED dot)", ["Doxygen dot"]),
         ("find_package(Boost REQUIRED COMPONENTS system)", []),
         ("find_package(DART REQUIRED PATHS utils)", []),
     ],
