@@ -13,6 +13,8 @@ from roslab.values.pattern import pattern
 
 KEPT = 60_000
 """Characters of a failed step that are kept for its repair."""
+_AGAIN = pattern(r"roslab: .{1,300}: once more\b")
+"""What a script of a generated image says before it tries again: it failed by what comes after."""
 _IMAGE = pattern(r" ---> ([0-9a-f]{12})$")
 
 
@@ -64,6 +66,8 @@ def explain(stream: IO[bytes]) -> Answer:
     log = steps.read(lines(stream))
     failed = log.failed or ([] if log.succeeded and not log.rest.error else [log.rest])
     image = names.image(_context(log), "")
+    for step in failed:
+        step.lines = _last_attempt(step.lines)
     found = tuple(_step(log, step, image) for step in failed)
     return Answer(explanations=_distinct(found), lines=log.lines, succeeded=log.succeeded and not log.failed)
 
@@ -73,6 +77,12 @@ def _context(log: Log) -> str:
     parts = [step.name for step in log.steps]
     parts += [line.text for step in log.steps for line in step.lines[:150]]
     return "\n".join(parts)[:400_000]
+
+
+def _last_attempt(said: list[Line]) -> list[Line]:
+    """Return the lines of a step from its last attempt on."""
+    again = [index for index, line in enumerate(said) if _AGAIN.match(line.text)]
+    return said[again[-1] + 1 :] if again else said
 
 
 def _step(log: Log, step: Step, image: names.Image) -> Explanation:

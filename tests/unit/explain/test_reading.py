@@ -389,3 +389,23 @@ def test_a_copied_part_of_a_repetition_loses_its_seconds() -> None:
     found = said(log).explanations
     assert [one.error for one in found]
     assert not found[0].error.startswith("20.2")
+
+
+def test_what_an_earlier_attempt_of_a_step_said_is_not_its_cause() -> None:
+    log = """\
+#9 [5/5] RUN reuse-build catkin_make
+#9 1.0 /ws/src/a/a.cpp:1:10: fatal error: robot_msgs/Pose.h: No such file or directory
+#9 1.1 make: *** [Makefile:146: all] Error 2
+#9 1.2 roslab: what includes robot_msgs/Pose.h does not wait until it is generated: once more, with all generated
+#9 1.3 /ws/src/a/b.cpp:8:30: error: 'other' was not declared in this scope
+#9 1.4 make: *** [Makefile:146: all] Error 2
+#9 ERROR: process "/bin/sh -c reuse-build catkin_make" did not complete successfully: exit code: 2
+------
+ > [5/5] RUN reuse-build catkin_make:
+1.3 /ws/src/a/b.cpp:8:30: error: 'other' was not declared in this scope
+------
+ERROR: failed to solve: process "/bin/sh -c reuse-build catkin_make" did not complete successfully: exit code: 2
+"""
+    (found,) = explain(io.BytesIO(log.encode())).explanations
+    assert "b.cpp:8:30" in found.error
+    assert not any("robot_msgs" in line for line in found.lines)
