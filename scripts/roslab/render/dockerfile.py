@@ -189,11 +189,14 @@ def _join(blocks: tuple[Block, ...], plan: Plan) -> str:
 def _without_repetition(stage: str) -> str:
     """Drop the instructions that change nothing: a USER or WORKDIR that is already set, a script that was copied.
 
-    Each block states everything it needs, because the plan decides which blocks come before it.
+    Each block states everything it needs, because the plan decides which blocks come before it. A block may hold several
+    stages, which have nothing of each other.
     """
     said: dict[str, str] = {}
     lines = []
     for line in stage.split("\n"):
+        if line.startswith("FROM "):
+            said.clear()
         if match := re.fullmatch(r"(USER|WORKDIR) .+|(COPY --from=scripts /\S+) /usr/local/bin/", line):
             instruction = match[1] or match[2]
             if said.get(instruction) == line:

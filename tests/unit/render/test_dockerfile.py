@@ -137,6 +137,15 @@ def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> No
         assert stage.index("COPY --from=scripts /compile-jobs") < stage.index("$(compile-jobs)")
 
 
+def test_each_library_has_the_scripts_that_it_calls() -> None:
+    other = replace(CERES, name="sophus", repo="https://example.org/sophus.git", depends=())
+    text = dockerfile(plan(source=(CERES, other)))
+    stages = text.split("\nFROM base AS library-")[1:]
+    assert len(stages) == 2
+    for stage in stages:
+        assert stage.index("COPY --from=scripts /compile-jobs") < stage.index("$(compile-jobs)")
+
+
 def test_every_script_is_called_by_some_dockerfile() -> None:
     folder = Path(image_scripts.__path__[0])
     calls = "".join(path.read_text() for path in folder.parent.rglob("*.py"))
