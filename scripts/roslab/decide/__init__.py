@@ -42,7 +42,7 @@ from roslab.decide.system.needs import code_needs, host_options, started
 from roslab.decide.system.own_options import own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, without_twins
-from roslab.decide.system.recipes import of_another_release, recipes_for, too_old_here
+from roslab.decide.system.recipes import of_another_release, own_names, recipes_for, too_old_here
 from roslab.decide.variables import decide_variables
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence import places
@@ -138,9 +138,11 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         *of_another_release(evidence, system.answer.apt_guessed),
         *too_old_here(evidence, system.answer.apt, target),
     )
-    libraries = as_written(recipes_for((*recipes, *other), base.answer.ubuntu, evidence.limits), evidence)
-    taken = sources.answer.names | packages.names | {plain(source.name) for source, _ in libraries}
-    taken |= {plain(git.name) for git in evidence.sources if git.kind == "submodule"}
+    libraries = as_written(recipes_for(evidence, (*recipes, *other), base.answer.ubuntu, folder_name), evidence)
+    taken = sources.answer.names | packages.names | own_names(evidence, folder_name)
+    taken |= {plain(git.name) for git in evidence.sources if git.kind == "submodule"} | {
+        plain(source.name) for source, _ in libraries
+    }
     depends = tuple(n for n in (*system.answer.apt, *system.answer.brought) if n.endswith("-dev"))
     linked = tuple(
         (replace(source, depends=depends), asked)

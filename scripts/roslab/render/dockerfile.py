@@ -189,7 +189,7 @@ def _join(blocks: tuple[Block, ...], plan: Plan) -> str:
 def _without_repetition(stage: str) -> str:
     """Drop the instructions that change nothing: a USER or WORKDIR that is already set, a script that was copied.
 
-    Each block states everything it needs, because the plan decides which blocks come before it. A block may hold several
+    Each block states everything it needs, because the plan decides which blocks come before it. It may hold several
     stages, which have nothing of each other.
     """
     said: dict[str, str] = {}

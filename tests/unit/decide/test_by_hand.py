@@ -349,3 +349,13 @@ def test_a_link_is_taken_at_the_commit_behind_it(tree: Tree, said: str, ref: str
     made = "project(demo)\nfind_package(oddlib REQUIRED)\nadd_executable(demo main.cpp)\n"
     decision = tree({"CMakeLists.txt": made, "main.cpp": "int main() {}\n", "README.md": f"# Needs\n{said}\n"})
     assert [(source.name, source.ref) for source in decision.source] == [("oddlib", ref)]
+
+
+def test_a_repository_is_no_library_of_its_own_examples(tree: Tree) -> None:
+    root = "cmake_minimum_required(VERSION 3.10)\nproject(acme_sdk)\nadd_library(acme_sdk a.cpp)\n"
+    sample = "cmake_minimum_required(VERSION 3.10)\nproject(sample)\nfind_package(acme_sdk REQUIRED)\n"
+    sample += "add_executable(walk walk.cpp)\n"
+    files = {"CMakeLists.txt": root, "sample/CMakeLists.txt": sample, "README.md": "https://github.com/lab/acme_sdk\n"}
+    assert [source.name for source in tree(files).source] == []
+    other = files | {"CMakeLists.txt": root.replace("acme_sdk", "else")}
+    assert [source.name for source in tree(other).source] == ["acme_sdk"]

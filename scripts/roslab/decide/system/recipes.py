@@ -10,28 +10,36 @@ from roslab.config.model import Source
 from roslab.decide.ros.source_names import itself_in, plain
 from roslab.decide.system.names import Target
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import CodeLimit, Evidence
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.code_limits import fits
 from roslab.knowledge.libraries import library
 from roslab.knowledge.recipes import Bound, Recipe, recipe, releases
 
 
 def recipes_for(
-    wanted: Iterable[tuple[str, Dependency]], ubuntu: str | None, limits: Iterable[CodeLimit] = ()
+    evidence: Evidence, wanted: Iterable[tuple[str, Dependency]], ubuntu: str | None, folder_name: str
 ) -> tuple[tuple[Source, Dependency], ...]:
     """Return the sources of libraries, each once with what asked for it, in the order to build them.
 
-    ``limits`` are the signs of versions in the code, which choose the release.
+    The signs of versions in the code choose the release. What the repository itself needs stays, but not itself.
     """
+    own = own_names(evidence, folder_name)
     bounds: dict[str, tuple[Bound, ...]] = {}
-    for limit in limits:
+    for limit in evidence.limits:
         name = limit.library.lower()
         bounds[name] = (*bounds.get(name, ()), (limit.at_least, limit.below))
     found: dict[str, tuple[Source, Dependency]] = {}
     for name, dependency in wanted:
         for built in recipe(name, ubuntu, bounds):
-            found.setdefault(built.name, (_source(built), dependency))
+            if plain(built.name) not in own:
+                found.setdefault(built.name, (_source(built), dependency))
     return tuple(found.values())
+
+
+def own_names(evidence: Evidence, folder_name: str) -> frozenset[str]:
+    """Return the names of the repository itself as a library, for which its own examples may ask."""
+    named = {plain(each.name) for each in evidence.cmake if each.file == "CMakeLists.txt" and each.name}
+    return frozenset({plain(folder_name), *named})
 
 
 def _source(built: Recipe) -> Source:
