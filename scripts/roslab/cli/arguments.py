@@ -166,6 +166,11 @@ def _run(commands: Commands) -> None:
     run = _command(commands, "run", "Run the image that `roslab build` made, with its volumes, ports, display and GPU.")
     _repository(run, "--name")
     run.add_argument("--notebook", action="store_true", help="open JupyterLab instead of the default command")
+    run.add_argument(
+        "--list",
+        action="store_true",
+        help="print the default command and, below it, the others that were found, one on a line; run nothing",
+    )
     _tag(run)
     run.add_argument("arguments", nargs="*", metavar="-- COMMAND", help="a command to run instead of the default one")
 

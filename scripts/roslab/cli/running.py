@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import shlex
 import shutil
 import subprocess
 import tempfile
@@ -12,11 +13,21 @@ from pathlib import Path
 from roslab.cli.planning import planned_of
 from roslab.errors import BuildError, Problem
 from roslab.pipeline import rendered
+from roslab.plan.plan import Plan
+
+
+def commands(plan: Plan) -> list[str]:
+    """Return the default command and the others that were found, the strongest first, each as a shell reads it."""
+    command = plan.run.command if isinstance(plan.run.command, str) else shlex.join(plan.run.command)
+    return list(dict.fromkeys((command, *map(shlex.join, plan.run.candidates))))
 
 
 def run(options: argparse.Namespace) -> int:
     """Run the image with the same script that ``create`` writes as docker_run.sh."""
     planned = planned_of(options)
+    if options.list:
+        print(*commands(planned.plan), sep="\n")
+        return 0
     if not shutil.which("docker"):
         raise BuildError(Problem(message="docker is not installed", hint="https://docs.docker.com/engine/install/"))
     with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
