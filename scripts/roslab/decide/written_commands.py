@@ -16,6 +16,7 @@ from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose import copies
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
+from roslab.values.words import written as as_written
 
 _PLACEHOLDER = pattern(
     r"YOUR|your[_-]|path[/_-]to|/path|/where/|\[|\]|\.\.\.|…|/home/|~|\$|<|>|\{[a-z]\w*\}|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
@@ -81,7 +82,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
             strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)
             strong = strong and not copies.below(mention.file, evidence.copies)
             yield Candidate(
-                argv=argv,
+                argv=tuple(map(as_written, argv)),
                 why="the README runs it",
                 file=mention.file,
                 line=mention.line,

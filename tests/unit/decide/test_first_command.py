@@ -670,3 +670,18 @@ def test_what_a_section_starts_to_test_the_installation_is_run_first(tree: Tree,
     files = {f"launch/{name}.launch": "<launch/>\n" for name in ("world", "drive")}
     found = tree({"package.xml": PACKAGE.format(tool="catkin"), "README.md": page} | files)
     assert found.command == ("roslaunch", "demo", f"{launched}.launch")
+
+
+@pytest.mark.parametrize(
+    ("said", "argv"),
+    [
+        ('--task "pick up the red block" --n 3', ("--task", "pick up the red block", "--n", "3")),
+        ("--task='pick it up'", ("--task=pick it up",)),
+        ('--task "<your task>" --n 3', ("--n", "3")),
+        ('scene.yaml "put it away"', ("scene.yaml", "put it away")),
+    ],
+)
+def test_what_a_page_quotes_is_one_word(tree: Tree, said: str, argv: tuple[str, ...]) -> None:
+    main = 'if __name__ == "__main__":\n    print(1)\n'
+    files = {"run.py": main, "scene.yaml": "a: 1\n", "README.md": f"# Usage\n```\npython run.py {said}\n```\n"}
+    assert tree(files).command == ("python", "run.py", *argv)

@@ -21,6 +21,7 @@ from roslab.knowledge.tools import PIXI
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
+from roslab.values.words import joined
 
 MentionSource = Literal["dockerfile", "ci", "readme", "script"]
 _RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
@@ -284,7 +285,7 @@ class Collector:
     def _run(self, command: Command) -> None:
         words = [word for word in command.words if "<" in word or UNKNOWN in word]
         if not words or (self.source == "readme" and command.words[0] not in words):
-            self._mention("command", " ".join(command.words).replace(UNKNOWN, "…"), command)
+            self._mention("command", joined(command.words).replace(UNKNOWN, "…"), command)
 
 
 def merge(parts: Iterable[Prose]) -> Prose:

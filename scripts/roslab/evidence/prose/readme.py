@@ -6,7 +6,6 @@ everything else together, and does not read the other two.
 
 from __future__ import annotations
 
-import posixpath
 import re
 from collections.abc import Collection, Iterator
 
@@ -19,13 +18,13 @@ from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of
 from roslab.evidence.prose.installs import BLANK, Collector, merge
+from roslab.evidence.prose.own_files import with_files
 from roslab.evidence.prose.own_scripts import called, checked
 from roslab.evidence.prose.shells import opens_a_shell
-from roslab.evidence.prose.started_in import script_in, started_in
 from roslab.evidence.prose.telling import telling
 from roslab.repository.checkout import File, Repository
-from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
+from roslab.values.words import joined
 
 MAX_SIZE = 256 * 1024
 MAX_PAGES = 60
@@ -108,7 +107,7 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
                 found += (
                     Mention(
                         topic="command",
-                        value=" ".join(command.words).replace(UNKNOWN, "…"),
+                        value=joined(command.words).replace(UNKNOWN, "…"),
                         source="readme",
                         file=file.path,
                         line=command.line,
@@ -118,7 +117,7 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
                     for command in commands(logical, start)
                     if command.words[0] in programs
                 )
-    return tuple(_with_files(mention, repository) for mention in found)
+    return tuple(with_files(mention, repository) for mention in found)
 
 
 def text_of(repository: Repository, file: File) -> str:
@@ -139,58 +138,8 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         yield from checked(mention, repository)
     elif mention.topic != "command":
         yield from () if mention.topic == "compiled" and of_another(mention, repository) else (mention,)
-    elif not opens_a_shell(told := _with_files(mention, repository), repository):
+    elif not opens_a_shell(told := with_files(mention, repository), repository):
         yield told
-
-
-def _with_files(mention: Mention, repository: Repository) -> Mention:
-    words = mention.value.split()
-    folder = posixpath.dirname(mention.file)
-    found: list[str] = []
-    if script := script_in(mention, repository) if mention.inside else None:
-        words[script[0]] = script[1]
-    for index, word in enumerate(words):
-        if index == 0 and not word.endswith(".sh"):
-            continue
-        path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", word)) if "/" in word or "." in word else ""
-        below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
-        if below and not (found or repository.has(path)):  # the page is in another folder by then
-            path = _only(path, repository) or path
-        if path.endswith(".ipynb") and words[0].startswith("jupyter"):
-            path = _below(path, repository)
-        beside = (
-            folder and path.endswith((".py", ".sh")) and (index == 0 or words[0].startswith(("python", "bash", "sh")))
-        )
-        if beside and not repository.has(path) and repository.has(f"{folder}/{path}"):
-            path = f"{folder}/{path}"  # a page below the root starts what lies beside it
-        if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):
-            words[index] = path
-            found.append(path)
-        elif _of_package(word, repository):
-            found.append(word)
-    inside = script[2] if script else started_in(mention, words, repository) if mention.inside else ""
-    return replace(mention, value=" ".join(words), files=tuple(found), inside=inside)
-
-
-def _of_package(word: str, repository: Repository) -> bool:
-    """Tell whether a launch file is given a path that its node puts behind its package's: ``map:=/maps/hall.yaml``."""
-    path = word.partition(":=")[2]
-    below = path.startswith("/") and path.count("/") > 1
-    return below and any(f"/{file.path}".endswith(path) for file in repository.named(posixpath.basename(path)))
-
-
-def _only(path: str, repository: Repository) -> str | None:
-    """Return the one file of the tree whose path ends in this one, ``None`` if there are several or none."""
-    ends = [file.path for file in repository.named(posixpath.basename(path)) if file.path.endswith(f"/{path}")]
-    own = [each for each in ends if not places.vendored(each)]
-    return own[0] if len(own) == 1 else None
-
-
-def _below(path: str, repository: Repository) -> str:
-    """Return the path from the root of what a page names with the folders above it (``$HOME/demo/nb/a.ipynb``)."""
-    parts = path.split("/")
-    ends = ("/".join(parts[start:]) for start in range(len(parts)))
-    return next((end for end in ends if repository.has(end)), path)
 
 
 def pages(repository: Repository) -> list[File]:

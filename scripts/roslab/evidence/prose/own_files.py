@@ -1,0 +1,63 @@
+"""The files of the tree that a command of a page names."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+
+from roslab.evidence import places
+from roslab.evidence.facts import Mention
+from roslab.evidence.prose.started_in import script_in, started_in
+from roslab.repository.checkout import Repository
+from roslab.values.dataclass import replace
+
+
+def with_files(mention: Mention, repository: Repository) -> Mention:
+    """Return a command of a page with the files of the tree that it names, by their paths from the root."""
+    words = mention.value.split()
+    folder = posixpath.dirname(mention.file)
+    found: list[str] = []
+    if script := script_in(mention, repository) if mention.inside else None:
+        words[script[0]] = script[1]
+    for index, word in enumerate(words):
+        if index == 0 and not word.endswith(".sh"):
+            continue
+        path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", word)) if "/" in word or "." in word else ""
+        below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
+        if below and not (found or repository.has(path)):  # the page is in another folder by then
+            path = _only(path, repository) or path
+        if path.endswith(".ipynb") and words[0].startswith("jupyter"):
+            path = _below(path, repository)
+        beside = (
+            folder and path.endswith((".py", ".sh")) and (index == 0 or words[0].startswith(("python", "bash", "sh")))
+        )
+        if beside and not repository.has(path) and repository.has(f"{folder}/{path}"):
+            path = f"{folder}/{path}"  # a page below the root starts what lies beside it
+        if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):
+            words[index] = path
+            found.append(path)
+        elif _of_package(word, repository):
+            found.append(word)
+    inside = script[2] if script else started_in(mention, words, repository) if mention.inside else ""
+    return replace(mention, value=" ".join(words), files=tuple(found), inside=inside)
+
+
+def _of_package(word: str, repository: Repository) -> bool:
+    """Tell whether a launch file is given a path that its node puts behind its package's: ``map:=/maps/hall.yaml``."""
+    path = word.partition(":=")[2]
+    below = path.startswith("/") and path.count("/") > 1
+    return below and any(f"/{file.path}".endswith(path) for file in repository.named(posixpath.basename(path)))
+
+
+def _only(path: str, repository: Repository) -> str | None:
+    """Return the one file of the tree whose path ends in this one, ``None`` if there are several or none."""
+    ends = [file.path for file in repository.named(posixpath.basename(path)) if file.path.endswith(f"/{path}")]
+    own = [each for each in ends if not places.vendored(each)]
+    return own[0] if len(own) == 1 else None
+
+
+def _below(path: str, repository: Repository) -> str:
+    """Return the path from the root of what a page names with the folders above it (``$HOME/demo/nb/a.ipynb``)."""
+    parts = path.split("/")
+    ends = ("/".join(parts[start:]) for start in range(len(parts)))
+    return next((end for end in ends if repository.has(end)), path)
