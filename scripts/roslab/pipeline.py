@@ -216,7 +216,9 @@ def write_bases(plan: Plan, folder: Path) -> Path | None:
     from roslab.render import bases  # noqa: PLC0415 - as above
 
     file = folder / bases.FILE
-    file.write_text(bases.bases(plan.author_dockerfile.bases if plan.author_dockerfile else ()), encoding="utf-8")
+    file.write_text(
+        bases.bases(plan.author_dockerfile.bases if plan.author_dockerfile else (), plan.name), encoding="utf-8"
+    )
     return file
 
 

@@ -102,7 +102,7 @@ def test_what_replaces_the_bases_of_an_authors_dockerfile(tmp_path: Path, tool: 
     authored = plan_repository(tmp_path).plan.author_dockerfile
     assert authored
     assert len(authored.bases) == 2
-    lint(bases(authored.bases), tool("hadolint"))
+    lint(bases(authored.bases, "robot"), tool("hadolint"))
 
 
 @pytest.mark.parametrize("name", VARIANTS)

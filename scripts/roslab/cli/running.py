@@ -14,11 +14,12 @@ from roslab.cli.planning import planned_of
 from roslab.errors import BuildError, Problem
 from roslab.pipeline import rendered
 from roslab.plan.plan import Plan
+from roslab.values.words import line_of
 
 
 def commands(plan: Plan) -> list[str]:
     """Return the default command and the others that were found, the strongest first, each as a shell reads it."""
-    command = plan.run.command if isinstance(plan.run.command, str) else shlex.join(plan.run.command)
+    command = line_of(plan.run.command)
     return list(dict.fromkeys((command, *map(shlex.join, plan.run.candidates))))
 
 

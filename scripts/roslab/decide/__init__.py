@@ -33,16 +33,15 @@ from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.workspace import names_of, of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
-from roslab.decide.system.by_hand import as_written, by_hand
 from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
+from roslab.decide.system.libraries import decide_libraries
 from roslab.decide.system.missing import decide_missing, marked
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, host_options, started
 from roslab.decide.system.own_options import own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, without_twins
-from roslab.decide.system.recipes import of_another_release, own_names, recipes_for, too_old_here
 from roslab.decide.variables import decide_variables
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence import places
@@ -133,29 +132,22 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     )
     if config.compatible:
         everything = installed(evidence, python.answer)
-    recipes = (*sources.answer.libraries, *system.answer.recipes)
-    other = (
-        *of_another_release(evidence, system.answer.apt_guessed),
-        *too_old_here(evidence, system.answer.apt, target),
+    libraries = decide_libraries(
+        evidence,
+        config,
+        kind.answer,
+        target=target,
+        packages=packages,
+        sources=sources.answer,
+        system=system.answer,
+        folder_name=folder_name,
     )
-    libraries = as_written(recipes_for(evidence, (*recipes, *other), base.answer.ubuntu, folder_name), evidence)
-    taken = sources.answer.names | packages.names | own_names(evidence, folder_name)
-    taken |= {plain(git.name) for git in evidence.sources if git.kind == "submodule"} | {
-        plain(source.name) for source, _ in libraries
-    }
-    depends = tuple(n for n in (*system.answer.apt, *system.answer.brought) if n.endswith("-dev"))
-    linked = tuple(
-        (replace(source, depends=depends), asked)
-        for source, asked in by_hand(evidence, config, kind.answer, target=target, packages=packages, taken=taken)
-    )
-    sources = with_recipes(sources, (*libraries, *linked))
-    system = without_twins(system, frozenset(source.name for source, _ in (*libraries, *linked)))
+    sources = with_recipes(sources, libraries)
+    system = without_twins(system, frozenset(source.name for source, _ in libraries))
 
     inside = compiled_inside(evidence, config, kind.answer)
-    scripts, variables = (
-        decide_scripts(evidence, config, kind.answer, inside, python.answer.projects),
-        decide_variables(evidence, config),
-    )
+    scripts = decide_scripts(evidence, config, kind.answer, inside, python.answer.projects)
+    variables = decide_variables(evidence, config)
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else NO_CUDA
     compiling = decide_compiling(

@@ -20,6 +20,7 @@ from roslab.knowledge.windows import opens
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
+from roslab.values.words import line_of
 
 MAX_CANDIDATES = 30
 _ARGUMENT = pattern(
@@ -66,7 +67,7 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
     found = list(by_argv.values())
     candidates = tuple(by_argv)[:MAX_CANDIDATES]
     if config.command is not None:
-        text = config.command if isinstance(config.command, str) else shlex.join(config.command)
+        text = line_of(config.command)
         said = configured(config, "command", text, "command")
         gui = _opened(evidence, config, text)
         chosen = Command(command=config.command, candidates=candidates, gui=gui)

@@ -18,7 +18,7 @@ def included(evidence: Evidence, kind: Kind) -> Candidate | None:
     for said in evidence.mentions:
         if said.topic != "included" or kind not in {"ros1", "ros2"}:
             continue
-        _, package, name, *rest = said.value.split()
+        package, name, *rest = said.value.split()
         asked = demands.get((package, name))
         given = {word.partition(":=")[0]: word for word in rest}
         if asked is not None and given.keys() >= set(asked):

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import shlex
-
 from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import configured
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.values.words import line_of
 
 
 def decide_test(config: Config) -> Choice[tuple[str, ...] | str | None]:
     """Return the command that tests the image, ``None`` for the default proofs of its kind."""
     if not config.test:
         return Choice(answer=None)
-    text = config.test if isinstance(config.test, str) else shlex.join(config.test)
+    text = line_of(config.test)
     return Choice(answer=config.test, reasons=(configured(config, "test", text, "test"),))
 
 

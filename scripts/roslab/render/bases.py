@@ -29,12 +29,15 @@ _RAW = "https://raw.githubusercontent.com/ros/rosdistro"
 
 def text(plan: Plan, _: Beside) -> str:
     """Return the file of a plan with such bases."""
-    return bases(plan.author_dockerfile.bases if plan.author_dockerfile else ())
+    return bases(plan.author_dockerfile.bases if plan.author_dockerfile else (), plan.name)
 
 
-def bases(found: Sequence[Base]) -> str:
-    """Return the stages ``base-1``, ``base-2`` … and the scripts that they run."""
-    stages = [_own(number, base) if base.recipe else _stage(number, base) for number, base in enumerate(found, 1)]
+def bases(found: Sequence[Base], name: str) -> str:
+    """Return the stages ``base-1``, ``base-2`` … of an image and the scripts that they run."""
+    lists = Secrets(mounts=(caches.apt_lists(name),))
+    stages = [
+        _own(number, base) if base.recipe else _stage(number, base, lists) for number, base in enumerate(found, 1)
+    ]
     carried = scripts.stage("\n".join(stage for stage, base in zip(stages, found, strict=True) if not base.recipe))
     arguments = [line for base in found for line in _global_arguments(base.recipe or "")]
     return "\n".join((HEADER, *arguments, *([carried, ""] if carried else []), "\n\n".join(stages))) + "\n"
@@ -65,10 +68,9 @@ def _global_arguments(text: str) -> list[str]:
     return found
 
 
-def _stage(number: int, base: Base) -> str:
+def _stage(number: int, base: Base, lists: Secrets) -> str:
     blocks = [f"{shell.comment_lines(base.why)}FROM {quote.image(base.image)} AS {stage_name(number)}"]
     if base.sources:
-        lists = Secrets(mounts=(caches.apt_lists("bases"),))
         blocks.append(f"ARG TARGETARCH\n{renewal(base.sources, lists)}")
     if base.rosdistro_tag:
         blocks.append(_rosdep(base.rosdistro_tag))

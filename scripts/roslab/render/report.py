@@ -11,6 +11,7 @@ from roslab.config.model import Source
 from roslab.decide.decision import Decision, Reason
 from roslab.plan.plan import Plan
 from roslab.repository.checkout import printable
+from roslab.values.words import line_of
 
 COLUMN = 44
 """Longest answer that counts for the width of the column of answers; the reasons are aligned to its right."""
@@ -65,7 +66,7 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
         ("dockerfile", decision.dockerfile, "dockerfile"),
         (
             "command",
-            decision.command if isinstance(decision.command, str) else shlex.join(decision.command),
+            line_of(decision.command),
             "command",
         ),
         ("platforms", ", ".join(decision.platforms), "platforms"),
@@ -85,7 +86,7 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
         (f"{s.name} {s.repo or s.zip or ''} {_ref(s)}".strip() for s in decision.source),
         rows=True,
     )
-    command = decision.command if isinstance(decision.command, str) else shlex.join(decision.command)
+    command = line_of(decision.command)
     others = (said for c in decision.command_candidates if (said := shlex.join(c)) != command)
     lines += _section("other commands", others, rows=True)
     lines += _section("not built for", (f"{name}: {why}" for name, why in decision.platforms_refused), rows=True)

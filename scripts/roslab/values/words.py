@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterable
 
 BLANK = "\N{OPEN BOX}"
@@ -16,3 +17,8 @@ def joined(words: Iterable[str]) -> str:
 def written(word: str) -> str:
     """Return a word of such a text as the shell reads it."""
     return word.replace(BLANK, " ")
+
+
+def line_of(command: str | Iterable[str]) -> str:
+    """Return a command as a shell reads it: one for the shell as it is, words with the quotes that they need."""
+    return command if isinstance(command, str) else shlex.join(command)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Collection, Iterable, Iterator
 
 from roslab.config.model import BuildTool, Kind
@@ -21,6 +20,7 @@ from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.knowledge.code_limits import satisfies, version_of
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import dataclass
+from roslab.values.words import line_of
 
 _SKIP: dict[BuildTool, str] = {
     "colcon": "--packages-skip",
@@ -103,7 +103,7 @@ def decide_missing(
         if cloned and asked.namespace == "ros" and asked.name not in keyed and not resolve(asked, target).known
         if not _similar(plain(asked.name), names)
     ]
-    started = (command if isinstance(command, str) else shlex.join(command)).split()
+    started = line_of(command).split()
     left = skipped(evidence, packages) if build_tool == "colcon" else {}
     left = {name: place for name, place in left.items() if name not in started}
     out: dict[str, None] = dict.fromkeys(left)

@@ -10,22 +10,22 @@ from roslab.config.model import Source
 from roslab.decide.ros.source_names import itself_in, plain
 from roslab.decide.system.names import Target
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import CodeLimit, Evidence
 from roslab.knowledge.code_limits import fits
 from roslab.knowledge.libraries import library
 from roslab.knowledge.recipes import Bound, Recipe, recipe, releases
 
 
 def recipes_for(
-    evidence: Evidence, wanted: Iterable[tuple[str, Dependency]], ubuntu: str | None, folder_name: str
+    wanted: Iterable[tuple[str, Dependency]], ubuntu: str | None, limits: Iterable[CodeLimit], own: frozenset[str]
 ) -> tuple[tuple[Source, Dependency], ...]:
     """Return the sources of libraries, each once with what asked for it, in the order to build them.
 
-    The signs of versions in the code choose the release. What the repository itself needs stays, but not itself.
+    ``limits`` are the signs of versions in the code, which choose the release; ``own`` are names of the repository
+    itself, which is none of them, though what it needs is.
     """
-    own = own_names(evidence, folder_name)
     bounds: dict[str, tuple[Bound, ...]] = {}
-    for limit in evidence.limits:
+    for limit in limits:
         name = limit.library.lower()
         bounds[name] = (*bounds.get(name, ()), (limit.at_least, limit.below))
     found: dict[str, tuple[Source, Dependency]] = {}

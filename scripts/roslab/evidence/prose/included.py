@@ -17,7 +17,7 @@ _GIVEN = pattern(r"<arg\s+name\s?=\s?[\"']([\w-]{1,60})[\"']\s+value\s?=\s?[\"']
 
 
 def read(repository: Repository) -> tuple[Mention, ...]:
-    """Return each call as it would be typed: ``roslaunch demo a.launch eye:=left``.
+    """Return the package and the name of each file, and what it is given: ``demo a.launch eye:=left``.
 
     Arguments with substitutions are left out: their values are the reader's.
     """
@@ -29,7 +29,7 @@ def read(repository: Repository) -> tuple[Mention, ...]:
             found.append(
                 Mention(
                     topic="included",
-                    value=" ".join(("roslaunch", match[1], match[2], *given)),
+                    value=" ".join((match[1], match[2], *given)),
                     source="readme",
                     file=page.path,
                     line=text.count("\n", 0, match.start()) + 1,

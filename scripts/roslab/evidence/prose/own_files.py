@@ -10,6 +10,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.prose.started_in import script_in, started_in
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
+from roslab.values.words import joined, written
 
 
 def with_files(mention: Mention, repository: Repository) -> Mention:
@@ -22,7 +23,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
     for index, word in enumerate(words):
         if index == 0 and not word.endswith(".sh"):
             continue
-        path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", word)) if "/" in word or "." in word else ""
+        path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", written(word))) if "/" in word or "." in word else ""
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = _only(path, repository) or path
@@ -39,7 +40,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
         elif _of_package(word, repository):
             found.append(word)
     inside = script[2] if script else started_in(mention, words, repository) if mention.inside else ""
-    return replace(mention, value=" ".join(words), files=tuple(found), inside=inside)
+    return replace(mention, value=joined(words), files=tuple(found), inside=inside)
 
 
 def _of_package(word: str, repository: Repository) -> bool:

@@ -20,14 +20,14 @@ def apt_lists(name: str) -> str:
     return f"--mount=type=cache,id=apt-lists-{name}-${{TARGETARCH}},target={APT_LISTS},sharing=locked"
 
 
-def pip_downloads(plan: Plan) -> str:
-    """Return the mount of what pip has downloaded for each platform, ``""`` where it keeps nothing.
+def pip_downloads(plan: Plan) -> tuple[str, ...]:
+    """Return the mount of what pip has downloaded for each platform; none where it keeps nothing.
 
     Beside an answer pip may keep what it was asked with: nothing is kept of an index that asks for a password.
     """
     if plan.compatible or {NETRC, PIP_INDEX} & set(plan.secrets):
-        return ""
-    return f"--mount=type=cache,id=pip-{plan.name}-${{TARGETARCH}},target=/root/.cache/pip,sharing=locked"
+        return ()
+    return (f"--mount=type=cache,id=pip-{plan.name}-${{TARGETARCH}},target=/root/.cache/pip,sharing=locked",)
 
 
 def pip_option(plan: Plan) -> str:

@@ -44,9 +44,7 @@ NONE = Secrets()
 
 def for_pip(plan: Plan, user: User = "root") -> Secrets:
     """Return what pip needs: what it downloaded before, the private index, and logins for packages from git."""
-    downloads = caches.pip_downloads(plan)
-    mounted = (downloads,) if downloads else ()
-    return _of(plan, (PIP_INDEX, NETRC, SSH), user, first=before_pip(plan), mounted=mounted)
+    return _of(plan, (PIP_INDEX, NETRC, SSH), user, first=before_pip(plan), mounted=caches.pip_downloads(plan))
 
 
 def for_conda(plan: Plan) -> Secrets:

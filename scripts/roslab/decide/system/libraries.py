@@ -1,0 +1,43 @@
+"""The libraries that the image builds from their source: those of the table, and those that a page builds or names."""
+
+from __future__ import annotations
+
+from roslab.config.model import Config, Kind, Source
+from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.sources import Sources
+from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.by_hand import as_written, by_hand
+from roslab.decide.system.names import Target
+from roslab.decide.system.packages import SystemPackages
+from roslab.decide.system.recipes import of_another_release, own_names, recipes_for, too_old_here
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+from roslab.values.dataclass import replace
+
+
+def decide_libraries(
+    evidence: Evidence,
+    config: Config,
+    kind: Kind,
+    *,
+    target: Target,
+    packages: Packages,
+    sources: Sources,
+    system: SystemPackages,
+    folder_name: str,
+) -> tuple[tuple[Source, Dependency], ...]:
+    """Return the libraries in the order to build them, each with what asked for it; none is the repository itself."""
+    own = own_names(evidence, folder_name)
+    wanted = (
+        *sources.libraries,
+        *system.recipes,
+        *of_another_release(evidence, system.apt_guessed),
+        *too_old_here(evidence, system.apt, target),
+    )
+    tabled = as_written(recipes_for(wanted, target.ubuntu, evidence.limits, own), evidence)
+    submodules = (git.name for git in evidence.sources if git.kind == "submodule")
+    elsewhere = {plain(name) for name in (*submodules, *(source.name for source, _ in tabled))}
+    taken = sources.names | packages.names | own | elsewhere
+    depends = tuple(name for name in (*system.apt, *system.brought) if name.endswith("-dev"))
+    linked = by_hand(evidence, config, kind, target=target, packages=packages, taken=taken)
+    return (*tabled, *((replace(source, depends=depends), asked) for source, asked in linked))
