@@ -9,6 +9,7 @@ import hashlib
 import json
 import os
 import re
+import secrets
 import stat
 import sys
 from html.parser import HTMLParser
@@ -95,9 +96,8 @@ def write(root: Path, outside: Path) -> None:
     for name in ("file", "folder/kept", ".bashrc"):
         (outside / name).write_text(f"{name} of somebody else\n")
     root.mkdir(exist_ok=True)
-    says = "\n".join(
-        [*COMMANDS, *MARKUP, SHOUT, str(root), ""]
-    )  # of this tree alone, so that no build knows it already
+    # A number of this tree alone: a builder that knows the tree already would not run its Dockerfile again
+    says = "\n".join([*COMMANDS, *MARKUP, SHOUT, secrets.token_hex(8), ""])
     quoted = json.dumps(SHOUT)
     python = f"open({str(ran)!r}, 'a').write(__file__)\nraise SystemExit(1)\n"
     texts = {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import secrets
 from collections.abc import Callable
 from pathlib import Path
 from subprocess import CompletedProcess
@@ -32,6 +33,12 @@ MANIFEST = """\
 <build_depend>message_generation</build_depend><exec_depend>message_runtime</exec_depend>
 </package>
 """
+MAIN = """\
+// {number}
+#include <late/Level.h>
+#include <cstdio>
+int main() {{ std::puts("it waits"); }}
+"""
 
 
 def test_headers_of_messages_are_generated_first(
@@ -41,7 +48,8 @@ def test_headers_of_messages_are_generated_first(
         "msg/Level.msg": "float64 value\n",
         "CMakeLists.txt": CMAKE.format(wait=WAIT),
         "package.xml": MANIFEST,
-        "main.cpp": '#include <late/Level.h>\n#include <cstdio>\nint main() { std::puts("it waits"); }\n',
+        # A number of this tree alone: a builder that knows the tree already would not compile it again
+        "main.cpp": MAIN.format(number=secrets.token_hex(8)),
         "roslab.yaml": "format: 3\nkind: ros1\nbase: {ros: noetic}\ntest: rosrun late a_node\n",
     }
     folder = doors.write(tmp_path / "late", files)
