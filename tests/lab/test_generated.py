@@ -11,14 +11,14 @@ from lab import doors
 from lab.laboratory import Laboratory
 
 WAIT = 20
-"""Seconds before the first header is generated: the compiler needs it long before, on any machine."""
+"""Seconds before the first header is generated, once: the compiler needs it long before, on any machine."""
 CMAKE = """\
 cmake_minimum_required(VERSION 3.0)
 project(late)
 find_package(catkin REQUIRED COMPONENTS roscpp std_msgs message_generation)
 add_message_files(FILES Level.msg)
 generate_messages(DEPENDENCIES std_msgs)
-add_custom_target(a_slow_generator COMMAND sleep {wait})
+add_custom_target(a_slow_generator COMMAND mkdir waited && sleep {wait} || true)
 add_dependencies(${{PROJECT_NAME}}_generate_messages_cpp a_slow_generator)
 catkin_package()
 include_directories(${{CMAKE_CURRENT_BINARY_DIR}} ${{catkin_INCLUDE_DIRS}})
