@@ -375,6 +375,15 @@ def test_the_environment_that_the_readme_creates_wins_over_a_project(tmp_path: P
     assert found.projects == (".",)
 
 
+def test_an_environment_that_is_created_without_a_file_is_environment_yml(tmp_path: Path) -> None:
+    files = {
+        "environment.yml": "channels: [conda-forge]\ndependencies: [python=3.9, numpy]\n",
+        "setup.py": "from setuptools import setup\nsetup(name='a', install_requires=['numpy'])\n",
+        "README.md": "Create it with `conda env create`, or:\n```\nconda env create\nconda activate a\n```\n",
+    }
+    assert decide(tmp_path, files).conda_file == "environment.yml"
+
+
 def test_requirements_that_the_readme_installs_first_win_over_its_environment(tmp_path: Path) -> None:
     files = {
         "environment.yml": "dependencies: [python=3.9, numpy]\n",

@@ -117,7 +117,8 @@ def _argument(written: str, role: Role, file: str, line: int) -> Requirement:
 def _environment(command: Command, file: str) -> Iterator[Requirement]:
     """Yield the environment file of ``conda env create``; without ``--file`` it is environment.yml."""
     named = "environment.yml"
-    for word, following in zip(command.words[3:], (*command.words[4:], ""), strict=True):
+    words = command.words[3:]
+    for word, following in itertools.zip_longest(words, words[1:], fillvalue=""):
         flag, _, glued = word.partition("=")
         if flag in {"-f", "--file"}:
             named = glued or following
