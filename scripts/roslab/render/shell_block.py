@@ -10,6 +10,7 @@ from functools import cache
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
+from roslab.values.prompt import PROMPT
 
 SHELLS = frozenset({"bash", "sh", "shell", "zsh", "ksh", "shellscript", "commandline", "command", "cmdline"})
 SESSIONS = frozenset({"console", "terminal", "session", "shell-session", "shellsession", "bash-session", "sh-session"})
@@ -17,12 +18,6 @@ SESSIONS = frozenset({"console", "terminal", "session", "shell-session", "shells
 _OWN = {"roslab": "host", "docker_build.sh": "host", "docker_run.sh": "host"}
 """Commands of this project, which build and run the image."""
 _LANGUAGE = pattern(r"\{?\s*\.?([\w+#-]+)")
-_PROMPT = pattern(
-    r"\s*(?:\([\w.-]+\)\s*)?"  # (venv)
-    r"(?:[\w.-]+@[\w.-]+(?:[: ]\s*[~/][^\s$#%>]*)?\s?[$#%]"  # user@host:~/folder$
-    r"|\[[\w.-]+@[\w.-]+ [^\s\]]+\]\s?[$#]|[~/][\w./~-]*\$|\$)"  # [user@host folder]$ and ~/folder$
-    r"(?:\s+(?=\S)|\s*$)"
-)
 _ROOT = pattern(r"\s*#\s+(?=(\S+))")
 _FIRST = pattern(r"(?:^|&&|\|\||;|\|)\s*(?:(?:\w+=\S*|time|exec|nohup|env)\s+)*([^\s;&|]+)(?:\s+(\S+))?")
 _PROGRAM = pattern(r"\.{0,2}/\w|\w+=|[\w.-]+/[\w./-]+\.(?:py|sh)$")
@@ -52,8 +47,8 @@ def steps(info: str, content: str) -> tuple[Step, ...]:
         return ()
     content = _without_margin(content)
     lines = content.split("\n")
-    prompt = _PROMPT
-    if language in SESSIONS and not any(map(_PROMPT.match, lines)):
+    prompt = PROMPT
+    if language in SESSIONS and not any(map(PROMPT.match, lines)):
         prompt = _ROOT
     if any(_prompted(prompt, line) for line in lines):
         found = _transcript(lines, prompt)

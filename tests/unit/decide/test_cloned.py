@@ -35,6 +35,33 @@ def test_a_clone_that_pip_installs(tree: Tree, page: str, urls: list[str]) -> No
     assert [each.url for each in found.pip_guessed] == urls
 
 
+SAID = "- Clone https://github.com/lab/rsl_lib\n- `cd rsl_lib && git checkout v1.0.2 && pip install -e .`\n"
+URL = "git+https://github.com/lab/rsl_lib"
+
+
+@pytest.mark.parametrize(
+    ("page", "asked", "pip"),
+    [
+        (SAID, "rsl-lib", [f"rsl-lib @ {URL}@v1.0.2", "numpy"]),
+        (SAID.replace("https://github.com/lab/rsl_lib", "the library [rsl_lib](https://github.com/lab/rsl_lib)."),
+         "rsl_lib", [f"rsl_lib @ {URL}@v1.0.2", "numpy"]),
+        (f"`pip install rsl_lib@{URL}`\n", "rsl-lib[torch]", [f"rsl-lib[torch] @ {URL}", "numpy"]),
+        (f"`pip install {URL}`\n", "rsl-lib==2.0", []),
+        ("See https://github.com/lab/rsl_lib\n", "rsl-lib", []),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("declared", ["requirements.txt", "setup.py"])
+def test_a_declared_name_that_a_page_takes_from_git(
+    tree: Tree, page: str, asked: str, pip: list[str], declared: str
+) -> None:
+    files = {
+        "requirements.txt": f"{asked}\nnumpy\n",
+        "setup.py": f"from setuptools import setup\nsetup(name='demo', install_requires=['{asked}', 'numpy'])\n",
+    }
+    found = tree({"play.py": "import numpy\n", declared: files[declared], "README.md": f"## Install\n{page}"}).python
+    assert [each.text for each in found.pip] == pip
+
+
 @pytest.mark.parametrize(
     ("page", "folders"),
     [

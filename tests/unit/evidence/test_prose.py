@@ -230,7 +230,9 @@ def test_pipx_and_the_pages_on_compiling(tmp_path: Path) -> None:
     assert sorted(named(read(readme, tmp_path, pages), "pip")) == [("cmake", 2), ("thing==10.*", 2)]
 
 
-@pytest.mark.parametrize("prompt", ["robot", "me@host:~/catkin_ws", "me@host:~", "(venv) robot", "me@host"])
+@pytest.mark.parametrize(
+    "prompt", ["robot", "me@host:~/catkin_ws", "me@host:~", "(venv) robot", "me@host", "(venv)[robot]", "[me@host ws]"]
+)
 def test_what_a_shell_prints_before_a_command_is_none_of_it(tmp_path: Path, prompt: str) -> None:
     page = f"`{prompt}$ python -m plan.run`\n\n```\n{prompt}$ roslaunch robot go.launch\n```\n"
     prose = read(readme, tmp_path, {"README.md": page})

@@ -64,7 +64,17 @@ def test_a_block_without_a_language_that_is_something_else(content: str) -> None
 
 @pytest.mark.parametrize(
     "prompt",
-    ["$ ", "  $ ", "user@host:~/ws$ ", "root@0a1b2c:/# ", "(venv) $ ", "(base) me@pc:~$ ", "[me@pc ws]$ ", "~/ws$ "],
+    [
+        "$ ",
+        "  $ ",
+        "user@host:~/ws$ ",
+        "root@0a1b2c:/# ",
+        "(venv) $ ",
+        "(base) me@pc:~$ ",
+        "[me@pc ws]$ ",
+        "(base)[ws]$ ",
+        "~/ws$ ",
+    ],
 )
 @pytest.mark.parametrize("info", ["", "bash", "console"])
 def test_prompts_are_stripped(info: str, prompt: str) -> None:

@@ -1,18 +1,23 @@
-"""Requirements that pip would refuse: what is installed instead, and how the rest is installed."""
+"""Requirements that pip would refuse or a page takes from git: what is installed instead, and how the rest is."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from types import MappingProxyType
 
 from roslab.decide.decision import Warning_
 from roslab.decide.python.manifests import with_includes
+from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.python.pythons import ANY
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.not_on_index import NotOnIndex, not_on_index
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.name import canonicalize_name
-from roslab.values.requirement import FREE, Requirement
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+
+NOTHING: Mapping[str, Requirement] = MappingProxyType({})
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -36,14 +41,36 @@ def refused(asked: Requirement) -> NotOnIndex | None:
     return None if asked.specifier and same else row
 
 
-def right(requirements: Iterable[Requirement]) -> Iterator[Requirement]:
-    """Yield what pip can install, with wrong names corrected."""
+def right(requirements: Iterable[Requirement], of_pages: Mapping[str, Requirement] = NOTHING) -> Iterator[Requirement]:
+    """Yield what pip can install, with wrong names corrected and with what pages take from git, by name."""
     for asked in requirements:
         row = refused(asked)
-        if row is None:
+        if _from_page(asked, of_pages):
+            page = of_pages[asked.key]
+            extras = f"[{','.join(asked.extras)}]" if asked.extras else ""
+            written = f"{asked.name}{extras} @ {page.url}"
+            yield replace(page, name=asked.name, written=written, extras=asked.extras, marker=asked.marker)
+        elif row is None:
             yield asked
         elif row.instead:
-            yield replace(asked, name=row.instead, written=row.instead, specifier=FREE)
+            yield replace(
+                stated(row.instead, asked.origin, asked.file, asked.line), marker=asked.marker, role=asked.role
+            )
+
+
+def of_pages(evidence: Evidence, own: Collection[str]) -> dict[str, Requirement]:
+    """Return by name what pages have pip take from git, without the names in the tree, which are its ``own``."""
+    found: dict[str, Requirement] = {}
+    for asked in evidence.prose_pip:
+        aside = asked.file.count("/") > 1 or DEVELOPMENT.search(asked.file)
+        if asked.name and asked.vcs and asked.role in {"", "editable"} and asked.key not in own and not aside:
+            found.setdefault(asked.key, asked)
+    return found
+
+
+def _from_page(asked: Requirement, of_pages: Mapping[str, Requirement]) -> bool:
+    """Tell whether a page's address stands for a declared name: one without a version, or that pip cannot find."""
+    return asked.key in of_pages and not asked.url and (not asked.specifier or refused(asked) is not None)
 
 
 def repair(
@@ -51,10 +78,12 @@ def repair(
 ) -> Repaired:
     """Return how to install what is declared if pip would refuse some of its lines; ``own`` are names in the tree.
 
+    What a page has pip take from git comes from there, too: the index may have another package of that name, or none.
     So it does with a folder (``-e .``): files are installed before the source is there, and pip looks for a folder
     from where it is started (https://pip.pypa.io/en/stable/reference/requirements-file-format/, read 2026-11-23).
     """
     names = set(own)
+    pages = of_pages(evidence, names)
     kept: list[Requirement] = []
     broken: set[str] = set()
     alone: list[str] = []
@@ -62,20 +91,22 @@ def repair(
     for file in files:
         found = [asked for each in with_includes(evidence, [file]) for asked in each.requirements]
         spelled = [asked for asked in found if asked.role == "repaired"]
-        missing = [asked for asked in found if refused(asked)]
-        if not (spelled or missing or any(asked.role == "project" for asked in found)):
+        taken = [asked for asked in found if _from_page(asked, pages)]
+        missing = [asked for asked in found if refused(asked) and asked not in taken]
+        if not (spelled or taken or missing or any(asked.role == "project" for asked in found)):
             continue
         broken.add(file.file)
-        kept += _kept((asked for asked in found if asked.role != "project"), names)
+        kept += _kept((asked for asked in found if asked.role != "project"), names, pages)
         text = f"pip would refuse this line; the packages of {file.file} are installed one by one"
         warnings += [warn(text, asked) for asked in spelled[:1]]
         warnings += [_warning(asked) for asked in missing if asked.key not in names]
     for project in projects:
         found = [asked for asked in project.requirements if asked.role in {"", "source", "member"}]
-        missing = [asked for asked in found if refused(asked) and asked.key not in names]
-        if missing or any(asked.role for asked in found):  # or pip would look for it in the wrong place
+        taken = [asked for asked in found if _from_page(asked, pages)]
+        missing = [asked for asked in found if refused(asked) and asked.key not in names and asked not in taken]
+        if taken or missing or any(asked.role for asked in found):  # or pip would look for it in the wrong place
             alone.append(project.folder or ".")
-            kept += _kept(found, names)
+            kept += _kept(found, names, pages)
             warnings += [_warning(asked) for asked in missing]
     return Repaired(
         requirements=tuple(kept),
@@ -92,9 +123,9 @@ def untold(guessed: Iterable[Requirement], brought: Collection[str]) -> Iterator
             yield _warning(asked)
 
 
-def _kept(found: Iterable[Requirement], own: set[str]) -> list[Requirement]:
+def _kept(found: Iterable[Requirement], own: set[str], pages: Mapping[str, Requirement]) -> list[Requirement]:
     """Return the requirements without those for packages of the tree itself."""
-    return [asked for asked in right(found) if asked.key not in own]
+    return [asked for asked in right(found, pages) if asked.key not in own]
 
 
 def _warning(asked: Requirement) -> Warning_:

@@ -24,6 +24,7 @@ from roslab.evidence.prose.shells import opens_a_shell
 from roslab.evidence.prose.telling import telling
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
+from roslab.values.prompt import PROMPT
 from roslab.values.words import joined
 
 MAX_SIZE = 256 * 1024
@@ -42,10 +43,6 @@ _START = pattern(
     r"rosrun|catkin|catkin_make|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|accelerate|torchpack|horovodrun|jupyter(?:-notebook|-lab)?|(?:ba)?sh|mkdir|cd|"
     r"wget|curl|dpkg|docker|add-apt-repository)\s.*|catkin_make|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
 )
-_PROMPT = pattern(
-    r"^\s{0,40}(?:\([\w.-]{1,40}\)\s?)?(?!\d)[\w.-]{1,40}(?:@[\w.-]{1,40})?(?::?[~/][\w./~-]{0,80})?\$\s(?=\S)"
-)
-"""What a shell prints before a command: ``user@host:~/ws$ ``, ``robot$ ``, ``(venv) robot$ ``."""
 _NAMED = pattern(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
 """A sentence that runs a program by its name."""
 _GO_INTO = pattern(
@@ -54,6 +51,12 @@ _GO_INTO = pattern(
     re.IGNORECASE,
 )
 """A sentence that goes into a folder of the tree before a block of commands."""
+_CLONED = pattern(
+    r"\bclone\b(?:\s+(?:the|from|repo|repository|package|library|official)){0,4}[\s:]+(?:\[[^\]\n]{1,80}\]\()?<?"
+    r"(https://(?:github|gitlab)\.com/[\w-]+/[\w.-]*\w)(?=[\s)>.,;]|$)(?![^`]*`)",
+    re.IGNORECASE,
+)
+"""A sentence that has the reader clone a repository by its address."""
 MAX_LINKS = 100
 MAX_DEPTH = 3
 """Of a page whose links count: that of a package may name the library that it alone needs."""
@@ -228,23 +231,34 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
 def _tells(line: str, *, fenced: bool) -> bool:
     """Tell whether a line may hold a command."""
     said = _IN_SENTENCES if not fenced and "`" in line else ()
-    return telling(line) or any(sign in line and each.search(line) for each, sign in said)
+    return (
+        telling(line)
+        or (not fenced and "://" in line and _CLONED.search(line) is not None)
+        or any(sign in line and each.search(line) for each, sign in said)
+    )
 
 
 def _shell(line: str, *, fenced: bool) -> Iterator[str]:
-    line = _PROMPT.sub("", line)
+    line = _typed(line)
     if match := _START.match(line.replace("\\\n", "\\\x01")):
         shell = re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n")
         yield shell if fenced else shell.replace("`", "")  # in a block they are the shell's, not Markdown's
     elif fenced:
         yield line
     else:
-        spans = (_PROMPT.sub("", span[2]) for span in _SPAN.finditer(line))
+        spans = (_typed(span[2]) for span in _SPAN.finditer(line))
         yield from (_alone(span) for span in spans if telling(span) and " " in span)
         yield from (said[0] for said in (_SAID_LAUNCH.finditer(line) if "launch " in line else ()))
+        yield from (f"git clone {named[1]}" for named in (_CLONED.finditer(line) if "://" in line else ()))
         yield from (f"cd {named[1]}" for named in _GO_INTO.finditer(line))
         yield from (f"./{named[1]}" for named in _NAMED.finditer(line))
         yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
+
+
+def _typed(line: str) -> str:
+    """Return what follows a shell's prompt, else the line."""
+    match = PROMPT.match(line)
+    return line[match.end() :] if match else line
 
 
 def _alone(span: str) -> str:

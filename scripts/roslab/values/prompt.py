@@ -1,0 +1,16 @@
+"""What a shell prints before a command that a page shows."""
+
+from __future__ import annotations
+
+from roslab.values.pattern import pattern
+
+PROMPT = pattern(
+    r"\s{0,40}(?:\([\w.-]{1,40}\)\s?)?"  # (venv)
+    r"(?:[\w.-]{1,40}@[\w.-]{1,40}(?:[: ]\s*[~/][^\s$#%>]*)?\s?[$#%]"  # user@host:~/folder$
+    r"|\[[\w.-]{1,40}@[\w.-]{1,40} [^\s\]]{1,80}\]\s?[$#]"  # [user@host folder]$
+    r"|\[[\w./~-]{1,80}\]\s?\$"  # [folder]$
+    r"|(?!\d)[\w.-]{1,40}(?::?[~/][\w./~-]{0,80})?\$(?=\s)"  # robot$
+    r"|[~/][\w./~-]{0,80}\$|\$)"  # ~/folder$
+    r"(?:\s+(?=\S)|\s*$)"
+)
+"""To be matched at the start of a line; what follows the match is the command."""
