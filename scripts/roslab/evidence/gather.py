@@ -68,7 +68,7 @@ def gather(repository: Repository) -> Evidence:
         makefiles=makefiles.read(own),
         python=python_projects,
         requirements=submodules.named(requirements.read(repository), own, prose.requirements),
-        conda=(*conda.read(own), *pixi.read(own)),
+        conda=(*conda.read(own, prose.requirements), *pixi.read(own)),
         dockerfiles=author_dockerfile.read(own),
         launch=launch.read(repository),
         programs=imports.programs(repository),

@@ -20,6 +20,7 @@ RequirementOrigin = Literal["manifest", "conda", "prose", "import", "build", "co
 build, roslab.yaml, or a table of the program's own."""
 Role = Literal[
     "environment",
+    "channel",
     "",
     "editable",
     "repaired",
@@ -40,7 +41,7 @@ its author spells it; ``member``, ``source``: uv has it in the same tree, or fro
 conda's own packages. ``project``, ``file``, ``environment`` and ``option`` name no package: a path to install, a
 requirements file, a conda environment's file, an option of pip's. ``listed``: a page names it, and no command
 installs it."""
-_NO_PACKAGE = frozenset({"project", "file", "option", "environment"})
+_NO_PACKAGE = frozenset({"project", "file", "option", "environment", "channel"})
 _EXACT = frozenset({"==", "===", "~="})
 _UPPER = frozenset({"<", "<="})
 

@@ -13,6 +13,7 @@ from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.conda_alone import conda_alone
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
+from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.lost import lost
 from roslab.decide.python.manifests import beside, with_includes
 from roslab.decide.python.own import OwnPython, manager_of, of_ubuntu, outvoted
@@ -137,6 +138,7 @@ def decide_python(
             *lists.warnings,
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
             *lost(evidence, kind, chosen),
+            *ignored_environments(evidence, kind, chosen),
         ),
     )
 

@@ -10,22 +10,18 @@ from roslab.config.model import Config, Kind
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence, PythonProject, RequirementFile
-from roslab.knowledge.tools import PIXI
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
-_VARIANT = pattern(
+VARIANT = pattern(
     r"(?:^|[-_.])(?:frozen|freeze|lock|locked|full|all|extra|extras|optional|mac|macos|osx|darwin|windows|win|"
     r"cpu|gpu|cuda|rocm|tpu|jetson|arm|colab|"
     r"notebooks?|examples?|demo|eval|train|py2|python2|py27|min|minimum|old|backup|hpc|cluster|benchmark|ros|"
     r"real|robot|server|web|app|viz|vis)(?:[-_.\d]|$)",
     re.IGNORECASE,
 )
-_PAGE = pattern(r"^(?:docs?/|\.github/)?(?:readme|install(?:ation)?)\b[^/]*$", re.IGNORECASE)
-"""The pages whose lines tell how the project is installed."""
-_ELSEWHERE = pattern(r"(?:^|[-_./])(?:mac|macos|osx|darwin|windows|win(?:32|64)?|m1|arm)(?:[-_.]|$)", re.IGNORECASE)
-"""An environment of another system."""
+"""A file for one use of several, or of one machine."""
 MAX_PROJECTS = 6
 
 
@@ -33,71 +29,11 @@ def for_reference(evidence: Evidence) -> frozenset[str]:
     """Return the lists that a page names as a reference only, while it installs packages by lines of its own."""
     asked = [each for each in evidence.prose_pip if each.role in {"environment", "file"}]
     named = {m.value for m in evidence.mentions if m.topic == "reference" and _installs(evidence, m.file)}
-    return frozenset(named - {_resolve(each, named) for each in asked})
+    return frozenset(named - {resolve(each, named) for each in asked})
 
 
 def _installs(evidence: Evidence, page: str) -> bool:
     return any(each.file == page and each.name and not each.role for each in evidence.prose_pip)
-
-
-def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
-    """Return the project's environment file: the plainest name, nearest to the root.
-
-    A requirements.txt or an installable project with requirements beside it is preferred: more people can use it.
-    """
-    if config.conda:
-        return config.conda
-    if kind in {"ros1", "ros2", "cpp"}:
-        return None
-    shown = for_reference(evidence)
-    own = [
-        environment
-        for environment in evidence.conda
-        if not places.vendored(environment.file) and environment.file.count("/") <= 1 and environment.file not in shown
-    ]
-    if not own:
-        return None
-    best = min(
-        own,
-        key=lambda e: (
-            bool(e.specs),
-            bool(_ELSEWHERE.search(e.file)),
-            e.file.count("/"),
-            bool(_VARIANT.search(e.file.rpartition(".")[0])),
-            len(e.file),
-            e.file,
-        ),
-    )
-    if said := _environment_of_readme(evidence, own):
-        return said
-    folder = best.file.rpartition("/")[0]
-    beside = any(
-        file.purpose == "run"
-        and file.file.rpartition("/")[0] in {"", folder}
-        and not _VARIANT.search(file.file.rpartition(".")[0])
-        for file in evidence.requirements
-    )
-    declared = any(
-        p.installable and not p.folder and any(not asked.role for asked in p.requirements) for p in evidence.python
-    )
-    return None if beside or declared else best.file
-
-
-def _environment_of_readme(evidence: Evidence, known: Sequence[CondaEnvironment]) -> str | None:
-    """Return the environment that the README creates, unless the same page first installs in another way."""
-    first: dict[str, Requirement] = {}
-    for asked in evidence.prose_pip:
-        if asked.role in {"environment", "file", "project"} and _PAGE.search(asked.file):
-            known_one = first.setdefault(asked.file, asked)
-            if asked.line < known_one.line:
-                first[asked.file] = asked
-    chosen = (first[page] for page in sorted(first, key=lambda page: (page.count("/"), page)))
-    said = next(chosen, None)
-    if said is None or said.role != "environment":
-        return None
-    if said.written == PIXI:  # or pyproject.toml
-        return next((each.file for each in known if each.specs), None)
-    return _resolve(said, [each.file for each in known])
 
 
 def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str | None) -> tuple[RequirementFile, ...]:
@@ -119,16 +55,16 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
         )
     chosen: dict[str, RequirementFile] = {}
     for asked in _prose(evidence):
-        if asked.role == "file" and (path := _resolve(asked, run)):
+        if asked.role in {"file", "environment"} and (path := resolve(asked, run)):
             chosen[path] = run[path]
     root = [file for path, file in run.items() if "/" not in path or re.match(r"^requirements?/[^/]+$", path)]
-    plain = [file for file in root if not _VARIANT.search(file.file.rpartition(".")[0])]
+    plain = [file for file in root if not VARIANT.search(file.file.rpartition(".")[0])]
     standard = [file for file in plain if re.search(r"(?:^|/)requirements?\.(?:txt|in)$", file.file)]
     for file in standard or plain[:3] or ([] if chosen else root[:1]):
         chosen.setdefault(file.file, file)
     if not chosen or kind in {"ros1", "ros2"}:
         nested = [
-            file for path, file in run.items() if not _VARIANT.search(path.rpartition(".")[0]) and path.count("/") <= 3
+            file for path, file in run.items() if not VARIANT.search(path.rpartition(".")[0]) and path.count("/") <= 3
         ]
         depth = min((file.file.count("/") for file in nested), default=0)
         for file in nested if kind in {"ros1", "ros2"} else [f for f in nested if f.file.count("/") == depth][:4]:
@@ -149,7 +85,7 @@ def _prose(evidence: Evidence) -> Iterator[Requirement]:
             yield from authored.requirements
 
 
-def _resolve(asked: Requirement, known: Iterable[str]) -> str | None:
+def resolve(asked: Requirement, known: Iterable[str]) -> str | None:
     """Return the path in the tree that an argument means: from the root, from its own folder, or by a unique suffix."""
     name = asked.written.partition("[")[0].strip("\"'")
     folder = asked.file.rpartition("/")[0]
@@ -182,7 +118,7 @@ def projects(
     for asked in (*_prose(evidence), *listed):
         if asked.role != "project" or asked.written in {".", "./"}:
             continue
-        folder = _resolve(asked, {folder for folder in usable if folder})
+        folder = resolve(asked, {folder for folder in usable if folder})
         if folder and folder not in manifests:
             chosen.setdefault(folder, usable[folder])
     if not chosen and kind != "cpp":

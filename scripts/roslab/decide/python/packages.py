@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.config.model import Config, Kind
+from roslab.decide.python.conda_environments import conda_file
 from roslab.decide.python.extras import extras
 from roslab.decide.python.guesses import guesses, known_names, loose_names
-from roslab.decide.python.manifests import conda_file, projects, requirement_files
+from roslab.decide.python.manifests import projects, requirement_files
 from roslab.decide.python.pins import DEVELOPMENT, Pin
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.values.dataclass import dataclass, replace

@@ -23,7 +23,7 @@ _TELLING = tuple(
         ("jupyter", r"\bjupyter[ -](?:notebook|lab)\s"),
         ("cd", r"\bcd\s"),
         ("conda", r"\bconda\b"),
-        ("mamba", r"\bmamba\b"),
+        ("mamba", r"\b(?:micro)?mamba\b"),
         ("python", r"\bpython[\d.]*\s+\S"),
         ("cmake", r"\bcmake\b"),
         ("/archive/", "/archive/"),

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from roslab.evidence.facts import CondaEnvironment
 from roslab.evidence.lex.yaml import load
+from roslab.evidence.python import conda_list
 from roslab.repository.checkout import File, Repository
 from roslab.values.conda import conda_package
 from roslab.values.pattern import pattern
@@ -23,11 +25,31 @@ _FOLDER = pattern(r"(?:(?:-e|--editable)\s+)?((?:\.{1,2}|[\w.-]+/)(?:[\w.-]+/?)*
 MAX_SIZE = 256 * 1024
 
 
-def read(repository: Repository) -> tuple[CondaEnvironment, ...]:
-    """Return every conda environment file of the tree, sorted by path."""
-    candidates = [file for file in repository.suffixed(".yml", ".yaml") if _NAME.match(file.name.lower())]
-    found = (_environment(repository, file) for file in sorted(candidates, key=lambda file: file.path))
+def read(repository: Repository, asked: Iterable[Requirement] = ()) -> tuple[CondaEnvironment, ...]:
+    """Return every conda environment of the tree, sorted by path: files of its usual names, and those that are asked.
+
+    ``asked`` is what pages ask for: a file of any name that one gives conda is an environment.
+    """
+    asked = tuple(asked)
+    given = {each.written.rpartition("/")[2]: each for each in asked if each.role == "environment"}
+    files = repository.suffixed(".yml", ".yaml", ".txt") if given else repository.suffixed(".yml", ".yaml")
+    found: list[CondaEnvironment | None] = []
+    for file in sorted(files, key=lambda file: file.path):
+        said = given.get(file.name)
+        if file.name.endswith(".txt"):
+            found.append(_list(repository, file, said, asked) if said else None)
+        elif said or _NAME.match(file.name.lower()):
+            found.append(_environment(repository, file))
     return tuple(environment for environment in found if environment)
+
+
+def _list(
+    repository: Repository, file: File, said: Requirement, asked: Iterable[Requirement]
+) -> CondaEnvironment | None:
+    """Read a list of packages, with the channels of the command that names it."""
+    place = (said.file, said.line)
+    channels = [each.written for each in asked if each.role == "channel" and (each.file, each.line) == place]
+    return conda_list.parse(repository.read(file, limit=MAX_SIZE), file.path, channels)
 
 
 def _environment(repository: Repository, file: File) -> CondaEnvironment | None:

@@ -114,28 +114,40 @@ def _argument(written: str, role: Role, file: str, line: int) -> Requirement:
     return Requirement(name="", written=written, origin="prose", role=role, file=file, line=line)
 
 
-def _environment(command: Command, file: str) -> Iterator[Requirement]:
-    """Yield the environment file of ``conda env create``; without ``--file`` it is environment.yml."""
-    named = "environment.yml"
-    words = command.words[3:]
-    for word, following in itertools.zip_longest(words, words[1:], fillvalue=""):
+def _environment(command: Command, file: str, default: str) -> Iterator[Requirement]:
+    """Yield the file that ``--file`` names, else the default if there is one, and the channels beside it."""
+    named, channels = default, []
+    for word, following in itertools.pairwise((*command.words[2:], "")):
         flag, _, glued = word.partition("=")
         if flag in {"-f", "--file"}:
             named = glued or following
+        elif flag in {"-c", "--channel"}:
+            channels.append(glued or following)
     if named and UNKNOWN not in named:
         yield _argument(named, "environment", file, command.line)
+        yield from (_argument(channel, "channel", file, command.line) for channel in channels)
 
 
 def conda_asks(command: Command, file: str) -> Iterator[Requirement | Version]:
-    """Yield what ``conda install`` or ``conda create`` is given, and the file of ``conda env create``."""
+    """Yield what ``conda install`` or ``conda create`` is given, and the file that makes the environment.
+
+    ``conda env create`` without ``--file`` means environment.yml; ``create`` alone takes a file as well.
+    """
     words = command.words
     if words[1:2] == ("env",) and {"create", "update"} & set(words[2:3]):
-        yield from _environment(command, file)
+        yield from _environment(command, file, "environment.yml")
         return
-    if not {"install", "create"} & set(words[1:3]):
+    if not {"install", "create", "update"} & set(words[1:3]):
         return
+    yield from _environment(command, file, "")
+    if words[1] != "update":
+        yield from _packages(command, file)
+
+
+def _packages(command: Command, file: str) -> Iterator[Requirement | Version]:
+    """Yield the packages that ``conda install`` or ``conda create`` is given."""
     skip = False
-    for word, line in zip(words[2:], command.lines[2:], strict=True):
+    for word, line in zip(command.words[2:], command.lines[2:], strict=True):
         if skip or word.startswith("-") or UNKNOWN in word:
             skip = not skip and word in _CONDA_VALUED
             continue

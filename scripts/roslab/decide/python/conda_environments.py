@@ -1,0 +1,90 @@
+"""Which conda environment of the tree is made."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from roslab.config.model import Config, Kind
+from roslab.decide.python.manifests import VARIANT, for_reference, resolve
+from roslab.evidence import places
+from roslab.evidence.facts import CondaEnvironment, Evidence
+from roslab.knowledge.tools import PIXI
+from roslab.values.pattern import pattern
+from roslab.values.requirement import Requirement
+
+_PAGE = pattern(r"^(?:docs?/|\.github/)?(?:readme|install(?:ation)?)\b[^/]*$", re.IGNORECASE)
+"""The pages whose lines tell how the project is installed."""
+OF_OTHER_SYSTEM = pattern(
+    r"(?:^|[-_./])(?:mac|macos|osx|darwin|windows|win(?:32|64)?|m1|arm)(?:[-_.]|$)", re.IGNORECASE
+)
+"""An environment of another system."""
+_LIST = ".txt"
+"""How a list of conda's packages ends, which is no environment unless a page says so."""
+
+
+def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
+    """Return the project's environment file: the plainest name, nearest to the root.
+
+    A requirements.txt or an installable project with requirements beside it is preferred: more people can use it.
+    """
+    if config.conda:
+        return config.conda
+    if kind in {"ros1", "ros2", "cpp"}:
+        return None
+    shown = for_reference(evidence)
+    known = [each for each in evidence.conda if not places.vendored(each.file) and each.file not in shown]
+    if said := _environment_of_readme(evidence, known):
+        return said
+    own = [each for each in known if each.file.count("/") <= 1 and not each.file.endswith(_LIST)]
+    if not own:
+        return None
+    best = min(
+        own,
+        key=lambda e: (
+            bool(e.specs),
+            bool(OF_OTHER_SYSTEM.search(e.file)),
+            e.file.count("/"),
+            bool(VARIANT.search(e.file.rpartition(".")[0])),
+            len(e.file),
+            e.file,
+        ),
+    )
+    folder = best.file.rpartition("/")[0]
+    beside = any(
+        file.purpose == "run"
+        and file.file.rpartition("/")[0] in {"", folder}
+        and not VARIANT.search(file.file.rpartition(".")[0])
+        for file in evidence.requirements
+    )
+    declared = any(
+        p.installable and not p.folder and any(not asked.role for asked in p.requirements) for p in evidence.python
+    )
+    return None if beside or declared else best.file
+
+
+def _environment_of_readme(evidence: Evidence, known: Sequence[CondaEnvironment]) -> str | None:
+    """Return the environment that the README creates, unless the same page first installs in another way."""
+    first: dict[str, Requirement] = {}
+    files = [each.file for each in known]
+    for asked in evidence.prose_pip:
+        if asked.role in {"environment", "file", "project"} and _PAGE.search(asked.file):
+            if asked.role == "environment" and not _creates(evidence, asked, files):
+                continue
+            known_one = first.setdefault(asked.file, asked)
+            if asked.line < known_one.line:
+                first[asked.file] = asked
+    chosen = (first[page] for page in sorted(first, key=lambda page: (page.count("/"), page)))
+    said = next(chosen, None)
+    if said is None or said.role != "environment":
+        return None
+    if said.written == PIXI:  # or pyproject.toml
+        return next((each.file for each in known if each.specs), None)
+    return resolve(said, files)
+
+
+def _creates(evidence: Evidence, asked: Requirement, files: Sequence[str]) -> bool:
+    """Tell whether a file that a page gives conda counts: it is there, and not for another system."""
+    listed = {each.file for each in evidence.requirements}  # conda reads a list of pip's as well
+    there = asked.written == PIXI or resolve(asked, files) or resolve(asked, listed)
+    return bool(there) and not OF_OTHER_SYSTEM.search(asked.written)

@@ -1,0 +1,92 @@
+"""Conda environments of any name, and what is told of those that are not made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+FILE = "name: a\ndependencies:\n  - python=3.7\n  - pytorch=1.7\n  - pip:\n    - einops==0.3.0\n"
+LIST = "# platform: linux-64\n_libgcc_mutex=0.1=main\npython=3.7.9=h7579374_0\nnumpy=1.19.2=py37h54aff64_0\n"
+CODE = {"train.py": "import torch\n"}
+
+
+def _page(command: str) -> str:
+    return f"# Installation\n```\n{command}\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("command", "path"),
+    [
+        ("conda env create -f requirement.yml", "requirement.yml"),
+        ("mamba env update --file docker/conda/gpu.yaml", "docker/conda/gpu.yaml"),
+        ("micromamba create -f lab.yml", "lab.yml"),
+        ("conda env create --file=./lab.yml", "lab.yml"),
+    ],
+)
+def test_a_file_of_any_name_that_a_page_gives_conda_is_the_environment(tree: Tree, command: str, path: str) -> None:
+    python = tree({**CODE, path: FILE, "README.md": _page(command)}).python
+    assert (python.conda_file, python.version, python.manager) == (path, "3.7", "conda")
+
+
+def test_a_file_of_such_a_name_is_no_environment_unless_a_page_says_so(tree: Tree) -> None:
+    assert tree({**CODE, "lab.yml": FILE, "README.md": "# Lab\n"}).python.conda_file is None
+
+
+def test_a_list_of_conda_s_packages_is_the_environment_with_the_channels_of_the_page(tree: Tree) -> None:
+    page = _page("conda create --name a --file spec.txt -c conda-forge")
+    python = tree({**CODE, "spec.txt": f"{LIST}einops=0.3.0=pypi_0\n", "README.md": page}).python
+    assert (python.conda_file, python.version, python.conda_channels) == ("spec.txt", "3.7", ("conda-forge",))
+    assert python.conda_specs == ("_libgcc_mutex=0.1=main", "python=3.7.9=h7579374_0", "numpy=1.19.2=py37h54aff64_0")
+    assert [each.text for each in python.pip] == ["einops==0.3.0"]
+
+
+def test_a_list_of_files_is_installed_as_it_stands(tmp_path: Path) -> None:
+    url = "https://conda.anaconda.org/conda-forge/linux-64/python-3.8.5-h1103e12_9_cpython.tar.bz2"
+    files = {
+        **CODE,
+        "spec-file.txt": f"@EXPLICIT\n{url}\n",
+        "README.md": _page("conda create -n a --file spec-file.txt"),
+    }
+    for path, text in files.items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    plan = plan_repository(tmp_path).plan
+    assert (plan.python.version, plan.python.conda_file) == ("3.8", "spec-file.txt")
+    assert "--prefix /opt/conda --file /tmp/manifests/spec-file.txt" in dockerfile(plan)
+
+
+@pytest.mark.parametrize(
+    "command", ["conda install --file requirements.txt", "conda create -n a --file requirements.txt"]
+)
+def test_a_list_that_pip_reads_as_well_stays_pip_s(tree: Tree, command: str) -> None:
+    python = tree({**CODE, "requirements.txt": "torch==1.7.1\nscipy\n", "README.md": _page(command)}).python
+    assert (python.conda_file, python.requirements) == (None, ("requirements.txt",))
+
+
+@pytest.mark.parametrize(
+    ("files", "why"),
+    [
+        ({"requirements.txt": "torch==1.7.1\n"}, "requirements.txt is installed in its place"),
+        ({"other.yml": FILE, "README.md": _page("conda env create -f other.yml\nconda env update -f environment.yml")},
+         "an image has one environment, here that of other.yml"),
+        ({"package.xml": "<package format='2'><name>a</name></package>", "CMakeLists.txt": "find_package(catkin)\n"},
+         "what is compiled here is for the Python of the Ubuntu"),
+    ],
+)  # fmt: skip
+def test_an_environment_that_is_not_made_is_told_with_the_reason(tree: Tree, files: dict[str, str], why: str) -> None:
+    told = [each for each in tree({**CODE, "environment.yml": FILE, **files}).warnings if "is not made" in each.message]
+    assert [(each.file, each.line) for each in told] == [("environment.yml", 1)]
+    assert told[0].message == f"environment.yml is not made: {why}; `conda: environment.yml` in roslab.yaml makes it"
+
+
+def test_an_environment_for_another_system_is_neither_taken_nor_told(tree: Tree) -> None:
+    page = _page("conda env create -f environment_mac.yml\nconda env create -f environment_linux.yml")
+    decision = tree({**CODE, "environment_mac.yml": FILE, "environment_linux.yml": FILE, "README.md": page})
+    assert decision.python.conda_file == "environment_linux.yml"
+    assert not any("is not made" in each.message for each in decision.warnings)
