@@ -657,6 +657,23 @@ def test_a_script_that_opens_a_shell_is_not_what_is_run(tree: Tree, last: str, c
 
 
 @pytest.mark.parametrize(
+    ("line", "command"),
+    [
+        ('RUN="docker run -it demo:latest"\n$RUN', "roslaunch demo map.launch"),
+        ("cd .. && true\n  sudo docker build -t demo .", "roslaunch demo map.launch"),
+        ("docker compose --file all.yml up", "roslaunch demo map.launch"),
+        ("exec nvidia-docker run demo", "roslaunch demo map.launch"),
+        ("# docker run demo starts it in a container\nroslaunch demo map.launch", "bash start.sh"),
+        ("echo 'then docker run demo'\nroslaunch demo map.launch", "bash start.sh"),
+    ],
+)
+def test_a_script_that_starts_a_container_is_not_what_is_run(tree: Tree, line: str, command: str) -> None:
+    page = "# Run\n`./start.sh --fast`\n## Then\n```\nroslaunch demo map.launch\n```\n"
+    found = tree({**ROS1, "start.sh": f"#!/bin/bash\n{line}\n", "README.md": page}).command
+    assert " ".join(found).removesuffix(" --fast") == command
+
+
+@pytest.mark.parametrize(
     ("title", "launched"),
     [
         ("3. Start the demo simulation to test your setup", "world"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from roslab.plan.plan import make_plan
 from roslab.repository.checkout import Repository
 from roslab.values.origin import Place
 
+Tree = Callable[[dict[str, str]], Decision]
 CATKIN = (
     "<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend>"
     "<build_depend>roscpp</build_depend></package>"
@@ -649,3 +651,11 @@ def test_the_channel_of_conda_s_packages_names_the_distribution(tmp_path: Path) 
 def test_the_packages_that_pixi_takes_name_the_distribution(tmp_path: Path) -> None:
     pixi = '[project]\nchannels = ["robostack-staging", "conda-forge"]\n[dependencies]\nros-humble-desktop = ">=0.10"\n'
     assert decided(tmp_path, {**package(xml=AMENT), "pixi.toml": pixi}, branch="main").ros_distro == "humble"
+
+
+@pytest.mark.parametrize("name", ["ros-core", "ros-x"])
+def test_a_package_of_ros_without_a_distribution_in_its_name(tree: Tree, name: str) -> None:
+    page = f"# Install on ROS Noetic\n```\nsudo apt install {name} libfoo-dev\n```\n"
+    manifest = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+    decision = tree({"package.xml": manifest, "CMakeLists.txt": "find_package(catkin REQUIRED)\n", "README.md": page})
+    assert {name, "libfoo-dev"} <= {*decision.apt, *decision.apt_guessed}

@@ -102,6 +102,23 @@ def test_words_that_only_look_like_distros(tmp_path: Path, line: str) -> None:
     assert not [m for m in read(readme, tmp_path, {"README.md": line}).mentions if m.topic == "distro"]
 
 
+@pytest.mark.parametrize(
+    "line", ["Ubuntu 64-bit 16.04", "Ubuntu (64bit) 16.04", "Ubuntu Linux 16.04", "ubuntu version 16.04 or 18.04"]
+)
+def test_words_before_the_number_of_an_ubuntu(tmp_path: Path, line: str) -> None:
+    said = [
+        m.value for m in read(readme, tmp_path, {"README.md": f"Tested on {line}."}).mentions if m.topic == "ubuntu"
+    ]
+    assert said[0] == "16.04"
+
+
+@pytest.mark.parametrize("line", ["apt-get install ros-`rosversion -d`-tf", "    apt install ros-`rosversion -d`-tf"])
+def test_the_shell_names_the_distribution_in_the_name_of_a_package(tmp_path: Path, line: str) -> None:
+    assert [name for name, _ in named(read(readme, tmp_path, {"README.md": f"# Install\n{line}\n"}))] == [
+        "ros-{distro}-tf"
+    ]
+
+
 CI = """\
 on: push
 jobs:

@@ -18,6 +18,8 @@ _NO_UBUNTU = {
     "focal": r"(?!['\u2019]?s?[\s_-]{1,3}(?:lengths?|points?|planes?|search|fields?|distances?|axis|ratio|loss|spots?))"
 }
 """What follows a word that is no release name there: "focal length" is no Ubuntu."""
+_QUALIFIED = r"(?:lts|linux|version|\(?(?:64|32)[\s-]?bits?\)?)"
+"""What may stand before a release's number: ``Ubuntu 64-bit 16.04``."""
 _CUDA = r"cuda(?:[\s_-]{0,3}toolkit)?(?:\s{0,3}\(?(?:version|v|==?|>=|~|:)?\s{0,3}|[-=:]{1,3})(\d{1,2}\.\d)"
 _CUDNN = r"cudnn(?:[\s:v=_-]|version){0,9}(\d)"
 _PYTHON = r"python(?:\s{0,3}(?:version|>=|==?|~=|:|\()?\s{0,3}|[-=])([23]\.\d{1,2})(?:\.\d+|\.x)?(?!\d)"
@@ -50,7 +52,7 @@ def _patterns() -> tuple[tuple[Topic, tuple[str, ...], re.Pattern[str]], ...]:
         (
             "ubuntu",
             ("ubuntu", *ubuntus().values()),
-            _word(rf"(?:ubuntu[\s:_-]{{0,3}}(?:lts\s{{0,2}})?({numbers})|({codenames}))(?![A-Za-z])"),
+            _word(rf"(?:ubuntu[\s:_-]{{0,3}}(?:{_QUALIFIED}[\s,]{{0,2}}){{0,2}}({numbers})|({codenames}))(?![A-Za-z])"),
         ),
         ("cuda", ("cuda",), _word(_CUDA)),
         ("cuda", ("+cu", "/cu"), _LOCAL),

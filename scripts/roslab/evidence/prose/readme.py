@@ -12,7 +12,7 @@ from collections.abc import Collection, Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
-from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
+from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logical_lines
 from roslab.evidence.prose import apt_scripts, exports, generated, mentions, python_path
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
@@ -20,7 +20,7 @@ from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_
 from roslab.evidence.prose.installs import BLANK, Collector, merge
 from roslab.evidence.prose.own_files import with_files
 from roslab.evidence.prose.own_scripts import called, checked
-from roslab.evidence.prose.shells import opens_a_shell
+from roslab.evidence.prose.shells import leads_elsewhere
 from roslab.evidence.prose.telling import telling
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
@@ -141,7 +141,7 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         yield from checked(mention, repository)
     elif mention.topic != "command":
         yield from () if mention.topic == "compiled" and of_another(mention, repository) else (mention,)
-    elif not opens_a_shell(told := with_files(mention, repository), repository):
+    elif not leads_elsewhere(told := with_files(mention, repository), repository):
         yield told
 
 
@@ -242,7 +242,8 @@ def _shell(line: str, *, fenced: bool) -> Iterator[str]:
     line = _typed(line)
     if match := _START.match(line.replace("\\\n", "\\\x01")):
         shell = re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n")
-        yield shell if fenced else shell.replace("`", "")  # in a block they are the shell's, not Markdown's
+        # In a block they are the shell's, else Markdown's, but for the distribution in ros-`rosversion -d`-tf
+        yield shell if fenced else fill_placeholders(shell).replace("`", "")
     elif fenced:
         yield line
     else:

@@ -1,4 +1,4 @@
-"""Scripts that open a shell in which a person goes on: they start no program of the tree."""
+"""Scripts of the tree that start no program of it: they open a shell in which a person goes on, or a container."""
 
 from __future__ import annotations
 
@@ -13,13 +13,19 @@ _OPENS = pattern(
     rf"^[ \t]*(?:exec[ \t]+{_SHELL}|(?:exec[ \t]+)?{_SHELL}[ \t]+-i)[ \t]*$"
 )
 """A shell with a file of its own to begin with, as a robot's ``baxter.sh`` opens it, or one that waits for a person."""
+_CONTAINER = pattern(
+    r"^[ \t]*(?:\w+=[\"']?)?(?:(?:sudo|exec|eval|then|else)[ \t]+)*(?:\w+=\S*[ \t]+)*(?:nvidia-)?(?:docker|podman)"
+    r"(?:-compose|[ \t]+(?:compose|container|image|buildx))?[ \t]+(?:-[\w-]+(?:[ =][^\s-]\S*)?[ \t]+)*"
+    r"(?:run|exec|start|up|build|pull)(?![\w-])"
+)
+"""The host's engine, also in a variable that is called later: ``RUN_COMMAND="docker run …"``."""
 
 
-def opens_a_shell(mention: Mention, repository: Repository) -> bool:
-    """Tell whether a command runs a shell script of the tree that ends in a shell."""
+def leads_elsewhere(mention: Mention, repository: Repository) -> bool:
+    """Tell whether a command runs a shell script of the tree that ends in a shell or starts a container."""
     scripts = [file for file in mention.files if file.endswith(".sh")]
-    return any(map(_opens, (repository.read(script, limit=MAX_SIZE) for script in scripts[:1])))
+    return any(map(_leads_elsewhere, (repository.read(script, limit=MAX_SIZE) for script in scripts[:1])))
 
 
-def _opens(text: str) -> bool:
-    return any(_OPENS.match(line) for line in text.splitlines())
+def _leads_elsewhere(text: str) -> bool:
+    return any(_OPENS.match(line) or _CONTAINER.match(line) for line in text.splitlines())
