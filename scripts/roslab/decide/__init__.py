@@ -15,6 +15,7 @@ from roslab.decide.decision import Decision, Warning_
 from roslab.decide.kind import decide_kind
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
+from roslab.decide.processor import decide_processor
 from roslab.decide.proof import compiled, decide_test, rostests
 from roslab.decide.python.cloned import with_cloned
 from roslab.decide.python.compiling import decide_compiling
@@ -186,7 +187,11 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     test, platforms = (
         decide_test(config),
         decide_platforms(
-            evidence, config, kind.answer, base.answer.image, distro, cuda.answer.version, python.answer, everything
+            *(evidence, config, kind.answer, base.answer.image, distro, cuda.answer.version, python.answer, everything),
+            decide_processor(
+                *(evidence, kind.answer, build_tool.answer, packages, python.answer),
+                as_it_is=bool(own.answer or config.compatible),
+            ),
         ),
     )
     choices = (
@@ -254,6 +259,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         tests=() if own.answer else evidence.tests,
         ctest=build_tool.answer == "cmake" and any(p.tests and not places.vendored(p.file) for p in evidence.cmake),
         compiles=bool(compiled(evidence)),
+        without=platforms.answer.without,
         platforms=platforms.answer.built,
         platforms_refused=platforms.answer.refused,
         cuda=cuda.answer.version,

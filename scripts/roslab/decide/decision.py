@@ -175,6 +175,8 @@ class Decision:
     """What tells CMake the compiler that the image's toolkit of CUDA takes."""
     native: bool = False
     """CMake files compile for the processor of the machine that builds."""
+    without: tuple[str, ...] = ()
+    """Options of the compiler that its files of CMake pass and that are left out for arm64."""
     compilers: tuple[tuple[str, str], ...] = ()
     """The compilers that it names there: the variable and the program."""
     ignored: tuple[str, ...] = ()

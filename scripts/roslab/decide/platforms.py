@@ -6,12 +6,13 @@ from packaging.version import Version
 
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.version import DEFAULT as CUDA
-from roslab.decide.decision import Choice, Python
-from roslab.decide.reasons import Placed, because, configured
+from roslab.decide.decision import Choice, Python, Reason
+from roslab.decide.processor import OnX86
+from roslab.decide.reasons import Placed, because, configured, warn
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.arm64 import amd64_only, arm64_since, arm64_wheels
 from roslab.knowledge.distros import distro
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.requirement import Requirement
 from roslab.values.version import version_of
 
@@ -31,6 +32,8 @@ class Platforms:
 
     built: tuple[str, ...] = (AMD64, ARM64)
     refused: tuple[tuple[str, str], ...] = ()
+    without: tuple[str, ...] = ()
+    """Options of the compiler that are left out for arm64."""
 
 
 Against = tuple[str, Placed | None]
@@ -46,24 +49,47 @@ def decide_platforms(  # noqa: PLR0917 - the order in which the questions are an
     cuda: str | None,
     python: Python,
     installed: tuple[Requirement, ...],
+    on_x86: OnX86,
 ) -> Choice[Platforms]:
     """Return the platforms that can exist: amd64 always, arm64 where the base, CUDA and every pinned wheel have it."""
     if config.platforms is not None:
         said = configured(config, "platforms", ", ".join(config.platforms), "platforms")
-        return Choice(answer=Platforms(built=config.platforms), reasons=(said,))
+        return _without(Platforms(built=config.platforms), said, on_x86)
     against = (
         _of_base(base_image, ros_distro)
         or _of_cuda(kind, base_image, cuda, python)
         or _of_wheels(python, installed)
         or _of_conda(evidence, python)
+        or _of_code(on_x86)
     )
     if against is None:
         why = f"{base_image} exists for both platforms, and nothing rules one out"
         both = because("platforms", f"{AMD64}, {ARM64}", why, weight=Weight.NOTHING_AGAINST)
-        return Choice(answer=Platforms(), reasons=(both,))
+        return _without(Platforms(), both, on_x86)
     why, place = against
     one = because("platforms", AMD64, f"no {ARM64}: {why}", place, weight=Weight.AGAINST)
     return Choice(answer=Platforms(built=(AMD64,), refused=((ARM64, why),)), reasons=(one,))
+
+
+def _without(platforms: Platforms, reason: Reason, on_x86: OnX86) -> Choice[Platforms]:
+    """Leave out the options that arm64 does not know, and tell it."""
+    if ARM64 not in platforms.built or not on_x86.left_out:
+        return Choice(answer=platforms, reasons=(reason,))
+    words = tuple(dict.fromkeys(each.what for each in on_x86.left_out))
+    message = (
+        f"{', '.join(words)}: only x86 has it; the image for {ARM64} is compiled without it, as no code asks for it"
+    )
+    told = warn(message, on_x86.left_out[0])
+    return Choice(answer=replace(platforms, without=words), reasons=(reason,), warnings=(told,))
+
+
+def _of_code(on_x86: OnX86) -> Against | None:
+    if on_x86.needed is None:
+        return None
+    what = (
+        f"it includes {on_x86.needed.what}" if on_x86.needed.source == "header" else f"{on_x86.needed.what} is passed"
+    )
+    return f"{what}, which only x86 has, on every processor", on_x86.needed
 
 
 def _of_base(base_image: str, ros_distro: str | None) -> Against | None:

@@ -231,6 +231,16 @@ class CodeLimit:
     line: int
 
 
+class X86Only(NamedTuple):
+    """An option of the compiler, or a header, of x86 alone that is used when the tree is compiled for ARM, too."""
+
+    what: str
+    source: Literal["cmake", "make", "setup.py", "header"]
+    """What passes the option: a file of CMake, a Makefile or setup.py; ``header`` for an include."""
+    file: str
+    line: int
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Evidence:
     """Everything that was read, sorted by file within each source."""
@@ -266,6 +276,8 @@ class Evidence:
     copies: tuple[str, ...] = ()
     """Folders with packages of somebody else."""
     cuda_files: tuple[str, ...] = ()
+    x86_only: tuple[X86Only, ...] = ()
+    """Each option and each header once for a file, at its first place."""
     worked_on: tuple[Mention, ...] = ()
     """Days of the repository's commit and of its citation file, in this order."""
     day: str | None = None

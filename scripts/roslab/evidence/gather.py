@@ -6,7 +6,7 @@ import re
 
 from roslab.evidence import places, submodules
 from roslab.evidence.facts import Evidence, PackageManifest
-from roslab.evidence.native import authors_folders, cmake, cpp, cpu, makefiles
+from roslab.evidence.native import authors_folders, cmake, cpp, cpu, makefiles, x86
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import (
     author_dockerfile,
@@ -48,7 +48,7 @@ PROSE = (
 def gather(repository: Repository) -> Evidence:
     """Read everything that a repository says about itself; nothing of it is executed."""
     manifests = package_xml.read(repository) or rosbuild.read(repository)
-    signs = Signs()
+    signs, intrinsics = Signs(), x86.Intrinsics()
     cmake_projects = cmake.read(repository)
     own = submodules.without(repository)
     if any(own.has(manifest.file) for manifest in manifests) or any("/" not in p.file for p in cmake_projects):
@@ -75,7 +75,7 @@ def gather(repository: Repository) -> Evidence:
         notebooks=notebooks.alone(own),
         tests=tests.read(repository),
         code=(
-            *cpp.read(repository, signs),
+            *cpp.read(repository, signs, intrinsics),
             *imports.read(repository),
             *launch.plugins(repository),
             *cmake.fetching(repository),
@@ -101,6 +101,7 @@ def gather(repository: Repository) -> Evidence:
         cmake_modules=cmake.modules(repository),
         copies=copies.read(repository, manifests),
         cuda_files=cpp.cuda_files(repository),
+        x86_only=x86.read(repository, intrinsics, signs.included),
         problems=(
             *repository.problems,
             *(_malformed(m) for m in manifests if m.malformed),

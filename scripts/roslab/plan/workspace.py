@@ -90,6 +90,8 @@ class Workspace:
     """Names at the top of the repository that no build file names."""
     native: bool
     """What is compiled for the processor of the machine that builds is compiled for all processors of a platform."""
+    without: tuple[str, ...]
+    """Options of the compiler for x86 alone that an image for arm64 is compiled without."""
     links: tuple[tuple[str, str], ...]
     """Name and target of the links that keep the paths of an image in an old format."""
 
@@ -124,6 +126,7 @@ def workspace(
         python_projects=decision.python.projects,
         unread=unread,
         native=decision.native,
+        without=decision.without,
         links=tuple(links),
     )
 

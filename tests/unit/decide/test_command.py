@@ -10,6 +10,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.command import decide_command
 from roslab.decide.decision import Python
 from roslab.decide.platforms import decide_platforms
+from roslab.decide.processor import OnX86
 from roslab.decide.python.installed import installed
 from roslab.evidence import facts
 from roslab.evidence.dependency import Dependency
@@ -86,7 +87,7 @@ def platforms(
     )
     python = Python(version="3.10", manager="venv", requirements=("r.txt",))
     evidence = Evidence(requirements=(file,))
-    choice = decide_platforms(evidence, Config(), kind, base, ros, cuda, python, installed(evidence, python))
+    choice = decide_platforms(evidence, Config(), kind, base, ros, cuda, python, installed(evidence, python), OnX86())
     assert len(choice.answer.built) + len(choice.answer.refused) == 2
     return choice.answer.built
 
@@ -109,7 +110,7 @@ def test_conda_builds_of_one_platform() -> None:
     environment = CondaEnvironment(file="e.yml", line=1, name=None, python="3.9", packages=packages, requirements=())
     python = Python(version="3.9", manager="conda", conda_file="e.yml")
     choice = decide_platforms(
-        Evidence(conda=(environment,)), Config(), "python", "ubuntu:22.04", None, None, python, ()
+        Evidence(conda=(environment,)), Config(), "python", "ubuntu:22.04", None, None, python, (), OnX86()
     )
     assert choice.answer.refused[0][0] == "linux/arm64"
 
@@ -117,7 +118,7 @@ def test_conda_builds_of_one_platform() -> None:
 def test_configured_platforms() -> None:
     config = Config(platforms=("linux/arm64",))
     python = Python(version=None, manager="system")
-    assert decide_platforms(Evidence(), config, "ros1", "osrf/ros:x", None, None, python, ()).answer.built == (
+    assert decide_platforms(Evidence(), config, "ros1", "osrf/ros:x", None, None, python, (), OnX86()).answer.built == (
         "linux/arm64",
     )
 

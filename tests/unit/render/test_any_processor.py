@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import platform
+import re
 import subprocess
 from pathlib import Path
 
@@ -35,7 +36,7 @@ def test_the_option_is_replaced_before_anything_is_compiled(tmp_path: Path, file
 
 
 def test_nothing_is_replaced_where_nothing_is_said(tmp_path: Path) -> None:
-    files = {name: text.replace("native", "x86-64") for name, text in CPP.items()}
+    files = {name: text.replace("-march=native", "-O2") for name, text in CPP.items()}
     assert "any-processor" not in written(tmp_path, files)
 
 
@@ -50,3 +51,24 @@ def test_the_script_replaces_the_option_in_cmake_files_only(tmp_path: Path) -> N
     other = "add_compile_options(-march=core-avx2 -mtune=native -marchnative)\n"
     found = [(tmp_path / name).read_text() for name in ("a folder/CMakeLists.txt", "flags.cmake", "README.md")]
     assert found == [other, other, said]
+
+
+@pytest.mark.parametrize(("machine", "option"), [("x86_64", "-msse4.2"), ("aarch64", "-pipe")])
+def test_an_option_of_x86_is_replaced_on_arm_alone(tmp_path: Path, machine: str, option: str) -> None:
+    """A stand-in of ``uname`` says which processor the machine has."""
+    said = 'set(FLAGS "-msse {0} {0} -O3")\nadd_compile_options({0})\n'
+    kept = "check_cxx_compiler_flag(-msse4.2 HAS_IT)\n# -msse4.20 and --msse4.2\n"
+    file, uname = tmp_path / "CMakeLists.txt", tmp_path / "bin/uname"
+    file.write_text(said.format("-msse4.2") + kept, encoding="utf-8")
+    uname.parent.mkdir()
+    uname.write_text(f"#!/bin/sh\necho {machine}\n", encoding="utf-8")
+    uname.chmod(0o755)
+    script = Path(image_scripts.__path__[0]) / "any-processor.sh"
+    call = ["bash", str(script), str(tmp_path), "-msse4.2", "-msse4"]
+    subprocess.run(call, check=True, env={"PATH": f"{uname.parent}:/usr/bin:/bin"})
+    assert file.read_text(encoding="utf-8") == said.format(option) + kept
+
+
+def test_the_dockerfile_names_the_options(tmp_path: Path) -> None:
+    files = {name: text.replace("-march=native", "-mssse3") for name, text in CPP.items()}
+    assert re.search(r"\nRUN any-processor /home/\S+ -mssse3\n", written(tmp_path, files))

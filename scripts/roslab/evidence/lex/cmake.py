@@ -49,6 +49,8 @@ class Call:
     line: int
     conditions: tuple[str, ...] = ()
     in_function: bool = False
+    written: tuple[str, ...] = ()
+    """The words as they are written."""
 
 
 def calls(text: str, names: frozenset[str], options: dict[str, bool] | None = None) -> Iterator[Call]:
@@ -80,6 +82,7 @@ def calls(text: str, names: frozenset[str], options: dict[str, bool] | None = No
                 line=line,
                 conditions=tuple(scope.conditions[:MAX_CONDITIONS]),
                 in_function=any(part in {"function", "macro"} for part in scope.stack[:MAX_CONDITIONS]),
+                written=tuple(raw),
             )
 
 

@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.native.limits import Signs, tells
+from roslab.evidence.native.x86 import Intrinsics
 from roslab.knowledge.libraries import library
 from roslab.knowledge.windows import shown as shown_by
 from roslab.repository.checkout import File, Repository
@@ -26,12 +27,14 @@ _STANDARD = pattern(
 )
 
 
-def read(repository: Repository, signs: Signs | None = None) -> tuple[Dependency, ...]:
+def read(
+    repository: Repository, signs: Signs | None = None, intrinsics: Intrinsics | None = None
+) -> tuple[Dependency, ...]:
     """Return the included headers that neither the tree nor the compiler has, each once, at its first place.
 
     After them come the libraries that open windows by a call.
 
-    ``signs`` is shown every file, so that each is read once.
+    ``signs`` and ``intrinsics`` are shown every file, so that each is read once.
     """
     found: dict[str, Dependency] = {}
     opened: dict[str, Dependency] = {}
@@ -43,6 +46,8 @@ def read(repository: Repository, signs: Signs | None = None) -> tuple[Dependency
         shown = signs if not file.name.endswith((".cu", ".cuh")) else None  # compiled where there is CUDA only
         if shown:
             shown.source(file.path, text)
+        if intrinsics:
+            intrinsics.source(file.path, text)
         for opener, place in shown_by(text, "c++").items() if not places.example(file.path) else ():
             at = text.count("\n", 0, place) + 1
             said = Dependency(namespace="call", name=opener, strength="used", file=file.path, line=at, role="build")

@@ -140,11 +140,11 @@ def setups(plan: Plan) -> list[str]:
 def any_processor(plan: Plan) -> str:
     """Let what is compiled run on all machines of a platform."""
     place = plan.workspace
-    if not place.native or not (place.ros or place.program or place.inside):
+    if not (place.native or place.without) or not (place.ros or place.program or place.inside):
         return ""
     folder = f"{WS}/src" if place.ros else quote.shell_with_user(source_folder(plan))
     comment = "For every machine of the platform, not only for the one that builds"
-    return f"USER ${{NB_USER}}\n{shell.call('any-processor', f' {folder}', comment=comment)}"
+    return f"USER ${{NB_USER}}\n{shell.call('any-processor', f' {folder}{_words(place.without)}', comment=comment)}"
 
 
 def compile_inside(plan: Plan) -> str:

@@ -1,0 +1,48 @@
+"""What the code asks of the processor: options and headers of x86, without which or not at all it compiles for ARM."""
+
+from __future__ import annotations
+
+from roslab.config.model import BuildTool, Kind
+from roslab.decide.decision import Python
+from roslab.decide.ros.workspace import Packages
+from roslab.evidence.facts import Evidence, X86Only
+from roslab.values.dataclass import dataclass
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class OnX86:
+    """What is compiled for x86 alone."""
+
+    needed: X86Only | None = None
+    """The first that rules out every other processor."""
+    left_out: tuple[X86Only, ...] = ()
+    """Options that only tune: the build for another processor goes without them."""
+
+
+def decide_processor(
+    evidence: Evidence, kind: Kind, build_tool: BuildTool, packages: Packages, python: Python, *, as_it_is: bool
+) -> OnX86:
+    """Return what only x86 has of what the image compiles; ``as_it_is``: nothing may be changed in the tree."""
+    folders = {manifest.file.rpartition("/")[0] for manifest in packages.built} if kind in {"ros1", "ros2"} else set()
+    by_cmake = bool(folders) or build_tool == "cmake"
+    folders |= {""} if build_tool == "cmake" or (evidence.makefiles and kind in {"cpp", "cuda"}) else set()
+    made = {makefile.file for makefile in evidence.makefiles}
+    installed = [p for p in evidence.python if p.extensions and (p.folder or ".") in python.projects]
+    by_pip = {project.folder for project in installed}
+    compiled = [
+        each
+        for each in evidence.x86_only
+        if (
+            each.file in made
+            if each.source == "make"
+            else _below(each.file, by_pip if each.source == "setup.py" else folders | by_pip)
+        )
+    ]
+    if not compiled:
+        return OnX86()
+    needed = [each for each in compiled if each.source != "cmake" or as_it_is or not by_cmake]
+    return OnX86(needed=needed[0]) if needed else OnX86(left_out=tuple(compiled))
+
+
+def _below(file: str, folders: set[str]) -> bool:
+    return any(not folder or file.startswith(f"{folder}/") for folder in folders)

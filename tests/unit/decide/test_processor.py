@@ -1,0 +1,146 @@
+"""What only x86 has rules out ARM, or is left out for it where it only tunes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.decide.platforms import AMD64, ARM64
+
+Tree = Callable[[dict[str, str]], Decision]
+MAIN = {"a.cpp": "int main() {}\n"}
+SSE = "#include <xmmintrin.h>\nint main() { _mm_pause(); }\n"
+
+
+def cmake(*lines: str) -> dict[str, str]:
+    return {"CMakeLists.txt": "\n".join(["project(demo CXX)", *lines, "add_executable(a a.cpp)", ""])}
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "add_definitions(-msse -msse4.2)",
+        'set(CMAKE_CXX_FLAGS "${CMAKE_CXX_FLAGS} -mavx2 -mfma")',
+        "add_compile_options(-march=haswell)",
+        'set(SSE_FLAGS "-mssse3")\nset(CMAKE_CXX_FLAGS "${CMAKE_CXX_FLAGS} ${SSE_FLAGS}")',
+        "if(CMAKE_COMPILER_IS_GNUCXX AND NOT WIN32)\nadd_compile_options(-msse3)\nendif()",
+        "option(USE_SSE ON)\nif(USE_SSE)\nelse()\nendif()\nadd_compile_options(-m64)",
+        "if(TUNED_BY_HAND)\nelse()\nadd_compile_options(-msse4a)\nendif()",
+        'if(CMAKE_SYSTEM_PROCESSOR MATCHES "armv7")\nelse()\nadd_compile_options(-mavx)\nendif()',
+        "if(DEFINED ENV{ARM_ARCHITECTURE})\nelse()\nadd_compile_options(-mavx)\nendif()",
+    ],
+)
+def test_an_option_that_only_tunes_is_left_out_for_arm(tree: Tree, line: str) -> None:
+    decision = tree(cmake(line) | MAIN)
+    assert decision.platforms == (AMD64, ARM64)
+    assert decision.without
+    assert all(word in line for word in decision.without)
+    told = [w for w in decision.warnings if "only x86" in w.message]
+    assert [w.file for w in told] == ["CMakeLists.txt"]
+    assert line.splitlines()[(told[0].line or 0) - 2].count("-m")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        'if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86|AMD64")\nadd_compile_options(-msse4.2)\nendif()',
+        "if(CMAKE_SYSTEM_PROCESSOR STREQUAL aarch64)\nelse()\nadd_compile_options(-msse4.2)\nendif()",
+        'check_cxx_compiler_flag("-mavx2" HAS_AVX2)\nif(HAS_AVX2)\nadd_compile_options(-mavx2)\nendif()',
+        'option(USE_SSE "with SSE" OFF)\nif(USE_SSE)\nadd_compile_options(-msse)\nendif()',
+        "if(MSVC)\nadd_compile_options(-mavx)\nendif()",
+        "if(TUNED_BY_HAND)\nadd_compile_options(-msse)\nendif()",
+        'set(SSE_FLAGS "-msse")\nif(FOUND_SSE)\nadd_compile_options(${SSE_FLAGS})\nendif()\ncheck_sse(FOUND_SSE)',
+        'check_it(HAS_IT)\nif(HAS_IT)\nset(MORE "-msse")\nendif()\nset(CMAKE_CXX_FLAGS "${CMAKE_CXX_FLAGS} ${MORE}")',
+        "# add_compile_options(-msse)",
+        "add_compile_options(-mno-outline-atomics -Wall)",
+        "function(tune name)\ntarget_compile_options(${name} PRIVATE -mavx)\nendfunction()",
+    ],
+)
+def test_an_option_of_a_branch_for_x86_is_none_for_arm(tree: Tree, line: str) -> None:
+    decision = tree(cmake(line) | MAIN)
+    assert decision.platforms == (AMD64, ARM64)
+    assert not decision.without
+    assert not [w for w in decision.warnings if "only x86" in w.message]
+
+
+@pytest.mark.parametrize(
+    ("code", "line"),
+    [
+        (SSE, 1),
+        (f"#ifndef _WIN32\n{SSE}#endif\n", 2),
+        (f"#ifdef _MSC_VER\n#include <intrin.h>\n#else\n{SSE}#endif\n", 4),
+        (f"#if defined(__GNUC__) && !defined(__APPLE__)\n{SSE}#endif\n", 2),
+        (f"#ifdef WITH_SSE\n{SSE}#endif\n", 2),
+    ],
+)
+def test_a_header_of_x86_rules_arm_out_with_its_place(tree: Tree, code: str, line: int) -> None:
+    decision = tree(cmake("add_definitions(-msse -DWITH_SSE)") | {"a.cpp": code})
+    assert decision.platforms == (AMD64,)
+    assert not decision.without
+    assert "xmmintrin.h" in dict(decision.platforms_refused)[ARM64]
+    assert [(r.file, r.line) for r in decision.reasons if r.question == "platforms"] == [("a.cpp", line)]
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        f"#ifdef __SSE2__\n{SSE}#endif\n",
+        f"#if defined(__x86_64__) || defined(_M_X64)\n{SSE}#endif\n",
+        f'#ifdef __aarch64__\n#include "sse2neon.h"\n#else\n{SSE}#endif\n',
+        f"#ifdef _WIN32\n{SSE}#endif\n",
+        f"#if __has_include(<xmmintrin.h>)\n{SSE}#endif\n",
+        f"#ifdef WITH_SSE\n{SSE}#endif\n",
+        f"// {SSE}",
+    ],
+)
+def test_a_header_behind_a_condition_rules_nothing_out(tree: Tree, code: str) -> None:
+    assert tree(cmake() | {"a.cpp": code}).platforms == (AMD64, ARM64)
+
+
+def test_a_header_that_nothing_includes_or_that_a_test_has_rules_nothing_out(tree: Tree) -> None:
+    assert tree(cmake() | MAIN | {"unused.h": SSE, "test/b.cpp": SSE}).platforms == (AMD64, ARM64)
+    assert tree(cmake() | {"a.cpp": '#include "unused.h"\n', "unused.h": SSE}).platforms == (AMD64,)
+
+
+def test_copied_code_counts_where_options_are_passed(tree: Tree) -> None:
+    copied = {"thirdparty/fast/fast.cpp": SSE}
+    assert tree(cmake("add_compile_options(-msse)") | MAIN | copied).platforms == (AMD64,)
+
+
+@pytest.mark.parametrize(
+    ("flags", "platforms"),
+    [
+        ("-mavx2", (AMD64,)),
+        ("$(if $(filter x86_64,$(shell uname -m)),-mavx2)", (AMD64, ARM64)),
+        ("-O2", (AMD64, ARM64)),
+    ],
+)
+def test_what_make_compiles_is_not_changed(tree: Tree, flags: str, platforms: tuple[str, ...]) -> None:
+    made = f"FLAGS = {flags}\na: a.cpp\n\tg++ $(FLAGS) -o a a.cpp\n"
+    assert tree({"Makefile": made, "a.cpp": "#include <Eigen/Dense>\nint main() {}\n"}).platforms == platforms
+
+
+def test_an_extension_of_python_with_such_an_option(tree: Tree) -> None:
+    setup = (
+        "from setuptools import setup, Extension\n"
+        "setup(name='demo', ext_modules=[Extension('demo', ['a.cpp'], extra_compile_args=['-mavx2'])])\n"
+    )
+    decision = tree({"setup.py": setup, "a.cpp": "int main() {}\n", "demo.py": "print(1)\n"})
+    assert decision.platforms == (AMD64,)
+    assert "-mavx2" in dict(decision.platforms_refused)[ARM64]
+
+
+def test_only_packages_that_are_built_count(tree: Tree) -> None:
+    manifest = "<package><name>{}</name><buildtool_depend>catkin</buildtool_depend></package>"
+    lists = "project({})\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    files = {
+        "core/package.xml": manifest.format("core"),
+        "core/CMakeLists.txt": lists.format("core"),
+        "old/package.xml": manifest.format("old"),
+        "old/CMakeLists.txt": lists.format("old") + "add_compile_options(-msse)\n",
+        "old/a.cpp": SSE,
+    }
+    assert tree(files).platforms == (AMD64,)
+    assert tree(files | {"old/CATKIN_IGNORE": ""}).platforms == (AMD64, ARM64)
