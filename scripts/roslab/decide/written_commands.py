@@ -67,6 +67,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
         launched=_launch_files(evidence),
         packages=packages_of(evidence).names,
         installed=frozenset(name for project in evidence.python if project.installable for name, _ in project.scripts),
+        projects=tuple(project.folder for project in evidence.python if project.installable),
         made={name: each.folder for each in evidence.makefiles if compiled for name in each.programs},
         tasks={name: command for environment in evidence.conda for name, command, _ in environment.tasks},
     )
@@ -109,6 +110,8 @@ class _Tree:
     packages: frozenset[str]
     installed: frozenset[str]
     """Programs that pip installs with the repository."""
+    projects: tuple[str, ...]
+    """Folders that pip installs."""
     tasks: Mapping[str, str]
     """pixi's, by their names."""
     made: Mapping[str, str]
@@ -177,7 +180,11 @@ def _runnable(
         installed = argv if argv[0] in tree.installed and not ros else None
         return (_built(argv, tree) if ros or compiled else None) or installed or _shell(argv, mention, ros, compiled)
     named = (file for file in mention.files if file.endswith(".py"))  # a script needs no guard to be run
-    here = _here(argv, tuple(dict.fromkeys((*tree.programs, *named))), mention.file.rpartition("/")[0])
+    programs = tuple(dict.fromkeys((*tree.programs, *named)))
+    if argv[1:2] == ("-m",):
+        here = _module(argv, programs, (*tree.projects, *filter(None, (mention.inside,))))
+    else:
+        here = _here(argv, programs, mention.file.rpartition("/")[0])
     if here is None or (compiled and _tests(here)):
         return None
     return ("python3" if ros else argv[0], *here)
@@ -252,14 +259,25 @@ def _tests(argv: tuple[str, ...]) -> bool:
     return any(part.endswith("_test.py") or places.test(part) for part in programs)
 
 
+def _module(argv: tuple[str, ...], programs: tuple[str, ...], above: tuple[str, ...]) -> tuple[str, ...] | None:
+    """Return the arguments of ``python -m`` if the module is at the root, or the one of that name below a folder.
+
+    ``above``: the folders that pip installs, whose packages any folder may import, and the one that the page goes to.
+    """
+    module = argv[2].replace(".", "/") if len(argv) > 2 else ""
+    files = (f"{module}.py", f"{module}/__main__.py")
+    if not {*files} & {*programs}:
+        below = [program for program in programs if program.endswith(tuple(f"/{file}" for file in files))]
+        if len(below) != 1 or not any(not folder or below[0].startswith(f"{folder}/") for folder in above):
+            return None
+    return argv[1:]
+
+
 def _here(argv: tuple[str, ...], programs: tuple[str, ...], folder: str) -> tuple[str, ...] | None:
     """Return the arguments of a Python that runs a program of the tree, its path from the root; else ``None``.
 
     ``folder``: that of the page, whose own program is meant where others have the same name.
     """
-    if argv[1:2] == ("-m",):
-        module = argv[2].replace(".", "/") if len(argv) > 2 else ""
-        return argv[1:] if {f"{module}.py", f"{module}/__main__.py"} & set(programs) else None
     for position, part in enumerate(argv[1:], 1):
         if part.endswith(".py"):
             path = posixpath.normpath(part)

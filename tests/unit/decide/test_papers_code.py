@@ -335,3 +335,28 @@ def test_pixi_beside_a_project_counts_where_the_readme_uses_it(tmp_path: Path) -
     assert not decided(tmp_path / "a", {**files, "README.md": "`pip install a`\n"}).python.conda_file
     found = decided(tmp_path / "b", {**files, "README.md": "```\npixi run app\n```\n"}).python
     assert (found.conda_file, found.projects) == ("pyproject.toml", (".",))
+
+
+@pytest.mark.parametrize(
+    ("page", "module", "command"),
+    [
+        ("python -m demo.train", "src/demo/train.py", ("python", "-m", "demo.train")),
+        ("python3 -m demo --fast", "python/lib/demo/__main__.py", ("python3", "-m", "demo", "--fast")),
+        ("python -m demo.train", "third_party/demo/train.py", ("bash",)),
+        ("python -m venv env", "tools/venv.py", ("bash",)),
+        ("python -m demo.train", "demo/train.py", ("python", "-m", "demo.train")),
+    ],
+)
+def test_a_module_of_a_package_that_pip_installs(
+    tmp_path: Path, page: str, module: str, command: tuple[str, ...]
+) -> None:
+    setup = "from setuptools import setup\nsetup(name='demo', packages=['demo'], package_dir={'': 'src'})\n"
+    page = f"# Usage\n```\n{page}\n```\n"
+    decision = decided(tmp_path, {"setup.py": setup, module: "import numpy\n", "README.md": page})
+    assert decision.command == command
+
+
+def test_a_module_of_a_folder_that_a_page_goes_to(tmp_path: Path) -> None:
+    page = "# Usage\n```\ncd code\npython -m tools.train --fast\n```\n"
+    files = {"code/tools/train.py": "import numpy\n", "code/README.txt": "", "README.md": page}
+    assert decided(tmp_path, files).command == "cd code && exec python -m tools.train --fast"

@@ -7,7 +7,7 @@ import re
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.started_in import script_in, started_in
+from roslab.evidence.prose.started_in import ends, script_in, started_in
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.words import joined, written
@@ -40,7 +40,23 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
         elif _of_package(word, repository):
             found.append(word)
     inside = script[2] if script else started_in(mention, words, repository) if mention.inside else ""
+    if words[0].startswith("python") and words[1:2] == ["-m"] and len(words) > 2:
+        file, inside = _module(words[2], mention.inside, repository)
+        found += [file] if file else []
     return replace(mention, value=joined(words), files=tuple(found), inside=inside)
+
+
+def _module(name: str, folder: str, repository: Repository) -> tuple[str, str]:
+    """Return the file of a module that ``python -m`` starts, and the folder that the page went to if it lies there.
+
+    Else it is at the root, or the only one of the tree that a dotted name may mean: a package may lie in any folder.
+    """
+    paths = [f"{name.replace('.', '/')}{end}" for end in (".py", "/__main__.py")]
+    for start in ends(folder):
+        if file := next((path for path in paths if repository.has(posixpath.join(start, path))), None):
+            return posixpath.join(start, file), start
+    alone = (_only(path, repository) for path in paths) if "." in name else ()
+    return next((file for file in alone if file), ""), ""
 
 
 def _of_package(word: str, repository: Repository) -> bool:
