@@ -238,6 +238,20 @@ def test_what_must_be_there_first(tmp_path: Path) -> None:
     assert decide(tmp_path, files).first == ("torch==2.0.1", "packaging", "ninja", "numpy")
 
 
+def test_what_one_manifest_pins_binds_what_another_one_installs_before_it(tmp_path: Path) -> None:
+    asked = "torch==2.2.0", "torchvision==0.17.0", "einops"
+    files = {
+        "robot/requirements_robot.txt": "torchvision\ntorch\nh5py\n",
+        "pyproject.toml": f"[project]\nname = 'a'\ndependencies = {list(asked)}\n",
+        "README.md": "```\npip install -e .\npip install flash-attn\npip install -r requirements_robot.txt\n```\n",
+    }
+    found = decide(tmp_path, files, "cuda")
+    assert found.first[0] == "torch==2.2.0"
+    assert found.bounds == ("torch==2.2.0", "torchvision==0.17.0", "numpy<2")
+    files["robot/requirements_robot.txt"] = "torch==1.9.0\ntorchvision\n"
+    assert decide(tmp_path, files, "cuda").bounds == ("numpy<2",)
+
+
 def test_what_stops_without_another_package_gets_that_first(tmp_path: Path) -> None:
     assert decide(tmp_path, {"requirements.txt": "vtk==9.1.0\nmayavi\n"}).first == ("numpy", "vtk==9.1.0")
 

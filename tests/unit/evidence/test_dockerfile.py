@@ -94,6 +94,22 @@ def test_what_it_copies_must_be_there(tmp_path: Path) -> None:
     assert authored.purpose == "project"
 
 
+@pytest.mark.parametrize(
+    ("copies", "starts", "problem"),
+    [
+        ("COPY src/fixes /tmp/fixes", 'CMD /bin/bash -c "uv run scripts/serve.py $ARGS"', True),
+        ("COPY src /app/src", 'ENTRYPOINT ["python", "scripts/serve.py"]', True),
+        ("COPY src /app/src\nCOPY scripts /app/scripts", 'ENTRYPOINT ["python", "./scripts/serve.py"]', False),
+        ("COPY . /app", "CMD python scripts/serve.py", False),
+        ("COPY src /app", 'CMD ["python", "fixes/a.py"]', False),
+    ],
+)
+def test_what_it_starts_must_be_in_the_image(tmp_path: Path, copies: str, starts: str, *, problem: bool) -> None:
+    files = {"src/fixes/a.py": "", "scripts/serve.py": "", "Dockerfile": f"FROM ubuntu:22.04\n{copies}\n{starts}\n"}
+    found = read(tmp_path, files)["Dockerfile"].problem
+    assert ("starts scripts/serve.py and does not copy it" in (found or "")) is problem
+
+
 def test_a_dockerfile_that_clones_itself(tmp_path: Path) -> None:
     folder = tmp_path / "thing"
     authored = read(folder, {"Dockerfile": "FROM ubuntu:20.04\nRUN git clone https://github.com/me/thing.git\n"})[

@@ -16,7 +16,8 @@ def first(asked: Sequence[Requirement], projects: Sequence[PythonProject]) -> tu
     If there is anything, the projects are built in the image's own environment, which then needs their build
     requirements too.
     """
-    by_name = {each.key: each for each in reversed(asked) if each.name}
+    limited_first = sorted((each for each in asked if each.name), key=lambda each: not each.limited)
+    by_name = {each.key: each for each in reversed(limited_first)}
     extensions = {extension for project in projects for extension in project.extensions if not _isolated(project)}
     needs = [stated(name) for each in asked for name in build_needs().get(each.key, ())]
     if "cuda" in extensions or ("c" in extensions and "torch" in by_name):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
 
 from packaging.version import Version
 
@@ -21,19 +21,24 @@ _BUILD = pattern(r"(.+)-cu(\d{2,3})")
 _LEADING = {"torch": "torch", "tensorflow": "tensorflow", "jax": "jax"}
 _BESIDE = {"torch": ("torchvision", "torchaudio"), "jax": ("jaxlib",), "tensorflow": ()}
 """Released together with the framework: their pins count if they are in the same file."""
+_FRAMEWORKS = frozenset({name for leading, beside in _BESIDE.items() for name in (leading, *beside)})
 _INSTALL_LINE = 1
 """Of ``Pin.trust``."""
 _WHY = "an install line pins what the manifest leaves free"
+_WHY_LATER = "one manifest pins what another one, which is installed before it, leaves free"
 
 
 def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str | None) -> Choice[Constraints]:
     """Return constraints for frameworks that ``asked`` leaves open, from install lines that fit the image's CUDA.
 
-    Today's newest release of the framework may fit neither the code and its compiled parts nor the image's CUDA.
+    Today's newest release of the framework may fit neither the code and its compiled parts nor the image's CUDA. What
+    one manifest pins and another leaves open is pinned for both: what is compiled between them must fit what stays.
     """
-    free = {each.key: each for each in asked if each.name and not each.limited}
+    everything = [each for each in asked if each.name]
+    free = {each.key: each for each in everything if not each.limited}
+    found = dict(_of_manifests(everything, free))
+    free = {key: each for key, each in free.items() if key not in {exact.key for exact in found}}
     said = [pin for pin in pins if pin.trust == _INSTALL_LINE and pin.release]
-    found: dict[Requirement, Reason] = {}
     for name, table in _LEADING.items():
         leading = next((p for p in said if name == p.name and name in free and _fits(p, free[name], table, cuda)), None)
         if leading is None:
@@ -45,6 +50,22 @@ def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str 
                     exact, because("dependencies", exact.written, _WHY, pin.requirement, weight=Weight.BOUND)
                 )
     return Choice(answer=tuple(found), reasons=tuple(found.values()))
+
+
+def _of_manifests(
+    asked: Iterable[Requirement], free: Mapping[str, Requirement]
+) -> Iterator[tuple[Requirement, Reason]]:
+    """Yield the one release of each framework that manifests pin where another manifest leaves it open."""
+    pinned: dict[str, dict[str, Requirement]] = {}
+    for each in asked:
+        if each.key in _FRAMEWORKS and each.origin == "manifest" and each.release and not each.url:
+            pinned.setdefault(each.key, {}).setdefault(each.release, each)
+    agreed = [(name, *beside) for name, beside in _BESIDE.items() if len(pinned.get(name, ())) == 1]
+    for key in (name for family in agreed for name in family if name in free and free[name].origin == "manifest"):
+        if len(pinned.get(key, ())) == 1:
+            ((release, said),) = pinned[key].items()
+            exact = stated(f"{key}=={release}")
+            yield exact, because("dependencies", exact.written, _WHY_LATER, said, weight=Weight.BOUND)
 
 
 def one_build(asked: Iterable[Requirement], cuda: str | None) -> tuple[Requirement, ...]:

@@ -17,6 +17,7 @@ from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.copies import in_copy
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.evidence.prose.recipe import recipe
+from roslab.evidence.prose.uncopied import uncopied
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
@@ -198,6 +199,8 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     problem = reading.problem or ("no FROM" if reading.base is None else None)
     copies, context, missing = _context(repository, file, reading.copied)
     collector, start = reading.collector, reading.start
+    if started := uncopied(repository, context or "", dict(reading.copied), (*start.entrypoint, *start.command)):
+        missing = missing or f"it starts {started} and does not copy it: the repository is mounted when it is run"
     clones = tuple(collector.sources)
     itself = any(_itself(repository, clone) for clone in clones)
     return AuthorDockerfile(
