@@ -66,21 +66,32 @@ def version_of(library: str, ubuntu: str, *, ros: bool = False) -> str | None:
     return own or _versions().get(library, {}).get(ubuntu) or None
 
 
+def _newest(library: str, ubuntu: str) -> str:
+    """Return the newest version that the table has of a library, for an Ubuntu that it does not have, else ``""``."""
+    known = _versions().get(library, {})
+    return "" if ubuntu in known else next(reversed(known.values()), "")
+
+
 def fits(library: str, ubuntu: str, *, at_least: str | None, below: str | None, ros: bool = False) -> bool:
     """Tell whether an Ubuntu's version lies in the bounds; unknown ones do, but no Ubuntu goes back to an older one."""
     found = version_of(library, ubuntu, ros=ros)
     if found is None:
-        known = _versions().get(library, {})
-        newest = next(reversed(known.values()), "") if ubuntu not in known else ""
+        newest = _newest(library, ubuntu)
         return below is None or not newest or Version(newest) < Version(below)
     version = Version(found)
     return (at_least is None or version >= Version(at_least)) and (below is None or version < Version(below))
 
 
 def satisfies(library: str, ubuntu: str, asked: str, *, ros: bool = False) -> bool:
-    """Tell whether ``find_package(LIBRARY ASKED REQUIRED)`` succeeds on an Ubuntu; of an unknown library it does."""
+    """Tell whether ``find_package(LIBRARY ASKED REQUIRED)`` succeeds on an Ubuntu; of an unknown library it does.
+
+    No Ubuntu goes back to an older one, so that none which the table does not have yet has the major release asked for
+    if a newer one was there before.
+    """
     found = version_of(library, ubuntu, ros=ros)
+    major = Version(asked).major
     if found is None:
-        return True
-    same = library not in _same_major() or Version(found).major == Version(asked).major
+        newest = _newest(library, ubuntu) if library in _same_major() else ""
+        return not newest or Version(newest).major <= major
+    same = library not in _same_major() or Version(found).major == major
     return same and Version(found) >= Version(asked)

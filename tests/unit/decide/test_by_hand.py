@@ -359,3 +359,10 @@ def test_a_repository_is_no_library_of_its_own_examples(tree: Tree) -> None:
     assert [source.name for source in tree(files).source] == []
     other = files | {"CMakeLists.txt": root.replace("acme_sdk", "else")}
     assert [source.name for source in tree(other).source] == ["acme_sdk"]
+
+
+def test_a_library_that_another_is_made_for_is_built_before_it(tree: Tree) -> None:
+    files = ros1("find_package(OsqpEigen REQUIRED)\n", "")
+    found = tree(files)
+    assert [source.name for source in found.source] == ["osqp", "osqp-eigen"]
+    assert not [name for name in (*found.apt, *found.apt_guessed) if "osqp" in name]  # ROS has OSQP alone
