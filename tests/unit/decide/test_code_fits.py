@@ -94,6 +94,7 @@ def test_code_of_cuda_and_copied_code_tell_nothing(tree: Tree) -> None:
         ("", "Tested on Ubuntu 16.04", "xenial"),
         ("set(CMAKE_CXX_STANDARD 17)\n", "Tested on Ubuntu 16.04", "jammy"),
         ("find_package(OpenCV 3 REQUIRED)\n", "", "bionic"),
+        ("find_package(OpenCV 3.4 REQUIRED)\n", "Tested on Ubuntu 20.04", "focal"),
         ("", "A* epsilon (also known as focal search) on Ubuntu", "jammy"),
     ],
 )
@@ -108,6 +109,9 @@ def test_versions() -> None:
     assert not satisfies("OpenCV", "xenial", "3")
     assert satisfies("OpenCV", "xenial", "3", ros=True)  # ros-kinetic-opencv3
     assert satisfies("Unknown", "focal", "3.2")
+    assert not satisfies("OpenCV", "resolute", "3.4")  # a release that the table lacks has none older than the last
+    assert satisfies("OpenCV", "resolute", "4.8")
+    assert satisfies("Boost", "resolute", "1.58")
     assert fits("Ceres", "jammy", at_least=None, below="2.2")
     assert not fits("Ceres", "noble", at_least=None, below="2.2")
 

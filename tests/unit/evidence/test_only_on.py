@@ -56,3 +56,17 @@ def test_plain_cpp_is_built_on_the_ubuntu_of_its_build_script(tmp_path: Path) ->
 def test_a_list_of_releases_goes_on_after_one_without_long_support() -> None:
     said = mentions.read("* Ubuntu 14.04, 15.04 or 16.04", "README.md", "readme")
     assert [each.value for each in said if each.topic == "ubuntu"] == ["14.04", "16.04"]
+
+
+@pytest.mark.parametrize(
+    ("line", "versions"),
+    [
+        ("rm -f /usr/local/bin/python3.11", []),
+        ("sudo rm -rf /usr/lib/python3.11 && python3.9 run.py", ["3.9"]),
+        ("brew unlink python@3.12; brew install python-3.10", ["3.10"]),
+        ("alarm python3.8", ["3.8"]),
+    ],
+)
+def test_a_python_that_is_removed_is_none_to_take(line: str, versions: list[str]) -> None:
+    said = mentions.read(f"run: |\n  {line}\n", ".github/workflows/ci.yml", "ci")
+    assert [mention.value for mention in said if mention.topic == "python"] == versions

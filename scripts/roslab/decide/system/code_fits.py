@@ -19,7 +19,10 @@ https://github.com/pypa/manylinux#readme (pip 8.1 is the first)"""
 
 
 def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
-    """Return, for each Ubuntu, what the code asks for and the Ubuntu does not have: ``PCL 1.9``, ``CMake 3.1``."""
+    """Return, for each Ubuntu, what the code asks for and the Ubuntu does not have: ``PCL 1.9``, ``CMake 3.1``.
+
+    What none of them has speaks against none.
+    """
     ros, asked = bool(packages_of(evidence).built), tuple(_asked(evidence))
     found: dict[str, dict[str, None]] = {ubuntu: {} for ubuntu in ubuntus().values()}
     for ubuntu, lacks in found.items():
@@ -35,7 +38,9 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
         for name, version, place in asked:
             if not satisfies(name, ubuntu, version, ros=ros) and not _compiled(name, evidence):
                 lacks[f"{name} {version} ({place})"] = None
-    return {ubuntu: tuple(lacks) for ubuntu, lacks in found.items() if lacks}
+    nowhere = set.intersection(*(set(lacks) for lacks in found.values()))
+    left = {ubuntu: tuple(lack for lack in lacks if lack not in nowhere) for ubuntu, lacks in found.items()}
+    return {ubuntu: lacks for ubuntu, lacks in left.items() if lacks}
 
 
 def _brought(library: str, evidence: Evidence) -> bool:

@@ -76,6 +76,10 @@ def _goes_on() -> dict[str, tuple[re.Pattern[str], re.Pattern[str]]]:
 
 _TRACEBACK = pattern(r"File \"[^\"\n]{0,200}\Z")
 """A line of a traceback before a Python version: it is about somebody's own machine."""
+_REMOVED = pattern(
+    r"(?<![\w./-])(?:rm|unlink|(?:apt|apt-get|brew|conda)\s+(?:remove|purge|unlink|uninstall))\s[^\n;&|]{0,200}\Z"
+)
+"""A command before a Python version that takes it away."""
 _EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)[^\n]*:\W*(?:<br ?/?>)?\W*\Z", re.IGNORECASE)
 """A line that an example follows, which then stands in a block of its own."""
 _CONTEXT = pattern(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
@@ -96,7 +100,7 @@ def read(
             value = next(group for group in match.groups() if group).lower()
             if topic == "distro" and value in english_words() and not _CONTEXT.search(context):
                 continue  # it only counts with ROS, a branch or an Ubuntu near it
-            if topic == "python" and _TRACEBACK.search(text, max(0, start), match.start()):
+            if topic == "python" and _of_no_use(text, max(0, start), match.start()):
                 continue
             if topic == "distro" and source == "readme":
                 context = _introduced(text, start, context)
@@ -110,6 +114,11 @@ def read(
             found += 1
             if found >= MAX_MENTIONS:
                 break
+
+
+def _of_no_use(text: str, start: int, end: int) -> bool:
+    """Tell whether what stands before a Python version on its line says that it is not the one to take."""
+    return any(before.search(text, start, end) for before in (_TRACEBACK, _REMOVED))
 
 
 def _distros_in(lowered: str) -> list[str]:
