@@ -226,7 +226,7 @@ def _written(library: str, target: Target, by_hand: frozenset[str]) -> bool:
 
 def _covered(apt: str, target: Target, known: frozenset[str]) -> bool:
     """Tell whether a ROS package is there anyway: a key, the repository's own, from a source, or in every ROS image."""
-    name = apt.split("-", 2)[2].replace("-", "_")
+    name = apt.split("-", 2)[-1].replace("-", "_")
     return name in known or apt in {target.ros(each) for each in _IN_ANY_ROS}
 
 
