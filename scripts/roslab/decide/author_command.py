@@ -13,8 +13,8 @@ from roslab.values.pattern import pattern
 EntryPoint = Literal["none", "wrapper", "shell", "program"]
 """A ``wrapper`` sets something up and starts what it is given."""
 _SHELLS = frozenset({"bash", "sh", "zsh", "dash", "fish"})
-_WAITS = frozenset({"tail", "sleep", "tmux", "screen", "terminator", "xterm", "byobu"})
-"""Programs that keep a container open for a person."""
+_WAITS = frozenset({"tail", "sleep", "tmux", "screen", "terminator", "xterm", "byobu", "roscore"})
+"""Programs that keep a container open for a person, or for the nodes that are started in it."""
 _INITS = frozenset({"tini", "dumb-init", "docker-init", "env", "gosu"})
 _RUNNERS = frozenset({"conda", "mamba", "micromamba"})
 _WRAPPER = pattern(r"entry[-_]?point|^ros_entry", re.IGNORECASE)

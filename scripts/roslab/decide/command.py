@@ -10,8 +10,9 @@ from roslab.decide.author_command import entry_point, startable, started
 from roslab.decide.candidate import Candidate, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
-from roslab.decide.first_command import first_of, named_like_it, pointed_at, serves, upkeep, whole_of
+from roslab.decide.first_command import first_of, serves, upkeep
 from roslab.decide.included import included
+from roslab.decide.meant_commands import named_like_it, pointed_at, whole_of
 from roslab.decide.reasons import because, configured
 from roslab.decide.written_commands import NOTEBOOK, PORT, TOOLS
 from roslab.evidence import places

@@ -3,37 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
-from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate, program_of
-from roslab.decide.written_commands import NOTEBOOK
-from roslab.evidence.facts import Evidence
-from roslab.evidence.launch_file import LaunchFile
-from roslab.knowledge.distros import distros
-from roslab.knowledge.released import released
+from roslab.decide.sections import about_running
 from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
 
-_USAGE = pattern(
-    r"\b(?:run(?:ning)?|usage|use|using|launch(?:ing)?|start(?:ing|ed)?|demos?|examples?|quick\w*|play|simulat\w*|execut\w*|"
-    r"try|tutorials?|how to|hello)\b",
-    re.IGNORECASE,
-)
-"""A section that says how to start it."""
-_ASIDE = pattern(
-    r"\b(?:real|hardware|calibrat\w*|evaluat\w*|trouble\w*|faq|debug\w*|develop\w*|contribut\w*|convert\w*|conversion|"
-    r"record\w*|tests?|testing|docker|format\w*|annotat\w*|benchmark\w*|advanced|optional|tools?|"
-    r"how to (?:install|build)|visuali[sz]\w*)\b",
-    re.IGNORECASE,
-)
-"""A section about something else than starting it."""
-_TO_TEST = pattern(r"(?<!\w)(start|run|launch)\b(.{1,80}?)\bto test\b", re.IGNORECASE)
-"""What a section starts to see whether it works: ``Start the simulation to test your setup``."""
 _SERVES = pattern(
     r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre-?proc\w*|(?:pre-?)?cach(?:e|ing)|prepare\w*|extract\w*|install\w*|set-?up|format|"
     r"record\w*|collect\w*|tokenize\w*|generate\w*|gen|export\w*|annotate\w*|"
-    r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|lint|tidy)(?:[_.-]|$)|"
+    r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|lint|tidy|reset|kill\w*|stop|shut-?down)(?:[_.-]|$)|"
     r"^(?:(?:source|load|activate|export)[_-])?v?env$",
     re.IGNORECASE,
 )
@@ -50,7 +30,7 @@ _UPKEEP = pattern(
 _DATASET = pattern(r"(?:^|[_.-])(?:datasets?|data)(?:[_.-]|$)", re.IGNORECASE)
 """The name of a file of Python that makes data; a node or a compiled program of that name runs on data."""
 _AFTER = pattern(
-    r"(?:^|[_.-])(?:calibrat\w*|evaluat\w*|eval|metrics?|plot\w*|bench\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
+    r"(?:^|[_.-])(?:calibrat\w*|evaluat\w*|eval|metrics?|plot\w*|bench\w*|profil\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
     re.IGNORECASE,
 )
 """The name of a program that looks at what another one did; a README of Python may name its examples so."""
@@ -68,15 +48,6 @@ _LAUNCHERS = ("roslaunch", "rosrun", "ros2")
 _HELP = pattern(r"^(?:--?help|-h|--?usage|--?version|--show-args|-s)$")
 _VALUE = pattern(r"^-{0,2}[\w-]+:?=[-.]*$|^-{3,}$")
 """A value that the reader fills in: ``name:=---``."""
-_DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "simulation", "sim", "system", "example")
-_RUNS = pattern(r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|\.sh$)", re.IGNORECASE)
-"""A script that starts something."""
-_SAMPLE = pattern(r"(?:^|/)\.?docs?/")
-"""Where a launch file is a sample, often for another package, that the page explains."""
-MANY = 8
-FEWEST = 2
-"""Fewest launch files that the one for the whole brings."""
-_SUFFIX = pattern(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?$")
 
 
 def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
@@ -91,15 +62,20 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     written = [c for c in candidates if c.strong and not _helps(c) and not upkeep(c)]
     written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in _LAUNCHERS]
     rest = [c for c in written if not _after(c)] or [
-        c for c in written if c.argv[0].startswith("python") or (_section(c.heading) > 0 and not _named(c, _AFTER))
+        c for c in written if c.argv[0].startswith("python") or (about_running(c.heading) > 0 and not _named(c, _AFTER))
     ]
     rest = rest or [c for c in written if _purpose(c)]
     rest = [*_before_all(written, rest), *rest]
     whole = {program_of(c.argv) for c in rest if not c.cut}
     pages = {file: place for place, file in enumerate(dict.fromkeys(c.file for c in rest))}
     kept = [c for c in rest if not c.cut or program_of(c.argv) not in whole]
-    gaps = {(c.file, c.heading) for c in kept if c.cut and (c.argv[0].startswith("python") or c.installed)}
-    ordered = sorted(kept, key=lambda c: _order(c, pages[c.file], gap=(c.file, c.heading) in gaps))
+    gaps: dict[tuple[str, str], int] = {}
+    for each in (c for c in kept if c.cut and (c.argv[0].startswith("python") or c.installed)):
+        section = (each.file, each.heading)
+        gaps[section] = min(each.line, gaps.get(section, each.line))
+    ordered = sorted(
+        kept, key=lambda c: _order(c, pages[c.file], gap=c.line >= gaps.get((c.file, c.heading), c.line + 1))
+    )
     return _filled_in(ordered[0], rest) if ordered else None
 
 
@@ -113,7 +89,11 @@ def _before_all(written: Iterable[Candidate], rest: Iterable[Candidate]) -> list
         first[each.file] = min(each.line, first.get(each.file, each.line))
         if not each.cut:
             return []
-    own = [c for c in written if c.argv[0].startswith("python") and not c.cut and _after(c) and _section(c.heading) > 0]
+    own = [
+        c
+        for c in written
+        if c.argv[0].startswith("python") and not c.cut and _after(c) and about_running(c.heading) > 0
+    ]
     return [c for c in own if c.line < first.get(c.file, 0)]
 
 
@@ -133,7 +113,7 @@ def _explains(candidate: Candidate) -> bool:
 def _order(candidate: Candidate, page: int, *, gap: bool) -> tuple[bool, bool, bool, bool, int, int, int, bool, int]:
     """Return the place of a command in the order, ``page`` that of its page; equal ones keep theirs.
 
-    ``gap``: the section leaves the reader something to fill in, so that what it runs later cannot do without.
+    ``gap``: the section left the reader something to fill in up to here, and what it runs later cannot do without.
     """
     python = candidate.argv[0].startswith("python") or candidate.installed
     return (
@@ -142,21 +122,11 @@ def _order(candidate: Candidate, page: int, *, gap: bool) -> tuple[bool, bool, b
         candidate.cut and not python,
         _lacks(candidate) and not python,
         candidate.file.count("/"),
-        -_section(candidate.heading),
+        -about_running(candidate.heading),
         page,
         gap,
         candidate.line,
     )
-
-
-def _section(heading: str) -> int:
-    """Return 1 for a section about running it, -1 for one about something else, else 0; the innermost title counts."""
-    for title in reversed(heading.split(" / ")):
-        if _ASIDE.search(_TO_TEST.sub(r"\1\2", title)):
-            return -1
-        if _USAGE.search(title):
-            return 1
-    return 0
 
 
 def upkeep(candidate: Candidate) -> bool:
@@ -212,88 +182,3 @@ def _lacks(candidate: Candidate) -> bool:
     """Tell whether an argument names a file that the tree does not have, or a value to fill in."""
     arguments = candidate.argv[len(program_of(candidate.argv)) :]
     return any((_DATA.search(word) and word not in candidate.files) or _VALUE.match(word) for word in arguments)
-
-
-def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
-    """Return the launch file, script or notebook that a page at the root names without running it.
-
-    A section about running it names the first; elsewhere it must be the only one.
-    """
-    ours = (each for each in evidence.launch if each.package and kind == f"ros{each.ros}" and not each.demands)
-    owners = {launch.file: launch for launch in ours}
-    found: list[Candidate] = []
-    for said in evidence.mentions:
-        argv: tuple[str, ...] = ()
-        if _SAMPLE.search(said.value):
-            continue
-        if said.topic == "pointed" and (launch := owners.get(said.value)):
-            start = ("roslaunch",) if kind == "ros1" else ("ros2", "launch")
-            argv = (*start, launch.package or "", said.value.rpartition("/")[2])
-        elif said.topic == "pointed" and kind not in {"ros1", "ros2"} and _RUNS.match(said.value.rpartition("/")[2]):
-            argv = ("bash", said.value)
-        elif said.topic == "pointed" and kind in {"python", "cuda"} and said.value.endswith(".ipynb"):
-            argv = (*NOTEBOOK, said.value)
-        if argv:
-            why = "the README names it"
-            found.append(
-                Candidate(argv=argv, why=why, file=said.file, line=said.line, strong=True, heading=said.heading)
-            )
-    shown = [c for c in found if _section(c.heading) > 0]
-    return next(iter(shown or (found if len(found) == 1 and found[0].argv[0] != "bash" else [])), None)
-
-
-def named_like_it(candidates: Iterable[Candidate]) -> Candidate | None:
-    """Return the one launch file that is named like its package, else the one named like a demonstration.
-
-    Of many launch files, none is told apart by its name.
-    """
-    launched = [c for c in candidates if c.argv[0] == "roslaunch" or c.argv[:2] == ("ros2", "launch")]
-    if len(launched) > MANY:
-        return None
-    stems = [(_SUFFIX.sub("", c.argv[-1]).lower(), c.argv[-2].lower(), c) for c in launched]
-    own = [c for stem, package, c in stems if stem == package]
-    shown = [c for stem, _, c in stems if stem in _DEMONSTRATION]
-    return own[0] if len(own) == 1 else shown[0] if not own and len(shown) == 1 else None
-
-
-def whole_of(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate | None:
-    """Return the launch file that brings most of the others, itself brought by none: it starts the whole.
-
-    It has to bring two or more, and more than any other that nothing brings, and nothing of a package that neither the
-    tree has, nor a package.xml asks for, nor any distribution of ROS released.
-    """
-    named: dict[str, list[LaunchFile]] = {}
-    for launch in evidence.launch:
-        named.setdefault(launch.file.rpartition("/")[2], []).append(launch)
-    brought = {name for launch in evidence.launch for name in launch.includes if name in named}
-    sizes: list[tuple[int, Candidate]] = []
-    for candidate in candidates:
-        name = candidate.argv[-1].rpartition("/")[2]
-        started = candidate.argv[0] == "roslaunch" or candidate.argv[:2] == ("ros2", "launch")
-        if started and not candidate.strong and name not in brought and len(named.get(name, ())) == 1:
-            below = _below(name, named)
-            if all(_known(launch, evidence) for each in {name, *below} for launch in named[each]):
-                sizes.append((len(below), candidate))
-    sizes.sort(key=lambda each: -each[0])
-    alone = sizes and sizes[0][0] >= FEWEST and (len(sizes) == 1 or sizes[1][0] < sizes[0][0])
-    return sizes[0][1] if alone else None
-
-
-def _known(launch: LaunchFile, evidence: Evidence) -> bool:
-    """Tell whether all packages that a launch file starts are known."""
-    asked = {manifest.name for manifest in evidence.manifests}
-    asked |= {dependency.name for manifest in evidence.manifests for dependency in manifest.dependencies}
-    started = {dependency.name for dependency in launch.dependencies if dependency.namespace == "ros"} - asked
-    return not started or any(started <= released(name) for name in distros())
-
-
-def _below(name: str, named: Mapping[str, list[LaunchFile]]) -> set[str]:
-    """Return the names of the launch files of the tree that one of them includes, at any depth."""
-    found: set[str] = set()
-    pending = [name]
-    while pending:
-        for launch in named.get(pending.pop(), ()):
-            new = {each for each in launch.includes if each in named} - found - {name}
-            found |= new
-            pending += sorted(new)
-    return found

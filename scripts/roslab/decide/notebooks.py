@@ -5,7 +5,8 @@ from __future__ import annotations
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
 from roslab.decide.candidates import of_notebooks
-from roslab.decide.first_command import first_of, pointed_at
+from roslab.decide.first_command import first_of
+from roslab.decide.meant_commands import pointed_at
 from roslab.decide.written_commands import written
 from roslab.evidence.facts import Evidence, Mention
 

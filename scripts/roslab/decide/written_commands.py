@@ -33,6 +33,8 @@ _PATHS = pattern(r"(?<==)\[([\w.:-]*/[\w./:,-]+)\]")
 """A list of paths that Hydra is given: ``models=[out/a.pth,out/b.pth]``."""
 _NAMED_VALUE = pattern(r"([\w-]+) \1[_-](?:name|id|path|dir|folder|file)", re.IGNORECASE)
 """An option and a value that only says what it is: ``--algo algo_name``."""
+_SAYS_WHAT = pattern(r"(?:^|=)[a-z]+(?:_[a-z]+)*_(?:path|dir|directory|folder|filename|file|name)$")
+"""A value that only says what belongs there: ``log_file_path``, ``map:=map_name``."""
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
 """Fewest words of a command that starts something."""
 _LAUNCH = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
@@ -75,7 +77,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     said = [m for m in said if not places.vendored(m.file)]
     nearest = min((mention.file.count("/") for mention in said), default=0)
     for mention in said:
-        whole, cut, blanks = _filled(mention.value)
+        whole, cut, blanks = _filled(mention.value, mention.files)
         argv = _runnable(whole, mention, tree, ros=ros, compiled=compiled)
         if argv is not None:
             strong = not compiled or not any(places.example(part) for part in argv[:2])
@@ -125,19 +127,22 @@ def _launch_files(evidence: Evidence) -> dict[str, frozenset[str]]:
     return {package: frozenset(names) for package, names in found.items()}
 
 
-def _filled(command: str) -> tuple[tuple[str, ...], bool, tuple[str, ...]]:
+def _filled(command: str, files: tuple[str, ...]) -> tuple[tuple[str, ...], bool, tuple[str, ...]]:
     """Return the words of a command without the values that the reader fills in, whether that leaves a gap, and names.
 
     ``map:=PATH`` is left out whole, as the launch file may have a default, and its name returned; an option goes with
-    its value, and what follows an argument that is left out, with it. Words that name the program stay.
+    its value, and what follows an argument that is left out, with it. Words that name the program stay, and so do
+    ``files``, which the tree has.
     """
     kept: list[str] = []
     blanks: list[str] = []
     gap = positional = False
-    for word in _BRACKETS.sub(_blank, command).split():
+    words = _BRACKETS.sub(_blank, command).split()
+    for word in words[1:] if words[:1] == words[1:2] else words:  # ``roslaunch roslaunch``
         blank = bool(_PLACEHOLDER.search(_PATHS.sub(r"\1", _NUMBERS.sub("", word)))) or word.endswith(":=")
         value = bool(kept) and kept[-1].startswith("-") and not word.startswith("-")
         blank = blank or (value and bool(_NAMED_VALUE.fullmatch(f"{kept[-1].lstrip('-')} {word}")))
+        blank = blank or (bool(_SAYS_WHAT.search(word)) and word not in files)
         if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
             kept.append(word)
             continue

@@ -23,7 +23,8 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
     for index, word in enumerate(words):
         if index == 0 and not word.endswith(".sh"):
             continue
-        path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", written(word))) if "/" in word or "." in word else ""
+        named = any(sign in word for sign in "/._")
+        path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", written(word))) if named else ""
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = _only(path, repository) or path

@@ -1,0 +1,111 @@
+"""The program that is meant where no page runs one: what a page names, or what launch files are called and bring."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+
+from roslab.config.model import Kind
+from roslab.decide.candidate import Candidate
+from roslab.decide.sections import about_running
+from roslab.decide.written_commands import NOTEBOOK
+from roslab.evidence.facts import Evidence
+from roslab.evidence.launch_file import LaunchFile
+from roslab.knowledge.distros import distros
+from roslab.knowledge.released import released
+from roslab.values.pattern import pattern
+
+_DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "simulation", "sim", "system", "example")
+_RUNS = pattern(r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|\.sh$)", re.IGNORECASE)
+"""A script that starts something."""
+_SAMPLE = pattern(r"(?:^|/)\.?docs?/")
+"""Where a launch file is a sample, often for another package, that the page explains."""
+MANY = 8
+FEWEST = 2
+"""Fewest launch files that the one for the whole brings."""
+_SUFFIX = pattern(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?$")
+
+
+def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
+    """Return the launch file, script or notebook that a page at the root names without running it.
+
+    A section about running it names the first; elsewhere it must be the only one.
+    """
+    ours = (each for each in evidence.launch if each.package and kind == f"ros{each.ros}" and not each.demands)
+    owners = {launch.file: launch for launch in ours}
+    found: list[Candidate] = []
+    for said in evidence.mentions:
+        argv: tuple[str, ...] = ()
+        if _SAMPLE.search(said.value):
+            continue
+        if said.topic == "pointed" and (launch := owners.get(said.value)):
+            start = ("roslaunch",) if kind == "ros1" else ("ros2", "launch")
+            argv = (*start, launch.package or "", said.value.rpartition("/")[2])
+        elif said.topic == "pointed" and kind not in {"ros1", "ros2"} and _RUNS.match(said.value.rpartition("/")[2]):
+            argv = ("bash", said.value)
+        elif said.topic == "pointed" and kind in {"python", "cuda"} and said.value.endswith(".ipynb"):
+            argv = (*NOTEBOOK, said.value)
+        if argv:
+            why = "the README names it"
+            found.append(
+                Candidate(argv=argv, why=why, file=said.file, line=said.line, strong=True, heading=said.heading)
+            )
+    shown = [c for c in found if about_running(c.heading) > 0]
+    return next(iter(shown or (found if len(found) == 1 and found[0].argv[0] != "bash" else [])), None)
+
+
+def named_like_it(candidates: Iterable[Candidate]) -> Candidate | None:
+    """Return the one launch file that is named like its package, else the one named like a demonstration.
+
+    Of many launch files, none is told apart by its name.
+    """
+    launched = [c for c in candidates if c.argv[0] == "roslaunch" or c.argv[:2] == ("ros2", "launch")]
+    if len(launched) > MANY:
+        return None
+    stems = [(_SUFFIX.sub("", c.argv[-1]).lower(), c.argv[-2].lower(), c) for c in launched]
+    own = [c for stem, package, c in stems if stem == package]
+    shown = [c for stem, _, c in stems if stem in _DEMONSTRATION]
+    return own[0] if len(own) == 1 else shown[0] if not own and len(shown) == 1 else None
+
+
+def whole_of(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate | None:
+    """Return the launch file that brings most of the others, itself brought by none: it starts the whole.
+
+    It has to bring two or more, and more than any other that nothing brings, and nothing of a package that neither the
+    tree has, nor a package.xml asks for, nor any distribution of ROS released.
+    """
+    named: dict[str, list[LaunchFile]] = {}
+    for launch in evidence.launch:
+        named.setdefault(launch.file.rpartition("/")[2], []).append(launch)
+    brought = {name for launch in evidence.launch for name in launch.includes if name in named}
+    sizes: list[tuple[int, Candidate]] = []
+    for candidate in candidates:
+        name = candidate.argv[-1].rpartition("/")[2]
+        started = candidate.argv[0] == "roslaunch" or candidate.argv[:2] == ("ros2", "launch")
+        if started and not candidate.strong and name not in brought and len(named.get(name, ())) == 1:
+            below = _below(name, named)
+            if all(_known(launch, evidence) for each in {name, *below} for launch in named[each]):
+                sizes.append((len(below), candidate))
+    sizes.sort(key=lambda each: -each[0])
+    alone = sizes and sizes[0][0] >= FEWEST and (len(sizes) == 1 or sizes[1][0] < sizes[0][0])
+    return sizes[0][1] if alone else None
+
+
+def _known(launch: LaunchFile, evidence: Evidence) -> bool:
+    """Tell whether all packages that a launch file starts are known."""
+    asked = {manifest.name for manifest in evidence.manifests}
+    asked |= {dependency.name for manifest in evidence.manifests for dependency in manifest.dependencies}
+    started = {dependency.name for dependency in launch.dependencies if dependency.namespace == "ros"} - asked
+    return not started or any(started <= released(name) for name in distros())
+
+
+def _below(name: str, named: Mapping[str, list[LaunchFile]]) -> set[str]:
+    """Return the names of the launch files of the tree that one of them includes, at any depth."""
+    found: set[str] = set()
+    pending = [name]
+    while pending:
+        for launch in named.get(pending.pop(), ()):
+            new = {each for each in launch.includes if each in named} - found - {name}
+            found |= new
+            pending += sorted(new)
+    return found

@@ -1,0 +1,73 @@
+"""Which line of a page a person would type first to run it: what comes before, beside and after it is not meant."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+MAIN = "import numpy\nif __name__ == '__main__':\n    print(1)\n"
+PYTHON = dict.fromkeys(
+    ("train.py", "play.py", "profile_net.py", "reset_arms.sh", "demo/track.py", "demo/show.py"), MAIN
+)
+ROS = {
+    "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+    "launch/map.launch": "<launch/>",
+    "launch/replay.launch": "<launch/>",
+}
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        (
+            "# Usage\n```\npython train.py -n 3\npython play.py --net <net>\n```\n## More\n`python train.py -s`\n",
+            "python train.py -n 3",
+        ),
+        (
+            "# Usage\n```\npython play.py --net /path/to/net.pt\npython train.py --task walk\n```\n",
+            "python play.py",
+        ),
+        ("```\npython train.py --task=walk --load_run log_file_path -n 3\n```\n", "python train.py --task=walk -n 3"),
+        ("```\npython train.py --cfg=config_file --name demo\n```\n", "python train.py --name demo"),
+        ("```\npython train.py map_file\n```\n", "python train.py map_file"),
+        ("# Run\nFor trouble: `sh reset_arms.sh`.\n```\npython train.py\n```\n", "python train.py"),
+        ("# Start\n```\npython profile_net.py\n```\n# Example\n```\npython train.py\n```\n", "python train.py"),
+        (
+            "# Train\n```\npython train.py\n```\n# Watch others using yours\n```\npython play.py\n```\n",
+            "python train.py",
+        ),
+        ("# Train\n```\npython train.py\n```\n# 2. Using it\n```\npython play.py\n```\n", "python play.py"),
+        ("# Demo\n## From a pre-recorded film\n`python train.py`\n## Demo\n`python play.py`\n", "python train.py"),
+    ],
+)
+def test_the_first_program_of_python(tree: Tree, page: str, command: str) -> None:
+    assert " ".join(tree({**PYTHON, "map_file": "", "README.md": page}).command) == command
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("roslaunch roslaunch demo replay.launch\nroslaunch demo map.launch\n", "roslaunch demo replay.launch"),
+        ("roslaunch demo map.launch bag:=bag_path fast:=true\n", "roslaunch demo map.launch fast:=true"),
+    ],
+)
+def test_the_first_launch_file(tree: Tree, page: str, command: str) -> None:
+    assert " ".join(tree({**ROS, "README.md": page}).command) == command
+
+
+def test_the_master_of_ros_that_an_image_starts_is_no_program_of_its_author(tree: Tree) -> None:
+    dockerfile = 'FROM ros:noetic-ros-base\nCOPY . /ws/src/demo\nRUN cd /ws && catkin_make\nCMD ["roscore"]\n'
+    found = tree({**ROS, "Dockerfile": dockerfile, "README.md": "```\nroslaunch demo map.launch\n```\n"})
+    assert found.dockerfile == "Dockerfile"
+    assert found.command == ("roslaunch", "demo", "map.launch")
+
+
+def test_a_page_of_the_documentation_about_launching_it_is_read(tree: Tree) -> None:
+    page = "Launching\n=========\n\n.. code-block:: bash\n\n    python3 train.py\n"
+    found = tree({**PYTHON, "README.md": "# A planner\n", "docs/source/launching.rst": page})
+    assert found.command == ("python3", "train.py")
