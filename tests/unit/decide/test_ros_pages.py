@@ -304,3 +304,9 @@ def test_what_a_page_links_to_is_cloned_for_a_package_that_no_distribution_has(
     found = decided(tmp_path, {**catkin(more), "README.md": f"ROS Noetic\n\n{page}\n"})
     assert [source.name for source in found.source] == names
     assert all(source.repo and source.repo.startswith("https://github.com/lab/") for source in found.source)
+
+
+def test_a_package_whose_name_only_begins_like_one_of_ros_stops_no_plan(tmp_path: Path) -> None:
+    page = "```\nsudo apt-get install ros-latest cmake\n```\n"
+    files = {"CMakeLists.txt": "project(a)\nadd_executable(a a.cpp)\n", "a.cpp": "int main() {}\n", "README.md": page}
+    assert "ros-latest" in decided(tmp_path, files).apt_guessed
