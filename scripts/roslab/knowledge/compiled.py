@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 
+from packaging.version import Version
+
 from roslab.knowledge.table import rows
 
 
@@ -17,6 +19,12 @@ def prebuilt() -> frozenset[str]:
 def architectures() -> tuple[tuple[str, str], ...]:
     """Return ``(CUDA, value of TORCH_CUDA_ARCH_LIST)``: a row holds from its CUDA on."""
     return tuple((row["cuda"], row["architectures"]) for row in rows("cuda_architectures"))
+
+
+@cache
+def gpu_variables() -> dict[str, tuple[str, Version]]:
+    """Return by package the variable of its own in which it is told the GPUs to compile for, and the lowest of them."""
+    return {row["pip"]: (row["variable"], Version(row["lowest"])) for row in rows("gpu_variables")}
 
 
 @cache

@@ -41,6 +41,8 @@ class PythonPlan:
     copied: tuple[str, ...] = ()
     """Own projects that are not installed editable."""
     cuda_architectures: str = ""
+    cuda_variables: tuple[tuple[str, str], ...] = ()
+    """Further variables that tell packages the GPUs to compile for, with their values."""
     day: str | None = None
     clones: bool = False
     """pip installs from repositories of git."""
@@ -73,6 +75,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         git_hosts=compiling.hosts,
         copied=compiling.copied,
         cuda_architectures=compiling.architectures,
+        cuda_variables=compiling.gpus,
         day=python.day,
         clones=compiling.git,
     )

@@ -27,7 +27,7 @@ _NAME = pattern(r"([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)\s*(\[[\w\s,.-]*\]
 _VERSIONS = pattern(r"\(?\s*(?:(?:===?|!=|~=|<=?|>=?)\s*[\w.*+!-]+\s*,?\s*)+\)?")
 _EXPORTED = pattern(r"=([\w.+!-]+?)(?:=[^=\s]+)?")
 _EGG = pattern(r"[#&]egg=([\w.-]+)")
-_LAST = pattern(r"/([\w.-]+?)(?:\.git)?(?:@[^/]*)?(?:#.*)?$")
+_LAST = pattern(r"/([\w.-]+?)(?:\.git(?:@.*)?|@[^/]*)?/?$")
 _NOWHERE = partial(Requirement, origin="table")
 """A requirement before its place and origin are known."""
 
@@ -164,5 +164,5 @@ def _named(url: str) -> str:
         return egg[1]
     if wheel := wheel_of(url):
         return wheel.name
-    last = _LAST.search(url)
+    last = _LAST.search(url.partition("#")[0])
     return last[1] if last else ""

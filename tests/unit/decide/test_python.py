@@ -377,6 +377,13 @@ def test_extensions_of_torch_are_compiled_without_a_gpu(tmp_path: Path) -> None:
     assert not compiling_of(tmp_path / "plain", {"requirements.txt": "torch\n"}, "11.3").architectures
 
 
+def test_a_package_that_reads_a_variable_of_its_own_is_told_the_gpus(tmp_path: Path) -> None:
+    line = "git+https://github.com/NVlabs/tiny-cuda-nn/#subdirectory=bindings/torch\n"
+    asked = {"requirements.txt": "torch==1.10.1\n" + line}
+    assert compiling_of(tmp_path, asked, "11.3").gpus == (("TCNN_CUDA_ARCHITECTURES", "70;75;80;86"),)
+    assert decide(tmp_path, asked, "cuda").first == ("torch==1.10.1", "packaging", "ninja")
+
+
 def test_the_environment_that_the_readme_creates_wins_over_a_project(tmp_path: Path) -> None:
     files = {
         "environment.yaml": "channels: [conda-forge]\ndependencies: [python=3.9, numpy]\n",

@@ -36,6 +36,8 @@ WHEEL = "https://e.org/whl/cu113/torch-1.10.0%2Bcu113-cp38-cp38-linux_x86_64.whl
             None,
             "",
         ),
+        ("git+https://e.org/a/b/#subdirectory=c/torch", "b", "git+https://e.org/a/b/#subdirectory=c/torch", None, ""),
+        ("git+ssh://git@e.org/a/b.git@fix/it", "b", "git+ssh://git@e.org/a/b.git@fix/it", None, ""),
         ("-e git+https://e.org/a.git#egg=b", "b", "git+https://e.org/a.git#egg=b", None, "editable"),
         (WHEEL, "torch", WHEEL, "1.10.0+cu113", ""),
         ("-e .[dev]", "", ".[dev]", None, "project"),

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from packaging.version import Version
 
 from roslab.evidence.facts import PythonProject
-from roslab.knowledge.compiled import architectures, prebuilt, public_hosts
+from roslab.knowledge.compiled import architectures, gpu_variables, prebuilt, public_hosts
 from roslab.knowledge.frameworks import build_needs
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -39,6 +39,8 @@ class Compiling:
     """Folders of projects that are not installed editable: they would compile themselves again when imported."""
     architectures: str = ""
     """``TORCH_CUDA_ARCH_LIST`` for extensions of torch: it asks the GPU otherwise, and a build sees none."""
+    gpus: tuple[tuple[str, str], ...] = ()
+    """Variables in which packages are told the same in a way of their own, with their values."""
 
 
 NOTHING = Compiling()
@@ -54,6 +56,7 @@ def decide_compiling(
     rust = bool(build & _RUST)
     on_torch = "cuda" in extensions or any("torch" in build_needs().get(each.key, ()) for each in packages)
     closed = (match[1] or match[2] for each in packages if (match := _CLOSED.match(each.url)))
+    torch_for = _architectures(cuda) if cuda and on_torch else ""
     return Compiling(
         compiler=bool(extensions) or rust or any(each.vcs or each.key not in prebuilt() for each in packages),
         rust=rust,
@@ -62,7 +65,10 @@ def decide_compiling(
             p.folder or "." for p in projects if {each.key for each in p.build_requires} & _COMPILED_ON_IMPORT
         ),
         hosts=tuple(sorted({host for host in closed if host in public_hosts()})),
-        architectures=_architectures(cuda) if cuda and on_torch else "",
+        architectures=torch_for,
+        gpus=tuple(dict.fromkeys(_told(each.key, torch_for) for each in packages if each.key in gpu_variables()))
+        if torch_for
+        else (),
     )
 
 
@@ -70,3 +76,10 @@ def _architectures(cuda: str) -> str:
     """Return the GPUs that the newest row not above this CUDA names."""
     known = [(Version(version), names) for version, names in architectures() if Version(version) <= Version(cuda)]
     return max(known)[1] if known else ""
+
+
+def _told(package: str, architectures: str) -> tuple[str, str]:
+    """Return the variable that a package reads, and the GPUs as it wants them: ``70;75;80``."""
+    variable, lowest = gpu_variables()[package]
+    numbers = [each for each in architectures.removesuffix("+PTX").split(";") if Version(each) >= lowest]
+    return variable, ";".join(each.replace(".", "") for each in numbers)

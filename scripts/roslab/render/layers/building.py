@@ -22,7 +22,8 @@ def settings(plan: Plan) -> str:
         lines += ["# An older wheel is taken before the source of a newer release", "ENV PIP_PREFER_BINARY=1"]
     if python.cuda_architectures:
         lines.append("# No GPU is seen while an image is built: extensions are compiled for all of these")
-        lines.append(f"ENV FORCE_CUDA=1 \\\n    TORCH_CUDA_ARCH_LIST={quote.docker(python.cuda_architectures)}")
+        pairs = (("FORCE_CUDA", "1"), ("TORCH_CUDA_ARCH_LIST", python.cuda_architectures), *python.cuda_variables)
+        lines.append("ENV " + " \\\n    ".join(f"{name}={quote.docker(value)}" for name, value in pairs))
     if python.git_hosts:
         # A build with a key uses the addresses of ssh as they are
         closed = [("git://", "/")] + ([] if SSH in plan.secrets else [("ssh://git@", "/"), ("git@", ":")])
