@@ -19,6 +19,8 @@ from roslab.values.pattern import pattern
 
 _TOOLS = pattern(r"(?:scripts?|tools?|utils?|bin|misc|dev|etc)/", re.IGNORECASE)
 """A folder whose programs serve a library, where no page runs them."""
+_TESTS = pattern(r"(?:.*/)?(?:test_\w+|\w+_tests?|unittests?|run_?tests?)\.py", re.IGNORECASE)
+"""A file of Python that tests the others; one called ``test.py`` may predict."""
 _TEST = pattern(r"(?:^|[_-])(?:g?tests?|unittests?)(?:[_-]|$)", re.IGNORECASE)
 
 
@@ -132,8 +134,11 @@ def _installed(evidence: Evidence) -> Iterator[Candidate]:
                 why = "a program that the project installs"
                 yield Candidate(argv=(script,), why=why, file=project.file, line=line, strong=False)
     library = any(project.installable and not project.folder and project.requirements for project in evidence.python)
+    tests = {program.file for program in evidence.programs if _TESTS.fullmatch(program.file)}
     for program in evidence.programs:
         path = program.file
+        if path in tests and len(tests) < len(evidence.programs):
+            continue
         aside = places.vendored(path) or places.example(path) or (library and _TOOLS.match(path))
         if program.kind == "main" and path.count("/") <= 1 and not aside:
             why = "it has a __main__ guard"

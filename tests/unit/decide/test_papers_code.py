@@ -356,6 +356,21 @@ def test_a_module_of_a_package_that_pip_installs(
     assert decision.command == command
 
 
+def test_beside_a_list_at_the_root_an_examples_framework_is_no_sign_of_cuda(tmp_path: Path) -> None:
+    examples = {"examples/net/requirements.txt": "tensorflow\n", "examples/net/run.py": "import tensorflow\n"}
+    setup = "from setuptools import setup\nsetup(name='demo')\n"
+    files = {"setup.py": setup, "demo/main.py": "import numpy\n", **examples}
+    assert decided(tmp_path, files).kind == "cuda"
+    assert decided(tmp_path, {**files, "requirements.txt": "numpy\n"}).kind == "python"
+
+
+def test_a_file_of_tests_is_no_program_beside_another(tmp_path: Path) -> None:
+    files = {"python/unit_tests.py": MAIN, "python/requirements.txt": "numpy\n"}
+    assert decided(tmp_path, files).command == ("python3", "python/unit_tests.py")
+    assert decided(tmp_path, {**files, "python/example.py": MAIN}).command == ("python3", "python/example.py")
+    assert decided(tmp_path, {**files, "python/test.py": MAIN}).command == ("bash",)
+
+
 def test_a_module_of_a_folder_that_a_page_goes_to(tmp_path: Path) -> None:
     page = "# Usage\n```\ncd code\npython -m tools.train --fast\n```\n"
     files = {"code/tools/train.py": "import numpy\n", "code/README.txt": "", "README.md": page}

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence, PythonProject
+from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.accelerated import accelerated
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
@@ -41,16 +41,18 @@ def sign_of_cuda(evidence: Evidence) -> Sign | None:
 def _named(evidence: Evidence) -> Iterator[Sign]:
     """Yield where a framework is named: to pip, to ``import``, to conda.
 
-    A library that declares what it needs, without one, does not need that of its examples and scripts.
+    A library that declares what it needs, without one, does not need that of its examples and scripts; beside a list at
+    the root, those of examples say nothing.
     """
     names = accelerated()
     declares = any(p.installable and not p.folder and _declared(p) for p in evidence.python)
-    for asked in _pip(evidence):
+    listed = declares or any(file.requirements and "/" not in file.file for file in _to_run(evidence))
+    for asked in _pip(evidence, listed=listed):
         if asked.key in names and ANY.may(asked):
             yield Sign(file=asked.file, line=asked.line, why=f"it needs {asked.key}")
     for used in evidence.code:
         name = canonicalize_name(used.name) if used.namespace == "import" and used.strength == "used" else ""
-        if name in names and not (declares and _aside(used.file)):
+        if name in names and not ((declares and _aside(used.file)) or (listed and _example(used.file))):
             yield Sign(file=used.file, line=used.line, why=f"it needs {name}")
     for environment in evidence.conda:
         for package in environment.packages:
@@ -64,15 +66,23 @@ def _declared(project: PythonProject) -> list[Requirement]:
 
 
 def _aside(path: str) -> bool:
-    return bool(_SCRIPTS.match(path)) or places.example(path) or places.test(path)
+    return bool(_SCRIPTS.match(path)) or _example(path)
 
 
-def _pip(evidence: Evidence) -> Iterator[Requirement]:
+def _example(path: str) -> bool:
+    return places.example(path) or places.test(path)
+
+
+def _to_run(evidence: Evidence) -> Iterator[RequirementFile]:
+    return (file for file in evidence.requirements if file.purpose == "run")
+
+
+def _pip(evidence: Evidence, *, listed: bool) -> Iterator[Requirement]:
     for project in evidence.python:
         if not places.vendored(project.file):
             yield from _declared(project) or project.requirements
-    for file in evidence.requirements:
-        if file.purpose == "run":
+    for file in _to_run(evidence):
+        if not (listed and _example(file.file)):
             yield from file.requirements
     for environment in evidence.conda:
         yield from environment.requirements
