@@ -166,7 +166,7 @@ def test_torch_fits_the_toolkit_that_compiles_its_extensions(
         ("conda install pytorch torchvision pytorch-cuda=11.6 -c pytorch -c nvidia", {"torch==1.13.*"}, "/cu116"),
         ("conda install pytorch cudatoolkit=11.3 -c pytorch", {"torch==1.12.*"}, "/cu113"),
         ("conda install pytorch -c pytorch", set(), ""),
-        ("conda install pytorch==1.13.0 pytorch-cuda=11.6 -c pytorch -c nvidia", set(), ""),
+        ("conda install pytorch==1.13.0 pytorch-cuda=11.6 -c pytorch -c nvidia", {"torch==1.13.0"}, "/cu116"),
     ],
 )
 def test_the_torch_that_conda_would_take_for_the_cuda_beside_it(

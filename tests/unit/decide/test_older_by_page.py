@@ -57,4 +57,5 @@ def test_a_package_that_ended_needs_a_python_of_its_time(tree: Tree, files: dict
 def test_what_is_named_after_tensorflow_does_not_bring_it(tree: Tree, declared: str, guessed: list[str]) -> None:
     page = "```\npip install tensorflow==2.15.0\npip install -r requirements.txt\n```\n"
     files = {"run.py": "import tensorflow as tf\n", "requirements.txt": declared, "README.md": page}
-    assert [each.written for each in tree(files).python.pip_guessed] == guessed
+    python = tree(files).python
+    assert [each.written for each in (*python.pip, *python.pip_guessed)] == guessed

@@ -37,7 +37,7 @@ def test_what_is_read(text: str, found: list[str]) -> None:
 def test_a_list_gives_versions_and_what_nothing_imports(tree: Tree) -> None:
     page = "# Planner\n\n## Requirements\n\n- PyTorch 1.8\n- mujoco-py\n"
     decision = tree({"main.py": "import torch\n", "README.md": page})
-    asked = {each.written: each.line for each in decision.python.pip_guessed}
+    asked = {each.written: each.line for each in (*decision.python.pip, *decision.python.pip_guessed)}
     assert asked == {"torch==1.8.*": 5, "mujoco-py": 6}
     assert decision.python.version in {"3.8", "3.9"}
 

@@ -198,7 +198,7 @@ def test_guesses_come_from_prose_and_imports_and_never_twice(tmp_path: Path) -> 
         "a.py": "import cv2, numpy, yaml, unheard_of\n",
     }
     python = decide(tmp_path, files, kind="cuda")
-    assert python.pip_guessed == ("torch==1.10.0+cu113", "PyYAML")
+    assert (python.pip, python.pip_guessed) == (("torch==1.10.0+cu113",), ("PyYAML",))
     assert python.options == ("--find-links https://download.pytorch.org/whl/cu113/torch_stable.html",)
 
 

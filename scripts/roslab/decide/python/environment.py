@@ -16,6 +16,7 @@ from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.lost import lost
 from roslab.decide.python.manifests import beside, with_includes
+from roslab.decide.python.named_frameworks import named_frameworks
 from roslab.decide.python.own import OwnPython, manager_of, of_ubuntu, outvoted
 from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin
@@ -30,6 +31,7 @@ from roslab.decide.system.cmake_version import from_pip
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.frameworks import kept_for_build_types
+from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.name import canonicalize_name
 from roslab.values.origin import Place
@@ -75,15 +77,18 @@ def decide_python(
         declared += [asked for asked in _of_environment(evidence, chosen) if not asked.role]
     kept = dict(_kept(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
+    named = named_frameworks(chosen.guessed if manager != "system" else (), number)
+    declared += named.answer.first
+    chosen = replace(chosen, guessed=tuple(each for each in chosen.guessed if each not in named.answer.first))
     everything = [asked for asked in (*declared, *chosen.guessed, *manifests) if interpreter.may(asked)]
     # The distribution's own packages are old enough: only what pip chooses needs a bound
     bounds = decide_bounds(evidence.bounds if manager != "system" else (), everything)
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
-    compiled = kind == "cuda" and manager != "system" and not exact.answer and extends_torch(evidence, chosen)
-    on_page = beside_torch(evidence) if kind == "cuda" and manager != "system" and not exact.answer else None
-    build = torch_build(everything if compiled else (), cuda, number, evidence.pip_day)
-    if on_page and not compiled:
-        build = torch_build(everything, on_page, number, evidence.pip_day, "conda is asked for CUDA {cuda} beside it")
+    wheels = (*exact.answer, *everything) if kind == "cuda" and manager != "system" else ()
+    compiled = bool(wheels) and extends_torch(evidence, chosen)
+    build = torch_build(wheels if compiled else (), cuda, number, evidence.pip_day)
+    if not compiled and (on_page := beside_torch(evidence)):
+        build = torch_build(wheels, on_page, number, evidence.pip_day, "conda is asked for CUDA {cuda} beside it")
     numpy = numpy_of(everything if manager != "system" else ())
     if any(bound.key == "numpy" for bound in bounds.answer):
         numpy = Choice(answer=())
@@ -111,7 +116,7 @@ def decide_python(
         conda_old_pip=_old_pip(evidence, conda),
         conda_defaults=not pixi and _default_channels(evidence, conda),
         first=first(everything, chosen.projects),
-        bounds=(*bounds.answer, *exact.answer, *build.answer[0], *numpy.answer),
+        bounds=(*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *numpy.answer),
         options=tuple(
             dict.fromkeys((*indexes, *build.answer[1], *_file_options(evidence, chosen, repaired), *chosen.options))
         ),
@@ -129,6 +134,7 @@ def decide_python(
             *kept.values(),
             *bounds.reasons,
             *exact.reasons,
+            *named.reasons,
             *build.reasons,
             *numpy.reasons,
         ),

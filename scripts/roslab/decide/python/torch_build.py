@@ -25,14 +25,12 @@ Build = tuple[tuple[Requirement, ...], tuple[str, ...]]
 
 
 def beside_torch(evidence: Evidence) -> str | None:
-    """Return the CUDA that a page asks conda for beside a torch of no version, ``None`` if none does.
+    """Return the CUDA that a page asks conda for beside torch, ``None`` if none does.
 
-    conda then takes the newest torch that was built for that CUDA.
+    conda then takes the torch that was built for that CUDA, of no version the newest one.
     """
     torch = {(asked.file, asked.line) for asked in evidence.prose_pip if asked.role == "conda" and asked.key == "torch"}
-    limited = any(asked.key == "torch" and asked.limited for asked in evidence.prose_pip)
-    said = (m.value for m in evidence.mentions if m.topic == "cuda" and (m.file, m.line) in torch)
-    return None if limited else next(said, None)
+    return next((m.value for m in evidence.mentions if m.topic == "cuda" and (m.file, m.line) in torch), None)
 
 
 def torch_build(

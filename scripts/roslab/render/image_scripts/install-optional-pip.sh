@@ -1,18 +1,39 @@
 #!/bin/bash
 # usage: install-optional-pip PYTHON [OPTION...] -- PACKAGE...
-# Installs each package that pip finds, with the given options. Of one that has not the exact version which a page names,
-# another version is taken. The others are named and left out.
+# Installs each package that pip finds, with the given options: those of a version that a page names first. For the
+# others nothing is replaced that pip has installed by then. Of one that has not the exact version which a page names,
+# another version is taken; what cannot be built by itself is built beside what is there (torch). The others are named
+# and left out.
 set -euo pipefail
 
-pip=("$1" -m pip install)
+python="$1"
+pip=("${python}" -m pip install)
 shift
 while [ "$1" != -- ]; do
   pip+=("$1")
   shift
 done
 shift
+of_a_version=()
+others=()
 for package in "$@"; do
-  if "${pip[@]}" "${package}"; then continue; fi
+  case "${package%% @ *}" in *[\<=\>]*) of_a_version+=("${package}") ;; *) others+=("${package}") ;; esac
+done
+kept="$(mktemp)"
+keep() {
+  local folder
+  folder="$("${python}" -c 'import site; print(site.getsitepackages()[0])')"
+  "${python}" -m pip list --format=freeze --path "${folder}" \
+    | grep --extended-regexp '^[A-Za-z0-9._-]+==[0-9]+([.][0-9]+)*((a|b|rc|[.]post|[.]dev)[0-9]+)*([+][a-z0-9.]+)?$' >"${kept}" || true
+}
+for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[@]}"}; do
+  case "${package}" in
+    --) keep && continue ;;
+    *[\<=\>]* | *://*) limits=() ;;
+    *) limits=(--constraint "${kept}") ;;
+  esac
+  arguments=(${limits[@]+"${limits[@]}"} "${package}")
+  if "${pip[@]}" "${arguments[@]}" || "${pip[@]}" --no-build-isolation "${arguments[@]}"; then continue; fi
   name="${package%%==*}"
   if [ "${name}" != "${package}" ] && "${pip[@]}" "${name}"; then
     echo "roslab: pip cannot install ${package} here: another version is taken" >&2

@@ -1,0 +1,71 @@
+"""Packages that are only guessed replace nothing that was named; the script runs against a stand-in of pip."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+from roslab.render import image_scripts
+
+SCRIPT = Path(image_scripts.__path__[0]) / "install-optional-pip.sh"
+STAND_IN = """#!/bin/bash
+# A stand-in of Python with pip: it notes each call, lists what a file says, and refuses what another file says
+case "$*" in
+  "-c "*) echo {folder}/site-packages ;;
+  "-m pip list"*) echo "$*" >>{folder}/calls; cat {folder}/installed ;;
+  *)
+    if [ "${{5:-}}" = --constraint ]; then cp "${{6}}" {folder}/kept; fi
+    echo "$*" | sed 's|--constraint [^ ]*|--constraint KEPT|; s/^-m pip install //' >>{folder}/calls
+    ! grep --quiet --line-regexp --fixed-strings -- "${{@: -1}}" {folder}/refused ;;
+esac
+"""
+
+
+def _run(folder: Path, *packages: str, installed: str = "", refused: str = "") -> list[str]:
+    """Return the calls of pip, with what was kept below them."""
+    (folder / "installed").write_text(installed)
+    (folder / "refused").write_text(refused)
+    (folder / "python3").write_text(STAND_IN.format(folder=folder))
+    (folder / "python3").chmod(0o755)
+    script = SCRIPT.read_text().replace("/usr/local/share/roslab/left-out.txt", f"{folder}/left-out.txt")
+    subprocess.run(
+        ["bash", "-c", script, "install-optional-pip", f"{folder}/python3", "--no-cache-dir", "--", *packages],
+        env={**os.environ, "TMPDIR": str(folder)},
+        capture_output=True,
+        check=True,
+    )
+    return (folder / "calls").read_text().replace(str(folder), "").splitlines()
+
+
+def test_what_a_page_names_comes_first_and_is_kept(tmp_path: Path) -> None:
+    installed = "torch==1.7.1+cu110\ndistro-info==0.23ubuntu1\nnumpy==1.19.5\nlab @ file:///lab\n"
+    calls = _run(tmp_path, "timm", "torch==1.7.1+cu110", "scipy", "numpy<1.20", installed=installed)
+    assert calls == [
+        "--no-cache-dir torch==1.7.1+cu110",
+        "--no-cache-dir numpy<1.20",
+        "-m pip list --format=freeze --path /site-packages",
+        "--no-cache-dir --constraint KEPT timm",
+        "--no-cache-dir --constraint KEPT scipy",
+    ]
+    assert (tmp_path / "kept").read_text() == "torch==1.7.1+cu110\nnumpy==1.19.5\n"
+
+
+def test_what_is_cloned_keeps_its_place_and_is_built_beside_torch(tmp_path: Path) -> None:
+    clone = "lab @ git+https://example.org/lab.git@v1"
+    (tmp_path / "left-out.txt").touch()
+    calls = _run(tmp_path, "torch", clone, refused=f"{clone}\n")
+    assert calls == [
+        "-m pip list --format=freeze --path /site-packages",
+        "--no-cache-dir --constraint KEPT torch",
+        f"--no-cache-dir {clone}",
+        f"--no-cache-dir --no-build-isolation {clone}",
+    ]
+    assert (tmp_path / "left-out.txt").read_text() == f"pip {clone}\n"
+
+
+def test_of_a_version_that_is_gone_another_one_is_taken(tmp_path: Path) -> None:
+    calls = _run(tmp_path, "carla==0.9.10", refused="carla==0.9.10\n")
+    assert calls[:3] == ["--no-cache-dir carla==0.9.10", "--no-cache-dir --no-build-isolation carla==0.9.10",
+                         "--no-cache-dir carla"]  # fmt: skip
+    assert not (tmp_path / "left-out.txt").exists()
