@@ -142,6 +142,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         sources=sources.answer,
         system=system.answer,
         folder_name=folder_name,
+        cuda=cuda.answer.version if target.cuda else None,
     )
     sources = with_recipes(sources, libraries)
     system = without_twins(system, frozenset(source.name for source, _ in libraries))
@@ -192,6 +193,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
                 *(evidence, kind.answer, build_tool.answer, packages, python.answer),
                 as_it_is=bool(own.answer or config.compatible),
             ),
+            () if own.answer else sources.answer.sources,
         ),
     )
     choices = (

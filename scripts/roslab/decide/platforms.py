@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from packaging.version import Version
 
-from roslab.config.model import Config, Kind
+from roslab.config.model import Config, Kind, Source
 from roslab.decide.cuda.version import DEFAULT as CUDA
 from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.processor import OnX86
@@ -50,6 +52,7 @@ def decide_platforms(  # noqa: PLR0917 - the order in which the questions are an
     python: Python,
     installed: tuple[Requirement, ...],
     on_x86: OnX86,
+    sources: Iterable[Source] = (),
 ) -> Choice[Platforms]:
     """Return the platforms that can exist: amd64 always, arm64 where the base, CUDA and every pinned wheel have it."""
     if config.platforms is not None:
@@ -60,6 +63,7 @@ def decide_platforms(  # noqa: PLR0917 - the order in which the questions are an
         or _of_cuda(kind, base_image, cuda, python)
         or _of_wheels(python, installed)
         or _of_conda(evidence, python)
+        or _of_archives(sources)
         or _of_code(on_x86)
     )
     if against is None:
@@ -81,6 +85,12 @@ def _without(platforms: Platforms, reason: Reason, on_x86: OnX86) -> Choice[Plat
     )
     told = warn(message, on_x86.left_out[0])
     return Choice(answer=replace(platforms, without=words), reasons=(reason,), warnings=(told,))
+
+
+def _of_archives(sources: Iterable[Source]) -> Against | None:
+    known = amd64_only("archive")
+    found = next((source for source in sources if source.zip and source.zip.startswith(known)), None)
+    return (f"{found.name} is an archive for amd64 only", found.place) if found else None
 
 
 def _of_code(on_x86: OnX86) -> Against | None:

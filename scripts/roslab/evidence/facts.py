@@ -168,7 +168,7 @@ class Mention:
     topic: Literal[
         "distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command", "date",
         "vcs_file", "compiled", "step", "build_script", "python_path", "variable", "image_built", "image_pulled",
-        "pointed", "included", "reference",
+        "pointed", "included", "reference", "libtorch",
     ]  # fmt: skip
     value: str
     source: Literal[

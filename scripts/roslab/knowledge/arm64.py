@@ -11,8 +11,8 @@ from roslab.knowledge.table import rows
 
 
 @cache
-def amd64_only(what: Literal["image", "conda"]) -> tuple[str, ...]:
-    """Return names of conda packages, or prefixes of image names, that exist only for amd64."""
+def amd64_only(what: Literal["image", "conda", "archive"]) -> tuple[str, ...]:
+    """Return names of conda packages, or prefixes of image names or of addresses, that exist only for amd64."""
     return tuple(row["name"] for row in rows("amd64_only") if row["what"] == what)
 
 

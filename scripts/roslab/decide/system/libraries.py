@@ -7,6 +7,7 @@ from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.sources import Sources
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_hand import as_written, by_hand
+from roslab.decide.system.libtorch import libtorch
 from roslab.decide.system.names import Target
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.recipes import of_another_release, own_names, recipes_for, too_old_here
@@ -25,8 +26,12 @@ def decide_libraries(
     sources: Sources,
     system: SystemPackages,
     folder_name: str,
+    cuda: str | None,
 ) -> tuple[tuple[Source, Dependency], ...]:
-    """Return the libraries in the order to build them, each with what asked for it; none is the repository itself."""
+    """Return the libraries in the order to build them, each with what asked for it; none is the repository itself.
+
+    ``cuda``: the version that the image has.
+    """
     own = own_names(evidence, folder_name)
     wanted = (
         *sources.libraries,
@@ -40,4 +45,5 @@ def decide_libraries(
     taken = sources.names | packages.names | own | elsewhere
     depends = tuple(name for name in (*system.apt, *system.brought) if name.endswith("-dev"))
     linked = by_hand(evidence, config, kind, target=target, packages=packages, taken=taken)
-    return (*tabled, *((replace(source, depends=depends), asked) for source, asked in linked))
+    torch = libtorch(evidence, config, kind, packages, cuda) if "libtorch" not in taken else ()
+    return (*tabled, *torch, *((replace(source, depends=depends), asked) for source, asked in linked))

@@ -13,7 +13,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logical_lines
-from roslab.evidence.prose import apt_scripts, exports, generated, mentions, python_path
+from roslab.evidence.prose import apt_scripts, exports, generated, libtorch, mentions, python_path
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of
@@ -171,7 +171,11 @@ def _read(text: str, file: File) -> Prose:
         collector.text(code, line)
     collector.sources += _links(text, file)
     found = collector.prose()
-    said = (*mentions.read(text, file.path, "readme"), *apt_scripts.read(file.path, text))
+    said = (
+        *mentions.read(text, file.path, "readme"),
+        *apt_scripts.read(file.path, text),
+        *libtorch.read(file.path, text),
+    )
     return found._replace(mentions=(*found.mentions, *said))
 
 

@@ -161,7 +161,12 @@ def _folder(library: Source) -> str:
 
 
 def _fetch(plan: Plan, library: Source) -> list[str]:
-    return [f"mkdir --parents {SOURCES}", *fetch(plan, library, _folder(library))]
+    return [f"mkdir --parents {SOURCES}", *prepared(plan, library, _folder(library))]
+
+
+def prepared(plan: Plan, source: Source, folder: str) -> list[str]:
+    """Return the commands that fetch a source and change in it what its row of a table says."""
+    return fetch(plan, source, folder) + ([f"(cd {folder} && {source.prepare})"] if source.prepare else [])
 
 
 def fetch(plan: Plan, source: Source, folder: str) -> list[str]:

@@ -9,7 +9,7 @@ from roslab.plan.plan import Plan
 from roslab.plan.workspace import WORKSPACE, RosBuild
 from roslab.render import quote
 from roslab.render.layers import locks, manifests, secrets, shell
-from roslab.render.layers.system import fetch
+from roslab.render.layers.system import fetch, prepared
 
 HOME = f"/home/{quote.USER}"
 WS = f"{HOME}/{WORKSPACE}"
@@ -62,7 +62,7 @@ def submodules(plan: Plan) -> str:
 
 def _fetched(plan: Plan, source: Source) -> list[str]:
     folder = quote.shell_with_user(f"{WS}/src/{source.name}")
-    return fetch(plan, source, folder) + ([f"(cd {folder} && {source.prepare})"] if source.prepare else [])
+    return prepared(plan, source, folder)
 
 
 def rosdep(plan: Plan) -> str:

@@ -1,0 +1,72 @@
+"""The C++ library of PyTorch, for which CMake asks: no package of Ubuntu has it, an archive of its project does."""
+
+from __future__ import annotations
+
+import shlex
+
+from packaging.version import Version
+
+from roslab.config.model import Config, Kind, Source
+from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.needs import code_needs
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.frameworks import newest_framework
+from roslab.knowledge.libtorch import OLDEST, libtorch_archive
+from roslab.values.origin import Place
+from roslab.values.version import version_of
+
+NAME = "libtorch"
+_LINES = "%s\\n"
+_INSTALL = (
+    "cmake_minimum_required(VERSION 3.5)",
+    f"project({NAME} NONE)",
+    'file(WRITE "${CMAKE_BINARY_DIR}/torch.conf" "${CMAKE_INSTALL_PREFIX}/torch/lib\\n")',
+    "install(DIRECTORY include lib share DESTINATION torch)",
+    'install(FILES "${CMAKE_BINARY_DIR}/torch.conf" DESTINATION /etc/ld.so.conf.d)',
+)
+"""The archive has no build: a folder of its own, whose name CMake looks for, keeps its headers from hiding others.
+
+https://cmake.org/cmake/help/latest/command/find_package.html#config-mode-search-procedure
+"""
+
+
+def libtorch(
+    evidence: Evidence, config: Config, kind: Kind, packages: Packages, cuda: str | None
+) -> tuple[tuple[Source, Dependency], ...]:
+    """Return the library where the build asks for it, in the release that a page names, else in that of its time.
+
+    ``cuda``: that of the image, for which there may be an archive.
+    """
+    if config.compatible or kind == "python":
+        return ()
+    asked = next((each for each in code_needs(evidence, packages) if _asks(each)), None)
+    if asked is None or (release := _release(evidence)) is None:
+        return ()
+    source = Source(
+        name=NAME,
+        zip=libtorch_archive(release, cuda),
+        prepare=f"{shlex.join(('printf', _LINES, *_INSTALL))} > CMakeLists.txt",
+        place=Place(file=asked.file, line=asked.line),
+    )
+    return ((source, asked),)
+
+
+def _asks(each: Dependency) -> bool:
+    aside = places.example(each.file) or places.test(each.file)
+    return each.namespace == "cmake" and each.name.lower() == "torch" and each.strength != "optional" and not aside
+
+
+def _release(evidence: Evidence) -> str | None:
+    """Return the release in full, ``1.8.0``."""
+    named = [mention.value for mention in evidence.mentions if mention.topic == NAME]
+    named += [each.release or "" for each in evidence.listed if each.key == "torch"]
+    named += [git.ref or "" for git in evidence.sources if git.url.removesuffix(".git").endswith("/pytorch/pytorch")]
+    release = next((found for each in named if (found := version_of(each.removeprefix("v")))), None)
+    date = dated(evidence)
+    newest = newest_framework("torch", date.value if date else None)
+    if release is None:
+        release = Version(newest.first) if newest else OLDEST
+    return ".".join(map(str, (*max(release, OLDEST).release, 0, 0)[:3]))

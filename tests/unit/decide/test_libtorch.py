@@ -1,0 +1,101 @@
+"""The C++ library of PyTorch is unpacked where CMake looks for it."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.decide.platforms import AMD64, ARM64
+from roslab.knowledge.libtorch import libtorch_archive
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+CMAKE = "project(demo CXX)\nfind_package(Torch REQUIRED)\nadd_executable(a a.cpp)\n"
+CODE = {"CMakeLists.txt": CMAKE, "a.cpp": "#include <torch/script.h>\nint main() {}\n"}
+
+
+@pytest.mark.parametrize(
+    ("page", "release"),
+    [
+        ("## Dependencies\n- libtorch (v1.10.2)\n", "1.10.2"),
+        ("LibTorch: tested with 1.7\n", "1.7.0"),
+        ("wget https://example.org/libtorch-cxx11-abi-shared-with-deps-1.13.1%2Bcpu.zip\n", "1.13.1"),
+        ("## Requirements\n- PyTorch 1.6.0\n", "1.6.0"),
+        ("```\ngit clone -b v1.0.1 https://github.com/pytorch/pytorch\n```\n", "1.2.0"),
+    ],
+)
+def test_the_release_is_the_pages(tree: Tree, page: str, release: str) -> None:
+    decision = tree(CODE | {"README.md": page})
+    assert [(each.name, each.zip) for each in decision.source] == [("libtorch", libtorch_archive(release, None))]
+    assert decision.platforms == (AMD64,)
+    assert dict(decision.platforms_refused).keys() == {ARM64}
+
+
+def test_without_a_name_it_is_of_the_last_commits_day(tmp_path: Path) -> None:
+    for name, text in CODE.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    git = ["git", "-C", str(tmp_path), "-c", "user.name=a", "-c", "user.email=a@b"]
+    dated = {
+        "GIT_COMMITTER_DATE": "2021-05-01T00:00:00Z",
+        "GIT_AUTHOR_DATE": "2021-05-01T00:00:00Z",
+        "PATH": "/usr/bin:/bin",
+    }
+    subprocess.run([*git, "init", "-q"], check=True)
+    subprocess.run([*git, "add", "."], check=True)
+    subprocess.run([*git, "commit", "-qm", "a"], check=True, env=dated)
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert libtorch_archive("1.8.0", None) in text
+    assert "curl" in text
+    assert "unzip" in text
+
+
+@pytest.mark.parametrize("line", ["", "find_package(Torch QUIET)\n", "if(WITH_IT)\nfind_package(Torch)\nendif()\n"])
+def test_what_does_not_need_it_gets_none(tree: Tree, line: str) -> None:
+    files = {"CMakeLists.txt": f"project(demo CXX)\n{line}add_executable(a a.cpp)\n", "a.cpp": "int main() {}\n"}
+    decision = tree(files | {"README.md": "libtorch 1.8.1\n"})
+    assert not decision.source
+    assert decision.platforms == (AMD64, ARM64)
+
+
+def test_an_archive_for_the_cuda_of_the_image_only_where_there_is_one() -> None:
+    assert "/cu118/libtorch-cxx11-abi-shared-with-deps-2.1.0%2Bcu118.zip" in libtorch_archive("2.1.0", "11.8")
+    assert "/cu126/libtorch-shared-with-deps-2.8.0%2Bcu126.zip" in libtorch_archive("2.8.0", "12.6")
+    assert "/cpu/" in libtorch_archive("2.1.0", "12.4")
+    assert "/cpu/" in libtorch_archive("1.7.1", "10.2")
+    with pytest.raises(ValueError, match=r"1\.0\.1"):
+        libtorch_archive("1.0.1", None)
+
+
+def test_what_is_unpacked_is_installed_where_cmake_finds_it(tmp_path: Path, tree: Tree) -> None:
+    """A made-up archive of one file; CMake looks below its own prefixes alone."""
+    (prepare,) = [each.prepare for each in tree(CODE).source]
+    config = tmp_path / "libtorch/share/cmake/Torch/TorchConfig.cmake"
+    config.parent.mkdir(parents=True)
+    config.write_text("set(Torch_FOUND TRUE)\n", encoding="utf-8")
+    (tmp_path / "libtorch/include").mkdir()
+    (tmp_path / "libtorch/lib").mkdir()
+    installed = tmp_path / "installed"
+    for command, folder in (
+        (prepare, "libtorch"),
+        ("mkdir build && cd build && cmake .. && make install", "libtorch"),
+    ):
+        subprocess.run(
+            ["bash", "-ec", command],
+            cwd=tmp_path / folder,
+            check=True,
+            env={"DESTDIR": str(installed), "PATH": "/usr/local/bin:/usr/bin:/bin"},
+        )
+    assert (installed / "etc/ld.so.conf.d/torch.conf").read_text(encoding="utf-8") == "/usr/local/torch/lib\n"
+    (tmp_path / "used").mkdir()
+    (tmp_path / "used/CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.5)\nproject(a NONE)\n"
+        "set(Torch_DIR /home/a/torch)\nfind_package(Torch REQUIRED)\n",
+        encoding="utf-8",
+    )
+    prefix = f"-DCMAKE_SYSTEM_PREFIX_PATH={installed}/usr/local"
+    subprocess.run(["cmake", prefix, "."], cwd=tmp_path / "used", check=True)
