@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from roslab.decide.candidate import Candidate, program_of
-from roslab.decide.sections import about_running
+from roslab.decide.sections import about_running, starts
 from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
 
@@ -65,7 +65,8 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
         c for c in written if c.argv[0].startswith("python") or (about_running(c.heading) > 0 and not _named(c, _AFTER))
     ]
     rest = rest or [c for c in written if _purpose(c)]
-    rest = [*_before_all(written, rest), *rest]
+    if before := _before_all(written, rest):
+        return before[0]
     whole = {program_of(c.argv) for c in rest if not c.cut}
     pages = {file: place for place, file in enumerate(dict.fromkeys(c.file for c in rest))}
     kept = [c for c in rest if not c.cut or program_of(c.argv) not in whole]
@@ -79,22 +80,18 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     return _filled_in(ordered[0], rest) if ordered else None
 
 
-def _before_all(written: Iterable[Candidate], rest: Iterable[Candidate]) -> list[Candidate]:
+def _before_all(written: Sequence[Candidate], rest: Sequence[Candidate]) -> list[Candidate]:
     """Return the programs of Python that are named like an evaluation and that a page starts whole before any other.
 
-    A section about running it has to start them, and nothing else may be whole: they look at nothing that others did.
+    A section that starts something has to start them, and nothing else may be whole: no other leaves them its results.
     """
-    first: dict[str, int] = {}
-    for each in rest:
-        first[each.file] = min(each.line, first.get(each.file, each.line))
-        if not each.cut:
-            return []
-    own = [
-        c
-        for c in written
-        if c.argv[0].startswith("python") and not c.cut and _after(c) and about_running(c.heading) > 0
-    ]
-    return [c for c in own if c.line < first.get(c.file, 0)]
+    if any(not c.cut for c in rest):
+        return []
+    pages = list(dict.fromkeys(c.file for c in written))
+    foremost = {c.file: c.line for c in sorted(rest, key=lambda c: -c.line)}
+    before = pages[: min(map(pages.index, foremost), default=0)]
+    own = [c for c in written if c.argv[0].startswith("python") and not c.cut and _after(c) and starts(c.heading)]
+    return [c for c in own if c.file in before or c.line < foremost.get(c.file, 0)]
 
 
 def _filled_in(first: Candidate, candidates: Iterable[Candidate]) -> Candidate:

@@ -32,3 +32,8 @@ def about_running(heading: str) -> int:
         if _USAGE.search(title):
             return 1
     return 0
+
+
+def starts(heading: str) -> bool:
+    """Tell whether a section's titles speak of starting something, whatever it is about: ``Launching Evaluations``."""
+    return bool(_USAGE.search(heading))

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.outputs import written_below
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
@@ -138,7 +139,8 @@ def _filled(command: str, files: tuple[str, ...]) -> tuple[tuple[str, ...], bool
     blanks: list[str] = []
     gap = positional = False
     words = _BRACKETS.sub(_blank, command).split()
-    for word in words[1:] if words[:1] == words[1:2] else words:  # ``roslaunch roslaunch``
+    for said in words[1:] if words[:1] == words[1:2] else words:  # ``roslaunch roslaunch``
+        word = written_below(kept[-1] if kept else "", said)
         blank = bool(_PLACEHOLDER.search(_PATHS.sub(r"\1", _NUMBERS.sub("", word)))) or word.endswith(":=")
         value = bool(kept) and kept[-1].startswith("-") and not word.startswith("-")
         blank = blank or (value and bool(_NAMED_VALUE.fullmatch(f"{kept[-1].lstrip('-')} {word}")))

@@ -674,6 +674,71 @@ def test_a_script_that_starts_a_container_is_not_what_is_run(tree: Tree, line: s
 
 
 @pytest.mark.parametrize(
+    ("guard", "command"),
+    [
+        ('if [ -z "$SIM_HOME" ]; then\n    echo "Please set it"\n    exit 1\nfi', "python main.py"),
+        ('[[ -z "${SIM_HOME}" ]] && { echo "Please set it"; exit 1; }', "python main.py"),
+        (': "${SIM_HOME:?is not set}"', "python main.py"),
+        ('if [ -z "$SIM_HOME" ]; then\n    SIM_HOME=$(pwd)\nfi', "bash start.sh"),
+        ('SIM_HOME=sim\nif [ -z "$SIM_HOME" ]; then\n    exit 1\nfi', "bash start.sh"),
+        ('if [ -z "$SIM_HOME" ]; then\n    echo "the default"\nelse\n    echo "yours"; exit 1\nfi', "bash start.sh"),
+        ('if [ -z "$HOME" ]; then\n    exit 1\nfi', "bash start.sh"),
+    ],
+)
+def test_a_script_that_stops_without_a_variable_is_not_what_is_run(tree: Tree, guard: str, command: str) -> None:
+    page = "# Usage\nStart the simulator:\n```\n./start.sh\n```\nThen\n```\npython main.py\n```\n"
+    files = {"start.sh": f"#!/bin/bash\n{guard}\n./sim\n", "main.py": "import numpy\n", "README.md": page}
+    assert " ".join(tree({**files, "requirements.txt": "numpy\n"}).command) == command
+
+
+def test_what_a_sentence_uses_as_something_is_not_what_is_run(tree: Tree) -> None:
+    page = "# Usage\nCopy and use `lib/demo.py` as a template, or use `other.py` to see it.\n"
+    main = 'if __name__ == "__main__":\n    print(1)\n'
+    found = tree({"lib/demo.py": main, "other.py": main, "third.py": main, "README.md": page})
+    assert found.command == ("python", "other.py")
+
+
+@pytest.mark.parametrize(
+    ("said", "argv"),
+    [
+        ("--logdir ~/logs/run1 --n 3", ("--logdir", "logs/run1", "--n", "3")),
+        ("--save_dir=~/logs --n 3", ("--save_dir=logs", "--n", "3")),
+        ("logdir=~/logs/run1", ("logdir=logs/run1",)),
+        ("--data ~/logs --n 3", ("--n", "3")),
+        ("--output /path/to/it --n 3", ("--n", "3")),
+    ],
+)
+def test_what_a_program_writes_below_the_home_is_written_below_the_tree(
+    tree: Tree, said: str, argv: tuple[str, ...]
+) -> None:
+    main = 'if __name__ == "__main__":\n    print(1)\n'
+    assert tree({"run.py": main, "README.md": f"# Usage\n```\npython run.py {said}\n```\n"}).command[2:] == argv
+
+
+def test_an_evaluation_that_is_written_out_comes_before_what_leaves_paths_to_the_reader(tree: Tree) -> None:
+    main = 'if __name__ == "__main__":\n    print(1)\n'
+    page = "## Launching Evaluations\n```\npython eval_sim.py --model lab/model\n```\n"
+    page += "## Fine-Tuning\n```\npython train.py --data /path/to/data\n```\n"
+    files = {"eval_sim.py": main, "train.py": main}
+    assert tree({**files, "README.md": page}).command == ("python", "eval_sim.py", "--model", "lab/model")
+    page = page.replace("Launching Evaluations", "Evaluation")
+    assert tree({**files, "README.md": page}).command == ("python", "train.py")
+
+
+@pytest.mark.parametrize(
+    ("links", "program"), [("[a](SIM.md) [b](ROBOT.md)", "eval_sim.py"), ("[b](ROBOT.md) [a](SIM.md)", "serve.py")]
+)
+def test_an_evaluation_on_the_page_that_is_linked_to_first(tree: Tree, links: str, program: str) -> None:
+    main = 'if __name__ == "__main__":\n    print(1)\n'
+    pages = {
+        "README.md": f"# Arm\n{links}\n",
+        "SIM.md": "## Launching Evaluations\n```\npython eval_sim.py --model lab/model\n```\n",
+        "ROBOT.md": "## Launching the server\n```\npython serve.py --checkpoint /path/to/it\n```\n",
+    }
+    assert tree({"eval_sim.py": main, "serve.py": main} | pages).command[1] == program
+
+
+@pytest.mark.parametrize(
     ("title", "launched"),
     [
         ("3. Start the demo simulation to test your setup", "world"),

@@ -62,3 +62,39 @@ def test_the_names_come_before_the_arguments_of_cmake(tmp_path: Path) -> None:
         (tmp_path / path).write_text(text, encoding="utf-8")
     text = dockerfile(plan_repository(tmp_path).plan)
     assert '--parallel-packages "${jobs}" demo demo_msgs \\\n      --cmake-args' in text
+
+
+AMENT = "<package><name>{}</name><buildtool_depend>ament_cmake</buildtool_depend>{}</package>"
+COLCON = {
+    "demo/package.xml": AMENT.format("demo", NEEDS),
+    "demo/CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n",
+    "demo_msgs/package.xml": AMENT.format("demo_msgs", ""),
+    "demo_msgs/CMakeLists.txt": "project(demo_msgs)\nfind_package(ament_cmake REQUIRED)\n",
+    "deps.repos": "repositories:\n  maps: {type: git, url: 'https://github.com/lab/maps.git', version: main}\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("command", "names"),
+    [
+        ("colcon build --packages-up-to demo --symlink-install", ("demo", "demo_msgs")),
+        ("colcon build --symlink-install --packages-up-to demo", ("demo", "demo_msgs")),
+        ("colcon build --packages-up-to elsewhere", ()),
+        ("colcon build --packages-select demo", ()),
+        ("colcon build", ()),
+    ],
+)
+def test_what_colcon_builds_where_a_page_builds_up_to_a_package(
+    tree: Tree, command: str, names: tuple[str, ...]
+) -> None:
+    page = f"ROS 2 Humble\n```\nvcs import src < deps.repos\n{command}\n```\n"
+    assert tree(COLCON | {"README.md": page}).named == names
+
+
+def test_the_packages_that_colcon_builds_come_before_the_arguments_of_cmake(tmp_path: Path) -> None:
+    page = "ROS 2 Humble\n```\nvcs import src < deps.repos\ncolcon build --packages-up-to demo\n```\n"
+    for path, text in (COLCON | {"README.md": page}).items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert "      --packages-up-to demo demo_msgs \\\n      --cmake-args" in text

@@ -338,6 +338,17 @@ def test_the_repositorys_own_name_says_nothing_of_its_lists(tmp_path: Path) -> N
     assert decided(tmp_path, files, branch="jazzy").vcs == ("test_tools.repos",)
 
 
+def test_the_repositorys_own_name_may_be_spelled_in_another_way(tmp_path: Path) -> None:
+    page = "```\nvcs import src < arm_tools_alone.repos\n```\n"
+    files = {
+        **package("armtools", xml=AMENT),
+        "arm_tools_alone.repos": _sister("x"),
+        "build_depends.repos": _sister("y"),
+        "README.md": page,
+    }
+    assert decided(tmp_path, files, branch="jazzy").vcs == ("arm_tools_alone.repos",)
+
+
 def test_a_library_without_a_package_is_built_from_the_table(tmp_path: Path) -> None:
     files = {**package(), "CMakeLists.txt": CMAKE.format(name="demo") + "find_package(Pangolin REQUIRED)\n"}
     (source,) = decided(tmp_path, files).source

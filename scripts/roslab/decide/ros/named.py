@@ -1,14 +1,18 @@
-"""The packages that catkin_tools is told to build, where a page names them: what else a clone holds stays out."""
+"""The packages that catkin_tools or colcon is told to build by a page: what else a clone holds stays out."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
+from itertools import takewhile
 
 from roslab.config.model import BuildTool, Config, Source
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages, names_of
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.released import released, rosdep_keys
+
+UP_TO = "--packages-up-to"
+"""https://colcon.readthedocs.io/en/released/reference/package-selection-arguments.html"""
 
 
 def named(
@@ -21,14 +25,15 @@ def named(
     sources: Iterable[Source],
     ros_distro: str | None,
 ) -> tuple[str, ...]:
-    """Return the repository's packages, and the clones that a page at the root has catkin build; ``()`` for all.
+    """Return the repository's packages, and the clones that a page at the root has built; ``()`` for all.
 
-    catkin builds what these need, too, and nothing else of the clones: their tools and bindings may need packages that
-    nobody asked for. All is built where a launch file starts a package of a clone that no package.xml names.
+    The build tool builds what these need, too, and nothing else of the clones: their tools and bindings may need
+    packages that nobody asked for. All is built where a launch file starts a package of a clone that no package.xml
+    names.
     """
-    own = names_of(packages, "ros1", left_out)
-    cloned = {plain(source.name): source.name for source in sources if source.build == "catkin_tools"}
-    said = tuple(_said(evidence)) if cloned and build_tool == "catkin_tools" else ()
+    own = names_of(packages, "ros2" if build_tool == "colcon" else "ros1", left_out)
+    cloned = {plain(source.name): source.name for source in sources if source.build == build_tool}
+    said = tuple(_said(evidence, build_tool)) if cloned else ()
     if config.compatible or config.build_args or not {*said} & {*own}:
         return ()
     sisters = tuple(dict.fromkeys(name for name in said if name not in own and cloned.get(plain(name)) == name))
@@ -39,13 +44,17 @@ def named(
     return () if any(name not in known for name in started) else (*own, *sisters)
 
 
-def _said(evidence: Evidence) -> Iterator[str]:
-    """Yield the packages after ``catkin build`` on the pages at the root."""
+def _said(evidence: Evidence, build_tool: BuildTool) -> Iterator[str]:
+    """Yield the packages after ``catkin build`` or ``colcon build --packages-up-to`` on the pages at the root."""
     for mention in evidence.mentions:
+        if mention.topic != "build_tool" or mention.source != "readme" or "/" in mention.file:
+            continue
         words = mention.text.split()
-        of_page = mention.topic == "build_tool" and mention.source == "readme" and "/" not in mention.file
-        if of_page and words[:1] == ["catkin"] and words[1:2] in (["build"], ["b"]):
-            for word in words[2:]:
-                if word.startswith("-"):
-                    break
-                yield word
+        if build_tool == "catkin_tools" and words[:1] == ["catkin"] and words[1:2] in (["build"], ["b"]):
+            yield from takewhile(_is_name, words[2:])
+        elif build_tool == "colcon" and words[:2] == ["colcon", "build"] and UP_TO in words:
+            yield from takewhile(_is_name, words[words.index(UP_TO) + 1 :])
+
+
+def _is_name(word: str) -> bool:
+    return not word.startswith("-")

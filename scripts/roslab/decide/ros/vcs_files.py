@@ -71,7 +71,11 @@ def _plainest(files: list[str], itself: AbstractSet[str]) -> list[str]:
 
 
 def _without(name: str, itself: AbstractSet[str]) -> str:
-    return next((name.removeprefix(own) for own in sorted(itself, key=len, reverse=True) if name.startswith(own)), name)
+    """Return a file's name without the repository's own in front, whatever stands between the words of either."""
+    spelled = (
+        "[-_.]?".join(map(re.escape, re.sub(r"[-_.]", "", own))) for own in sorted(itself, key=len, reverse=True)
+    )
+    return next((name[match.end() :] for own in spelled if (match := re.match(own, name))), name)
 
 
 def _name(path: str) -> str:

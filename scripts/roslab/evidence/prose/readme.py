@@ -67,10 +67,10 @@ _PINNED = pattern(r"(?:\.git)?\)?[ \t]{0,3}(?:@|\(?(?:at )?commit)[ \t]{0,3}`?\[
 """The commit behind a link: ``[odd](https://…/odd) @ 84bfc56``."""
 _NAMED_PYTHON = pattern(
     r"\b(?:run|runn?ing|start|launch|execute|use)\b(?:\s+(?:the|a|script|file|program|our)){0,3}\s+"
-    r"`{1,3}([\w./-]+\.py(?: [^`\n]{0,200})?)`",
+    r"`{1,3}([\w./-]+\.py(?: [^`\n]{0,200})?)`{1,3}(?!`|\s+as\b)",
     re.IGNORECASE,
 )
-"""A sentence that runs a file of Python."""
+"""A sentence that runs a file of Python; what is used *as* something is read by another program."""
 _IN_SENTENCES = ((_NAMED, "`"), (_NAMED_PYTHON, ".py"), (_GO_INTO, "/"))
 """What a sentence tells to do, each with a part of what it quotes."""
 _SAID_LAUNCH = pattern(

@@ -1,8 +1,12 @@
-"""Scripts of the tree that start no program of it: they open a shell in which a person goes on, or a container."""
+"""Scripts of the tree that start no program of it: they open a shell in which a person goes on, or a container.
+
+So do those that stop because nobody has set a variable.
+"""
 
 from __future__ import annotations
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.prose.unset import stops_unset
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -22,10 +26,10 @@ _CONTAINER = pattern(
 
 
 def leads_elsewhere(mention: Mention, repository: Repository) -> bool:
-    """Tell whether a command runs a shell script of the tree that ends in a shell or starts a container."""
+    """Tell whether a command runs a script of the tree that ends in a shell, starts a container or stops at once."""
     scripts = [file for file in mention.files if file.endswith(".sh")]
     return any(map(_leads_elsewhere, (repository.read(script, limit=MAX_SIZE) for script in scripts[:1])))
 
 
 def _leads_elsewhere(text: str) -> bool:
-    return any(_OPENS.match(line) or _CONTAINER.match(line) for line in text.splitlines())
+    return stops_unset(text) or any(_OPENS.match(line) or _CONTAINER.match(line) for line in text.splitlines())

@@ -227,7 +227,8 @@ def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
             return [f"{ROSMAKE}{arguments}"]
         case "colcon":
             colcon = f'{again}colcon build --event-handlers console_direct+ --parallel-workers "${{jobs}}"'
-            build_all = f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" \\\n    {colcon}{cmake}{arguments}'
+            chosen = f" \\\n      --packages-up-to{_words(build.named)}" if build.named else ""
+            build_all = f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" \\\n    {colcon}{chosen}{cmake}{arguments}'
             return [*_without_tests(plan, build), shell.SET_JOBS, build_all]
 
 
