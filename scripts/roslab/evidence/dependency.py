@@ -44,8 +44,10 @@ class GitSource:
     strength: Strength
     file: str
     line: int
-    kind: Literal["vcs", "submodule", "git_url", "clone", "upstream", "fetch", "link"]
-    """What names it: a vcs file, .gitmodules, package.xml's export, a clone line, CI's workspace, CMake, a link."""
+    kind: Literal["vcs", "submodule", "git_url", "clone", "upstream", "fetch", "link", "inside"]
+    """What names it: a vcs file, .gitmodules, package.xml's export, a clone line, CI's workspace, CMake, a link;
+
+    a clone line for a path that is ``name``, from which the code imports."""
     installed: bool = False
     """The page compiles it by hand with CMake and installs it, with these options."""
     options: str = ""

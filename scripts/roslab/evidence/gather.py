@@ -23,6 +23,7 @@ from roslab.evidence.prose import (
 )
 from roslab.evidence.prose.installs import merge
 from roslab.evidence.python import (
+    clones,
     conda,
     imports,
     limits,
@@ -61,6 +62,7 @@ def gather(repository: Repository) -> Evidence:
         *(source for manifest in manifests if not manifest.ignored for source in manifest.sources),
         *vcs.read(repository),
         *prose.sources,
+        *clones.read(own, prose.sources),
     )
     return Evidence(
         manifests=manifests,

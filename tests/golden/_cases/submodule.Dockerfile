@@ -58,13 +58,13 @@ COPY --from=scripts /install-optional-apt /usr/local/bin/
 RUN --mount=type=cache,id=apt-lists-submodule-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
     install-optional-apt libnanoflann-dev
 
-# Submodules that are not checked out, at the commits that the repository records
+# What belongs in the tree and is not checked out: submodules at the commits that the repository records
 USER ${NB_USER}
 RUN mkdir --parents /home/${NB_USER}/submodule/third_party/nanoflann \
  && { git clone https://github.com/jlblancoc/nanoflann.git /home/${NB_USER}/submodule/third_party/nanoflann \
    && git -C /home/${NB_USER}/submodule/third_party/nanoflann -c advice.detachedHead=false checkout b0f109a5c726f1e565e624ee448136bf30e2e7b4 \
    && git -C /home/${NB_USER}/submodule/third_party/nanoflann submodule update --init --recursive; } \
- || echo 'roslab: left out: the submodule third_party/nanoflann cannot be cloned'
+ || echo 'roslab: left out: third_party/nanoflann cannot be cloned'
 USER root
 
 # The source

@@ -77,3 +77,26 @@ def test_a_library_that_a_submodule_links_is_built(tree: Tree) -> None:
     assert "livox-sdk" in [source.name for source in decision.source]
     modules = modules.replace("Livox-SDK", "somebody-else")
     assert "livox-sdk" not in [source.name for source in tree({**FILES, ".gitmodules": modules}).source]
+
+
+MAIN = "if __name__ == '__main__':\n    pass\n"
+
+
+@pytest.mark.parametrize(
+    ("module", "line", "places"),
+    [
+        ("main.py", "sys.path.append('Net/src')", ["Net"]),
+        ("src/main.py", "sys.path.append('../Net/src/heads')", ["Net"]),
+        ("src/main.py", "sys.path.insert(0, os.path.join(os.path.dirname(__file__), 'libs', 'Net'))", ["src/libs/Net"]),
+        ("src/main.py", "sys.path.append('third_party/Net')", ["third_party/Net"]),
+        ("main.py", "sys.path.append('../Net')", []),
+        ("main.py", "sys.path.append('Network/src')", []),
+        ("main.py", "print('Net/src')", []),
+    ],
+)
+def test_what_a_page_clones_where_the_code_imports_it(tree: Tree, module: str, line: str, places: list[str]) -> None:
+    page = "# Install\n```\ngit clone https://github.com/lab/Net\n```\n"
+    files = {module: f"import os, sys\n{line}\n{MAIN}", "requirements.txt": "numpy\n", "README.md": page}
+    assert [source.name for source in tree(files).submodules] == places
+    there = {f"{place}/readme.txt": "" for place in places}
+    assert not places or tree({**files, **there}).submodules == ()

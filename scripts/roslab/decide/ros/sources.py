@@ -11,8 +11,10 @@ from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
 from roslab.decide.ros.clones import beside, clones, linked, unreleased
 from roslab.decide.ros.distro_dates import dated
-from roslab.decide.ros.source_names import address, asked_for, drifts, fixed, fixed_at, itself_in, plain, wanted_names
+from roslab.decide.ros.in_tree import in_tree
+from roslab.decide.ros.source_names import address, asked_for, drifts, fixed_at, itself_in, plain, wanted_names
 from roslab.decide.ros.vcs_files import vcs_files
+from roslab.decide.ros.weights import Weight
 from roslab.decide.system.switches import given, waits
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
@@ -22,24 +24,13 @@ from roslab.knowledge.released import released, rosdep_keys
 from roslab.knowledge.ros_sources import RosSource, ros_sources
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.origin import Place
-from roslab.values.pattern import pattern
 from roslab.values.secret import SSH
 
-_CLONED = pattern(r"https?://")
-_PATH = pattern(r"(?!\.\.?(?:/|$))[\w.+-]+(?:/(?!\.\.?(?:/|$))[\w.+-]+)*")
 _IN_WORKSPACE: dict[BuildTool, Literal["catkin_make", "catkin_tools", "colcon"]] = {
     "catkin_make": "catkin_make",
     "catkin_tools": "catkin_tools",
     "colcon": "colcon",
 }
-
-
-class Weight:
-    """Weights of the reasons for a source; sources do not compete, so they only order the report."""
-
-    LISTED = 500  # a vcs file or a clone line
-    RECIPE = 400  # the program's own table
-    SUBMODULE = 10  # it comes with the checkout and is not cloned
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -49,7 +40,7 @@ class Sources:
     sources: tuple[Source, ...] = ()
     vcs: tuple[str, ...] = ()
     submodules: tuple[Source, ...] = ()
-    """Submodules that are not checked out; the name of each is its path."""
+    """What belongs in the tree and is not there, submodules and clones; the name of each is its path."""
     libraries: tuple[tuple[str, Dependency], ...] = ()
     """Names of rows in the table of recipes that these sources link, with what asks for each."""
     names: frozenset[str] = frozenset()
@@ -76,7 +67,7 @@ def decide_sources(
         before=date.value if date else "",
     )
     chosen.configure(config)
-    chosen.submodules(evidence, config)
+    chosen.in_tree(evidence, config)
     if kind not in {"ros1", "ros2"}:
         return chosen.choice(())
     itself = {folder_name.lower(), *(name.lower() for name in own if len(own) == 1)}
@@ -122,7 +113,7 @@ class _Chosen:
     reasons: list[Reason] = field(default_factory=list)
     warnings: list[Warning_] = field(default_factory=list)
     libraries: dict[str, Dependency] = field(default_factory=dict)
-    empty: list[Source] = field(default_factory=list)
+    empty: tuple[Source, ...] = ()
     packages: set[str] = field(default_factory=set)
     """Packages that the table finds in these repositories."""
     others: set[str] = field(default_factory=set)
@@ -163,21 +154,12 @@ class _Chosen:
             more = "rosdep has a package of the same name, which may be another one: the clone is used"
             self.warnings.append(warn(f"{message}; {more}", asked))
 
-    def submodules(self, evidence: Evidence, config: Config) -> None:
-        """Report the submodules: those that are not checked out are cloned in the image."""
-        for git in evidence.sources:
-            if git.kind != "submodule":
-                continue
-            why = f"a submodule ({git.url}): check it out with the repository"
-            if git.absent and not config.compatible and _CLONED.match(git.url) and _PATH.fullmatch(git.name):
-                commit = f"at {git.ref}" if git.ref else "at no fixed commit, for git does not tell it"
-                why = f"a submodule that is not checked out: it is cloned from {git.url} {commit}"
-                place = Place(file=git.file, line=git.line)
-                ref, before = fixed(git.ref), "" if git.ref else self.before
-                empty = Source(name=git.name, repo=git.url, ref=ref, before=before, build="none", place=place)
-                self.empty.append(empty)
-                self._linked(git, self.ros)
-            self.reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
+    def in_tree(self, evidence: Evidence, config: Config) -> None:
+        """Report the submodules, and what a page clones into the tree; what is not there is cloned in the image."""
+        self.empty, reasons = in_tree(evidence, config, self.before)
+        self.reasons += reasons
+        for source in self.empty:
+            self._linked(source, self.ros)
 
     def library(self, name: str, git: GitSource) -> None:
         """Note a library of the table that a list names: it is built before the workspace."""
@@ -186,12 +168,18 @@ class _Chosen:
         )
         self.libraries.setdefault(name, asked)
 
-    def _linked(self, git: GitSource, ros: int) -> None:
+    def _linked(self, source: Source, ros: int) -> None:
         """Note the library that a submodule links, if the table of unreleased packages knows the submodule."""
-        for found in ros_sources(git.name.rpartition("/")[2], ros):
-            if found.library and address(found.repo) == address(git.url):
+        for found in ros_sources(source.name.rpartition("/")[2], ros):
+            if found.library and address(found.repo) == address(source.repo or ""):
+                place = source.place or Place(file=".gitmodules")
                 asked = Dependency(
-                    namespace="ros", name=found.package, strength="declared", file=git.file, line=git.line, role="build"
+                    namespace="ros",
+                    name=found.package,
+                    strength="declared",
+                    file=place.file,
+                    line=place.line or 1,
+                    role="build",
                 )
                 self.libraries.setdefault(found.library, asked)
 
@@ -251,7 +239,7 @@ class _Chosen:
             answer=Sources(
                 sources=tuple(self.sources.values()),
                 vcs=files,
-                submodules=tuple(self.empty),
+                submodules=self.empty,
                 libraries=tuple(self.libraries.items()),
                 names=frozenset(self.sources) | {plain(name) for name in self.sources} | self.packages,
             ),

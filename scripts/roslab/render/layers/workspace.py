@@ -43,7 +43,7 @@ def sister_sources(plan: Plan) -> str:
 
 
 def submodules(plan: Plan) -> str:
-    """Clone the submodules that are not checked out into the folder that the source is copied to afterwards.
+    """Clone what lies in the tree and is not checked out into the folder that the source is copied to afterwards.
 
     What is private or gone is told and left out, as where the workflows fetch submodules.
     """
@@ -52,11 +52,11 @@ def submodules(plan: Plan) -> str:
     runs = []
     for source in plan.workspace.submodules:
         folder = quote.shell_with_user(f"{source_folder(plan)}/{source.name}")
-        left_out = quote.shell(f"roslab: left out: the submodule {source.name} cannot be cloned")
+        left_out = quote.shell(f"roslab: left out: {source.name} cannot be cloned")
         cloned = " \\\n   && ".join(fetch(plan, source, folder))
         commands = (f"mkdir --parents {folder}", f"{{ {cloned}; }} \\\n || echo {left_out}")
         runs.append(shell.run(*commands, secrets=secrets.for_git(plan, "user")))
-    head = "# Submodules that are not checked out, at the commits that the repository records"
+    head = "# What belongs in the tree and is not checked out: submodules at the commits that the repository records"
     return "\n".join([head, "USER ${NB_USER}", *runs, "USER root"])
 
 

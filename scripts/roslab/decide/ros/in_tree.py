@@ -1,0 +1,45 @@
+"""What belongs in the tree and is not checked out: submodules, and repositories that a page clones there."""
+
+from __future__ import annotations
+
+from roslab.config.model import Config, Source
+from roslab.decide.decision import Reason
+from roslab.decide.reasons import because
+from roslab.decide.ros.source_names import fixed
+from roslab.decide.ros.weights import Weight
+from roslab.evidence.dependency import GitSource
+from roslab.evidence.facts import Evidence
+from roslab.values.origin import Place
+from roslab.values.pattern import pattern
+
+_CLONED = pattern(r"https?://")
+_PATH = pattern(r"(?!\.\.?(?:/|$))[\w.+-]+(?:/(?!\.\.?(?:/|$))[\w.+-]+)*")
+
+
+def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[tuple[Source, ...], list[Reason]]:
+    """Return what the image clones there, each under its path, and a reason for it and for each other submodule.
+
+    ``before``: the day of which it is taken where no commit is known.
+    """
+    empty: list[Source] = []
+    reasons: list[Reason] = []
+    for git in evidence.sources:
+        clone = _CLONED.match(git.url) and _PATH.fullmatch(git.name) and not config.compatible
+        if git.kind == "inside" and clone:
+            empty.append(_source(git, before or evidence.pip_day or ""))
+            why = "the page clones it, and the code puts a folder of it on Python's path"
+            reasons.append(because("source", git.name, why, git, weight=Weight.LISTED))
+        elif git.kind == "submodule":
+            why = f"a submodule ({git.url}): check it out with the repository"
+            if git.absent and clone:
+                commit = f"at {git.ref}" if git.ref else "at no fixed commit, for git does not tell it"
+                why = f"a submodule that is not checked out: it is cloned from {git.url} {commit}"
+                empty.append(_source(git, before))
+            reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
+    return tuple(empty), reasons
+
+
+def _source(git: GitSource, before: str) -> Source:
+    place = Place(file=git.file, line=git.line)
+    ref = fixed(git.ref)
+    return Source(name=git.name, repo=git.url, ref=ref, before="" if git.ref else before, build="none", place=place)
