@@ -9,6 +9,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.cuda.signs import sign_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
+from roslab.decide.ros.plain_workspace import built_together
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention, PackageManifest
@@ -90,6 +91,9 @@ def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
     if rosbuild:
         weight = Weight.ROSBUILD if built_by_rosbuild(evidence) else Weight.ROSBUILD_PART
         reasons.append(because("kind", "ros1", "it is built by rosbuild", rosbuild[0], weight=weight))
+    if not reasons and (said := built_together(evidence)):
+        why = "packages of plain CMake, which the README has colcon build together"
+        reasons.append(because("kind", "ros2", why, said, weight=Weight.PACKAGES))
     for manifest in packages.assets[:1]:
         why = "a package.xml with nothing to build beside it: the description of a robot"
         reasons.append(because("kind", "ros1", why, manifest, weight=Weight.DESCRIPTION))
