@@ -366,3 +366,11 @@ def test_a_library_that_another_is_made_for_is_built_before_it(tree: Tree) -> No
     found = tree(files)
     assert [source.name for source in found.source] == ["osqp", "osqp-eigen"]
     assert not [name for name in (*found.apt, *found.apt_guessed) if "osqp" in name]  # ROS has OSQP alone
+
+
+def test_a_library_that_a_page_builds_has_the_headers_that_the_code_includes(tree: Tree) -> None:
+    page = "```\nsudo apt install libnowhere-dev\ngit clone https://github.com/acme/acme.git\ncd acme\n"
+    page += "mkdir build && cd build\ncmake ..\nsudo make install\n```\n"
+    made = "project(demo)\nfind_package(acme REQUIRED)\nadd_executable(demo main.cpp)\n"
+    found = tree({"CMakeLists.txt": made, "main.cpp": "#include <Eigen/Dense>\nint main() {}\n", "README.md": page})
+    assert [(source.name, source.depends) for source in found.source] == [("acme", ("libeigen3-dev",))]
