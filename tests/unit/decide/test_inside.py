@@ -57,6 +57,14 @@ def test_a_library_that_is_linked_by_its_file(tree: Tree, files: dict[str, str],
     assert tree({**TREE, **files}).inside == found
 
 
+def test_a_package_of_ros_is_a_library_as_others_where_cmake_alone_builds(tree: Tree) -> None:
+    package = "<package><name>g2o</name><buildtool_depend>catkin</buildtool_depend></package>"
+    files = {**TREE, "CMakeLists.txt": CMAKE + LINKED, "Thirdparty/g2o/package.xml": package}
+    assert [folder for folder, _ in tree({**files, "README.md": "Build it with CMake.\n"}).inside] == ["Thirdparty/g2o"]
+    own = {"package.xml": package.replace("g2o", "demo"), "CMakeLists.txt": f"find_package(catkin)\n{CMAKE}{LINKED}"}
+    assert tree({**files, **own}).inside == ()
+
+
 def test_a_page_compiles_a_submodule(tree: Tree) -> None:
     modules = '[submodule "third-party/Pangolin"]\n\tpath = third-party/Pangolin\n\turl = https://github.com/s/P.git\n'
     page = "```\ngit clone https://github.com/b/a.git\ncd a/\ncd third-party/OpenNI2/\nmake -j8\ncd ../Pangolin/\n"
