@@ -11,7 +11,7 @@ from packaging.version import Version
 from roslab.config.model import Config
 from roslab.decide.cuda.local import cuda_of
 from roslab.decide.decision import Choice, Reason
-from roslab.decide.python.pins import Pin
+from roslab.decide.python.pins import DEVELOPMENT, Pin
 from roslab.decide.reasons import because, configured, outweighed, warn
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
@@ -50,7 +50,7 @@ class Weight:
     OWN_IMAGE = 200  # the author's Dockerfile is built as it is
     NEAREST = 101  # the replacement of a version without images
     LOCAL_VERSION = 82  # torch==1.13.1+cu117, plus the trust of the pin
-    WHEEL_INDEX = 80  # a requirements file names the index of one CUDA's wheels
+    WHEEL_INDEX = 80  # a requirements file, or a line of a page, names the index of one CUDA's wheels
     CONDA = 75  # cudatoolkit of the environment file at the root
     CONDA_BELOW = 45
     EXTRA = 70  # jax[cuda11], plus the trust of the pin
@@ -90,12 +90,18 @@ def decide_cuda(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Ch
     if config.base.cuda:
         said = configured(config, "cuda", config.base.cuda, "base.cuda")
         return _fitted(config.base.cuda, config.base.cudnn, (said,), others=())
-    found = sorted(_candidates(evidence, pins), key=lambda item: -item[0].weight)
+    found = sorted(_candidates(evidence, pins), key=lambda item: (-item[0].weight, not _has_image(item[0].answer)))
     if not found:
         return NO_CUDA
     best, others = found[0]
     reasons = outweighed((reason for reason, _ in found[:_SHOWN]), best)
     return _fitted(best.answer, config.base.cudnn or _cudnn(evidence), reasons, others)
+
+
+def _has_image(cuda: str) -> bool:
+    """Tell whether an image of a CUDA exists: of two ways to install the same, the other one cannot be built."""
+    image = cuda_image(cuda)
+    return image is not None and bool(image.tag)
 
 
 def of_image(choice: Choice[Cuda], image: str) -> Choice[Cuda]:
@@ -121,10 +127,7 @@ def _candidates(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Candidate]:
     for pin in pins:
         # The wheels of torch bring the CUDA of their day: the image needs it only where something is compiled for them
         yield from _of_pin(pin, None if tabled(pin.name) == "torch" and not compiles else day)
-    for file in evidence.requirements:
-        for option in file.options:
-            if file.purpose == "run" and not places.example(file.file) and (local := cuda_of(option)):
-                yield because("cuda", local, f"pip uses {option}", file, weight=Weight.WHEEL_INDEX), ()
+    yield from _of_indexes(evidence)
     for environment in evidence.conda:
         for package in environment.packages:
             if package.name in _OF_CONDA and (cuda := minor_of(package.version)):
@@ -136,6 +139,18 @@ def _candidates(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Candidate]:
     if evidence.cuda_files:
         place = Place(file=evidence.cuda_files[0], line=1)
         yield because("cuda", DEFAULT, "it has CUDA sources, no version is named", place, weight=Weight.SOURCES), ()
+
+
+def _of_indexes(evidence: Evidence) -> Iterator[Candidate]:
+    """Yield the CUDA of the wheels in an index that a requirements file, or a line of a page, names."""
+    for file in evidence.requirements:
+        for option in file.options:
+            if file.purpose == "run" and not places.example(file.file) and (local := cuda_of(option)):
+                yield because("cuda", local, f"pip uses {option}", file, weight=Weight.WHEEL_INDEX), ()
+    for asked in evidence.prose_pip:
+        if asked.role == "option" and not DEVELOPMENT.search(asked.file) and (local := cuda_of(asked.written)):
+            weight = Weight.WHEEL_INDEX - Weight.DEEPER * min(asked.file.count("/"), 3)
+            yield because("cuda", local, f"pip uses {asked.written}", asked, weight=weight), ()
 
 
 def _of_pin(pin: Pin, day: str | None) -> Iterator[Candidate]:
@@ -174,6 +189,7 @@ def _of_dockerfiles(evidence: Evidence) -> Iterator[Candidate]:
 
 
 def _of_mentions(evidence: Evidence) -> Iterator[Candidate]:
+    torch = {(asked.file, asked.line) for asked in evidence.prose_pip if asked.role == "conda" and asked.key == "torch"}
     for mention in evidence.mentions:
         number = version_of(mention.value) if mention.topic == "cuda" else None
         if number and number >= _OLDEST:
@@ -181,6 +197,8 @@ def _of_mentions(evidence: Evidence) -> Iterator[Candidate]:
             weight = Weight.SAID.get(mention.source, Weight.SAID_ELSEWHERE) + nearness
             if mention.source == "readme" and _LEAST.search(mention.text):
                 weight = Weight.AT_LEAST
+            if (mention.file, mention.line) in torch:  # conda takes the torch that was built for it
+                weight = Weight.LOCAL_VERSION + 1 - Weight.DEEPER * min(mention.file.count("/"), 3)
             yield because("cuda", mention.value, f"“{mention.text[:80]}”", mention, weight=weight), ()
 
 
