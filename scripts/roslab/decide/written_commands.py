@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from roslab.config.model import Kind
+from roslab.decide.blank_launches import with_a_launch_file
 from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.outputs import written_below
 from roslab.decide.programs import compiled as programs_of
@@ -176,7 +177,7 @@ def _runnable(
     words: tuple[str, ...], mention: Mention, tree: _Tree, *, ros: bool, compiled: bool
 ) -> tuple[str, ...] | None:
     """Return the argv of a command as it can be run from the root; ``None`` if it starts nothing from the tree."""
-    argv = _task(words, tree)
+    argv = with_a_launch_file(_task(words, tree), tree.launched)
     if not argv or any(map(_PLACEHOLDER.search, program_of(argv))) or any(p.rpartition("/")[2] in TOOLS for p in argv):
         return None
     if len(argv) < _WORDS.get(argv[0], 1):

@@ -1,0 +1,36 @@
+"""A launch file that a page names with a blank is one of those that fit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+FILES = {
+    "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+    "launch/mapping_velodyne.launch": "<launch/>\n",
+    "launch/mapping_ouster.launch": "<launch/>\n",
+    "launch/show.launch": "<launch/>\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("said", "file"),
+    [
+        ("mapping_XXX.launch out_path:=/your/path", "mapping_ouster.launch"),
+        ("mapping_SENSOR_NAME.launch rviz:=false", "mapping_ouster.launch"),
+        ("XXX_velodyne.launch", "mapping_velodyne.launch"),
+        ("mapping_velodyne.launch", "mapping_velodyne.launch"),
+        ("XXX.launch", "show.launch"),
+        ("localize_XXX.launch", "show.launch"),
+    ],
+)
+def test_the_first_that_fits_is_started(tree: Tree, said: str, file: str) -> None:
+    page = f"ROS Noetic\n```\nroslaunch demo {said}\n```\nAnd then\n```\nroslaunch demo show.launch\n```\n"
+    command = tree({**FILES, "README.md": page}).command
+    assert command[:3] == ("roslaunch", "demo", file)
+    assert ("rviz:=false" in command) == ("rviz" in said)
