@@ -92,13 +92,14 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     )
     everything = installed(evidence, python.answer)
     own = decide_dockerfile(evidence, config, kind.answer, distro)
-    mended = decide_bases(evidence, config, own.answer.file if own.answer else None)
+    dockerfile = own.answer.file if own.answer else None
+    mended = decide_bases(evidence, config, dockerfile)
     if own.answer:
         base = of_dockerfile(base, evidence, config, own.answer.file, mended.answer)
         cuda = of_image(cuda, base.answer.image)
         # An author's Dockerfile brings a Python of its own
         python = replace(python, reasons=tuple(r for r in python.reasons if r.question != "python"))
-    command = decide_command(evidence, config, kind.answer, own.answer.file if own.answer else None)
+    command = decide_command(evidence, config, kind.answer, dockerfile, python.answer.version)
     evidence = required_by_command(evidence, command.answer.command)
     build_tool = decide_build_tool(evidence, config, kind.answer, python.answer)
 
@@ -288,8 +289,7 @@ def _something(evidence: Evidence, config: Config, folder_name: str) -> None:
     sources = [git for git in evidence.sources if git.kind != "link" and plain(git.name) != plain(folder_name)]
     found = (
         *(evidence.manifests, evidence.cmake, evidence.python, evidence.requirements, evidence.conda),
-        *(evidence.dockerfiles, evidence.programs, evidence.notebooks),
-        *(sources, evidence.code, evidence.cuda_files),
+        *(evidence.dockerfiles, evidence.programs, evidence.notebooks, sources, evidence.code, evidence.cuda_files),
     )
     if any(found) or config.file:
         return

@@ -56,14 +56,16 @@ class Command:
     """It is given through the entry point of that image."""
 
 
-def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: str | None) -> Choice[Command]:
+def decide_command(
+    evidence: Evidence, config: Config, kind: Kind, dockerfile: str | None, python: str | None = None
+) -> Choice[Command]:
     """Return the default command: what roslab.yaml says, the author's Dockerfile, the one obvious program, or a shell.
 
-    ``dockerfile`` is the author's own that is built, if any.
+    ``dockerfile`` is the author's own that is built, if any; ``python`` is the version that has the packages.
     """
     authored = next((each for each in evidence.dockerfiles if each.file == dockerfile), None)
     by_argv: dict[tuple[str, ...], Candidate] = {}
-    for candidate in candidates_of(evidence, kind):
+    for candidate in (_started_by(python, each, kind) for each in candidates_of(evidence, kind)):
         by_argv.setdefault(candidate.argv, candidate)
     found = list(by_argv.values())
     candidates = tuple(by_argv)[:MAX_CANDIDATES]
@@ -81,6 +83,13 @@ def decide_command(evidence: Evidence, config: Config, kind: Kind, dockerfile: s
     if not (authored and started(authored)) and command != ("bash",):
         chosen = _given(chosen, dockerfile, authored)
     return Choice(answer=chosen, reasons=(why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES])))
+
+
+def _started_by(version: str | None, candidate: Candidate, kind: Kind) -> Candidate:
+    """Return a program beside nodes with the Python that has ROS's packages: before noetic that is ``python2``."""
+    if kind != "ros1" or candidate.argv[0] != "python3" or not (version or "").startswith("2"):
+        return candidate
+    return replace(candidate, argv=("python2", *candidate.argv[1:]))
 
 
 def _given(chosen: Command, dockerfile: str | None, authored: AuthorDockerfile | None) -> Command:

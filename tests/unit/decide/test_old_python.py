@@ -63,3 +63,14 @@ def test_what_a_newer_python_lost_tells_nothing_of_the_python_of_nodes(
         "nodes/node.py": "#!/usr/bin/env python\nimport rospy\nimport tensorflow as tf\nsession = tf.Session()\n",
     }
     assert tree(files).python.version == python
+
+
+@pytest.mark.parametrize(("distro", "python"), [("Melodic", "python2"), ("Noetic", "python3")])
+def test_a_program_beside_nodes_runs_with_their_python(tree: Tree, distro: str, python: str) -> None:
+    files = {
+        "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+        "scripts/run.py": "#!/usr/bin/env python\nimport rospy\nrospy.init_node('a')\n",
+        "README.md": f"ROS {distro}\n```\npython scripts/run.py --go\n```\n",
+    }
+    assert tree(files).command == (python, "scripts/run.py", "--go")
