@@ -250,7 +250,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cuda_options=host_options(system.answer.apt_guessed, base.answer.ubuntu),
         native=told(evidence.problems) and not config.compatible,
         compilers=own_compilers(evidence, config, folder_name) if build_tool.answer == "cmake" else (),
-        dockerfile=own.answer.file if own.answer else None,
+        dockerfile=dockerfile,
         context=own.answer.context if own.answer else None,
         bases=mended.answer,
         day=day.answer,
