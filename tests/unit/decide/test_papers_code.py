@@ -151,12 +151,30 @@ def test_a_compiled_project_is_not_its_helper_script(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["nvidia-headless-470", "xserver-xorg-video-nvidia-470", "cuda-compat-11-1", "libnvidia-gl-535"]
+    "name",
+    [
+        "nvidia-headless-470",
+        "xserver-xorg-video-nvidia-470",
+        "cuda-compat-11-1",
+        "libnvidia-gl-535",
+        "cuda",
+        "cuda-11-8",
+    ],
 )
 def test_no_image_holds_the_hosts_driver(name: str) -> None:
     assert never().match(name)
     assert not never().match("libnvidia-container-tools")
     assert not never().match("nvidia-cuda-toolkit")
+    assert not never().match("cuda-toolkit-11-8")
+
+
+@pytest.mark.parametrize(
+    ("builds", "kept"), [(("110", "111", "116"), "116"), (("110", "11x", "12x"), "11x"), (("102", "110"), "102")]
+)
+def test_of_a_list_by_cudas_version_one_build_is_installed(tmp_path: Path, builds: tuple[str, ...], kept: str) -> None:
+    page = "# Install\npip install cupy\n" + "".join(f"pip install cupy-cuda{build}\n" for build in builds)
+    files = {"main.py": MAIN, "requirements.txt": "torch==1.13.1+cu116\n", "README.md": page}
+    assert lines(decided(tmp_path, files).python.pip_guessed) == (f"cupy-cuda{kept}",)
 
 
 TF1 = "import tensorflow as tf\n\nx = tf.placeholder(tf.float32)\n"

@@ -670,3 +670,10 @@ def test_a_package_of_ros_without_a_distribution_in_its_name(tree: Tree, name: s
     manifest = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
     decision = tree({"package.xml": manifest, "CMakeLists.txt": "find_package(catkin REQUIRED)\n", "README.md": page})
     assert {name, "libfoo-dev"} <= {*decision.apt, *decision.apt_guessed}
+
+
+def test_what_the_table_knows_of_an_unreleased_package_is_cloned_with_its_needs(tree: Tree) -> None:
+    manifest = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><depend>mrs_lib</depend></package>"
+    cmake = "find_package(catkin REQUIRED COMPONENTS mrs_lib)\n"
+    decision = tree({"package.xml": manifest, "CMakeLists.txt": cmake, "README.md": "For ROS Noetic."})
+    assert [source.name for source in decision.source] == ["mrs_msgs", "mrs_lib"]

@@ -17,7 +17,7 @@ from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
-_BUILD = pattern(r"(.+)-cu(\d{2,3})")
+_BUILD = pattern(r"(.+)-cu(?:da)?(\d{2,3}|\d{2}x)")
 _LEADING = {"torch": "torch", "tensorflow": "tensorflow", "jax": "jax"}
 _BESIDE = {"torch": ("torchvision", "torchaudio"), "jax": ("jaxlib",), "tensorflow": ()}
 """Released together with the framework: their pins count if they are in the same file."""
@@ -69,16 +69,20 @@ def _of_manifests(
 
 
 def one_build(asked: Iterable[Requirement], cuda: str | None) -> tuple[Requirement, ...]:
-    """Keep one build of each package: ``spconv-cu102`` and ``spconv-cu116`` contain the same module."""
+    """Keep one build of each package: ``spconv-cu102`` and ``cupy-cuda11x`` contain the same module as others of them.
+
+    So does the plain name, which compiles it. Without one for the image's CUDA, the first is kept.
+    """
     kept = list(asked)
     builds: dict[str, list[tuple[str, Requirement]]] = {}
     for each in kept:
         if match := _BUILD.fullmatch(each.key):
             builds.setdefault(match[1], []).append((match[2], each))
-    for same in builds.values():
-        fitting = [each for digits, each in same if digits == (cuda or "").replace(".", "")] or [same[0][1]]
+    major, digits = (cuda or "").partition(".")[0], (cuda or "").replace(".", "")
+    for name, same in builds.items():
+        fitting = [each for built, each in same if built in {digits, f"{major}x"}] or [same[0][1]]
         others = {each for _, each in same} - {fitting[0]}
-        kept = [each for each in kept if each not in others]
+        kept = [each for each in kept if each not in others and each.key != name]
     return tuple(kept)
 
 
