@@ -19,3 +19,10 @@ def _names() -> dict[str, str]:
 def package_of(name: str) -> str | None:
     """Return what pip calls a package that a person calls ``PyTorch`` or ``scikit image``, ``None`` if unknown."""
     return _names().get(canonicalize_name(re.sub(r"\s+", "-", name.strip())))
+
+
+@cache
+def said_names() -> str:
+    """Return a pattern of the names whose versions count in a sentence: of pip's package, and of nothing beside it."""
+    names = sorted((row["name"] for row in rows("said_names")), key=len, reverse=True)
+    return "|".join(re.escape(name).replace(r"\ ", "[- ]") for name in names)

@@ -24,6 +24,13 @@ Tree = Callable[[dict[str, str]], Decision]
         ("## Prerequisites\n1. PyTorch 1.8 or newer\n2. tqdm, matplotlib\n", ["torch>=1.8", "tqdm", "matplotlib"]),
         ("It is tested with pytorch-1.0.\n", ["torch==1.0.*"]),
         ("Tested with PyTorch 1.8 / Python 3.6.\n", ["torch==1.8.*"]),
+        (
+            "Install [Pytorch](https://pytorch.org/). It is required that you have access to a GPU and another tool. "
+            "The code is tested with Ubuntu 18.04, Pytorch v1.1, TensorFlow v1.14, CUDA 10.0 and cuDNN v7.4. Note: "
+            "after a code update on 2/6/2020, it is now also compatible with Pytorch v1.2+" + " and more" * 20 + "\n",
+            ["torch==1.1.*", "tensorflow==1.14.*"],
+        ),
+        ("The code requires CARLA 0.9.12 and was tested with gym 0.21.\n", ["carla==0.9.12", "gym==0.21.*"]),
         ("## Requirements\n- numpy arrays are stored in `data`\n- OpenCV must be built with CUDA\n", []),
         ("## Features\n- PyTorch 1.8\n- numpy\n", []),
         ("This does not work with PyTorch 2.0, use another branch.\n", []),

@@ -36,7 +36,7 @@ def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
         git = max(before, key=lambda g: folder.rindex(f"/{g.name}/"), default=None)
         if git is None or canonicalize_name(git.name) in named:
             continue
-        below = folder[folder.rindex(f"/{git.name}/") + len(git.name) + 2 :].strip("/")
+        below = folder[folder.index(f"/{git.name}/") + len(git.name) + 2 :].strip("/")  # it may hold one of its name
         if below and any(project.folder == below for project in evidence.python):
             continue  # a page may go into the repository itself after it
         url = f"git+{https(git.url)}" + (f"@{git.ref}" if git.ref else "") + (f"#subdirectory={below}" if below else "")

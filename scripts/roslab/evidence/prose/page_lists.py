@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from roslab.evidence.prose import readme
-from roslab.knowledge.prose_names import package_of
+from roslab.knowledge.prose_names import package_of, said_names
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -26,7 +26,9 @@ _MORE = r"(\.x|\+|\s*(?:or|and)\s+(?:newer|later|above|higher|greater|up))?"
 _LISTED = pattern(
     rf"^([A-Za-z][\w.-]*?(?:\s[A-Za-z][\w-]+)?)[\s(]*(?:{_VERSION}{_MORE})?(?=$|[\s),.;:])", re.IGNORECASE
 )
-_SAID = pattern(rf"\b(pytorch|tensorflow(?:[- ]gpu)?|jax)[\s(-]*{_VERSION}{_MORE}(?![\w.]*\d)", re.IGNORECASE)
+_SAID = pattern(rf"\b({said_names()})[\s(-]*{_VERSION}{_MORE}(?![\w.]*\d)", re.IGNORECASE)
+_SENTENCE = pattern(r"(?<=[.!?;])\s+(?=[A-Z\[(])")
+"""Where one ends; a page may have a whole paragraph on one line."""
 _MEANT = pattern(
     r"\b(?:tested|require[sd]?|needs?|develop(?:ed|ment)|depends?|works?|verified|implemented|written|using|runs?)\b",
     re.IGNORECASE,
@@ -38,6 +40,7 @@ _NOT = pattern(
 )
 _AT_LEAST = frozenset({">=", "≥", ">"})
 MAX_LINE = 400
+MAX_PARAGRAPH = 4000
 
 
 def read(repository: Repository) -> tuple[Requirement, ...]:
@@ -56,7 +59,7 @@ def said(text: str, file: str) -> Iterator[Requirement]:
     for number, line in enumerate(lines, start=1):
         if line.lstrip()[:3] in {"```", "~~~"}:
             fenced = not fenced
-        if fenced or not line.strip() or len(line) > MAX_LINE:
+        if fenced or not line.strip() or len(line) > MAX_PARAGRAPH:
             continue
         below = lines[number] if number < len(lines) else ""
         item = _ITEM.match(line)
@@ -66,10 +69,12 @@ def said(text: str, file: str) -> Iterator[Requirement]:
             titled = titled if not line.rstrip().endswith(":") else bool(_TITLE.search(line))
         plain = _MARKUP.sub(lambda match: match[1] or "", line)
         if item and titled:
-            yield from _listed(_MARKUP.sub(lambda match: match[1] or "", item[1]), file, number)
-        elif _MEANT.search(plain) and not _NOT.search(plain):
-            for match in _SAID.finditer(plain):
-                yield from _asked(match[1], match, file, number)
+            yield from _listed(_MARKUP.sub(lambda match: match[1] or "", item[1][:MAX_LINE]), file, number)
+            continue
+        for sentence in _SENTENCE.split(plain):
+            if len(sentence) <= MAX_LINE and _MEANT.search(sentence) and not _NOT.search(sentence):
+                for match in _SAID.finditer(sentence):
+                    yield from _asked(match[1], match, file, number)
 
 
 def _listed(item: str, file: str, line: int) -> Iterator[Requirement]:
