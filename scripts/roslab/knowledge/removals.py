@@ -57,3 +57,9 @@ def removals() -> tuple[Removal, ...]:
         )
         for rank, row in enumerate(rows("removals"))
     )
+
+
+@cache
+def newer_api() -> dict[str, re.Pattern[str]]:
+    """Return by package the names that only its newer versions have: code that uses them is not for the older ones."""
+    return {row["package"]: pattern(row["pattern"]) for row in rows("newer_api")}

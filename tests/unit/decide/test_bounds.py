@@ -105,3 +105,16 @@ def test_a_comment_uses_nothing(tmp_path: Path) -> None:
     assert bounds(tmp_path, "    # scipy.misc.imsave(filename, image)\nx = np.float(1)  # np.float\n") == {
         "numpy<1.24": 2
     }
+
+
+@pytest.mark.parametrize(
+    ("newer", "bound"),
+    [("data = tf.data.AUTOTUNE", False), ("writer = tf.summary.create_file_writer('a')", False), ("tf.ones(1)", True)],
+)
+def test_code_for_the_newer_version_beside_a_baseline_for_the_older_one(
+    tmp_path: Path, newer: str, *, bound: bool
+) -> None:
+    (tmp_path / "baseline.py").write_text("import tensorflow as tf\nx = tf.placeholder(tf.float32)\n")
+    (tmp_path / "train.py").write_text(f"import tensorflow as tf\n{newer}\n")
+    found = removed.read(Repository.open(tmp_path))
+    assert [use.bound.text for use in found] == (["tensorflow<2"] if bound else [])

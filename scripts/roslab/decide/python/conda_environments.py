@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from roslab.config.model import Config, Kind
 from roslab.decide.python.manifests import VARIANT, for_reference, resolve
+from roslab.decide.python.parts import of_parts
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence
 from roslab.knowledge.tools import PIXI
@@ -32,8 +33,8 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
         return config.conda
     if kind in {"ros1", "ros2", "cpp"}:
         return None
-    shown = for_reference(evidence)
-    known = [each for each in evidence.conda if not places.vendored(each.file) and each.file not in shown]
+    aside = for_reference(evidence) | of_parts(evidence)
+    known = [each for each in evidence.conda if not places.vendored(each.file) and each.file not in aside]
     if said := _environment_of_readme(evidence, known):
         return said
     own = [each for each in known if each.file.count("/") <= 1 and not each.file.endswith(_LIST)]

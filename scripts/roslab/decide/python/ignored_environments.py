@@ -9,6 +9,7 @@ from roslab.decide.decision import Warning_
 from roslab.decide.python.conda_environments import OF_OTHER_SYSTEM
 from roslab.decide.python.manifests import for_reference, resolve
 from roslab.decide.python.packages import Chosen
+from roslab.decide.python.parts import of_parts
 from roslab.decide.reasons import warn
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
@@ -29,6 +30,8 @@ def ignored_environments(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iter
 def _why(path: str, evidence: Evidence, kind: Kind, chosen: Chosen) -> str:
     if path in for_reference(evidence):
         return "a page shows it for reference alone"
+    if path in of_parts(evidence):
+        return "it is for a part of the tree, and a page at the root installs what the whole needs"
     if chosen.conda:
         return f"an image has one environment, here that of {chosen.conda}"
     if kind in {"ros1", "ros2", "cpp"}:

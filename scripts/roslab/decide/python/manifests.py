@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from roslab.config.model import Config, Kind
+from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence, PythonProject, RequirementFile
@@ -41,11 +42,11 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
     if config.requirements is not None:
         wanted = {posixpath.normpath(path) for path in config.requirements}
         return tuple(file for file in evidence.requirements if file.file in wanted)
-    shown = for_reference(evidence)
+    aside = for_reference(evidence) | of_parts(evidence)
     run = {
         file.file: file
         for file in evidence.requirements
-        if file.purpose == "run" and not places.example(file.file) and file.file not in shown
+        if file.purpose == "run" and not places.example(file.file) and file.file not in aside
     }
     if conda:
         named = {r.written for e in evidence.conda if e.file == conda for r in e.requirements if r.role == "file"}

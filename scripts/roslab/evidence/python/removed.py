@@ -5,17 +5,24 @@ from __future__ import annotations
 from roslab.evidence.facts import Removed
 from roslab.evidence.python.modules import modules
 from roslab.knowledge.hints import Search
-from roslab.knowledge.removals import removals
+from roslab.knowledge.removals import newer_api, removals
 from roslab.repository.checkout import Repository
 
 
 def read(repository: Repository) -> tuple[Removed, ...]:
-    """Return the lowest bound for each package that the code needs, with the first place that needs it."""
+    """Return the lowest bound for each package that the code needs, with the first place that needs it.
+
+    None for a package of which other modules use what only newer versions have: the older part, such as a baseline,
+    is not what the tree is for.
+    """
     found: dict[str, tuple[int, Removed]] = {}
+    newer: set[str] = set()
     wanted = Search(removals(), words=True)
     for module in modules(repository):
         text = module.text
-        for row in wanted.possible(text, module.words):
+        possible = wanted.possible(text, module.words)
+        newer |= {row.package for row in possible if (api := newer_api().get(row.package)) and api.search(text)}
+        for row in possible:
             if row.package in found and found[row.package][0] <= row.rank:
                 continue  # only a lower bound of the same package would matter
             match = next((m for m in row.pattern.finditer(text) if not _comment(text, m.start())), None)
@@ -24,7 +31,8 @@ def read(repository: Repository) -> tuple[Removed, ...]:
             line = text.count("\n", 0, match.start()) + 1
             use = Removed(bound=row.bound, what=row.what, file=module.file.path, line=line)
             found[row.package] = (row.rank, use)
-    return tuple(sorted((use for _, use in found.values()), key=lambda use: use.bound.written))
+    kept = (use for package, (_, use) in found.items() if package not in newer)
+    return tuple(sorted(kept, key=lambda use: use.bound.written))
 
 
 def _comment(text: str, position: int) -> bool:

@@ -1,0 +1,41 @@
+"""Lists of packages that belong to a part of the tree: a baseline, say, beside the program that the root is about."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.guesses import tooling
+
+FEWEST = 2
+"""Fewest packages that a page installs by name where they are all that it needs."""
+
+
+def of_parts(evidence: Evidence) -> frozenset[str]:
+    """Return the environments and requirement files of parts, where a page at the root installs packages by name.
+
+    A part is a folder with programs, or a page that runs some, which no page at the root runs; a manifest at the root
+    makes none a part.
+    """
+    files = [each.file for each in (*evidence.conda, *evidence.requirements)]
+    rooted = any("/" not in file for file in files) or any(not project.folder for project in evidence.python)
+    tools = tooling("installers") | tooling("developers")
+    asked = (each for each in evidence.prose_pip if "/" not in each.file)
+    named = {each.key for each in asked if each.name and not each.role} - tools
+    if rooted or len(named) < FEWEST:
+        return frozenset()
+    run = set(_run_by_root(evidence))
+    started = [program.file for program in evidence.programs]
+    started += [mention.file for mention in evidence.mentions if mention.topic == "command"]
+    programs = {file.partition("/")[0] for file in started if "/" in file}
+    return frozenset(file for file in files if file.partition("/")[0] in programs - run)
+
+
+def _run_by_root(evidence: Evidence) -> Iterator[str]:
+    """Yield the folders at the root in which pages there run, or install, something."""
+    for mention in evidence.mentions:
+        if mention.topic == "command" and "/" not in mention.file:
+            yield from (path.partition("/")[0] for path in (*mention.files, *mention.value.split(), mention.inside))
+    for asked in evidence.prose_pip:
+        if "/" not in asked.file and asked.role in {"file", "environment", "project"}:
+            yield asked.written.removeprefix("./").partition("/")[0]

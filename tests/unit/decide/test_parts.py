@@ -1,0 +1,50 @@
+"""The packages of a baseline in a folder of its own are not those of the repository."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+MAIN = 'import numpy\nif __name__ == "__main__":\n    print(1)\n'
+PAGE = "# Arm\n```\n{}\n```\n## Run\n```\n{}\n```\n"
+FILES = {
+    "arm/train.py": MAIN,
+    "baseline/train.py": MAIN,
+    "baseline/environment.yml": "channels: [conda-forge]\ndependencies: [python=3.8, pip: [mujoco_py==2.0.2.13]]\n",
+    "baseline/requirements.txt": "mujoco_py==2.0.2.13\n",
+    "baseline/README.md": "```\npip install -r requirements.txt\nconda env create -f environment.yml\n```\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("installs", "runs", "other"),
+    [
+        ("pip install numpy ruamel.yaml", "python arm/train.py", False),
+        ("pip install gdown", "python arm/train.py", True),
+        ("pip install numpy ruamel.yaml", "python baseline/train.py", True),
+        ("pip install numpy ruamel.yaml\npip install -r baseline/requirements.txt", "python arm/train.py", True),
+    ],
+)
+@pytest.mark.parametrize("listed", ["baseline/environment.yml", "baseline/requirements.txt"])
+def test_the_list_of_a_part(tree: Tree, listed: str, installs: str, runs: str, *, other: bool) -> None:
+    files = {path: text for path, text in FILES.items() if path.endswith((".py", ".md")) or path == listed}
+    if listed.endswith(".yml"):
+        installs = installs.replace("pip install -r baseline/requirements.txt", f"conda env create -f {listed}")
+    python = tree({**files, "README.md": PAGE.format(installs, runs)}).python
+    assert (listed in {python.conda_file, *python.requirements}) is other
+
+
+def test_why_the_environment_of_a_part_is_not_made(tree: Tree) -> None:
+    files = {path: text for path, text in FILES.items() if path != "baseline/requirements.txt"}
+    found = tree({**files, "README.md": PAGE.format("pip install numpy ruamel.yaml", "python arm/train.py")})
+    assert any("for a part of the tree" in warning.message for warning in found.warnings)
+
+
+def test_what_the_root_lists_leaves_all_as_it_is(tree: Tree) -> None:
+    page = PAGE.format("pip install numpy ruamel.yaml", "python arm/train.py")
+    found = tree({**FILES, "environment.yml": "dependencies: [python=3.9, numpy]\n", "README.md": page}).python
+    assert found.conda_file == "environment.yml"
