@@ -37,6 +37,8 @@ _NAMED_VALUE = pattern(r"([\w-]+) \1[_-](?:name|id|path|dir|folder|file)", re.IG
 """An option and a value that only says what it is: ``--algo algo_name``."""
 _SAYS_WHAT = pattern(r"(?:^|=)[a-z]+(?:_[a-z]+)*_(?:path|dir|directory|folder|filename|file|name)$")
 """A value that only says what belongs there: ``log_file_path``, ``map:=map_name``."""
+_KEY = pattern(r"[A-Z][A-Z0-9_]*(?:\.[A-Z][A-Z0-9_]*)+")
+"""A key of yacs, whose value is the next word: ``MODEL.WEIGHTS a.pth``."""
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
 """Fewest words of a command that starts something."""
 _LAUNCH = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
@@ -149,11 +151,12 @@ def _filled(command: str, files: tuple[str, ...]) -> tuple[tuple[str, ...], bool
         if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
             kept.append(word)
             continue
-        if value and (":=" not in word or kept[-1] in {"-p", "-r"}):
-            kept.pop()  # the option goes with it: ``-p map:=PATH``
+        keyed = _named(kept[:-1]) and bool(_KEY.fullmatch(kept[-1])) and "=" not in word
+        if keyed or (value and (":=" not in word or kept[-1] in {"-p", "-r"})):
+            kept.pop()  # the option goes with it: ``-p map:=PATH``, and ``MODEL.WEIGHTS PATH``
         if ":=" not in word:
             gap = True
-            positional = positional or not (value or word.startswith("-"))
+            positional = positional or not (value or keyed or word.startswith("-"))
         else:
             blanks.append(word.partition(":=")[0])
     return tuple(kept), gap, tuple(blanks)

@@ -255,3 +255,10 @@ def test_code_for_cuda_is_compiled_on_the_ubuntu_that_the_page_names(
     tree: Callable[[dict[str, str]], Decision], page: str, image: str
 ) -> None:
     assert tree({**CUDA_BELOW, "README.md": page}).base_image == image
+
+
+@pytest.mark.parametrize(
+    ("python", "codename"), [("3.7", "focal"), ("3.9", "focal"), ("3.10", "jammy"), ("3.11", "jammy")]
+)
+def test_a_python_of_conda_newer_than_an_ubuntu_s_gets_a_newer_ubuntu(python: str, codename: str) -> None:
+    assert base_for("cuda", "12.3", None, None, python)[1] == codename

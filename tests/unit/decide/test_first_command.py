@@ -705,6 +705,7 @@ def test_what_a_sentence_uses_as_something_is_not_what_is_run(tree: Tree) -> Non
         ("--save_dir=~/logs --n 3", ("--save_dir=logs", "--n", "3")),
         ("logdir=~/logs/run1", ("logdir=logs/run1",)),
         ("--data ~/logs --n 3", ("--n", "3")),
+        ("--n 3 DATA.ROOT ${ROOT} MODEL.SIZE 4", ("--n", "3", "MODEL.SIZE", "4")),
         ("--output /path/to/it --n 3", ("--n", "3")),
     ],
 )
@@ -723,6 +724,12 @@ def test_an_evaluation_that_is_written_out_comes_before_what_leaves_paths_to_the
     assert tree({**files, "README.md": page}).command == ("python", "eval_sim.py", "--model", "lab/model")
     page = page.replace("Launching Evaluations", "Evaluation")
     assert tree({**files, "README.md": page}).command == ("python", "train.py")
+
+
+def test_what_computes_numbers_for_the_training_is_not_what_is_run(tree: Tree) -> None:
+    main = 'if __name__ == "__main__":\n    print(1)\n'
+    page = "# Usage\n```\npython compute_norm_stats.py --config a\npython train.py --config a\n```\n"
+    assert tree({"compute_norm_stats.py": main, "train.py": main, "README.md": page}).command[1] == "train.py"
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from packaging.version import Version
+
 from roslab.config.model import Kind
 from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.decision import Reason
@@ -53,7 +55,11 @@ def base_for(
 
 
 def cuda_ubuntu(cuda: str, ubuntu: str | None, python_version: str | None) -> str:
-    """Return the Ubuntu of the CUDA image: the requested one, else the one with that Python, else one in the middle."""
+    """Return the Ubuntu of the CUDA image: the requested one, else the one with that Python, else one in the middle.
+
+    For a Python that is newer than that one's, the newest whose own is older still: wheels of such a Python are built
+    for its C library.
+    """
     image = cuda_image(cuda)
     image = image if image and image.tag else nearest_cuda_image(cuda)
     if ubuntu in image.ubuntu:
@@ -61,7 +67,10 @@ def cuda_ubuntu(cuda: str, ubuntu: str | None, python_version: str | None) -> st
     if python_version is None and "jammy" in image.ubuntu:
         return "jammy"  # nothing needs an older one, and its CMake is new enough for projects that use CUDA
     fitting = system_ubuntu(python_version, image.ubuntu)
-    return fitting or next((name for name in PREFERRED if name in image.ubuntu), image.ubuntu[-1])
+    middle = next((name for name in PREFERRED if name in image.ubuntu), image.ubuntu[-1])
+    own = {name: Version(python_of_ubuntu()[name]) for name in image.ubuntu if name in python_of_ubuntu()}
+    older = [name for name in own if python_version and own[name] < Version(python_version)]
+    return fitting or max((middle, *older), key=lambda name: own.get(name, Version("0")))
 
 
 def _cuda(
