@@ -6,7 +6,7 @@ import re
 
 from roslab.evidence import places, submodules
 from roslab.evidence.facts import Evidence, PackageManifest
-from roslab.evidence.native import authors_folders, cmake, cpp, cpu, makefiles, x86
+from roslab.evidence.native import authors_folders, cmake, cpp, cpu, makefiles, shared_objects, x86
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import (
     author_dockerfile,
@@ -81,6 +81,7 @@ def gather(repository: Repository) -> Evidence:
             *imports.read(repository),
             *launch.plugins(repository),
             *cmake.fetching(repository),
+            *shared_objects.read(own),
         ),
         prose=prose.dependencies,
         prose_pip=prose.requirements,

@@ -28,7 +28,7 @@ def needs(
     yield from _cmake(evidence, packages, compiled=kind in {"ros1", "ros2", "cpp"})
     for dependency in evidence.code:
         started_by = dependency.role == "shebang" and kind in {"ros1", "ros2"}  # others have a `python` of their own
-        if dependency.namespace == "include" or started_by or dependency.role in {"fetch", "typelib"}:
+        if dependency.namespace == "include" or started_by or dependency.role in {"fetch", "typelib", "linked"}:
             yield dependency, False
     for made in evidence.makefiles if kind in {"cpp", "cuda"} else ():
         for name in made.linked:

@@ -1,0 +1,63 @@
+"""Compiled files of the tree name the libraries that they are linked with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.evidence.native import shared_objects
+from roslab.knowledge.shared_objects import package_of
+from roslab.pipeline import plan_repository
+from roslab.repository.checkout import Repository
+
+
+def compiled(*needed: str, machine: int = 0x3E, magic: bytes = b"\x7fELF") -> bytes:
+    """Return as much of such a file as is read: its kind, its machine and the names."""
+    names = b"".join(name.encode() + b"\0" for name in needed)
+    return magic + bytes(14) + bytes([machine, 0]) + bytes(44) + b"\0" + names
+
+
+@pytest.mark.parametrize(
+    ("soname", "apt"),
+    [
+        ("libGLEW.so.2.0", "libglew2.0"),
+        ("libdc1394.so.22", "libdc1394-22"),
+        ("libavcodec.so.57", "libavcodec57"),
+        ("libGL.so.1", "libgl1"),
+        ("libpython3.8.so.1.0", "libpython3.8"),
+        ("libpython3.6m.so.1.0", None),
+        ("libstdc++.so.6", None),
+        ("libcudart.so.11.0", None),
+        ("libm.so.6", None),
+        ("libown.so", None),
+    ],
+)
+def test_the_package_of_a_library(soname: str, apt: str | None) -> None:
+    assert package_of(soname) == apt
+
+
+def test_what_compiled_files_of_the_tree_need(tmp_path: Path) -> None:
+    files = {
+        "lib/linux/slam.cpython-36m-x86_64-linux-gnu.so": compiled("libc.so.6", "libGLEW.so.2.0", "libown.so.1"),
+        "lib/libown.so.1": compiled("libcholmod.so.3", machine=0xB7),
+        "lib/macosx/slam.so": compiled("libother.so.1", magic=b"\xcf\xfa\xed\xfe"),
+        "lib/arm/old.so": compiled("libother.so.1", machine=0x28),
+        "lib/kept.so": b"version https://git-lfs.github.com/spec/v1\n",
+        "tests/a.so": compiled("libother.so.1"),
+    }
+    for path, data in files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_bytes(data)
+    found = shared_objects.read(Repository.open(tmp_path))
+    assert {each.name: each.file.rpartition("/")[2] for each in found} == {
+        "libcholmod3": "libown.so.1",
+        "libglew2.0": "slam.cpython-36m-x86_64-linux-gnu.so",
+    }
+
+
+def test_it_is_installed_where_the_base_knows_it(tmp_path: Path) -> None:
+    (tmp_path / "slam.so").write_bytes(compiled("libGLEW.so.2.0"))
+    (tmp_path / "slam.py").write_text("import numpy\nimport slam\n")
+    (tmp_path / "requirements.txt").write_text("numpy\n")
+    assert "libglew2.0" in plan_repository(tmp_path).plan.apt_guessed
