@@ -17,7 +17,7 @@ def of_parts(evidence: Evidence) -> frozenset[str]:
     A part is a folder with programs, or a page that runs some, which no page at the root runs; a manifest at the root
     makes none a part.
     """
-    files = [each.file for each in (*evidence.conda, *evidence.requirements)]
+    files = [*(each.file for each in evidence.conda), *(each.file for each in evidence.requirements)]
     rooted = any("/" not in file for file in files) or any(not project.folder for project in evidence.python)
     tools = tooling("installers") | tooling("developers")
     asked = (each for each in evidence.prose_pip if "/" not in each.file)
