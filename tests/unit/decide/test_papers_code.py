@@ -393,3 +393,9 @@ def test_a_module_of_a_folder_that_a_page_goes_to(tmp_path: Path) -> None:
     page = "# Usage\n```\ncd code\npython -m tools.train --fast\n```\n"
     files = {"code/tools/train.py": "import numpy\n", "code/README.txt": "", "README.md": page}
     assert decided(tmp_path, files).command == "cd code && exec python -m tools.train --fast"
+
+
+def test_a_folder_of_folders_named_like_a_package_is_not_that_package(tmp_path: Path) -> None:
+    files = {"examples/gym/envs/__init__.py": "import gym\n", "main.py": MAIN.replace("torch", "gym, envs")}
+    assert lines(decided(tmp_path, files).pip) == ("gym",)
+    assert lines(decided(tmp_path, {**files, "examples/gym/__init__.py": ""}).pip) == ()

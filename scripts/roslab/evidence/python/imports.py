@@ -179,11 +179,17 @@ def programs(repository: Repository) -> tuple[Program, ...]:
 
 
 def _local(repository: Repository) -> frozenset[str]:
-    """Return every name that could be a module of the tree: its Python files and their folders."""
+    """Return every name that could be a module of the tree: its Python files and their folders.
+
+    A folder that only holds others and is called like a known package (``gym``) sorts what is for that package.
+    """
     names: set[str] = set()
+    above: set[str] = set()
     for file in repository.suffixed(".py", ".pyx", ".so"):
-        names.add(file.name.partition(".")[0])
-        names.update(file.folder.split("/"))
+        *holding, folder = file.folder.split("/")
+        names |= {file.name.partition(".")[0], folder}
+        above.update(holding)
+    names |= above - known_imports().keys()
     for file in repository.named("package.xml"):
         names.add(file.folder.rpartition("/")[2])
     return frozenset(names)
