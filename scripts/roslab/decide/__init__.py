@@ -12,6 +12,7 @@ from roslab.decide.cuda.toolkit import decide_toolkit
 from roslab.decide.cuda.version import NO_CUDA, decide_cuda, of_image
 from roslab.decide.day import decide_days
 from roslab.decide.decision import Decision, Warning_
+from roslab.decide.downloads import decide_downloads
 from roslab.decide.kind import decide_kind
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
@@ -153,6 +154,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     inside = compiled_inside(evidence, config, kind.answer)
     scripts = decide_scripts(evidence, config, kind.answer, inside, python.answer.projects)
     variables = decide_variables(evidence, config)
+    downloads = decide_downloads(evidence, config, command.answer.command, folder_name)
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else NO_CUDA
     compiling = decide_compiling(
@@ -204,7 +206,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         *(() if pip_day.answer and (own.answer or not python.answer.day) else (pip_day,)),
         *(kind, release, base, build_tool, layout, python, cuda, own, mended, command, test, platforms),
         *(sources, system, inside),
-        *(() if own.answer else (scripts, missing, steps, variables)),
+        *(() if own.answer else (scripts, missing, steps, variables, downloads)),
     )
     return Decision(
         kind=kind.answer,
@@ -226,6 +228,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         python_path=python_path(evidence, config, kind.answer),
         variables=() if own.answer else variables.answer,
         scripts=() if own.answer else scripts.answer,
+        downloads=() if own.answer else downloads.answer,
         packages=tuple(m.file for m in packages.built if m.name not in left_out) if kind.answer in _ROS else (),
         package_names=names_of(packages, kind.answer, left_out),
         named=named(

@@ -128,6 +128,17 @@ class OwnScript:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class Download:
+    """A file that the image fetches while it is built, where it can."""
+
+    url: str
+    path: str
+    """In the repository."""
+    unpack: str | None = None
+    """The folder of the repository that it is unpacked to."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Decision:
     """All decisions about a repository; ``plan`` turns them into what is built."""
 
@@ -161,6 +172,8 @@ class Decision:
     """Variables that a page sets and the build or a launch file reads, each with its value."""
     scripts: tuple[OwnScript, ...] = ()
     """Scripts of the repository that compile something, in the order of the README."""
+    downloads: tuple[Download, ...] = ()
+    """What the default command needs and a page fetches."""
     packages: tuple[str, ...] = ()
     """Paths of the package.xml files that are built (neither ignored nor an asset)."""
     package_names: tuple[str, ...] = ()

@@ -168,7 +168,7 @@ class Mention:
     topic: Literal[
         "distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command", "date",
         "vcs_file", "compiled", "step", "build_script", "python_path", "variable", "image_built", "image_pulled",
-        "pointed", "included", "reference", "libtorch",
+        "pointed", "included", "reference", "libtorch", "fetched", "unpacked",
     ]  # fmt: skip
     value: str
     source: Literal[
@@ -179,7 +179,8 @@ class Mention:
     text: str
     """The words around it, which the reason quotes."""
     files: tuple[str, ...] = ()
-    """Of a command: its arguments that are files or folders of the tree; they are relative to its root in ``value``."""
+    """Of a command: its arguments that are files or folders of the tree; they are relative to its root in ``value``.
+    Of what is fetched: where to, ``value`` being the URL; of what is unpacked: the archive, and the folder."""
     heading: str = ""
     """The titles of the sections that it stands in, the outermost first (``Usage / Simulation``); of a page only."""
     inside: str = ""

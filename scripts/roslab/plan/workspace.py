@@ -6,7 +6,7 @@ import shlex
 from typing import Literal, get_args
 
 from roslab.config.model import Config, Custom, Source
-from roslab.decide.decision import Decision
+from roslab.decide.decision import Decision, Download
 from roslab.decide.system.missing import skipping
 from roslab.values.dataclass import dataclass, replace
 
@@ -81,6 +81,8 @@ class Workspace:
     """Folders of the repository, each with CMake's options, that are compiled where they lie before all else."""
     scripts: tuple[tuple[str, str], ...] = ()
     """Folders of the repository, ``""`` for its own, each with a command that compiles something there."""
+    downloads: tuple[Download, ...] = ()
+    """Files that are fetched into the repository's folder before its source is copied."""
     python_path: tuple[str, ...] = ()
     """Folders of the repository on PYTHONPATH, ``.`` for its own."""
     variables: tuple[tuple[str, str], ...] = ()
@@ -121,6 +123,7 @@ def workspace(
         submodules=decision.submodules,
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
         scripts=tuple((script.folder, script.command) for script in decision.scripts),
+        downloads=decision.downloads,
         python_path=decision.python_path,
         variables=decision.variables,
         python_projects=decision.python.projects,

@@ -11,6 +11,7 @@ from roslab.render.layers import (
     apart,
     base,
     building,
+    downloads,
     final,
     locks,
     manifests,
@@ -51,7 +52,11 @@ END: tuple[Block, ...] = (
 )
 TODAY = Order(
     base=(base.start, base.package_sources, base.snapshots, base.repositories),  # 1. sources of packages, the user
-    stages=(system.library_stages, manifests.stage),  # 3. libraries: a new system package rebuilds none
+    stages=(
+        system.library_stages,
+        downloads.stage,
+        manifests.stage,
+    ),  # 3. libraries: no new system package rebuilds them
     image=(
         system.packages,  # 2. what the repository declares …
         system.tools,
@@ -71,6 +76,7 @@ TODAY = Order(
         python.packages,
         python.guessed_packages,
         building.variables,
+        downloads.bring,
     ),
     source=(
         workspace.copy_source,  # 5.

@@ -7,11 +7,12 @@ from collections.abc import Iterator
 from typing import Literal
 
 from roslab.evidence.lex.shell import Command
+from roslab.evidence.prose import downloads
 from roslab.evidence.prose.archives import is_release
 from roslab.evidence.python.install_lines import builds_in_place
 from roslab.values.pattern import pattern
 
-Topic = Literal["step", "image_built", "image_pulled", "build_script"]
+Topic = Literal["step", "image_built", "image_pulled", "build_script", "fetched", "unpacked"]
 _PACKAGES = pattern(r"\.(?:deb|run|sh|tar(?:\.\w+)?|tgz|zip|AppImage)$")
 _INSTALLATION = pattern(r"instal|depend|prereq|requir|setup|set up|compil|getting started", re.IGNORECASE)
 _NO_LIBRARY = pattern(r"data|model|weight|vocabular|bag\b|map\b|example|troubl|optional|docker", re.IGNORECASE)
@@ -32,6 +33,8 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
     program = words[0].rpartition("/")[2]
     called = words[1:] if program in _RUNNERS else words
     script = called and _SCRIPT.match(called[0]) and (called is not words or "/" in called[0])
+    if program in downloads.PROGRAMS:
+        yield from downloads.told(words, folder)
     if script or (called is not words and builds_in_place(called)):
         yield "build_script", " ".join((folder or ".", *called))
     if program == "docker":

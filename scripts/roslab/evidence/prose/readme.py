@@ -13,7 +13,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logical_lines
-from roslab.evidence.prose import apt_scripts, exports, generated, libtorch, mentions, python_path
+from roslab.evidence.prose import apt_scripts, downloads, exports, generated, libtorch, mentions, python_path
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of
@@ -140,6 +140,8 @@ def of_page(repository: Repository, file: File) -> Prose:
 def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
     if mention.topic == "build_script":
         yield from checked(mention, repository)
+    elif mention.topic in {"fetched", "unpacked"}:
+        yield from filter(None, [downloads.placed(mention, repository)])
     elif mention.topic != "command":
         yield from () if mention.topic == "compiled" and of_another(mention, repository) else (mention,)
     elif not leads_elsewhere(told := with_files(mention, repository), repository):

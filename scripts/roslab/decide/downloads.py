@@ -1,0 +1,79 @@
+"""Files that the default command names and the tree lacks: what a page fetches, the image has."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+import shlex
+from collections.abc import Iterator
+
+from roslab.config.model import Config
+from roslab.decide.decision import Choice, Download
+from roslab.decide.reasons import because
+from roslab.evidence import places
+from roslab.evidence.facts import Evidence, Mention
+from roslab.values.words import line_of
+
+WEIGHT = 300
+"""Files do not compete, so it only orders the report."""
+MOST = 6
+
+
+def decide_downloads(
+    evidence: Evidence, config: Config, command: tuple[str, ...] | str, folder_name: str
+) -> Choice[tuple[Download, ...]]:
+    """Return what pages near the root fetch of what the command names; ``folder_name`` is the repository's.
+
+    An archive that a page unpacks is meant where the command names a path in it, or in the folder that it goes to.
+    """
+    named = set() if config.compatible else set(_named(line_of(command)))
+    fetched = [m for m in evidence.mentions if m.topic == "fetched" and _near(m)]
+    unpacked = [m for m in evidence.mentions if m.topic == "unpacked" and _near(m)]
+    found: dict[str, tuple[Download, Mention]] = {}
+    for mention in fetched if named else ():
+        path = _inside(mention.files[0], folder_name)
+        folder = next((m.files[1] for m in unpacked if m.file == mention.file and m.files[0] == mention.files[0]), None)
+        into = None if folder is None else _inside(folder, folder_name)
+        if _outside(path) or (into is not None and _outside(into)):
+            continue
+        meant = path in named if into is None else any(_in_archive(each, path, into) for each in named)
+        if meant:
+            found.setdefault(path, (Download(url=mention.value, path=path, unpack=into), mention))
+    chosen = list(found.values())[:MOST]
+    why = "the command names it, and the page fetches it"
+    return Choice(
+        answer=tuple(each for each, _ in chosen),
+        reasons=tuple(because("downloads", each.url, why, mention, weight=WEIGHT) for each, mention in chosen),
+    )
+
+
+def _near(mention: Mention) -> bool:
+    aside = places.vendored(mention.file) or places.test(mention.file)
+    return mention.source == "readme" and mention.file.count("/") <= 1 and not aside
+
+
+def _named(command: str) -> Iterator[str]:
+    """Yield the paths in the words of a command, also behind ``=``, from the root of the repository."""
+    words = shlex.split(command)
+    folder = words[1] if words[:1] == ["cd"] and len(words) > 1 else ""
+    for word in words:
+        path = re.split(r":?=", word, maxsplit=1)[-1]
+        if path and not path.startswith(("/", "~", "-")):
+            yield posixpath.normpath(posixpath.join(folder, path))
+
+
+def _inside(path: str, folder_name: str) -> str:
+    """Return a path without the repository's own folder, above which a page may begin."""
+    first, _, rest = path.partition("/")
+    return (rest or ".") if first.lower() == folder_name.lower() else path
+
+
+def _outside(path: str) -> bool:
+    return path.startswith(("..", "/", "~"))
+
+
+def _in_archive(named: str, archive: str, folder: str) -> bool:
+    """Tell whether a path is what an archive holds: below the folder it goes to, and below its own name at the root."""
+    stem = re.sub(r"\.(?:zip|tgz|tbz2|tar(?:\.\w+)?)$", "", posixpath.basename(archive))
+    below = [posixpath.normpath(posixpath.join(folder, stem)), *([] if folder == "." else [folder])]
+    return any(named == each or named.startswith(f"{each}/") for each in below)

@@ -1,0 +1,37 @@
+"""Files that the default command needs: fetched in a stage of their own, which no edit of the source repeats."""
+
+from __future__ import annotations
+
+from roslab.plan.plan import Plan
+from roslab.render import quote
+from roslab.render.layers import secrets, shell
+from roslab.render.layers.workspace import source_folder
+
+STAGE = "downloads"
+FOLDER = "/fetched"
+
+
+def stage(plan: Plan) -> str:
+    """Fetch each file; what does not answer, or is too large, is told and left out."""
+    files = plan.workspace.downloads
+    if not files:
+        return ""
+    fetched = []
+    for file in files:
+        into = () if file.unpack is None else (file.unpack,)
+        fetched.append(f"fetch-optional{shell.words((file.url, file.path, *into))}")
+    lines = [f"FROM base AS {STAGE}"]
+    lines.append(shell.apt_install(("ca-certificates", "curl", "unzip", "xz-utils"), secrets.for_apt(plan)))
+    lines.append(shell.copy_script("fetch-optional").rstrip())
+    lines += [f"WORKDIR {FOLDER}", shell.run(*fetched)]
+    return "\n".join(lines)
+
+
+def bring(plan: Plan) -> str:
+    """Bring the files to where the source is copied afterwards."""
+    if not plan.workspace.downloads:
+        return ""
+    folder = source_folder(plan)
+    copy = f"COPY --from={STAGE} --chown=${{NB_UID}}:${{NB_UID}} {FOLDER}/ {quote.docker_path(folder)}/"
+    made = shell.run(f"mkdir --parents {quote.shell_with_user(folder)}")
+    return f"# What the README fetches for the program\nUSER ${{NB_USER}}\n{made}\n{copy}\nUSER root"

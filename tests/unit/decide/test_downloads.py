@@ -1,0 +1,61 @@
+"""What the default command names and a page fetches is in the image."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide.decision import Decision, Download
+from roslab.plan.plan import make_plan
+from roslab.render.dockerfile import dockerfile
+
+Tree = Callable[[dict[str, str]], Decision]
+URL = "https://files.example/v1/model.pth"
+RUN = "python demo.py --weights weights/model.pth --input=data/one --config conf.yaml"
+MODEL = Download(url=URL, path="weights/model.pth")
+
+
+def planned(tree: Tree, page: str, run: str = RUN, **more: str) -> Decision:
+    files = {"demo.py": "import numpy\n", "requirements.txt": "numpy\n", **more}
+    return tree({**files, "README.md": f"## Install\n```\n{page}\n```\n## Usage\n```\n{run}\n```\n"})
+
+
+@pytest.mark.parametrize(
+    ("page", "found"),
+    [
+        (f"mkdir weights && cd weights\nwget {URL}\ncd ..", MODEL),
+        (f"git clone https://example.org/lab/demo.git\ncd demo\nmkdir -p weights\nwget -P weights {URL}", MODEL),
+        (f"wget -qO weights/model.pth {URL}?download=1", Download(url=f"{URL}?download=1", path="weights/model.pth")),
+        (f"$ curl -L --output weights/model.pth '{URL}'", MODEL),
+        (f"cd weights\ncurl -LO {URL}", MODEL),
+        (f"wget {URL}", None),
+        (f"curl -L {URL}", None),
+        (f"wget -O ../weights/model.pth {URL}", None),
+        (f"wget -O /data/weights/model.pth {URL}", None),
+        (f"wget -O weights/model.pth {URL.replace('model', '$NAME')}", None),
+        ("wget https://x.example/d.zip\nunzip d.zip -d data",
+         Download(url="https://x.example/d.zip", path="d.zip", unpack="data")),
+        ("wget https://x.example/data.tar.gz\ntar -xzf data.tar.gz",
+         Download(url="https://x.example/data.tar.gz", path="data.tar.gz", unpack=".")),
+        ("wget https://x.example/all.zip\nunzip all.zip", None),
+        ("wget https://x.example/data.zip", None),
+        ("wget -O conf.yaml https://x.example/conf.yaml", None),
+    ],
+)  # fmt: skip
+def test_what_the_command_names(tree: Tree, page: str, found: Download | None) -> None:
+    assert planned(tree, page, **{"conf.yaml": ""}).downloads == ((found,) if found else ())
+
+
+def test_a_command_that_names_no_file_needs_none(tree: Tree) -> None:
+    assert planned(tree, f"wget -P weights {URL}", "python demo.py").downloads == ()
+
+
+def test_an_edit_of_the_source_fetches_nothing_again(tree: Tree) -> None:
+    text = dockerfile(make_plan(planned(tree, f"wget -P weights {URL}"), Config(), folder_name="demo"))
+    stage = text.partition("\nFROM base AS downloads\n")[2].partition("\nFROM ")[0]
+    assert f"fetch-optional \\\n      {URL} \\\n      weights/model.pth" in stage
+    assert "COPY . " not in stage
+    brought = text.index("COPY --from=downloads --chown=${NB_UID}:${NB_UID} /fetched/ /home/${NB_USER}/demo/\n")
+    assert brought < text.index("COPY --chown=${NB_UID}:${NB_UID} . .")
