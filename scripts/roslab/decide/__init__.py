@@ -39,7 +39,7 @@ from roslab.decide.steps import decide_steps
 from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.libraries import decide_libraries
-from roslab.decide.system.missing import decide_missing, marked
+from roslab.decide.system.missing import decide_missing, provided, marked
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, host_options, started
 from roslab.decide.system.own_options import own_compilers, own_options
@@ -168,13 +168,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         build_tool.answer,
         target=target,
         packages=packages,
-        provided=(
-            *(*system.answer.apt, *system.answer.apt_guessed, *system.answer.brought),
-            *(source.name for source in (*sources.answer.sources, *sources.answer.submodules)),
-            *(git.name for git in evidence.sources if git.kind != "link"),
-            *(each.name for each in evidence.prose),
-            *(each.key for each in everything if each.name),
-        ),
+        provided=provided(evidence, system.answer, sources.answer, everything),
         built=(source.name for source in sources.answer.sources),
         keys=system.answer.rosdep,
         command=command.answer.command,

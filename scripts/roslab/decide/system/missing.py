@@ -11,8 +11,10 @@ from roslab.decide.reasons import because, warn
 from roslab.decide.ros.rosbuild import ended_in
 from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.sources import Sources
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
+from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.switches import given, switch_of
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -20,6 +22,7 @@ from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.knowledge.code_limits import satisfies, version_of
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import dataclass
+from roslab.values.requirement import Requirement
 from roslab.values.words import line_of
 
 _SKIP: dict[BuildTool, str] = {
@@ -135,6 +138,17 @@ def decide_missing(
             *(because("workspace", name, "the author's build skips it", at, weight=ENDED) for name, at in left.items()),
         ),
     )
+
+
+def provided(
+    evidence: Evidence, system: SystemPackages, sources: Sources, installed: Iterable[Requirement]
+) -> Iterator[str]:
+    """Yield the names of everything that is installed, built or cloned; ``installed`` is what pip and conda bring."""
+    yield from (*system.apt, *system.apt_guessed, *system.brought)
+    yield from (source.name for source in (*sources.sources, *sources.submodules))
+    yield from (git.name for git in evidence.sources if git.kind != "link")
+    yield from (each.name for each in evidence.prose)
+    yield from (each.key for each in installed if each.name)
 
 
 def _too_old(
