@@ -39,7 +39,7 @@ from roslab.decide.steps import decide_steps
 from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.libraries import decide_libraries
-from roslab.decide.system.missing import decide_missing, provided, marked
+from roslab.decide.system.missing import decide_missing, marked, provided
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, host_options, started
 from roslab.decide.system.own_options import own_compilers, own_options
