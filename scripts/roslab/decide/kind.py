@@ -8,6 +8,7 @@ from typing import cast
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.signs import sign_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
+from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
 from roslab.decide.ros.plain_workspace import built_together
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
@@ -242,10 +243,9 @@ def _cpp(evidence: Evidence) -> list[Reason]:
 
     Without one, those of a Makefile, which is one of C and C++.
     """
-    tops = [p for p in evidence.cmake if p.top_level and not places.vendored(p.file)]
-    if not tops:
+    top = top_of(evidence)
+    if top is None:
         return _by_make(evidence)
-    top = min(tops, key=lambda p: (p.file.count("/"), p.file))
     root = "/" not in top.file
     compiled = "CUDA" in top.languages or evidence.cuda_files
     answer = "cuda" if "cuda" in top.macros and compiled else "cpp"

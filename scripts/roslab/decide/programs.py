@@ -34,10 +34,14 @@ class Compiled:
 def top_of(evidence: Evidence) -> CMakeProject | None:
     """Return the CMake project that is built where the repository is no ROS package: the one nearest to the root.
 
-    One whose code is elsewhere comes after all others.
+    One whose code is elsewhere comes after all others, and one that makes the documentation after those with code.
     """
     tops = [project for project in evidence.cmake if project.top_level and not places.vendored(project.file)]
-    return min(tops, key=lambda project: (project.lacks, project.file.count("/"), project.file), default=None)
+
+    def rank(project: CMakeProject) -> tuple[bool, bool, int, str]:
+        return project.lacks, places.documentation(project.file), project.file.count("/"), project.file
+
+    return min(tops, key=rank, default=None)
 
 
 def beside_top(evidence: Evidence) -> tuple[CMakeProject, ...]:

@@ -117,3 +117,13 @@ def test_what_a_script_clones_and_does_not_install_brings_no_newer_version(
         (tmp_path / path).write_text(text, encoding="utf-8")
     warnings = plan_repository(tmp_path).plan.warnings
     assert any("CMake requires OpenCV 3.1" in warning.message for warning in warnings) == told
+
+
+def test_the_documentation_is_no_program(tree: Tree) -> None:
+    project = "cmake_minimum_required(VERSION 3.5)\nproject({0})\nadd_{1}\n"
+    files = {
+        "doc/CMakeLists.txt": project.format("documentation", "custom_target(pages ALL)"),
+        "src/planner/CMakeLists.txt": project.format("planner", "executable(planner main.cpp)"),
+        "src/planner/main.cpp": "#include <vector>\nint main() {}\n",
+    }
+    assert tree(files).cmake_folder == "src/planner"
