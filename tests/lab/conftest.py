@@ -12,9 +12,9 @@ from . import laboratory, packages
 from .laboratory import Laboratory
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def lab() -> Iterator[Laboratory]:
-    """Bring the lab up for a module of tests."""
+    """Bring the lab up for all tests of this process: to ask whether it is takes seconds, and no test ends it."""
     if reason := laboratory.usable():
         pytest.skip(reason)
     with laboratory.laboratory() as running:
