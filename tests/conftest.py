@@ -17,15 +17,10 @@ ROOT = Path(__file__).resolve().parent.parent
 KINDS = ("unit", "golden", "bad_input", "lab", "lint")
 """Folders of tests; each is a marker of the same name."""
 LONGEST = (
-    *(
-        "test_workflows.py",
-        "test_canary.py",
-        "test_action.py",
-        "test_ladder.py",
-        "test_screenshots.py",
-        "test_same_bits.py",
-    ),
-    *("test_examples.py", "test_private.py", "test_order.py", "test_trust.py", "test_hostile.py"),
+    *("test_same_bits.py", "test_workflows.py", "test_ladder.py", "test_repair.py", "test_screenshots.py"),
+    *("test_private.py", "test_action.py", "test_lock.py", "test_canary.py", "test_mended_bases.py"),
+    *("test_examples.py", "test_cache.py", "test_date.py", "test_run_script.py", "test_slim.py", "test_order.py"),
+    *("test_trust.py", "test_hostile.py"),
 )
 """Files of the lab that take longest, for whom others wait unless they begin first."""
 Roslab = Callable[..., "subprocess.CompletedProcess[str]"]
