@@ -98,3 +98,20 @@ def test_a_package_of_ros_1_is_built_with_ros_1(tree: Tree) -> None:
     more = package("node_ros1", "node_ros1") | package("a", "a") | package("b", "b")
     decision = tree(more | AMENT | BOTH | {"README.md": "Install ROS noetic.\n"})
     assert (decision.kind, decision.ignored) == ("ros1", ("node_ros2",))
+
+
+def test_what_a_package_of_the_other_ros_looks_for_is_not_built(tree: Tree) -> None:
+    ament = "<package><name>tools</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    page = "[odd](https://github.com/ros2/oddslam) and [odd_ros](https://github.com/ros2/odd_ros)\n"
+    other = {
+        "tools/package.xml": ament,
+        "tools/CMakeLists.txt": "project(tools)\nfind_package(ament_cmake REQUIRED)\nfind_package(oddslam REQUIRED)\n",
+        "tools/README.md": page,
+    }
+    own = package("a", "a") | package("b", "b")
+    needs = own["a/package.xml"].replace("</package>", "<depend>odd_ros</depend></package>")
+    found = tree(own | other | {"a/package.xml": needs, "README.md": "For ROS Noetic\n"})
+    assert found.ros_distro == "noetic"
+    assert found.source == ()
+    found = tree(own | other | {"a/package.xml": needs, "README.md": f"For ROS Noetic\n{page}"})
+    assert [source.name for source in found.source] == ["odd_ros"]

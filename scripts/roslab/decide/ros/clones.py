@@ -7,6 +7,7 @@ from collections.abc import Set as AbstractSet
 
 from roslab.decide.ros.source_names import SHORTEST, plain
 from roslab.decide.ros.vcs_files import distros_in
+from roslab.decide.ros.workspace import of_one_ros, packages_of
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
@@ -50,14 +51,18 @@ def unreleased(needed: Iterable[Dependency], known: AbstractSet[str]) -> Depende
 
 
 def linked(
-    evidence: Evidence, needed: Iterable[Dependency], known: AbstractSet[str]
+    evidence: Evidence, needed: Iterable[Dependency], known: AbstractSet[str], ros: int
 ) -> Iterator[tuple[GitSource, Dependency]]:
     """Yield the repositories that pages only link to, each with the package that it has to bring.
 
     That is one which a manifest or CMake asks for and which is not ``known``; it has the name of the repository, or one
-    that begins with it where nothing known has that name. The nearest page comes first.
+    that begins with it where nothing known has that name. The nearest page comes first; that of a package which is not
+    built, for it is of the other ROS, may link to a fork for that one.
     """
+    packages = of_one_ros(packages_of(evidence), evidence, "ros1" if ros == 1 else "ros2")
+    aside = tuple(f"{folder}/" for folder in packages.doubles)
     found = [git for git in evidence.sources if git.kind == "link" and not places.vendored(git.file)]
+    found = [git for git in found if not git.file.startswith(aside)]
     found.sort(key=lambda git: (git.file.count("/"), git.file, git.line))
     lacking = {plain(asked.name): asked for asked in needed if asked.name not in known and _built_with(asked)}
     for exact in (True, False):

@@ -221,7 +221,7 @@ class _Chosen:
     def linked(self, evidence: Evidence, needed: Iterable[Dependency], known: frozenset[str], itself: set[str]) -> None:
         """Add what pages link to for packages that are needed and that nothing brings so far."""
         others = [each for each in needed if each.name not in self.packages]
-        for git, asked in linked(evidence, others, known | {*self.sources}):
+        for git, asked in linked(evidence, others, known | {*self.sources}, self.ros):
             if not itself_in(git, itself):
                 self.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and {git.file} links to it")
 

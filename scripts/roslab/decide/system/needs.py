@@ -72,7 +72,7 @@ def code_needs(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     What an option switches off with which a page configures the project is left out, too.
     """
     options = given(evidence)
-    skipped = frozenset(m.file.rpartition("/")[0] for m in packages.left_out if m.ignored)
+    skipped = frozenset((*(m.file.rpartition("/")[0] for m in packages.left_out if m.ignored), *packages.doubles))
     for project in evidence.cmake:
         if places.vendored(project.file) or _inside(project.file, skipped):
             continue
