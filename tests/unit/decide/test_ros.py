@@ -677,3 +677,17 @@ def test_what_the_table_knows_of_an_unreleased_package_is_cloned_with_its_needs(
     cmake = "find_package(catkin REQUIRED COMPONENTS mrs_lib)\n"
     decision = tree({"package.xml": manifest, "CMakeLists.txt": cmake, "README.md": "For ROS Noetic."})
     assert [source.name for source in decision.source] == ["mrs_msgs", "mrs_lib"]
+
+
+def test_an_unknown_key_that_an_install_line_of_apt_has_is_left_to_apt(tree: Tree) -> None:
+    manifest = (
+        "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><depend>libgmp-dev</depend></package>"
+    )
+    files = {"package.xml": manifest, "CMakeLists.txt": "find_package(catkin REQUIRED)\n", "README.md": "ROS Noetic"}
+    decision = tree(files)
+    assert "libgmp-dev" in decision.rosdep
+    assert any("libgmp-dev" in each.message for each in decision.warnings)
+    decision = tree({**files, "README.md": "# Install on ROS Noetic\n`sudo apt install libgmp-dev`\n"})
+    assert "libgmp-dev" in decision.apt_guessed
+    assert "libgmp-dev" in decision.skip_keys
+    assert not any("libgmp-dev" in each.message for each in decision.warnings)

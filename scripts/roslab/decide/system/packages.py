@@ -104,11 +104,12 @@ def decide_system(
     for key in keys:
         if key.name not in found.skip:
             _translate(key, target, found, cloned=bool(sisters), submodules=submodules)
+    needed = tuple(needs(evidence, packages, kind, target.ros_distro))
+    in_apt = _named_in_apt(found, needed)
     if together := of_an_apt_source(tuple(found.unknown), target, evidence):
         found.warnings = [*(each for each in found.warnings if each not in found.unknown.values()), together]
     by_hand = frozenset(address(git.url) for git in evidence.sources if git.installed)
-    known = frozenset({key.name for key in keys} | packages.names | sisters | set(config.skip_keys))
-    needed = tuple(needs(evidence, packages, kind, target.ros_distro))
+    known = frozenset({key.name for key in keys} - in_apt | packages.names | sisters | set(config.skip_keys))
     for dependency, trusted in needed:
         if dependency.role == "shebang" and target.ubuntu in {None, *ubuntus_with_python2()}:
             continue
@@ -187,6 +188,16 @@ def _translate(key: Dependency, target: Target, found: _Found, *, cloned: bool, 
     if meant.warning:
         found.warnings.append(meant.warning)
         found.unknown |= {key.name: meant.warning} if meant.unknown else {}
+
+
+def _named_in_apt(found: _Found, needed: tuple[tuple[Dependency, bool], ...]) -> frozenset[str]:
+    """Leave the unknown keys that an install line of apt has, too, to apt; return them: ``libgmp-dev`` is no key."""
+    lines = {asked.name for asked, _ in needed if asked.namespace == "apt" and asked.strength == "prose"}
+    names = frozenset(lines & found.unknown.keys())
+    for name in names:
+        found.skip[name] = None
+        found.warnings.remove(found.unknown.pop(name))
+    return names
 
 
 def _add(
