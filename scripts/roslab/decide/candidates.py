@@ -10,8 +10,9 @@ from roslab.decide.candidate import Candidate
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
+from roslab.decide.scripts import NOTEBOOK
 from roslab.decide.system.switches import given
-from roslab.decide.written_commands import NOTEBOOK, written
+from roslab.decide.written_commands import written
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.values.dataclass import replace

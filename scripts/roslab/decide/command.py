@@ -14,7 +14,8 @@ from roslab.decide.first_command import first_of, serves, upkeep
 from roslab.decide.included import included
 from roslab.decide.meant_commands import named_like_it, pointed_at, whole_of
 from roslab.decide.reasons import because, configured
-from roslab.decide.written_commands import NOTEBOOK, PORT, TOOLS
+from roslab.decide.scripts import NOTEBOOK, PORT
+from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.windows import opens

@@ -13,7 +13,7 @@ from roslab.values.pattern import pattern
 _SERVES = pattern(
     r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre-?proc\w*|(?:comp|calc)\w*[_-](?:\w+[_-])?(?:stat(?:s|istics)|norm\w*)|(?:pre-?)?cach(?:e|ing)|prepare\w*|extract\w*|install\w*|set-?up|format|"
     r"record\w*|collect\w*|tokenize\w*|generate\w*|gen|export\w*|annotate\w*|"
-    r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|lint|tidy|reset|kill\w*|stop|shut-?down)(?:[_.-]|$)|"
+    r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|lint|tidy|stat(?:istic)?s|reset|kill\w*|stop|shut-?down)(?:[_.-]|$)|"
     r"^(?:(?:source|load|activate|export)[_-])?v?env$",
     re.IGNORECASE,
 )
@@ -36,6 +36,10 @@ _AFTER = pattern(
 """The name of a program that looks at what another one did; a README of Python may name its examples so."""
 _OF_RESULTS = pattern(r"(?:eval|evaluat\w*|metrics?)", re.IGNORECASE)
 """The name of a folder whose programs look at what another one made."""
+_EVALUATES = pattern(
+    r"--?(?:eval(?:uate|uation)?|test)(?:[_-](?:only|net|mode))?|--?only[_-](?:eval|test)", re.IGNORECASE
+)
+"""An option with which a program looks at what it made before."""
 _SHOWS = pattern(r"(?:^|[_.-])(?:visuali[sz]\w*|vis|viz)(?:[_.-]|$)", re.IGNORECASE)
 """The name of a file of Python that shows what another one made; a launch file of that name may be a demonstration."""
 _TEST = pattern(r"(?:^|[_.-])tests?(?:[_.-]|$)", re.IGNORECASE)
@@ -155,6 +159,7 @@ def _after(candidate: Candidate) -> bool:
     python = candidate.argv[0].startswith("python")
     place = program_of(candidate.argv)[-1].rpartition("/")[0].rpartition("/")[2]
     of_results = bool(python and _OF_RESULTS.fullmatch(place))
+    of_results = of_results or (python and any(map(_EVALUATES.fullmatch, candidate.argv)))
     return of_results or _named(candidate, _AFTER) or _named(candidate, _SHOWS if python else _TEST)
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
+from roslab.decide.scripts import NOTEBOOK, RUNS
 from roslab.decide.sections import about_running
-from roslab.decide.written_commands import NOTEBOOK
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
 from roslab.knowledge.distros import distros
@@ -16,8 +15,6 @@ from roslab.knowledge.released import released
 from roslab.values.pattern import pattern
 
 _DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "simulation", "sim", "system", "example")
-_RUNS = pattern(r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|\.sh$)", re.IGNORECASE)
-"""A script that starts something."""
 _SAMPLE = pattern(r"(?:^|/)\.?docs?/")
 """Where a launch file is a sample, often for another package, that the page explains."""
 MANY = 8
@@ -41,7 +38,7 @@ def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
         if said.topic == "pointed" and (launch := owners.get(said.value)):
             start = ("roslaunch",) if kind == "ros1" else ("ros2", "launch")
             argv = (*start, launch.package or "", said.value.rpartition("/")[2])
-        elif said.topic == "pointed" and kind not in {"ros1", "ros2"} and _RUNS.match(said.value.rpartition("/")[2]):
+        elif said.topic == "pointed" and kind not in {"ros1", "ros2"} and RUNS.match(said.value.rpartition("/")[2]):
             argv = ("bash", said.value)
         elif said.topic == "pointed" and kind in {"python", "cuda"} and said.value.endswith(".ipynb"):
             argv = (*NOTEBOOK, said.value)

@@ -13,6 +13,7 @@ from roslab.decide.outputs import written_below
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
+from roslab.decide.scripts import bare, script_of
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose import copies
@@ -22,7 +23,7 @@ from roslab.values.words import written as as_written
 
 _PLACEHOLDER = pattern(
     r"YOUR|your[_-]|path[/_-]to|/path|/where/|\[|\]|\.\.\.|…|/home/|~|\$|<|>|\{[a-z]\w*\}|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
-    r"(?-i:/[A-Z_]{5,}(?:\.\w+)?$|=[A-Z_]+_(?:NAME|PATH|DIR|FILE|FOLDER|ID|IP)$)",
+    r"(?-i:(?<![A-Za-z])XX(?![A-Za-z])|/[A-Z_]{5,}(?:\.\w+)?$|=[A-Z_]+_(?:NAME|PATH|DIR|FILE|FOLDER|ID|IP)$)",
     re.IGNORECASE,
 )
 """Also ``yyy-yy``, as a repeated letter stands for a value that the reader fills in, and ``name:=PACKAGE_NAME``."""
@@ -44,10 +45,6 @@ _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
 _LAUNCH = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
 _BESIDE = pattern(r"\./[\w.+-]+")
 _ABOVE = pattern(r"^(--?[\w-]+=)?(?:\.\./)+(?=[\w-])")
-NOTEBOOK = ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser")
-"""Reachable from outside of a container, which has no browser."""
-PORT = "8888"
-"""Where it listens: https://jupyter-server.readthedocs.io/en/latest/other/full-config.html, 2026-11-23"""
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 """Files that serve a project without being its purpose."""
 
@@ -147,7 +144,7 @@ def _filled(command: str, files: tuple[str, ...]) -> tuple[tuple[str, ...], bool
         blank = bool(_PLACEHOLDER.search(_PATHS.sub(r"\1", _NUMBERS.sub("", word)))) or word.endswith(":=")
         value = bool(kept) and kept[-1].startswith("-") and not word.startswith("-")
         blank = blank or (value and bool(_NAMED_VALUE.fullmatch(f"{kept[-1].lstrip('-')} {word}")))
-        blank = blank or (bool(_SAYS_WHAT.search(word)) and word not in files)
+        blank = blank or (value and word in {"N", "X"}) or (bool(_SAYS_WHAT.search(word)) and word not in files)
         if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
             kept.append(word)
             continue
@@ -189,8 +186,8 @@ def _runnable(
         return _of_ros(argv, tree) if ros else None
     if not argv[0].startswith("python"):
         installed = argv if argv[0] in tree.installed and not ros else None
-        return (_built(argv, tree) if ros or compiled else None) or installed or _shell(argv, mention, ros, compiled)
-    named = (file for file in mention.files if file.endswith(".py"))  # a script needs no guard to be run
+        return (_built(argv, tree) if ros or compiled else None) or installed or script_of(argv, mention, ros, compiled)
+    named = (file for file in mention.files if file.endswith(".py") or bare(file))  # a script needs no guard to be run
     programs = tuple(dict.fromkeys((*tree.programs, *named)))
     if argv[1:2] == ("-m",):
         here = _module(argv, programs, (*tree.projects, *filter(None, (mention.inside,))))
@@ -210,19 +207,6 @@ def _task(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...]:
     while words and re.fullmatch(r"\w+=\S*", words[0]):
         words = words[1:]
     return (*words, *argv[3:]) if words else argv
-
-
-def _shell(argv: tuple[str, ...], mention: Mention, ros: bool, compiled: bool) -> tuple[str, ...] | None:
-    """Return the call of a shell script of the tree (``sh run.sh``, ``./run.sh``), which is none of compiled code's.
-
-    So it does of a notebook, which is none of a workspace's either.
-    """
-    if argv[0].startswith("jupyter"):
-        notebooks = [file for file in mention.files if file.endswith(".ipynb")]
-        return (*NOTEBOOK, notebooks[0]) if notebooks and not (ros or compiled) else None
-    script = argv[1:] if argv[0] in {"bash", "sh"} else argv
-    known = bool(script) and not compiled and script[0] in mention.files and script[0].endswith(".sh")
-    return ("bash", *script) if known else None
 
 
 def _of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
@@ -290,7 +274,7 @@ def _here(argv: tuple[str, ...], programs: tuple[str, ...], folder: str) -> tupl
     ``folder``: that of the page, whose own program is meant where others have the same name.
     """
     for position, part in enumerate(argv[1:], 1):
-        if part.endswith(".py"):
+        if part.endswith(".py") or (bare(part) and part in programs):
             path = posixpath.normpath(part)
             beside = [near for near in (path, f"{folder}/{path}") if near in programs]
             ends = beside[:1] or [program for program in programs if program.endswith("/" + path)]

@@ -71,3 +71,57 @@ def test_a_page_of_the_documentation_about_launching_it_is_read(tree: Tree) -> N
     page = "Launching\n=========\n\n.. code-block:: bash\n\n    python3 train.py\n"
     found = tree({**PYTHON, "README.md": "# A planner\n", "docs/source/launching.rst": page})
     assert found.command == ("python3", "train.py")
+
+
+@pytest.mark.parametrize(
+    ("line", "command"),
+    [
+        ("python -m torch.distributed.launch --nproc_per_node 4 --use_env train.py -n 3", "python train.py -n 3"),
+        ("python3 -m torch.distributed.run --nproc_per_node=4 -m net.fit -n 3", "python -m net.fit -n 3"),
+        ("torchrun --nproc_per_node 4 --nnodes 1 train.py", "python train.py"),
+        ("conda run -n walk python train.py", "python train.py"),
+        ("uv run --extra gpu walk -n 3", "walk -n 3"),
+        ("poetry run walk", "walk"),
+        ("pixi run -e gpu film -n 3", "python train.py -s -n 3"),
+        ("./bin/go -n 3", "bash bin/go -n 3"),
+        ("bin/watch", "python3 bin/watch"),
+        ("python ./bin/watch --fast", "python bin/watch --fast"),
+        ("./bin/data", "bash"),
+        ("python train.py --gpu X -n N -s 1", "python train.py -s 1"),
+        ("python train.py --seq XX -s 1", "python train.py -s 1"),
+        ("python train.py --eval --net a.pt\npython play.py", "python play.py"),
+        ("python train.py --test", "python train.py --test"),
+        ("python make_stats.py\npython train.py", "python train.py"),
+    ],
+)
+def test_what_a_line_starts_by_way_of_another_program(tree: Tree, line: str, command: str) -> None:
+    files = {
+        "pyproject.toml": "[project]\nname = 'net'\nversion = '1'\n[project.scripts]\nwalk = 'net.fit:main'\n",
+        "pixi.toml": "[workspace]\nchannels = ['conda-forge']\n[dependencies]\npython = '3'\n"
+        "[tasks]\nfilm = 'python train.py -s'\n",
+        "net/__init__.py": "",
+        "net/fit.py": MAIN,
+        "make_stats.py": MAIN,
+        "bin/go": "#!/usr/bin/env bash\npython train.py\n",
+        "bin/watch": "#!/usr/bin/env python3\nimport numpy\n",
+        "bin/data": "12 13\n",
+    }
+    assert " ".join(tree({**PYTHON, **files, "README.md": f"# Run\n```\n{line}\n```\n"}).command) == command
+
+
+@pytest.mark.parametrize(
+    ("lines", "command"),
+    [
+        ("./build.sh\n./run_kitti.sh data", "bash run_kitti.sh data"),
+        ("./build.sh\n./build/align\n./run_kitti.sh data", "align"),
+        ("./build.sh", "bash"),
+        ("./align /data/kitti/XX", "align"),
+    ],
+)
+def test_a_script_that_starts_what_is_compiled(tree: Tree, lines: str, command: str) -> None:
+    files = {
+        "CMakeLists.txt": "project(Align CXX)\nadd_executable(align a.cpp)\nadd_executable(fuse b.cpp)\n",
+        **dict.fromkeys(("a.cpp", "b.cpp"), "int main() {}\n"),
+        **dict.fromkeys(("build.sh", "run_kitti.sh"), "./build/align $1\n"),
+    }
+    assert " ".join(tree({**files, "README.md": f"# Run\n```\n{lines}\n```\n"}).command) == command

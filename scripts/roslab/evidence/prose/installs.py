@@ -38,7 +38,7 @@ _APT_NAME = pattern(
 _PYTHON = pattern(r"^(?:i?python)(\d(?:\.\d+)?)?$")
 _URL = pattern(r"^(?:https?://|git://|ssh://|git@)\S+$")
 _BUILT = pattern(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
-"""The path of a compiled program."""
+"""The path of a compiled program, or of a script whose name has no ending."""
 _STARTS = pattern(
     rf"jupyter[ -](?:notebook|lab)\b|"
     rf"(?:{_BUILT.pattern.removesuffix('$')}(?=\s|$))|(?:ba)?sh \S+\.sh$|pixi run$|\.{{0,2}}/?[\w./-]+\.sh(?:\s|$)"
@@ -277,7 +277,7 @@ class Collector:
             if words[1].endswith("setup.py"):
                 here = self._here if self.source == "readme" else str  # a script that compiles is run as it is
                 self._python(setup_asks(command, self.file, here), command)
-            elif any(word.endswith(".py") for word in words[1:4]) or words[1] == "-m":
+            elif any(word.endswith(".py") for word in words[1:4]) or words[1] == "-m" or _BUILT.match(words[1]):
                 self._run(command)
         elif self.source == "readme" and _STARTS.match(" ".join(words[:2])):
             self._run(command)

@@ -10,11 +10,15 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.prose.started_in import ends, script_in, started_in
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
+from roslab.values.pattern import pattern
 from roslab.values.words import joined, written
+
+_SHEBANG = pattern(r"#![^\n]*?\b(python[23]?|bash|sh)\b")
 
 
 def with_files(mention: Mention, repository: Repository) -> Mention:
     """Return a command of a page with the files of the tree that it names, by their paths from the root."""
+    mention = _by_its_shell(mention, repository)
     words = mention.value.split()
     folder = posixpath.dirname(mention.file)
     found: list[str] = []
@@ -58,6 +62,16 @@ def _module(name: str, folder: str, repository: Repository) -> tuple[str, str]:
             return posixpath.join(start, file), start
     alone = (_only(path, repository) for path in paths) if "." in name else ()
     return next((file for file in alone if file), ""), ""
+
+
+def _by_its_shell(mention: Mention, repository: Repository) -> Mention:
+    """Return the call of a script whose name has no ending (``./bin/tool -a``) as that of what its first line names."""
+    first, *rest = mention.value.split()
+    path = posixpath.normpath(written(first))
+    if "/" not in first or "." in posixpath.basename(path) or not repository.has(path):
+        return mention
+    named = _SHEBANG.match(repository.read(path, limit=200))
+    return replace(mention, value=" ".join((named[1], joined((path,)), *rest))) if named else mention
 
 
 def _of_package(word: str, repository: Repository) -> bool:

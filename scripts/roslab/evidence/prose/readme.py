@@ -20,6 +20,7 @@ from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_
 from roslab.evidence.prose.installs import BLANK, Collector, merge
 from roslab.evidence.prose.own_files import with_files
 from roslab.evidence.prose.own_scripts import called, checked
+from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.shells import leads_elsewhere
 from roslab.evidence.prose.telling import telling
 from roslab.repository.checkout import File, Repository
@@ -102,7 +103,8 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
     """Return the lines in the blocks of pages that run one of these programs, which the repository installs."""
     if not programs:
         return ()
-    called = re.compile(rf"^\s*(?:[$>]\s+)?(?:{'|'.join(map(re.escape, sorted(programs)))})(?:\s|$)", re.MULTILINE)
+    names = "|".join(map(re.escape, sorted(programs)))
+    called = re.compile(rf"^\s*(?:[$>]\s+)?(?:\w+\s+run\s(?:.*\s)?)?(?:{names})(?:\s|$)", re.MULTILINE)
     found: list[Mention] = []
     for file in pages(repository):
         text = text_of(repository, file)
@@ -118,7 +120,7 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
                         text=" ".join(command.words).replace(UNKNOWN, "…")[:200],
                         heading=heading,
                     )
-                    for command in commands(logical, start)
+                    for command in map(started, commands(logical, start))
                     if command.words[0] in programs
                 )
     return tuple(with_files(mention, repository) for mention in found)

@@ -6,8 +6,11 @@ from roslab.evidence.lex.shell import Command
 from roslab.values.pattern import pattern
 
 _PYTHON = pattern(r"^i?python\d?(?:\.\d+)?$")
-_RUNNERS = frozenset({"uv", "poetry", "pipenv", "pdm", "pixi", "rye", "hatch"})
-"""Managers of environments: the image is the environment."""
+_MANAGERS = frozenset({"uv", "poetry", "pipenv", "pdm", "rye", "hatch", "conda", "mamba", "micromamba"})
+_RUNNERS = _MANAGERS | {"pixi"}
+"""Managers of environments: the image is the environment. What pixi runs may be the name of a task."""
+_OF_TORCH = frozenset({"torch.distributed.launch", "torch.distributed.run", "accelerate.commands.launch"})
+"""Modules that start a file on several GPUs, whose name follows their own options."""
 _LAUNCHERS = {"torchpack": ("dist-run",), "accelerate": ("launch",), "horovodrun": (), "deepspeed": (), "srun": ()}
 """Programs that start another one on several GPUs, each with the word that says so."""
 _WRAPPERS = frozenset({"xvfb-run", "mpirun", "mpiexec", "torchrun", "nohup", "time"})
@@ -26,6 +29,9 @@ def started(command: Command) -> Command:
     if words[0].startswith("./") and words[0].endswith(".py"):
         return Command(("python", words[0].removeprefix("./"), *words[1:]), (lines[0], *lines))
     program = words[0].rpartition("/")[2]
+    if program == "torchrun" or (_PYTHON.match(program) and words[1:2] == ("-m",) and _OF_TORCH & {*words[2:3]}):
+        file = next((n for n, word in enumerate(words) if n > 2 * (program != "torchrun") and _begins(word)), 0)
+        return Command(("python", *words[file:]), (lines[0], *lines[file:])) if file else command
     start = 2 if program in _RUNNERS and words[1:2] == ("run",) else 1 if program in _WRAPPERS else 0
     if program in _LAUNCHERS and words[1 : 1 + len(_LAUNCHERS[program])] == _LAUNCHERS[program]:
         start = 1 + len(_LAUNCHERS[program])
@@ -36,4 +42,11 @@ def started(command: Command) -> Command:
     rest = words[start:]
     if rest[0].endswith(".py"):
         return Command(("python", *rest), (lines[start], *lines[start:]))
-    return Command(rest, lines[start:]) if _PYTHON.match(rest[0]) else command
+    if program == "pixi" and start > 2:  # options before the task
+        return Command((*words[:2], *rest), (*lines[:2], *lines[start:]))
+    return Command(rest, lines[start:]) if _PYTHON.match(rest[0]) or program in _MANAGERS else command
+
+
+def _begins(word: str) -> bool:
+    """Tell whether a word begins what a launcher starts: a file of Python, or ``-m`` before a module."""
+    return word.endswith(".py") or word in {"-m", "--module"}

@@ -1,0 +1,36 @@
+"""Scripts of the shell and notebooks that a page starts."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+
+from roslab.evidence.facts import Mention
+from roslab.values.pattern import pattern
+
+NOTEBOOK = ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser")
+"""Reachable from outside of a container, which has no browser."""
+PORT = "8888"
+"""Where it listens: https://jupyter-server.readthedocs.io/en/latest/other/full-config.html, 2026-11-23"""
+RUNS = pattern(r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|(?:\.sh)?$)", re.IGNORECASE)
+"""The name of a script that starts something."""
+
+
+def script_of(argv: tuple[str, ...], mention: Mention, ros: bool, compiled: bool) -> tuple[str, ...] | None:
+    """Return the call of a shell script of the tree (``sh run.sh``, ``./run.sh``), of a notebook as Jupyter serves it.
+
+    A script of compiled code has to be named like one that starts something; a notebook is none of such code's, and
+    none of a workspace's.
+    """
+    if argv[0].startswith("jupyter"):
+        notebooks = [file for file in mention.files if file.endswith(".ipynb")]
+        return (*NOTEBOOK, notebooks[0]) if notebooks and not (ros or compiled) else None
+    script = argv[1:] if argv[0] in {"bash", "sh"} else argv
+    known = bool(script) and script[0] in mention.files and (script[0].endswith(".sh") or bare(script[0]))
+    known = known and (not compiled or bool(RUNS.match(posixpath.basename(script[0]))))
+    return ("bash", *script) if known else None
+
+
+def bare(path: str) -> bool:
+    """Tell whether the name of a file has no ending."""
+    return "." not in posixpath.basename(path)
