@@ -262,3 +262,29 @@ def test_code_for_cuda_is_compiled_on_the_ubuntu_that_the_page_names(
 )
 def test_a_python_of_conda_newer_than_an_ubuntu_s_gets_a_newer_ubuntu(python: str, codename: str) -> None:
     assert base_for("cuda", "12.3", None, None, python)[1] == codename
+
+
+@pytest.mark.parametrize(
+    ("files", "kind"),
+    [
+        ({"requirements.txt": "jax==0.4.20\nflax\noptax\n"}, "python"),
+        ({"requirements.txt": "jax[cpu]==0.4.20\n"}, "python"),
+        ({"requirements.txt": "jax[cuda12]==0.4.20\n"}, "cuda"),
+        (
+            {"README.md": '# Install\n```\npip install -U "jax[cuda12_pip]" -f https://example.org/jax.html\n```\n'},
+            "cuda",
+        ),
+        (
+            {"requirements.txt": "-f https://example.org/jax-releases/jax_cuda_releases.html\njaxlib==0.3.2\n"},
+            "cuda",
+        ),
+        ({"environment.yml": "dependencies:\n  - python=3.9\n  - jaxlib=0.4.20=cuda112py39\n"}, "cuda"),
+        ({"requirements.txt": "jax==0.4.20\ntorch\n"}, "cuda"),
+    ],
+)
+def test_jax_computes_on_the_cpu_unless_its_extra_is_asked_for(
+    tree: Callable[[dict[str, str]], Decision], files: dict[str, str], kind: str
+) -> None:
+    decision = tree({**files, "train.py": "import jax\nimport flax\n"})
+    assert decision.kind == kind
+    assert ("nvidia/cuda" in decision.base_image) == (kind == "cuda")

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
-from roslab.knowledge.accelerated import accelerated
+from roslab.knowledge.accelerated import accelerated, by_extra
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
@@ -44,7 +44,7 @@ def _named(evidence: Evidence) -> Iterator[Sign]:
     A library that declares what it needs, without one, does not need that of its examples and scripts; beside a list at
     the root, those of examples say nothing.
     """
-    names = accelerated()
+    names = accelerated() if _by_extra(evidence) else accelerated() - by_extra()
     declares = any(p.installable and not p.folder and _declared(p) for p in evidence.python)
     listed = declares or any(file.requirements and "/" not in file.file for file in _to_run(evidence))
     for asked in _pip(evidence, listed=listed):
@@ -59,6 +59,21 @@ def _named(evidence: Evidence) -> Iterator[Sign]:
             if package.name in names:
                 why = f"its environment has {package.name}"
                 yield Sign(file=environment.file, line=environment.line, why=why)
+
+
+def _by_extra(evidence: Evidence) -> bool:
+    """Tell whether anything asks for the wheels for CUDA of what computes on the CPU without them, or names a CUDA."""
+    asked = [*_pip(evidence, listed=False), *(each for project in evidence.python for each in project.requirements)]
+    extras = (extra for each in asked if each.key in by_extra() for extra in each.extras)
+    options = [each.written for each in asked if each.role == "option"]
+    options += [option for file in evidence.requirements for option in file.options]
+    builds = [each.release or "" for each in asked if each.key in by_extra()]
+    builds += [package.written for each in evidence.conda for package in each.packages if package.name in by_extra()]
+    return (
+        any(extra.startswith(("cuda", "gpu")) for extra in extras)
+        or any("cuda" in text for text in (*options, *builds))
+        or any(mention.topic == "cuda" for mention in evidence.mentions)
+    )
 
 
 def _declared(project: PythonProject) -> list[Requirement]:
