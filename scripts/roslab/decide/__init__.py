@@ -14,6 +14,7 @@ from roslab.decide.day import decide_days
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.downloads import decide_downloads
 from roslab.decide.kind import decide_kind
+from roslab.decide.nothing import require_something
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.processor import decide_processor
@@ -32,10 +33,10 @@ from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.named import named
-from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.workspace import names_of, of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
+from roslab.decide.system.apt_sources import decide_apt_sources
 from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.libraries import decide_libraries
@@ -46,7 +47,6 @@ from roslab.decide.system.own_options import own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, without_twins
 from roslab.decide.variables import decide_variables
-from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.cpu import told
@@ -61,7 +61,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     roslab.yaml and the action's inputs, already one ``Config``, win over the evidence, which wins over defaults.
     Raises ``NothingToBuildError`` where there is nothing to decide on.
     """
-    _something(evidence, config, folder_name)
+    require_something(evidence, config, folder_name)
     evidence, config = narrowed(evidence, config)
     day, pip_day, evidence = decide_days(evidence, config)
     kind = decide_kind(evidence, config, folder_name)
@@ -151,6 +151,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     sources = with_recipes(sources, libraries)
     system = without_twins(system, frozenset(source.name for source, _ in libraries))
 
+    guessed = frozenset((*system.answer.apt, *system.answer.apt_guessed))
+    repositories = decide_apt_sources(evidence, config, guessed, base.answer.ubuntu)
     inside = compiled_inside(evidence, config, kind.answer)
     scripts = decide_scripts(evidence, config, kind.answer, inside, python.answer.projects)
     variables = decide_variables(evidence, config)
@@ -200,7 +202,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         *(() if pip_day.answer and (own.answer or not python.answer.day) else (pip_day,)),
         *(kind, release, base, build_tool, layout, python, cuda, own, mended, command, test, platforms),
         *(sources, system, inside),
-        *(() if own.answer else (scripts, missing, steps, variables, downloads)),
+        *(() if own.answer else (repositories, scripts, missing, steps, variables, downloads)),
     )
     return Decision(
         kind=kind.answer,
@@ -210,6 +212,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         build_tool=build_tool.answer,
         rosdep=system.answer.rosdep,
         skip_keys=system.answer.skip_keys,
+        repositories=() if own.answer else repositories.answer,
         apt=system.answer.apt,
         apt_guessed=system.answer.apt_guessed,
         python=python.answer,
@@ -275,25 +278,4 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             *(warning for choice in choices for warning in choice.warnings),
         ),
         reasons=tuple(reason for choice in choices for reason in choice.reasons),
-    )
-
-
-def _something(evidence: Evidence, config: Config, folder_name: str) -> None:
-    """Raise ``NothingToBuildError`` where neither the folder nor roslab.yaml gives anything to build.
-
-    A page of it that links to others, or has the repository itself cloned, is nothing.
-    """
-    sources = [git for git in evidence.sources if git.kind != "link" and plain(git.name) != plain(folder_name)]
-    found = (
-        *(evidence.manifests, evidence.cmake, evidence.python, evidence.requirements, evidence.conda),
-        *(evidence.dockerfiles, evidence.programs, evidence.notebooks, sources, evidence.code, evidence.cuda_files),
-    )
-    if any(found) or config.file:
-        return
-    raise NothingToBuildError(
-        Problem(
-            message="nothing to build was found: no package.xml, CMakeLists.txt, setup.py, pyproject.toml, "
-            "requirements file, conda environment, Dockerfile, Python program or C++ source",
-            hint="is this the root of the repository? a roslab.yaml can say what it needs",
-        )
     )

@@ -151,6 +151,8 @@ class Decision:
     """Keys of the repository's package.xml files, sorted, without the repository's own packages."""
     skip_keys: tuple[str, ...] = ()
     """Keys that name no package or are built from source: rosdep is told to skip them."""
+    repositories: tuple[str, ...] = ()
+    """Package sources that a page adds, as lines of apt in which ``signed-by`` is the address of the key."""
     apt: tuple[str, ...] = ()
     """Declared: must install."""
     apt_guessed: tuple[str, ...] = ()

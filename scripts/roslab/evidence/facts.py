@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple
 
+from roslab.evidence.apt_source import AptSource
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.makefile import Makefile
@@ -267,6 +268,7 @@ class Evidence:
     listed: tuple[Requirement, ...] = ()
     """What the pages at the root of a repository without ROS packages list as needed, or name with a version."""
     sources: tuple[GitSource, ...] = ()
+    apt_sources: tuple[AptSource, ...] = ()
     mentions: tuple[Mention, ...] = ()
     bounds: tuple[Removed, ...] = ()
     """Upper bounds of Python packages, from removed names that the code uses."""

@@ -9,6 +9,7 @@ from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import authors_folders, cmake, cpp, cpu, makefiles, shared_objects, x86
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import (
+    apt_sources,
     author_dockerfile,
     ci,
     copies,
@@ -87,6 +88,7 @@ def gather(repository: Repository) -> Evidence:
         prose_pip=prose.requirements,
         listed=page_lists.read(own) if not manifests else (),
         sources=sources,
+        apt_sources=apt_sources.read(own),
         mentions=(
             *distro_names.read(repository),
             *prose.mentions,

@@ -8,7 +8,7 @@ from roslab.plan.locked import Package
 from roslab.plan.plan import Plan
 from roslab.values.dataclass import replace
 
-SOURCES = frozenset({"ca-certificates", "gnupg", "software-properties-common"})
+SOURCES = frozenset({"ca-certificates", "curl", "gnupg", "software-properties-common"})
 """What add-package-sources.sh installs."""
 ICUB = frozenset({"curl", "gnupg", "icub"})
 

@@ -87,7 +87,7 @@ class Plan:
     build_tool: BuildTool
     author_dockerfile: AuthorDockerfile | None
     repositories: tuple[str, ...]
-    """PPAs, added before the packages."""
+    """PPAs, and lines of apt in which ``signed-by`` is the address of the key, added before the packages."""
     apt_first: tuple[str, ...]
     """Of an image in an old format: ROS and what every image had, installed before what the author names."""
     apt_tools: tuple[str, ...]
@@ -216,7 +216,7 @@ def make_plan(
         as_of=as_of(decision),
         build_tool=decision.build_tool,
         author_dockerfile=author_dockerfile,
-        repositories=config.repositories,
+        repositories=(*config.repositories, *decision.repositories),
         apt_first=packages.first,
         apt_tools=packages.tools,
         apt=packages.named,

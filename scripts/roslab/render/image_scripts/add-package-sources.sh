@@ -1,15 +1,37 @@
 #!/bin/bash
 # usage: add-package-sources NAME...
-# Adds package sources to apt's (ppa:OWNER/NAME). One that does not answer is named and left out.
+# Adds package sources to apt's: ppa:OWNER/NAME, or a line "deb [signed-by=KEY] URL SUITE COMPONENT..." whose key is an address
+# of https. One that does not answer is named and left out.
 set -euo pipefail
 
-apt-get update
-apt-get install --yes --no-install-recommends ca-certificates gnupg software-properties-common
-for name in "$@"; do
-  if ! { add-apt-repository --yes "${name}" && apt-get update; }; then
-    add-apt-repository --yes --remove "${name}" || true
-    echo "source ${name}" | tee --append /usr/local/share/roslab/left-out.txt
+add_line() {
+  local key="${1#*signed-by=}"
+  key="${key%%]*}"
+  curl --fail --silent --show-error --location --proto '=https' --output "${keyring}.new" "${key}" || return 1
+  if grep --quiet 'BEGIN PGP' "${keyring}.new"; then
+    gpg --dearmor --yes --output "${keyring}" "${keyring}.new" || return 1
+    rm "${keyring}.new"
+  else
+    mv "${keyring}.new" "${keyring}"
   fi
+  echo "${1/"${key}"/${keyring}}" >"${list}"
+}
+
+apt-get update
+apt-get install --yes --no-install-recommends ca-certificates curl gnupg software-properties-common
+number=0
+for name in "$@"; do
+  if [[ ${name} == "deb "* ]]; then
+    number=$((number + 1))
+    keyring=/usr/share/keyrings/roslab-${number}.gpg
+    list=/etc/apt/sources.list.d/roslab-${number}.list
+    if add_line "${name}" && apt-get update; then continue; fi
+    rm --force "${list}" "${keyring}" "${keyring}.new"
+  else
+    if add-apt-repository --yes "${name}" && apt-get update; then continue; fi
+    add-apt-repository --yes --remove "${name}" || true
+  fi
+  echo "source ${name}" | tee --append /usr/local/share/roslab/left-out.txt
 done
 rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
 find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +

@@ -70,10 +70,10 @@ def _options(ros: RosSource | None, *, ended: bool) -> str:
 
 
 def repositories(plan: Plan) -> str:
-    """Add the extra apt sources that roslab.yaml names; one that does not answer any more is named and left out."""
+    """Add the extra apt sources of roslab.yaml or a page; one that does not answer any more is named and left out."""
     if not plan.repositories:
         return ""
     names = shell.words(plan.repositories)
-    comment = "Package sources of roslab.yaml"
+    comment = "Package sources of roslab.yaml, or of the page that installs from them"
     given, around = secrets.for_apt(plan), locks.apt(plan, "repositories")
     return shell.call("add-package-sources", names, comment=comment, secrets=given, around=around)

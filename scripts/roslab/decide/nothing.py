@@ -1,0 +1,30 @@
+"""Repositories in which there is nothing to build."""
+
+from __future__ import annotations
+
+from roslab.config.model import Config
+from roslab.decide.ros.source_names import plain
+from roslab.errors import NothingToBuildError, Problem
+from roslab.evidence.facts import Evidence
+
+
+def require_something(evidence: Evidence, config: Config, folder_name: str) -> None:
+    """Raise ``NothingToBuildError`` where neither the folder nor roslab.yaml gives anything to build.
+
+    A page of it that links to others, or has the repository itself cloned, is nothing.
+    """
+    sources = [git for git in evidence.sources if git.kind != "link" and plain(git.name) != plain(folder_name)]
+    found = (
+        *(evidence.manifests, evidence.cmake, evidence.python, evidence.requirements, evidence.conda),
+        *(evidence.dockerfiles, evidence.programs, evidence.notebooks),
+        *(sources, evidence.code, evidence.cuda_files),
+    )
+    if any(found) or config.file:
+        return
+    raise NothingToBuildError(
+        Problem(
+            message="nothing to build was found: no package.xml, CMakeLists.txt, setup.py, pyproject.toml, "
+            "requirements file, conda environment, Dockerfile, Python program or C++ source",
+            hint="is this the root of the repository? a roslab.yaml can say what it needs",
+        )
+    )

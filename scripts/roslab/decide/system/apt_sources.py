@@ -1,0 +1,68 @@
+"""Package sources that a page adds: followed where the page installs a package after it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from urllib.parse import urlsplit
+
+from roslab.config.model import Config
+from roslab.decide.decision import Choice, Reason, Warning_
+from roslab.decide.reasons import because, warn
+from roslab.evidence import places
+from roslab.evidence.apt_source import AptSource
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.apt_sources import keys_of_sources, known_sources
+from roslab.knowledge.distros import ubuntus
+
+WEIGHT = 40
+"""Sources do not compete, so it only orders the report."""
+NEAR = 60
+"""Most lines between a source and what is installed from it."""
+_OF_ROS = "ros-"
+
+
+def decide_apt_sources(
+    evidence: Evidence, config: Config, installed: Collection[str], ubuntu: str | None
+) -> Choice[tuple[str, ...]]:
+    """Return the sources to add, as lines of apt in which ``signed-by`` is the address of the key.
+
+    ``installed``: the packages of the image. One whose key cannot be trusted, or that is for another release of Ubuntu,
+    is told.
+    """
+    if config.compatible or ubuntu is None:
+        return Choice(answer=())
+    added: dict[str, Reason] = {}
+    told: list[Warning_] = []
+    for source in evidence.apt_sources:
+        asked = _asked(source, evidence, installed)
+        host = urlsplit(source.url).hostname or ""
+        if not asked or places.vendored(source.file) or host in known_sources():
+            continue
+        suite = source.suite.format(codename=ubuntu) if "{" in source.suite else source.suite
+        release = suite.partition("-")[0]
+        key = source.key or keys_of_sources().get(host)
+        why_not = None if key else source.refused
+        if release in ubuntus().values() and release != ubuntu:
+            why_not = f"it is for {release}, the image is {ubuntu}"
+        if why_not:
+            message = f"not added: the package source {source.url}, with which the page installs {asked}: {why_not}"
+            told.append(warn(message, source))
+            continue
+        line = " ".join((f"deb [signed-by={key}]", source.url, suite, *source.components))
+        why = f"the page installs {asked} from it"
+        added.setdefault(line, because("dependencies", source.url, why, source, weight=WEIGHT))
+    return Choice(answer=tuple(added), reasons=tuple(added.values()), warnings=tuple(told))
+
+
+def _asked(source: AptSource, evidence: Evidence, installed: Collection[str]) -> str | None:
+    """Return the first package of the image that the page installs after it has added the source."""
+    lines = {
+        each.line: each.name
+        for each in reversed(evidence.prose)
+        if each.namespace == "apt"
+        and each.file == source.file
+        and 0 < each.line - source.line <= NEAR
+        and each.name in installed
+        and not each.name.startswith(_OF_ROS)
+    }
+    return lines[min(lines)] if lines else None
