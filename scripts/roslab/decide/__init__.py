@@ -151,16 +151,23 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     sources = with_recipes(sources, libraries)
     system = without_twins(system, frozenset(source.name for source, _ in libraries))
 
-    guessed = frozenset((*system.answer.apt, *system.answer.apt_guessed))
-    repositories = decide_apt_sources(evidence, config, guessed, base.answer.ubuntu)
+    repositories = decide_apt_sources(
+        evidence, config, frozenset((*system.answer.apt, *system.answer.apt_guessed)), base.answer.ubuntu
+    )
     inside = compiled_inside(evidence, config, kind.answer)
     scripts = decide_scripts(evidence, config, kind.answer, inside, python.answer.projects)
-    variables = decide_variables(evidence, config)
+    projects = [project for project in evidence.python if (project.folder or ".") in python.answer.projects]
+    variables = decide_variables(
+        evidence,
+        config,
+        base.answer.ubuntu,
+        (*everything, *(each for project in projects for each in project.build_requires)),
+    )
     downloads = decide_downloads(evidence, config, command.answer.command, folder_name)
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else NO_CUDA
     compiling = decide_compiling(
-        [project for project in evidence.python if (project.folder or ".") in python.answer.projects],
+        projects,
         (*everything, *python.answer.first),
         cuda.answer.version,
     )

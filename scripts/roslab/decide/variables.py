@@ -1,19 +1,28 @@
-"""Variables that the pages of the author set, without which the build or a launch file stops."""
+"""Variables without which the build or a launch file stops: those of the author's pages, and one of CMake."""
 
 from __future__ import annotations
+
+from collections.abc import Iterable
 
 from roslab.config.model import Config
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
+from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.search_paths import search_paths
+from roslab.values.requirement import Requirement
 
 SET = 40
 """Weight of the reason; nothing competes with it."""
 
 
-def decide_variables(evidence: Evidence, config: Config) -> Choice[tuple[tuple[str, str], ...]]:
-    """Return each variable with the value that roslab.yaml gives it, else a page first."""
+def decide_variables(
+    evidence: Evidence, config: Config, ubuntu: str | None, asked: Iterable[Requirement]
+) -> Choice[tuple[tuple[str, str], ...]]:
+    """Return each variable with the value that roslab.yaml gives it, else a page first.
+
+    After them what keeps a new CMake from refusing old code; ``asked``: what pip installs or builds with.
+    """
     if config.compatible:
         return Choice(answer=())
     given = dict(config.env)
@@ -22,13 +31,16 @@ def decide_variables(evidence: Evidence, config: Config) -> Choice[tuple[tuple[s
         name, _, value = mention.value.partition("=")
         if mention.topic == "variable":
             found.setdefault(name, (given.get(name, value), mention))
-    return Choice(
-        answer=tuple((name, value) for name, (value, _) in found.items()),
-        reasons=tuple(
-            because("workspace", f"{name}={value}", f"a page sets it, and {_reader(name)} reads it", place, weight=SET)
-            for name, (value, place) in found.items()
-        ),
-    )
+    pairs = {name: value for name, (value, _) in found.items()}
+    reasons = [
+        because("workspace", f"{name}={value}", f"a page sets it, and {_reader(name)} reads it", place, weight=SET)
+        for name, (value, place) in found.items()
+    ]
+    if POLICY not in {*pairs, *given} and (old := refused_by_new(evidence, ubuntu, asked)):
+        pairs[POLICY] = str(KEPT_BY_NEW)
+        why = f"CMake 4 may be in the image, and refuses code for {old.version}"
+        reasons.append(because("workspace", f"{POLICY}={KEPT_BY_NEW}", why, old, weight=SET))
+    return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons))
 
 
 def _reader(name: str) -> str:

@@ -76,3 +76,38 @@ def test_a_ros_distribution_stands_too(tmp_path: Path) -> None:
     found = decided(tmp_path, files)
     assert found.ubuntu == "focal"
     assert [asked.text for asked in found.python.pip_guessed] == ["cmake>=3.20,<4"]
+
+
+OLD = TOP.format("2.8.12")
+BACKEND = '[build-system]\nrequires = ["setuptools", "{}"]\n[project]\nname = "thing"\n'
+SETUP = "import subprocess\nfrom setuptools import setup\nsubprocess.run(['cmake', '.'])\nsetup(name='thing')\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "least"),
+    [
+        ({"CMakeLists.txt": TOP.format("4.0"), "thirdparty/x/CMakeLists.txt": OLD}, "3.5"),
+        ({"CMakeLists.txt": TOP.format("4.0"), "thirdparty/x/CMakeLists.txt": TOP.format("3.5")}, None),
+        ({"CMakeLists.txt": TOP.format("4.0"), "thirdparty/x/examples/CMakeLists.txt": OLD}, None),
+        ({"CMakeLists.txt": OLD}, None),
+        ({"CMakeLists.txt": OLD, "setup.py": SETUP, "pyproject.toml": BACKEND.format("cmake>=3.10")}, "3.5"),
+        ({"CMakeLists.txt": OLD, "setup.py": SETUP, "pyproject.toml": BACKEND.format("cmake<4")}, None),
+        (
+            {
+                "CMakeLists.txt": OLD,
+                "thirdparty/x/setup.py": SETUP,
+                "thirdparty/x/pyproject.toml": BACKEND.format("cmake"),
+            },
+            None,
+        ),
+        ({"CMakeLists.txt": OLD, "README.md": "```\npip install cmake\n```\n"}, "3.5"),
+        ({"CMakeLists.txt": OLD, "README.md": "```\npip install cmake==3.25.0\n```\n"}, None),
+    ],
+)
+def test_a_cmake_that_refuses_old_code_is_told_to_take_it(
+    tmp_path: Path, files: dict[str, str], least: str | None
+) -> None:
+    found = decided(tmp_path, files)
+    assert dict(found.variables).get("CMAKE_POLICY_VERSION_MINIMUM") == least
+    reasons = [r for r in found.reasons if r.answer == f"CMAKE_POLICY_VERSION_MINIMUM={least}"]
+    assert [(r.file or "").endswith("CMakeLists.txt") for r in reasons] == ([True] if least else [])

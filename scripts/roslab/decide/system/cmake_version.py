@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from packaging.version import Version
 
 from roslab.config.model import Kind
@@ -12,6 +14,13 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import cmake_of_ubuntu
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+
+NEW = Version("4.0")
+"""The first CMake that refuses code which asks for one before ``KEPT_BY_NEW``, but for what a variable tells it."""
+KEPT_BY_NEW = Version("3.5")
+POLICY = "CMAKE_POLICY_VERSION_MINIMUM"
+"""https://cmake.org/cmake/help/latest/envvar/CMAKE_POLICY_VERSION_MINIMUM.html; an older CMake does not read it."""
+_BRINGS_CMAKE = frozenset({"cmake", "scikit-build-core"})
 
 
 def needed_cmake(evidence: Evidence) -> Dependency | None:
@@ -42,3 +51,23 @@ def from_pip(evidence: Evidence, kind: Kind, ubuntu: str | None) -> Requirement 
         return None
     bound = f",<{Version(demand.version or '0').major + 1}"
     return stated(f"cmake>={demand.version}{bound}", "build", demand.file, demand.line)
+
+
+def refused_by_new(evidence: Evidence, ubuntu: str | None, asked: Iterable[Requirement]) -> Dependency | None:
+    """Return the oldest version that a CMakeLists.txt of the tree names, where a CMake of the image may refuse it.
+
+    ``asked``: what pip installs or builds with; a CMake or a backend without an upper bound is the newest there is.
+    Copied code counts: it is configured with the rest. https://cmake.org/cmake/help/latest/release/4.0.html
+    """
+    demands = [
+        project.minimum
+        for project in evidence.cmake
+        if project.minimum and not (places.example(project.file) or places.test(project.file))
+    ]
+    oldest = min(demands, key=lambda demand: Version(demand.version or "0"), default=None)
+    if oldest is None or Version(oldest.version or "0") >= KEPT_BY_NEW:
+        return None
+    ours = Version(cmake_of_ubuntu().get(ubuntu or "", "0"))
+    fetched = [each for each in asked if each.key in _BRINGS_CMAKE and each.specifier.contains(str(NEW))]
+    in_conda = any(p.name == "cmake" and not p.version for conda in evidence.conda for p in conda.packages)
+    return oldest if ours >= NEW or fetched or in_conda else None

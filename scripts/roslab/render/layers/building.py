@@ -37,9 +37,9 @@ def settings(plan: Plan) -> str:
 
 
 def variables(plan: Plan) -> str:
-    """Set the variables that the build, a launch file or a simulator reads, as the author's page does."""
+    """Set the variables that the build, a launch file or a simulator reads."""
     pairs = [f"{name}={_value(value, plan)}" for name, value in plan.workspace.variables]
-    return "# The page of the repository sets it\nENV " + " \\\n    ".join(pairs) if pairs else ""
+    return "# What the build or a program reads\nENV " + " \\\n    ".join(pairs) if pairs else ""
 
 
 def _value(value: str, plan: Plan) -> str:
