@@ -6,7 +6,7 @@ import re
 
 from roslab.evidence import places, submodules
 from roslab.evidence.facts import Evidence, PackageManifest
-from roslab.evidence.native import authors_folders, cmake, cpp, cpu, makefiles, shared_objects, x86
+from roslab.evidence.native import authors_folders, cmake, cpp, cpu, gpus, makefiles, shared_objects, x86
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import (
     apt_sources,
@@ -102,7 +102,7 @@ def gather(repository: Repository) -> Evidence:
         ),
         worked_on=worked_on.read(repository),
         bounds=removed.read(own),
-        limits=(*signs.all(repository), *limits.read(repository)),
+        limits=(*signs.all(repository), *limits.read(repository), *gpus.read(repository)),
         cmake_modules=cmake.modules(repository),
         copies=copies.read(repository, manifests),
         cuda_files=cpp.cuda_files(repository),

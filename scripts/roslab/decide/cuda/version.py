@@ -9,6 +9,7 @@ from typing import ClassVar
 from packaging.version import Version
 
 from roslab.config.model import Config
+from roslab.decide.cuda.gpus import gpu_limits, knows_gpus, nearest_that_knows, unknown_gpu
 from roslab.decide.cuda.local import cuda_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import DEVELOPMENT, Pin
@@ -25,7 +26,7 @@ from roslab.knowledge.frameworks import (
     newest_framework,
     tabled,
 )  # fmt: skip
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 from roslab.values.version import minor_of, version_of
@@ -93,15 +94,29 @@ def decide_cuda(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Ch
     found = sorted(_candidates(evidence, pins), key=lambda item: (-item[0].weight, not _has_image(item[0].answer)))
     if not found:
         return NO_CUDA
-    best, others = found[0]
-    reasons = outweighed((reason for reason, _ in found[:_SHOWN]), best)
-    return _fitted(best.answer, config.base.cudnn or _cudnn(evidence), reasons, others)
+    best, others = _known_to_compiler(found, evidence)
+    shown = [reason for reason, _ in found[:_SHOWN]]
+    reasons = outweighed(shown if best in shown else [best, *shown], best)
+    choice = _fitted(best.answer, config.base.cudnn or _cudnn(evidence), reasons, others)
+    lost = unknown_gpu(choice.answer.version, gpu_limits(evidence))
+    return replace(choice, warnings=(*choice.warnings, lost)) if lost else choice
 
 
 def _has_image(cuda: str) -> bool:
     """Tell whether an image of a CUDA exists: of two ways to install the same, the other one cannot be built."""
     image = cuda_image(cuda)
     return image is not None and bool(image.tag)
+
+
+def _known_to_compiler(found: list[Candidate], evidence: Evidence) -> Candidate:
+    """Return the best answer whose compiler knows every GPU that the code names, else the nearest to the best."""
+    limits, best = gpu_limits(evidence), found[0]
+    named = (each for each in found if each is best or each[0].weight > Weight.SOURCES)
+    fitting = next((each for each in named if knows_gpus(each[0].answer, limits)), None)
+    if fitting:
+        return fitting
+    reason = nearest_that_knows(best[0], limits)
+    return (reason, ()) if reason else best
 
 
 def of_image(choice: Choice[Cuda], image: str) -> Choice[Cuda]:

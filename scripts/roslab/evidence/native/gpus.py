@@ -1,0 +1,70 @@
+"""The GPUs that build files compile for, as limits of the CUDA whose compiler knows them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.evidence import places
+from roslab.evidence.facts import CodeLimit
+from roslab.evidence.lex.cmake import calls
+from roslab.evidence.lex.lines import lines_with
+from roslab.evidence.lex.truth import cmake_holds
+from roslab.knowledge.cuda_gpus import NAME, cuda_of_gpu
+from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
+
+MAX_FILES = 100
+MAX_SIZE = 64 * 1024
+_NEAR = 200
+"""Most characters between a condition of a Makefile or of Python and what it guards."""
+_GPU = pattern(r"(?:compute|sm)_(\d{2,3})a?(?!\w)")
+_NUMBER = pattern(r"(?<![\w.])(\d{2,3})(?:-real|-virtual|a)?(?![\w.])")
+_OPTIONS = ("compute_", "sm_")
+_LISTS = frozenset({"CMAKE_CUDA_ARCHITECTURES", "CUDA_ARCHITECTURES"})
+_CALLS = frozenset({"set", "list", "set_property", "set_target_properties", "target_compile_options", "string"})
+
+
+def read(repository: Repository) -> tuple[CodeLimit, ...]:
+    """Return, for each GPU that is compiled for on every machine, the CUDA versions that know it, at its first place.
+
+    Nothing of copied code, examples and tests, and nothing below a condition that may not hold.
+    """
+    found: dict[int, CodeLimit] = {}
+    for file in _files(repository):
+        for architecture, line in _in(file, repository.read(file)):
+            first, after = cuda_of_gpu(architecture)
+            if first and architecture not in found:
+                found[architecture] = CodeLimit(
+                    library=NAME, at_least=first, below=after, what=f"sm_{architecture}", file=file.path, line=line
+                )
+    return tuple(found.values())
+
+
+def _files(repository: Repository) -> list[File]:
+    files = (*repository.named("CMakeLists.txt", "Makefile", "setup.py"), *repository.suffixed(".cmake"))
+    aside = (places.vendored, places.example, places.test, places.documentation)
+    kept = [file for file in files if file.size <= MAX_SIZE and not any(each(file.path) for each in aside)]
+    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]
+
+
+def _in(file: File, text: str) -> Iterator[tuple[int, int]]:
+    """Yield each architecture with its line."""
+    if file.name.endswith((".txt", ".cmake")):
+        yield from _in_cmake(text) if any(word in text for word in (*_OPTIONS, "CUDA_ARCHITECTURES")) else ()
+        return
+    for start in lines_with(text, *_OPTIONS):
+        line = text[start : text.find("\n", start) % (len(text) + 1)].partition("#")[0]
+        if not line.lstrip().startswith(("if", "elif")) and "if " not in text[max(0, start - _NEAR) : start]:
+            yield from ((int(match[1]), text.count("\n", 0, start) + 1) for match in _GPU.finditer(line))
+
+
+def _in_cmake(text: str) -> Iterator[tuple[int, int]]:
+    for call in calls(text, _CALLS):
+        if call.in_function or not all(cmake_holds(condition, lambda _: False) for condition in call.conditions):
+            continue
+        for index, word in enumerate(call.written):
+            yield from ((int(match[1]), call.line) for match in _GPU.finditer(word))
+            if word in _LISTS:
+                yield from (
+                    (int(m[1]), call.line) for each in call.written[index + 1 :] for m in _NUMBER.finditer(each)
+                )
