@@ -29,6 +29,7 @@ def bounds(tmp_path: Path, code: str) -> dict[str, int]:
         ("rc = {'text.latex.preamble': [r'\\usepackage{amsmath}']}", "matplotlib<3.5"),
         ("plt.rcParams['text.latex.preamble'] = [r'\\usepackage{bm}']", "matplotlib<3.5"),
         ("ax = fig.gca(projection='3d')", "matplotlib<3.6"),
+        ("if name in registry.env_specs:", "gym<0.26"),
         ("x = np.zeros(3, dtype=np.float)", "numpy<1.24"),
         ("limit = np.Inf", "numpy<2"),
         ("from scipy.misc import imread, toimage", "scipy<1.2"),
