@@ -122,6 +122,7 @@ def run_workflow(
             # As on runners of their own: a job that ends logs out, while another still needs its login
             "DOCKER_CONFIG": "${{ runner.temp }}/docker-config",
             "REPRO_LAB_SOURCE": str(CHECKOUT),
+            "REPRO_LAB_PROGRAM": str(caller.program(CHECKOUT)),
             "REPRO_LAB_BUILDKIT": lab.buildkit,
             "REPRO_LAB_ARTIFACTS": str((artifacts or place) / "artifacts"),
             "GITHUB_RUN_ATTEMPT": str(attempt),

@@ -122,8 +122,8 @@ def program(checkout: Path) -> Path:
     """Return a copy of what a commit of the checkout would have, made once by each process.
 
     For every run act reads an action's whole folder into memory, where it may not change: a virtual environment in it
-    costs more than the run does. Its modules are compiled here once: a run would compile them anew in a folder of its
-    own. A folder that is no checkout of git is returned as it is.
+    costs more than the run does. Its modules are compiled here once: each run, or job of a workflow, would compile them
+    anew in a folder of its own. A folder that is no checkout of git is returned as it is.
     """
     command = ["git", "-C", str(checkout), "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
     answer = subprocess.run(command, capture_output=True, text=True, check=False)
