@@ -70,3 +70,11 @@ def header(path: str, ubuntu: str | None) -> Library | None:
         if (found := library("include", stem, ubuntu)) is not None:
             return found
     return None
+
+
+@cache
+def packaged(ubuntu: str | None) -> frozenset[str]:
+    """Return the packages of libraries that an Ubuntu is known to have."""
+    named = ((naming, name) for naming in _TABLES for name in _table(naming))
+    found = (library(naming, name, ubuntu) for naming, name in named)
+    return frozenset(apt for each in found if each for apt in each.apt)

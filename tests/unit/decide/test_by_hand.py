@@ -374,3 +374,38 @@ def test_a_library_that_a_page_builds_has_the_headers_that_the_code_includes(tre
     made = "project(demo)\nfind_package(acme REQUIRED)\nadd_executable(demo main.cpp)\n"
     found = tree({"CMakeLists.txt": made, "main.cpp": "#include <Eigen/Dense>\nint main() {}\n", "README.md": page})
     assert [(source.name, source.depends) for source in found.source] == [("acme", ("libeigen3-dev",))]
+
+
+UVC = """\
+```
+sudo apt install libusb-1.0-0-dev libunheardof-dev
+git clone https://github.com/lab/acmecam.git
+cd acmecam && mkdir build && cd build
+cmake .. && make -j4
+sudo make install
+```
+"""
+
+
+@pytest.mark.parametrize(
+    ("asked", "names"),
+    [
+        ("pkg_search_module(CAM REQUIRED libacmecam)", ["acmecam"]),
+        ("pkg_check_modules(CAM REQUIRED acmecam>=0.2)", ["acmecam"]),
+        ("pkg_check_modules(CAM acmecam)", []),
+        ("if(WITH_CAM)\npkg_check_modules(CAM REQUIRED acmecam)\nendif()", []),
+    ],
+)
+def test_a_library_that_pkg_config_is_asked_for_is_built_as_the_page_builds_it(
+    tree: Tree, asked: str, names: list[str]
+) -> None:
+    decision = tree(ros1(f"find_package(PkgConfig REQUIRED)\n{asked}\n", UVC))
+    assert [source.name for source in decision.source] == names
+    told = [each.message for each in decision.warnings if "acmecam" in each.message]
+    assert bool(told) is not bool(names)
+
+
+def test_a_library_built_by_hand_has_the_headers_that_the_page_installs_and_ubuntu_has(tree: Tree) -> None:
+    decision = tree(ros1("find_package(PkgConfig REQUIRED)\npkg_search_module(CAM REQUIRED libacmecam)\n", UVC))
+    assert "libusb-1.0-0-dev" in decision.source[0].depends
+    assert "libunheardof-dev" not in decision.source[0].depends

@@ -118,7 +118,8 @@ def _unknown(asked: Dependency, target: Target, *, pinned: bool) -> bool:
 
     ``pinned``: a page builds it at a ref, which then wins over a package of ROS, whose version is another.
     """
-    required = asked.strength == "declared" if asked.namespace == "cmake" else asked.namespace == "link"
+    asks = asked.namespace in {"cmake", "pkg-config"}
+    required = asked.strength == "declared" if asks else asked.namespace == "link"
     meant = resolve(asked, target)
     of_ros = pinned and all(apt.startswith("ros-") for apt in meant.apt)
     return required and not ((meant.apt and not of_ros) or meant.recipe)

@@ -8,12 +8,12 @@ from roslab.decide.ros.sources import Sources
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_hand import as_written, by_hand
 from roslab.decide.system.libtorch import libtorch
-from roslab.decide.system.names import Target, resolve
-from roslab.decide.system.needs import needs
+from roslab.decide.system.names import Target
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.recipes import of_another_release, own_names, recipes_for, too_old_here
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.libraries import packaged
 from roslab.values.dataclass import replace
 
 
@@ -44,8 +44,7 @@ def decide_libraries(
     submodules = (git.name for git in evidence.sources if git.kind == "submodule")
     elsewhere = {plain(name) for name in (*submodules, *(source.name for source, _ in tabled))}
     taken = sources.names | packages.names | own | elsewhere
-    asked_of = (asked for asked, _ in needs(evidence, packages, kind, target.ros_distro) if asked.namespace != "apt")
-    in_ubuntu = {apt for asked in asked_of for apt in resolve(asked, target).apt if not apt.startswith("ros-")}
+    in_ubuntu = packaged(target.ubuntu)
     guessed = (name for name in system.apt_guessed if name in in_ubuntu)  # a page's own names may not exist
     depends = tuple(name for name in (*system.apt, *system.brought, *guessed) if name.endswith("-dev"))
     linked = by_hand(evidence, config, kind, target=target, packages=packages, taken=taken)
