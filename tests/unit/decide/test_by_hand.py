@@ -193,6 +193,23 @@ def test_what_only_a_package_xml_names_is_not_cloned(tree: Tree) -> None:
     assert tree(ros1(listed, "") | {"package.xml": NEEDS_VIKIT}).source == ()
 
 
+@pytest.mark.parametrize(
+    ("page", "names"),
+    [
+        ("| [acme_arm](https://github.com/lab/acme_arm) | [vikit_common](https://github.com/lab/vikit_common) |",
+         ["sophus", "rpg_vikit", "acme_arm"]),
+        ("| [acme_legs](https://github.com/lab/acme_legs) | acme_arm |", []),
+    ],
+)  # fmt: skip
+def test_what_a_metapackage_names_and_its_page_links_to_is_cloned_with_its_own_needs(
+    tree: Tree, page: str, names: list[str]
+) -> None:
+    needs = "<depend>acme_arm</depend><depend>vikit_common</depend><test_depend>acme_legs</test_depend>"
+    listed = "find_package(catkin REQUIRED COMPONENTS rospy)\n"
+    manifest = {"package.xml": PACKAGE.replace("</package>", f"{needs}</package>")}
+    assert [source.name for source in tree(ros1(listed, page) | manifest).source] == names
+
+
 LISTED = """\
 - git: {local-name: gtsam, uri: 'https://github.com/borglab/gtsam.git', version: VERSION}
 - git: {local-name: acme, uri: 'https://github.com/lab/acme.git', version: v1}

@@ -16,6 +16,7 @@ from roslab.decide.ros.source_names import address, asked_for, drifts, fixed_at,
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
 from roslab.decide.system.switches import given, waits
+from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
@@ -251,9 +252,11 @@ class _Chosen:
 def _used(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependency]:
     """Yield the names that the build uses: a package.xml may name what its CMakeLists.txt, which has a list, does not.
 
-    catkin_simple looks for all that the package.xml names. Nothing is used that waits for an option that is off.
+    catkin_simple looks for all that the package.xml names, and what a page links to is meant in earnest. Nothing is used
+    that waits for an option that is off.
     """
     needed = tuple(needed)
+    links = {plain(git.name) for git in evidence.sources if git.kind == "link" and not places.vendored(git.file)}
     used = {dependency.name for dependency in needed if dependency.namespace != "rosdep"}
     listing = {
         project.file.rpartition("/")[0]
@@ -265,7 +268,8 @@ def _used(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependen
     for dependency in needed:
         if waits(dependency, options):
             continue
-        if dependency.name in used or dependency.file.rpartition("/")[0] not in listing:
+        said = dependency.name in used or plain(dependency.name) in links
+        if said or dependency.file.rpartition("/")[0] not in listing:
             yield dependency
 
 
