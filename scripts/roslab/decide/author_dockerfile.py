@@ -9,6 +9,7 @@ from roslab.decide.chains import Local, local_bases
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.mended_bases import nearest
 from roslab.decide.reasons import because, configured
+from roslab.decide.uncopied_packages import uncopied_package
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.ended_bases import ended
@@ -76,6 +77,7 @@ def decide_dockerfile(
             _chained(authored, evidence, locals_)
             or doubt(authored, kind, ros_distro, mended=config.repair is not False, local=authored.file in locals_)
             or _secret(authored, config)
+            or (None if authored.file in locals_ else uncopied_package(authored, evidence, ros_distro))
         )
         if against is None:
             believed.append(authored)

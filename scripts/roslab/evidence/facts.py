@@ -160,6 +160,7 @@ class AuthorDockerfile:
     """It clones this repository instead of building the checkout."""
     recipe: str | None = None
     """Its text, if it needs no build context."""
+    copied: tuple[str, ...] = ()  # files and folders, relative to the root; none where a pattern is among them
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -117,3 +117,34 @@ def test_a_value_that_only_the_author_gives(tmp_path: Path, text: str, lacks: st
     authored = gather(Repository.open(tmp_path)).dockerfiles[0]
     assert (authored.problem or "").startswith(lacks)
     assert bool(authored.problem) == bool(lacks)
+
+
+@pytest.mark.parametrize(
+    ("copies", "lines", "refused"),
+    [
+        ("COPY arm /ws/src/arm", "RUN cd /ws && catkin_make", True),
+        ("COPY arm /ws/src/arm\nCOPY arm_helpers /ws/src/arm_helpers", "RUN cd /ws && catkin_make", False),
+        ("COPY . /ws/src/demo", "RUN cd /ws && catkin_make", False),
+        ("COPY arm* /ws/src/", "RUN cd /ws && catkin_make", False),
+        ("COPY legs /ws/src/legs", "RUN cd /ws && catkin_make", False),
+        ("COPY arm /ws/src/arm", "RUN git clone https://github.com/lab/arm_helpers && catkin_make", False),
+        ("COPY arm /ws/src/arm", "RUN apt-get install -y ros-noetic-arm-helpers && catkin_make", False),
+        ("COPY arm /ws/src/arm", 'CMD ["/ws/src/arm/start"]', False),
+    ],
+)
+def test_what_a_copied_package_requires_is_copied_too(
+    tmp_path: Path, copies: str, lines: str, *, refused: bool
+) -> None:
+    files = {"Dockerfile": f"FROM ros:noetic-ros-base\n{copies}\n{lines}\n"}
+    for name in ("arm", "arm_helpers", "legs"):
+        needs = "<build_depend>arm_helpers</build_depend>" if name == "arm" else ""
+        files[f"{name}/package.xml"] = f"<package><name>{name}</name>{needs}</package>"
+        listed = "COMPONENTS roscpp arm_helpers" if name == "arm" else ""
+        files[f"{name}/CMakeLists.txt"] = f"project({name})\nfind_package(catkin REQUIRED {listed})\n"
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text)
+    choice = decide_dockerfile(gather(Repository(tmp_path)), Config(), "ros1", "noetic")
+    why = "it copies arm and not arm_helpers, which arm/CMakeLists.txt:2 requires"
+    assert [why in each.reason for each in choice.reasons] == [refused]
+    assert not (refused and choice.answer)

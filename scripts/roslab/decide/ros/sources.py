@@ -252,8 +252,8 @@ class _Chosen:
 def _used(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependency]:
     """Yield the names that the build uses: a package.xml may name what its CMakeLists.txt, which has a list, does not.
 
-    catkin_simple looks for all that the package.xml names, and what a page links to is meant in earnest. Nothing is used
-    that waits for an option that is off.
+    catkin_simple looks for all that the package.xml names, and what a page links to is meant in earnest. Nothing is
+    used that waits for an option that is off.
     """
     needed = tuple(needed)
     links = {plain(git.name) for git in evidence.sources if git.kind == "link" and not places.vendored(git.file)}

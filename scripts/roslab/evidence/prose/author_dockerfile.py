@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Iterable
 from typing import Literal
 
 from roslab.evidence import places
@@ -224,7 +225,13 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         clones_itself=itself,
         recipe=recipe(text),
         updates_rosdep=reading.updates_rosdep,
+        copied=_paths(context or "", dict(reading.copied)),
     )
+
+
+def _paths(context: str, copied: Iterable[str]) -> tuple[str, ...]:
+    paths = tuple(f"{context}/{source}".strip("/") for source in copied)
+    return () if any(re.search(r"[*?\[]", path) for path in paths) else paths
 
 
 def _collect(collector: Collector, instruction: Instruction) -> None:
