@@ -426,3 +426,19 @@ def test_a_library_built_by_hand_has_the_headers_that_the_page_installs_and_ubun
     decision = tree(ros1("find_package(PkgConfig REQUIRED)\npkg_search_module(CAM REQUIRED libacmecam)\n", UVC))
     assert "libusb-1.0-0-dev" in decision.source[0].depends
     assert "libunheardof-dev" not in decision.source[0].depends
+
+
+@pytest.mark.parametrize(
+    ("lines", "ref"),
+    [
+        ("git clone https://github.com/lab/grasplib.git\ncd grasplib\ngit checkout 84bfc56 # the last\n", "84bfc56"),
+        ("git clone https://github.com/lab/grasplib.git\ngit clone -b v2 https://github.com/lab/grasplib.git\n", None),
+    ],
+)
+def test_a_library_that_a_page_clones_and_does_not_install_is_built_at_its_ref(
+    tree: Tree, lines: str, ref: str | None
+) -> None:
+    page = f"```\n{lines}mkdir build && cd build\ncmake ..\n```\n"
+    made = "project(demo)\nfind_package(grasplib REQUIRED)\nadd_executable(demo demo.cpp)\n"
+    decision = tree({"CMakeLists.txt": made, "demo.cpp": "int main() {}\n", "README.md": page})
+    assert [(source.name, source.ref) for source in decision.source] == [("grasplib", ref)]

@@ -342,3 +342,24 @@ def test_a_function_of_a_script_clones_what_it_is_given(
     found = scripts.read(Repository.open(tmp_path)).sources
     assert [(git.name, git.ref) for git in found] == ([cloned] if cloned else [])
     assert all(git.line == function.count("\n") + 4 for git in found)
+
+
+@pytest.mark.parametrize(
+    ("line", "ref"),
+    [
+        ("git checkout 84bfc56 # the last that works", "84bfc56"),
+        ("git checkout 84bfc56 // the last that works", "84bfc56"),
+        ("git checkout 84bfc56 -b mine", "84bfc56"),
+        ("git checkout -b mine origin/devel", "devel"),
+        ("git checkout tags/v1.2 -b v1.2", "v1.2"),
+        ("git -C arm checkout v1.2", "v1.2"),
+        ("git switch --detach v1.2", "v1.2"),
+        ("git checkout -b mine", None),
+        ("git checkout .", None),
+        ("git checkout v1.2 -- src/a.cpp", None),
+    ],
+)
+def test_what_git_takes_of_a_clone(tmp_path: Path, line: str, ref: str | None) -> None:
+    page = f"```\ngit clone https://github.com/lab/arm.git\ncd arm\n{line}\n```\n"
+    found = read(readme, tmp_path, {"README.md": page}).sources
+    assert [git.ref for git in found if git.kind == "clone"] == [ref]

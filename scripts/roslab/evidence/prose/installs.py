@@ -12,6 +12,7 @@ from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
+from roslab.evidence.prose.checkouts import checked_out
 from roslab.evidence.prose.configured import options_of, source_of
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.telling import telling
@@ -205,11 +206,10 @@ class Collector:
 
     def _git(self, command: Command) -> None:
         words = command.words
-        if words[1:2] == ("checkout",) and self.fresh is not None and len(words) > 2:
+        if self.fresh is not None and (ref := checked_out(words)) is not None:
             clone = self.sources[self.fresh]
-            ref = words[-1] if words[-1] != "--" else ""
-            if clone.ref is None and re.fullmatch(r"[\w./-]+", ref) and not ref.startswith("-"):
-                self.sources[self.fresh] = replace(clone, ref=ref.removeprefix("tags/"))
+            if ref and clone.ref is None:
+                self.sources[self.fresh] = replace(clone, ref=ref)
             self.fresh = None
             return
         if "clone" not in words:

@@ -7,7 +7,7 @@ everything else together, and does not read the other two.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
@@ -173,7 +173,7 @@ def _read(text: str, file: File) -> Prose:
     for line, code, heading in _code(text):
         collector.heading = heading
         collector.text(code, line)
-    collector.sources += _links(text, file)
+    collector.sources += _links(text, file, collector.sources)
     found = collector.prose()
     said = (
         *mentions.read(text, file.path, "readme"),
@@ -183,15 +183,22 @@ def _read(text: str, file: File) -> Prose:
     return found._replace(mentions=(*found.mentions, *said))
 
 
-def _links(text: str, file: File) -> list[GitSource]:
-    """Return the repositories that a page links to: one of them may be a library that CMake asks for by its name."""
+def _links(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
+    """Return the repositories that a page links to: one of them may be a library that CMake asks for by its name.
+
+    What the page clones at one ref alone is meant at that ref.
+    """
+    refs: dict[str, set[str | None]] = {}
+    for git in cloned:
+        refs.setdefault(git.url.rstrip("/").removesuffix(".git"), set()).add(git.ref)
     found: dict[str, GitSource] = {}
     for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
         url, name = match[0].removesuffix(".git"), match[1].removesuffix(".git").rstrip(".")
         line = text.count("\n", 0, match.start()) + 1
         pinned = _PINNED.match(text, match.end())
         if url not in found or (pinned and not found[url].ref):
-            ref = pinned and pinned[1]
+            said = refs.get(url, set())
+            ref = pinned[1] if pinned else next(iter(said)) if len(said) == 1 else None
             found[url] = GitSource(
                 name=name, url=url, ref=ref, strength="prose", file=file.path, line=line, kind="link"
             )

@@ -10,6 +10,7 @@ _TELLING = tuple(
         ("install", r"\binstall\b"),
         ("clone", r"\bclone\b"),
         ("checkout", r"\bcheckout\b"),
+        ("switch", r"\bgit\s+switch\s"),
         ("roslaunch", r"\broslaunch\b"),
         ("rosrun", r"\brosrun\b"),
         ("ros2", r"\bros2\s+(?:launch|run)\b"),

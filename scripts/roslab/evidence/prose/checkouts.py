@@ -1,0 +1,31 @@
+"""What ``git checkout`` and ``git switch`` take of a clone.
+
+https://git-scm.com/docs/git-checkout, https://git-scm.com/docs/git-switch
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from roslab.values.pattern import pattern
+
+_TAKES = frozenset({"checkout", "switch"})
+_NEW = frozenset({"-b", "-B", "-c", "-C", "--orphan", "--create"})
+"""Options that are followed by the name of a branch that is made here: the repository has none of that name."""
+_REF = pattern(r"\w[\w./-]*")
+
+
+def checked_out(words: Sequence[str]) -> str | None:
+    """Return the branch, tag or commit that a command of git takes, ``""`` for none, ``None`` for another command.
+
+    Files that are taken from a commit (``git checkout 1.2 -- file``) are none.
+    """
+    inside = words[1:2] == ("-C",)  # git -C FOLDER checkout …
+    name, rest = words[3:4] if inside else words[1:2], words[4:] if inside else words[2:]
+    if not (rest and {*name} & _TAKES):
+        return None
+    made = {index + 1 for index, word in enumerate(rest) if word in _NEW}
+    ref = next((word for index, word in enumerate(rest) if index not in made and not word.startswith("-")), "")
+    if "--" in rest or not _REF.fullmatch(ref):
+        return ""
+    return ref.removeprefix("tags/").removeprefix("origin/")
