@@ -189,7 +189,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         evidence,
         config,
         kind.answer,
-        taken=(*sources.answer.names, *packages.names),
+        taken=(*sources.answer.names, *packages.names, *(each.name for each in downloads.answer)),
         addresses=(source.repo or "" for source in (*sources.answer.sources, *sources.answer.submodules)),
         itself={folder_name.lower()},
     )

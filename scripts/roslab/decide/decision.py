@@ -137,6 +137,11 @@ class Download:
     unpack: str | None = None
     """The folder of the repository that it is unpacked to."""
 
+    @property
+    def name(self) -> str:
+        """Of the file where it comes from."""
+        return self.url.rpartition("/")[2]
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Decision:

@@ -1,4 +1,4 @@
-"""Files that the default command names and the tree lacks: what a page fetches, the image has."""
+"""Files that the default command or the build names and the tree lacks: what a page fetches, the image has."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ import shlex
 from collections.abc import Iterator
 
 from roslab.config.model import Config
-from roslab.decide.decision import Choice, Download
+from roslab.decide.decision import Choice, Download, Reason
 from roslab.decide.reasons import because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.prose.downloads import stem_of
 from roslab.values.words import line_of
 
 WEIGHT = 300
@@ -22,29 +23,31 @@ MOST = 6
 def decide_downloads(
     evidence: Evidence, config: Config, command: tuple[str, ...] | str, folder_name: str
 ) -> Choice[tuple[Download, ...]]:
-    """Return what pages near the root fetch of what the command names; ``folder_name`` is the repository's.
+    """Return what pages near the root fetch of what the command or the build names.
 
     An archive that a page unpacks is meant where the command names a path in it, or in the folder that it goes to.
+    ``folder_name`` is the repository's.
     """
-    named = set() if config.compatible else set(_named(line_of(command)))
+    if config.compatible:
+        return Choice(answer=())
+    named = set(_named(line_of(command)))
     fetched = [m for m in evidence.mentions if m.topic == "fetched" and _near(m)]
     unpacked = [m for m in evidence.mentions if m.topic == "unpacked" and _near(m)]
-    found: dict[str, tuple[Download, Mention]] = {}
-    for mention in fetched if named else ():
+    found: dict[str, tuple[Download, Reason]] = {}
+    for mention in fetched:
         path = _inside(mention.files[0], folder_name)
-        folder = next((m.files[1] for m in unpacked if m.file == mention.file and m.files[0] == mention.files[0]), None)
-        into = None if folder is None else _inside(folder, folder_name)
-        if _outside(path) or (into is not None and _outside(into)):
+        archive = next((m for m in unpacked if m.file == mention.file and m.files[0] == mention.files[0]), None)
+        folder = _inside(archive.files[1], folder_name) if archive else None
+        if _outside(path) or (folder is not None and _outside(folder)):
             continue
-        meant = path in named if into is None else any(_in_archive(each, path, into) for each in named)
-        if meant:
-            found.setdefault(path, (Download(url=mention.value, path=path, unpack=into), mention))
+        meant = path in named if folder is None else any(_in_archive(each, path, folder) for each in named)
+        reader = "the command" if meant else archive.value if archive else ""
+        if reader:
+            why = f"{reader} names it, and the page fetches it"
+            reason = because("downloads", mention.value, why, mention, weight=WEIGHT)
+            found.setdefault(path, (Download(url=mention.value, path=path, unpack=folder), reason))
     chosen = list(found.values())[:MOST]
-    why = "the command names it, and the page fetches it"
-    return Choice(
-        answer=tuple(each for each, _ in chosen),
-        reasons=tuple(because("downloads", each.url, why, mention, weight=WEIGHT) for each, mention in chosen),
-    )
+    return Choice(answer=tuple(each for each, _ in chosen), reasons=tuple(reason for _, reason in chosen))
 
 
 def _near(mention: Mention) -> bool:
@@ -74,6 +77,5 @@ def _outside(path: str) -> bool:
 
 def _in_archive(named: str, archive: str, folder: str) -> bool:
     """Tell whether a path is what an archive holds: below the folder it goes to, and below its own name at the root."""
-    stem = re.sub(r"\.(?:zip|tgz|tbz2|tar(?:\.\w+)?)$", "", posixpath.basename(archive))
-    below = [posixpath.normpath(posixpath.join(folder, stem)), *([] if folder == "." else [folder])]
+    below = [posixpath.normpath(posixpath.join(folder, stem_of(archive))), *([] if folder == "." else [folder])]
     return any(named == each or named.startswith(f"{each}/") for each in below)

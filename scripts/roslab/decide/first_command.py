@@ -13,7 +13,7 @@ from roslab.values.pattern import pattern
 _SERVES = pattern(
     r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre-?proc\w*|(?:comp|calc)\w*[_-](?:\w+[_-])?(?:stat(?:s|istics)|norm\w*)|(?:pre-?)?cach(?:e|ing)|prepare\w*|extract\w*|install\w*|set-?up|format|"
     r"record\w*|collect\w*|tokenize\w*|generate\w*|gen|export\w*|annotate\w*|"
-    r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|lint|tidy|stat(?:istic)?s|reset|kill\w*|stop|shut-?down)(?:[_.-]|$)|"
+    r"build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|lint|tidy|udev\w*|stat(?:istic)?s|reset|kill\w*|stop|shut-?down)(?:[_.-]|$)|"
     r"^(?:(?:source|load|activate|export)[_-])?v?env$",
     re.IGNORECASE,
 )
@@ -50,6 +50,8 @@ _DATA = pattern(r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya
 """An argument that names a file."""
 _LAUNCHERS = ("roslaunch", "rosrun", "ros2")
 _HELP = pattern(r"^(?:--?help|-h|--?usage|--?version|--show-args|-s)$")
+_TOPIC = pattern(r"(?!\w*(?:file|path|dir|folder|map|bag|conf|data|world|model|urdf|weight|vocab))\w+:=(?:/\w+)+")
+"""An argument that names a topic or a namespace of ROS: ``image:=/camera/color/image_raw``."""
 _VALUE = pattern(r"^-{0,2}[\w-]+:?=[-.]*$|^-{3,}$")
 """A value that the reader fills in: ``name:=---``."""
 
@@ -183,4 +185,5 @@ def _stem(words: tuple[str, ...]) -> str:
 def _lacks(candidate: Candidate) -> bool:
     """Tell whether an argument names a file that the tree does not have, or a value to fill in."""
     arguments = candidate.argv[len(program_of(candidate.argv)) :]
-    return any((_DATA.search(word) and word not in candidate.files) or _VALUE.match(word) for word in arguments)
+    named = (word for word in arguments if word not in candidate.files and not _TOPIC.fullmatch(word))
+    return any(map(_DATA.search, named)) or any(map(_VALUE.match, arguments))

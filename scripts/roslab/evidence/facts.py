@@ -182,7 +182,8 @@ class Mention:
     """The words around it, which the reason quotes."""
     files: tuple[str, ...] = ()
     """Of a command: its arguments that are files or folders of the tree; they are relative to its root in ``value``.
-    Of what is fetched: where to, ``value`` being the URL; of what is unpacked: the archive, and the folder."""
+    Of what is fetched: where to, ``value`` being the URL; of what is unpacked: the archive and the folder, ``value``
+    being the build file that names what it holds."""
     heading: str = ""
     """The titles of the sections that it stands in, the outermost first (``Usage / Simulation``); of a page only."""
     inside: str = ""

@@ -48,6 +48,18 @@ def test_what_the_command_names(tree: Tree, page: str, found: Download | None) -
     assert planned(tree, page, **{"conf.yaml": ""}).downloads == ((found,) if found else ())
 
 
+@pytest.mark.parametrize(("folder", "there"), [("thirdparty", True), ("other", False)])
+def test_what_the_build_names(tree: Tree, folder: str, there: bool) -> None:
+    url = "https://example.org/eigen/archive/eigen-3.4.0.zip"
+    setup = "from setuptools import setup, Extension\nsetup(name='demo', ext_modules=[Extension('a', ['a.cpp'], "
+    setup += "include_dirs=['thirdparty/eigen-3.4.0'])])\n"
+    page = f"wget {url}\nunzip eigen-3.4.0.zip -d {folder}\npip install ."
+    decision = planned(tree, f"cd demo\n{page}", "python demo.py", **{"setup.py": setup, "a.cpp": ""})
+    assert decision.downloads == ((Download(url=url, path="eigen-3.4.0.zip", unpack=folder),) if there else ())
+    told = [warning.message for warning in decision.warnings if url in warning.message]
+    assert len(told) == (not there)
+
+
 def test_a_command_that_names_no_file_needs_none(tree: Tree) -> None:
     assert planned(tree, f"wget -P weights {URL}", "python demo.py").downloads == ()
 

@@ -259,6 +259,52 @@ def test_the_name_of_a_branch_yields_to_a_ci_that_tests_only_others(tmp_path: Pa
     assert found.ros_distro == distro
 
 
+IN_ROS2 = (
+    "<package format='3'><name>a</name><version>1.0.0</version><description>x</description>"
+    "<buildtool_depend>ament_cmake</buildtool_depend><export><build_type>ament_cmake</build_type></export></package>"
+)
+REF = "      ref_for_tests: {}\n"
+TESTS = "jobs:\n  a:\n    uses: ./.github/workflows/ici.yml\n    with:\n      ros_distro: {distro}\n"
+
+
+@pytest.mark.parametrize(
+    ("branch", "files", "distro"),
+    [
+        ("main", {"new": ("rolling", REF.format("main")), "old": ("humble", REF.format("humble"))}, "rolling"),
+        ("humble", {"new": ("rolling", REF.format("main")), "old": ("humble", REF.format("humble"))}, "humble"),
+        ("main", {"old": ("humble", "on:\n  push:\n    branches: [humble]\n")}, "humble"),
+        (
+            "main",
+            {"new": ("jazzy", ""), "old": ("humble", "on:\n  push:\n    branches:\n      - humble-devel\n")},
+            "jazzy",
+        ),
+    ],
+)
+def test_ci_of_another_branch(tmp_path: Path, branch: str, files: dict[str, tuple[str, str]], distro: str) -> None:
+    (tmp_path / ".github/workflows").mkdir(parents=True)
+    for name, (tested, more) in files.items():
+        text = TESTS.format(distro=tested)
+        (tmp_path / f".github/workflows/{name}.yml").write_text(more + text if more.startswith("on") else text + more)
+    (tmp_path / "package.xml").write_text(IN_ROS2)
+    (tmp_path / "CMakeLists.txt").write_text("project(a)\nfind_package(ament_cmake REQUIRED)\nament_package()\n")
+    found = decide(gather(Repository.open(tmp_path, branch=branch)), Config(), folder_name="a")
+    assert found.ros_distro == distro
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        "This is the `main/humble` branch, only for ROS 2 Humble. Switch over to `jazzy` branch for ROS 2 Jazzy.",
+        "This branch is for ROS 2 Humble. For ROS 2 Jazzy, use the `jazzy` branch.",
+    ],
+)
+def test_what_a_page_says_of_its_own_branch(tmp_path: Path, page: str) -> None:
+    cmake = "project(a)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+    assert (
+        decided(tmp_path, {"package.xml": IN_ROS2, "CMakeLists.txt": cmake, "README.md": page}).ros_distro == "humble"
+    )
+
+
 @pytest.mark.parametrize(
     ("branch", "tested", "distro"),
     [

@@ -18,6 +18,7 @@ ROS = {
     "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
     "launch/map.launch": "<launch/>",
     "launch/replay.launch": "<launch/>",
+    "scripts/create_udev_rules": "#!/bin/bash\nsudo cp demo.rules /etc/udev/rules.d\n",
 }
 
 
@@ -54,6 +55,12 @@ def test_the_first_program_of_python(tree: Tree, page: str, command: str) -> Non
     [
         ("roslaunch roslaunch demo replay.launch\nroslaunch demo map.launch\n", "roslaunch demo replay.launch"),
         ("roslaunch demo map.launch bag:=bag_path fast:=true\n", "roslaunch demo map.launch fast:=true"),
+        (
+            "roslaunch demo map.launch image:=/camera/color/image_raw\nroslaunch demo replay.launch\n",
+            "roslaunch demo map.launch image:=/camera/color/image_raw",
+        ),
+        ("roslaunch demo map.launch world:=/data/day\nroslaunch demo replay.launch\n", "roslaunch demo replay.launch"),
+        ("./scripts/create_udev_rules\nroslaunch demo map.launch\n", "roslaunch demo map.launch"),
     ],
 )
 def test_the_first_launch_file(tree: Tree, page: str, command: str) -> None:

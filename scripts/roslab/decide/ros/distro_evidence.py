@@ -25,12 +25,15 @@ QUOTED = 160
 _AGAINST = pattern(
     r"not (?:been )?(?:tested|supported|work)|n't work|unsupported|no longer|deprecated|end[- ]of[- ]life|\beol\b|"
     r"coming soon|todo|"
-    r"(?:see|use|switch to|check ?out|available (?:in|on|at)|go to)\s+(?:the\s+)?[\w\"'`/-]*\s*(?:branch|tag)|"
+    r"(?:see|use|switch (?:over )?to|check ?out|available (?:in|on|at)|go to)\s+"
+    r"(?:the\s+)?[\w\"'`/-]*\s*(?:branch|tag)|"
     r"\bbranch\b.*\bfor\b|for .*\bbranch\b|\bport(?:ed)?\b|previous(?:ly)?|legacy|\bold(?:er)?\b|archive|"
     r"\b(?:get|got|see|have|meet|encounter)\w*\b[^.]{0,30}\b(?:errors?|problems?|issues?)\b",
     re.IGNORECASE,
 )
 """The sentence speaks of another time or another branch."""
+_THIS = pattern(r"\b(?:this is the|this|the current)\s+(?:[\w\"'`/-]+\s+)?branch\b", re.IGNORECASE)
+"""The sentence speaks of the branch that it stands in."""
 _FOR = pattern(
     r"test(?:ed)?\b|prerequisite|require|depend|install|ubuntu|support|compatible|/opt/ros/|ros-[a-z]+-|catkin|colcon|"
     r">=|≥|develop(?:ed)? (?:on|with|under|in)|recommend|using ros|\bros[ :_-]",
@@ -215,6 +218,8 @@ def _spoken(sentence: str) -> int:
     weight = Weight.TELLS_TO_HAVE if _FOR.search(sentence) else Weight.SPEAKS_OF_IT
     if _EXAMPLE.search(sentence):
         return Weight.EXAMPLE
+    if _THIS.search(sentence):
+        return Weight.RECOMMENDED
     weight = Weight.RECOMMENDED if _RECOMMENDED.search(sentence) else weight
     return weight - (Weight.AGAINST if _AGAINST.search(sentence) else 0)
 

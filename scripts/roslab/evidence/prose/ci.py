@@ -14,6 +14,7 @@ from roslab.evidence.lex.yaml import Scalar, scalars
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.evidence.prose.upstream import upstream
+from roslab.knowledge.distros import ever
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -35,6 +36,9 @@ _PREFIX = pattern(
     r"^\s*(?:-\s+)?(?:(?:run|script|command|sh|bash|cmd|install|before_install|"
     r"before_script)\s*:\s*)?(?:-\s+)?[|>]?-?\s*"
 )
+_BRANCHES = pattern(r"branches|ref(?:_\w+)?")
+"""A key whose value is a branch that the file builds."""
+_WORD = pattern(r"[a-z]+")
 _EXPRESSION = pattern(r"\$\{\{[^}\n]*\}\}")
 _WITH_MATRIX = pattern(r"([\w.+-]{0,40})\$\{\{ {0,9}matrix\.([A-Za-z]\w*) {0,9}\}\}([\w.+-]{0,40})")
 MAX_VALUES = 4
@@ -53,13 +57,21 @@ _FOLDED = pattern(r"^([ \t]*)(?:-[ \t]+)?\w+:[ \t]*>-?[ \t]*\n((?:\1[ \t]+\S.*\n
 
 
 def read(repository: Repository) -> Prose:
-    """Return the install lines, container images and versions in CI files; release workflows are left out."""
+    """Return the install lines, container images and versions in CI files; release workflows are left out.
+
+    So is what only builds other branches, each named after a distribution, where other files name one for this branch.
+    """
     files = [file for file in (*repository.suffixed(".yml", ".yaml"), *repository.named("Jenkinsfile")) if _is_ci(file)]
-    return merge(
-        _read(repository.read(file), file.path)
-        for file in sorted(files, key=lambda file: file.path)
-        if file.size < MAX_SIZE
-    )
+    texts = {file.path: repository.read(file) for file in sorted(files, key=_path) if file.size < MAX_SIZE}
+    found = {path: _read(text, path) for path, text in texts.items()}
+    branch = repository.branch
+    others = {path for path, text in texts.items() if branch and _for_others(text, branch)}
+    own = any(mention.topic == "distro" for path in found.keys() - others for mention in found[path].mentions)
+    return merge(prose for path, prose in found.items() if not (own and path in others))
+
+
+def _path(file: File) -> str:
+    return file.path
 
 
 def _is_ci(file: File) -> bool:
@@ -76,6 +88,17 @@ def _read(text: str, path: str) -> Prose:
     found = _by_lines(text, path) if values is None else _by_values(values, text, path)
     uncommented = re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
     return found._replace(mentions=(*found.mentions, *mentions.read(uncommented, path, "ci")))
+
+
+def _for_others(text: str, branch: str) -> bool:
+    """Tell whether a file only builds other branches, each named after a distribution.
+
+    Those are what it checks out (``ref: jazzy``, as reusable workflows are given it, too) and what starts it.
+    """
+    if "branches" not in text and "ref" not in text:
+        return False
+    named = {value.text.strip() for value in scalars(text) or () if _BRANCHES.fullmatch(value.key)} - {""}
+    return bool(named) and branch not in named and all(ever() & set(_WORD.findall(name.lower())) for name in named)
 
 
 def _by_values(values: tuple[Scalar, ...], text: str, path: str) -> Prose:

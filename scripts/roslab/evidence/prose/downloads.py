@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator
 from typing import Literal
 
@@ -22,6 +23,7 @@ _INTO = {"wget": ("-O", "--output-document"), "curl": ("-o", "--output")}
 _BELOW = {
     "wget": ("-P", "--directory-prefix"), "curl": ("--output-dir",), "unzip": ("-d",), "tar": ("-C", "--directory"),
 }  # fmt: skip
+_BUILD_FILES = ("setup.py", "CMakeLists.txt", "Makefile")
 PROGRAMS = frozenset(_BELOW)
 
 
@@ -50,6 +52,8 @@ def told(words: tuple[str, ...], folder: str) -> Iterator[tuple[Topic, str]]:
 def placed(mention: Mention, repository: Repository) -> Mention | None:
     """Return what is fetched or unpacked with paths from the repository's root; ``None`` outside, or where it is there.
 
+    The value is the URL, or of what is unpacked the build file that names it.
+
     A page may begin above the root, and go into the repository by its name.
     """
     first, last = mention.value.split(" ", 1)
@@ -57,8 +61,25 @@ def placed(mention: Mention, repository: Repository) -> Mention | None:
     found = tuple(_at(path, repository) for path in paths)
     if any(path.startswith("..") for path in found) or (mention.topic == "fetched" and repository.has(found[0])):
         return None
-    value = first if mention.topic == "fetched" else ""
+    value = first if mention.topic == "fetched" else _reader(*found, repository)
     return replace(mention, value=value, files=found)
+
+
+def stem_of(archive: str) -> str:
+    """Return the name of an archive without its folder and ending: most hold one folder of that name."""
+    return _ARCHIVE.sub("", posixpath.basename(archive))
+
+
+def _reader(archive: str, folder: str, repository: Repository) -> str:
+    """Return the build file at the root that names the folder which an archive holds, ``""`` for none.
+
+    The folder that it goes to may begin above the root.
+    """
+    above = [end for end in ends("" if folder == "." else folder) if end or "/" not in folder]
+    below = "|".join(re.escape(posixpath.join(end, stem_of(archive))) for end in above)
+    named = re.compile(rf"(?<![\w.-])(?:{below})(?![\w.-])")
+    there = (name for name in _BUILD_FILES if repository.has(name))
+    return next((name for name in there if named.search(repository.read(name))), "")
 
 
 def _at(path: str, repository: Repository) -> str:
