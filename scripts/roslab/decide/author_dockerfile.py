@@ -38,6 +38,8 @@ _PUBLISHED = (
     "mcr.",
 )
 _ACCELERATED = pattern(r"nvidia|nvcr\.io|cuda|pytorch|tensorflow|-gpu|rocm")
+_ASIDE = pattern(r"(?:^|[/._-])(?:submi(?:t|ssion)|challenge|leaderboard|evaluat\w*|tests?|testing|debug)(?:[/._-]|$)")
+"""A part of the path of a Dockerfile for something else than the program itself."""
 _UBUNTU_TAG = pattern(r"ubuntu[:_-]?(\d\d)\.\d\d")
 
 
@@ -192,19 +194,21 @@ def _gone(base: str) -> str | None:
 
 def _rank(
     authored: AuthorDockerfile, kind: Kind, ros_distro: str | None
-) -> tuple[bool, bool, bool, int, bool, int, int, str]:
+) -> tuple[bool, bool, bool, bool, int, bool, int, int, str]:
     """Return the sort key of usable Dockerfiles; the smallest is the best.
 
-    In this order: no other distribution in the path; a base that anybody can pull; a base that suits the kind; few
-    folders deep; the repository's distribution, or none, in the name; the newer Ubuntu.
+    In this order: no other distribution in the path, and no other purpose (``Dockerfile.submission``); a base that
+    anybody can pull; a base that suits the kind; few folders deep; the repository's distribution, or none, in the name;
+    the newer Ubuntu.
     """
     path, base = authored.file.lower(), (authored.base or "").lower()
     mine = bool(ros_distro and ros_distro in path)
     other = any(name in path for name in distros() if name != ros_distro) and not mine
+    aside = bool(_ASIDE.search(path))
     private = "/" in base and not base.startswith(_PUBLISHED)
     unlike = kind in {"cuda", "cpp", "python"} and bool(_ACCELERATED.search(base)) != (kind == "cuda")
     plain = path.rpartition("/")[2] == "dockerfile"
     below = 0 if mine else max(0, path.count("/") - 1)  # docker/Dockerfile counts as one at the root
     release = _UBUNTU_TAG.search(base) if kind not in {"ros1", "ros2"} else None
     newest = -int(release[1]) if release else 0
-    return (other, private, unlike, below, not (mine or plain), path.count("/"), newest, authored.file)
+    return (other, aside, private, unlike, below, not (mine or plain), path.count("/"), newest, authored.file)
