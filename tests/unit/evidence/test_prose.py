@@ -10,6 +10,7 @@ import pytest
 from roslab.evidence.facts import Prose
 from roslab.evidence.prose import ci, readme
 from roslab.evidence.prose import install_scripts as scripts
+from roslab.evidence.prose.preformatted import as_markdown
 from roslab.repository.checkout import Repository
 
 
@@ -257,6 +258,23 @@ def test_what_a_shell_prints_before_a_command_is_none_of_it(tmp_path: Path, prom
         "python -m plan.run",
         "roslaunch robot go.launch",
     ]
+
+
+@pytest.mark.parametrize(
+    ("page", "lines"),
+    [
+        ("Run\n<pre>\npython go.py &gt; log\n</pre>\npython is nice\n", [3]),
+        ("<pre><code>\npython go.py\n</code></pre>\n", [2]),
+        ("<pre>\n<code>\npython <b>go.py</b>\n</code>\n</pre>\n", [3]),
+        ("<PRE lang='bash'>python go.py\n  python go.py --fast</PRE>\n", [1, 2]),
+        ("```\n<pre>\npython go.py\n</pre>\n```\n", [3]),
+        ("<pre>\npython go.py\n", [2]),
+    ],
+)
+def test_blocks_of_html_show_code(tmp_path: Path, page: str, lines: list[int]) -> None:
+    prose = read(readme, tmp_path, {"README.md": page, "go.py": ""})
+    assert [mention.line for mention in prose.mentions if mention.topic == "command"] == lines
+    assert as_markdown(page).count("\n") == page.count("\n")
 
 
 def test_a_variable_is_no_prompt(tmp_path: Path) -> None:

@@ -61,7 +61,7 @@ def placed(mention: Mention, repository: Repository) -> Mention | None:
     found = tuple(_at(path, repository) for path in paths)
     if any(path.startswith("..") for path in found) or (mention.topic == "fetched" and repository.has(found[0])):
         return None
-    value = first if mention.topic == "fetched" else _reader(*found, repository)
+    value = first if mention.topic == "fetched" else _reader(found[0], found[1], repository)
     return replace(mention, value=value, files=found)
 
 

@@ -20,6 +20,7 @@ from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_
 from roslab.evidence.prose.installs import BLANK, Collector, merge
 from roslab.evidence.prose.own_files import with_files
 from roslab.evidence.prose.own_scripts import called, checked
+from roslab.evidence.prose.preformatted import as_markdown
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.shells import leads_elsewhere
 from roslab.evidence.prose.telling import telling
@@ -127,8 +128,8 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
 
 
 def text_of(repository: Repository, file: File) -> str:
-    """Return what a page says to those who read it: not what it comments out."""
-    return without_comments(repository.read(file))
+    """Return what a page says to those who read it, not what it comments out, with all its blocks of code fenced."""
+    return as_markdown(without_comments(repository.read(file)))
 
 
 def of_page(repository: Repository, file: File) -> Prose:
