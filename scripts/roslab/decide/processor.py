@@ -5,7 +5,8 @@ from __future__ import annotations
 from roslab.config.model import BuildTool, Kind
 from roslab.decide.decision import Python
 from roslab.decide.ros.workspace import Packages
-from roslab.evidence.facts import Evidence, X86Only
+from roslab.evidence.facts import Evidence
+from roslab.evidence.x86_only import X86Only
 from roslab.values.dataclass import dataclass
 
 

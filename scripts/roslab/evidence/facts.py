@@ -8,6 +8,7 @@ from roslab.evidence.apt_source import AptSource
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.makefile import Makefile
+from roslab.evidence.x86_only import X86Only
 from roslab.values.conda import CondaPackage
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
@@ -231,16 +232,6 @@ class CodeLimit:
     at_least: str | None
     below: str | None
     what: str
-    file: str
-    line: int
-
-
-class X86Only(NamedTuple):
-    """An option of the compiler, or a header, of x86 alone that is used when the tree is compiled for ARM, too."""
-
-    what: str
-    source: Literal["cmake", "make", "setup.py", "header"]
-    """What passes the option: a file of CMake, a Makefile or setup.py; ``header`` for an include."""
     file: str
     line: int
 

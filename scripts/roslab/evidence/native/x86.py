@@ -6,11 +6,11 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 
 from roslab.evidence import places
-from roslab.evidence.facts import X86Only
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.lex.lines import lines_with, matches_at
 from roslab.evidence.lex.preprocessor import reached
 from roslab.evidence.lex.truth import cmake_holds
+from roslab.evidence.x86_only import X86Only
 from roslab.knowledge.x86_only import x86_only
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field
