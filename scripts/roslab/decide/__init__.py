@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from roslab.config.model import Config, Kind
 from roslab.decide.author_dockerfile import decide_dockerfile
-from roslab.decide.base import decide_base, of_dockerfile
+from roslab.decide.authored import as_authored
+from roslab.decide.base import decide_base
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.chains import decide_bases
 from roslab.decide.command import decide_command
 from roslab.decide.cuda.toolkit import decide_toolkit
-from roslab.decide.cuda.version import NO_CUDA, decide_cuda, of_image
+from roslab.decide.cuda.version import NO_CUDA, decide_cuda
 from roslab.decide.day import decide_days
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.downloads import decide_downloads
@@ -50,7 +51,6 @@ from roslab.decide.variables import decide_variables
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.cpu import told
-from roslab.values.dataclass import replace
 
 _ROS: frozenset[Kind] = frozenset({"ros1", "ros2"})
 
@@ -95,11 +95,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     own = decide_dockerfile(evidence, config, kind.answer, distro)
     dockerfile = own.answer.file if own.answer else None
     mended = decide_bases(evidence, config, dockerfile)
-    if own.answer:
-        base = of_dockerfile(base, evidence, config, own.answer.file, mended.answer)
-        cuda = of_image(cuda, base.answer.image)
-        # An author's Dockerfile brings a Python of its own
-        python = replace(python, reasons=tuple(r for r in python.reasons if r.question != "python"))
+    base, cuda, python = as_authored(dockerfile, evidence, config, mended.answer, base=base, cuda=cuda, python=python)
     command = decide_command(evidence, config, kind.answer, dockerfile, python.answer.version)
     evidence = required_by_command(evidence, command.answer.command)
     build_tool = decide_build_tool(evidence, config, kind.answer, python.answer)
@@ -193,16 +189,26 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         addresses=(source.repo or "" for source in (*sources.answer.sources, *sources.answer.submodules)),
         itself={folder_name.lower()},
     )
-    test, platforms = (
-        decide_test(config),
-        decide_platforms(
-            *(evidence, config, kind.answer, base.answer.image, distro, cuda.answer.version, python.answer, everything),
-            decide_processor(
-                *(evidence, kind.answer, build_tool.answer, packages, python.answer),
-                as_it_is=bool(own.answer or config.compatible),
-            ),
-            () if own.answer else sources.answer.sources,
-        ),
+    test = decide_test(config)
+    on_x86 = decide_processor(
+        evidence,
+        kind.answer,
+        build_tool.answer,
+        packages,
+        python.answer,
+        as_it_is=bool(own.answer or config.compatible),
+    )
+    platforms = decide_platforms(
+        evidence,
+        config,
+        kind.answer,
+        base.answer.image,
+        distro,
+        cuda.answer.version,
+        python.answer,
+        everything,
+        on_x86,
+        () if own.answer else sources.answer.sources,
     )
     choices = (
         day,

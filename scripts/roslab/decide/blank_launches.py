@@ -8,7 +8,8 @@ from collections.abc import Mapping
 from roslab.values.pattern import pattern
 
 _BLANK = pattern(r"[xX]{2,}|(?<![A-Za-z])[A-Z]{3,}(?:_[A-Z]+)*(?![A-Za-z])")
-_ENDING = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
+LAUNCH = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
+"""How the name of a launch file ends."""
 
 
 def with_a_launch_file(argv: tuple[str, ...], launched: Mapping[str, frozenset[str]]) -> tuple[str, ...]:
@@ -19,7 +20,7 @@ def with_a_launch_file(argv: tuple[str, ...], launched: Mapping[str, frozenset[s
     at = 2 if argv[:1] == ("roslaunch",) else 3 if argv[:2] == ("ros2", "launch") else 0
     if not at or len(argv) <= at or argv[at] in (names := launched.get(argv[at - 1], frozenset())):
         return argv
-    said = _ENDING.sub("", argv[at])
+    said = LAUNCH.sub("", argv[at])
     parts = _BLANK.split(said)
     if len(parts) < 2 or not any(part.strip("_-.") for part in parts):
         return argv

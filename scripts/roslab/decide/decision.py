@@ -180,7 +180,7 @@ class Decision:
     scripts: tuple[OwnScript, ...] = ()
     """Scripts of the repository that compile something, in the order of the README."""
     downloads: tuple[Download, ...] = ()
-    """What the default command needs and a page fetches."""
+    """What the default command or the build needs and a page fetches."""
     packages: tuple[str, ...] = ()
     """Paths of the package.xml files that are built (neither ignored nor an asset)."""
     package_names: tuple[str, ...] = ()

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from roslab.config.model import Kind
-from roslab.decide.blank_launches import with_a_launch_file
+from roslab.decide.blank_launches import LAUNCH, with_a_launch_file
 from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.outputs import written_below
 from roslab.decide.programs import compiled as programs_of
@@ -42,7 +42,6 @@ _KEY = pattern(r"[A-Z][A-Z0-9_]*(?:\.[A-Z][A-Z0-9_]*)+")
 """A key of yacs, whose value is the next word: ``MODEL.WEIGHTS a.pth``."""
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
 """Fewest words of a command that starts something."""
-_LAUNCH = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
 _BESIDE = pattern(r"\./[\w.+-]+")
 _ABOVE = pattern(r"^(--?[\w-]+=)?(?:\.\./)+(?=[\w-])")
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
@@ -220,7 +219,7 @@ def _of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
     if not start:
         return argv
     package, *rest = argv[len(start) :]
-    if _LAUNCH.search(package):
+    if LAUNCH.search(package):
         name = package.rpartition("/")[2]
         owners = [owner for owner, names in tree.launched.items() if owner and name in names]
         return (*start, owners[0], name, *rest) if len(owners) == 1 else None

@@ -57,6 +57,15 @@ def tabled(package: str) -> str:
     return _same_releases().get(package, (package, False))[0]
 
 
+@cache
+def released_together() -> dict[str, tuple[str, ...]]:
+    """Return, for each framework, the packages of which each release is built for one release of it."""
+    found: dict[str, tuple[str, ...]] = {}
+    for row in rows("released_together"):
+        found[row["framework"]] = (*found.get(row["framework"], ()), row["pip"])
+    return found
+
+
 def framework_on_cuda(package: str) -> str | None:
     """Return the name under which the table has a package whose wheels compute on CUDA, ``None`` for all others."""
     name, on_cuda = _same_releases().get(package, (package, True))

@@ -53,10 +53,10 @@ END: tuple[Block, ...] = (
 TODAY = Order(
     base=(base.start, base.package_sources, base.snapshots, base.repositories),  # 1. sources of packages, the user
     stages=(
-        system.library_stages,
+        system.library_stages,  # 3. libraries: a new system package rebuilds none
         downloads.stage,
         manifests.stage,
-    ),  # 3. libraries: no new system package rebuilds them
+    ),
     image=(
         system.packages,  # 2. what the repository declares …
         system.tools,

@@ -9,6 +9,7 @@ from typing import ClassVar
 from packaging.version import Version
 
 from roslab.config.model import Config
+from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.cuda.gpus import gpu_limits, knows_gpus, nearest_that_knows, unknown_gpu
 from roslab.decide.cuda.local import cuda_of
 from roslab.decide.decision import Choice, Reason
@@ -204,7 +205,7 @@ def _of_dockerfiles(evidence: Evidence) -> Iterator[Candidate]:
 
 
 def _of_mentions(evidence: Evidence) -> Iterator[Candidate]:
-    torch = {(asked.file, asked.line) for asked in evidence.prose_pip if asked.role == "conda" and asked.key == "torch"}
+    torch = conda_torch(evidence)
     for mention in evidence.mentions:
         number = version_of(mention.value) if mention.topic == "cuda" else None
         if number and number >= _OLDEST:

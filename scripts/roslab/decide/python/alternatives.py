@@ -8,14 +8,15 @@ from packaging.version import Version
 
 from roslab.decide.cuda.local import cuda_of
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.frameworks import framework
+from roslab.knowledge.frameworks import framework, released_together
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
 _TORCH = "torch"
-_FAMILY = frozenset({_TORCH, "torchvision", "torchaudio", "cpuonly"})
+_CPU = "cpuonly"
+"""The package of conda that chooses the builds without CUDA."""
 _NO_CUDA = pattern(r"/whl/(?:nightly/)?(?:cpu|rocm[\d.]*)(?:/|$)|\+(?:cpu|rocm[\d.]*)$")
 _ALL_BUILDS = "/whl/torch_stable.html"
 """The page with the builds for all CUDAs and for AMD's GPUs, of which pip takes the last in the alphabet."""
@@ -67,9 +68,13 @@ def one_way(evidence: Evidence, cuda: str | None) -> Evidence:
         best = min(ways, key=lambda way: (not way.computes, _misfit(way, cuda), not way.pinned))
         dropped |= {each for way in ways if way is not best for each in (*way.asked, *way.options)}
     kept = [asked for asked in evidence.prose_pip if asked not in dropped]
-    builds = any(asked.key in _FAMILY and "+" in (asked.release or "") for asked in kept)
+    builds = any(asked.key in _family() and "+" in (asked.release or "") for asked in kept)
     found = tuple(asked for asked in kept if asked.role != "option" or _of_use(asked.written, builds=builds))
     return replace(evidence, prose_pip=found) if len(found) < len(evidence.prose_pip) else evidence
+
+
+def _family() -> frozenset[str]:
+    return frozenset({_TORCH, _CPU, *released_together()[_TORCH]})
 
 
 def _of_use(option: str, *, builds: bool) -> bool:
@@ -79,7 +84,7 @@ def _of_use(option: str, *, builds: bool) -> bool:
 def _ways(evidence: Evidence, page: str) -> Iterator[Way]:
     """Yield each way of one page; what belongs to torch stands in its command, on its line or on one of the next."""
     asked = [each for each in evidence.prose_pip if each.file == page]
-    family = [each for each in asked if each.key in _FAMILY]
+    family = [each for each in asked if each.key in _family()]
     starts = sorted({each.line for each in family if each.key == _TORCH})
     for start, following in zip(starts, [*starts[1:], None], strict=True):
         own = [each for each in family if start == max((s for s in starts if s <= each.line), default=starts[0])]
@@ -91,7 +96,7 @@ def _ways(evidence: Evidence, page: str) -> Iterator[Way]:
         local = (cuda_of(text) for text in (torch.release or "", torch.url, *(each.written for each in options)))
         named = next(said, None) or next(filter(None, local), None)
         texts = (torch.release or "", *(each.written for each in options))
-        without = any(each.key == "cpuonly" for each in own) or any(map(_NO_CUDA.search, texts))
+        without = any(each.key == _CPU for each in own) or any(map(_NO_CUDA.search, texts))
         yield Way(
             asked=tuple(own),
             options=tuple(options),

@@ -12,16 +12,13 @@ from roslab.decide.python.bounds import Constraints
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
-from roslab.knowledge.frameworks import framework
+from roslab.knowledge.frameworks import framework, released_together
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
 _BUILD = pattern(r"(.+)-cu(?:da)?(\d{2,3}|\d{2}x)")
-_LEADING = {"torch": "torch", "tensorflow": "tensorflow", "jax": "jax"}
-_BESIDE = {"torch": ("torchvision", "torchaudio"), "jax": ("jaxlib",), "tensorflow": ()}
-"""Released together with the framework: their pins count if they are in the same file."""
-_FRAMEWORKS = frozenset({name for leading, beside in _BESIDE.items() for name in (leading, *beside)})
+_LEADING = ("torch", "tensorflow", "jax")
 _INSTALL_LINE = 1
 """Of ``Pin.trust``."""
 _WHY = "an install line pins what the manifest leaves free"
@@ -39,11 +36,12 @@ def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str 
     found = dict(_of_manifests(everything, free))
     free = {key: each for key, each in free.items() if key not in {exact.key for exact in found}}
     said = [pin for pin in pins if pin.trust == _INSTALL_LINE and pin.release]
-    for name, table in _LEADING.items():
-        leading = next((p for p in said if name == p.name and name in free and _fits(p, free[name], table, cuda)), None)
+    for name in _LEADING:
+        leading = next((p for p in said if name == p.name and name in free and _fits(p, free[name], cuda)), None)
         if leading is None:
             continue
-        for pin in (leading, *(p for p in said if p.name in _BESIDE[name] and p.name in free)):
+        beside = released_together().get(name, ())
+        for pin in (leading, *(p for p in said if p.name in beside and p.name in free)):
             if pin.requirement.file == leading.requirement.file:
                 exact = stated(f"{pin.name}=={pin.release}")
                 found.setdefault(
@@ -56,11 +54,13 @@ def _of_manifests(
     asked: Iterable[Requirement], free: Mapping[str, Requirement]
 ) -> Iterator[tuple[Requirement, Reason]]:
     """Yield the one release of each framework that manifests pin where another manifest leaves it open."""
+    families = {name: (name, *released_together().get(name, ())) for name in _LEADING}
+    known = {name for family in families.values() for name in family}
     pinned: dict[str, dict[str, Requirement]] = {}
     for each in asked:
-        if each.key in _FRAMEWORKS and each.origin == "manifest" and each.release and not each.url:
+        if each.key in known and each.origin == "manifest" and each.release and not each.url:
             pinned.setdefault(each.key, {}).setdefault(each.release, each)
-    agreed = [(name, *beside) for name, beside in _BESIDE.items() if len(pinned.get(name, ())) == 1]
+    agreed = [family for name, family in families.items() if len(pinned.get(name, ())) == 1]
     for key in (name for family in agreed for name in family if name in free and free[name].origin == "manifest"):
         if len(pinned.get(key, ())) == 1:
             ((release, said),) = pinned[key].items()
@@ -86,12 +86,12 @@ def one_build(asked: Iterable[Requirement], cuda: str | None) -> tuple[Requireme
     return tuple(kept)
 
 
-def _fits(pin: Pin, manifest: Requirement, table: str, cuda: str | None) -> bool:
+def _fits(pin: Pin, manifest: Requirement, cuda: str | None) -> bool:
     """Tell whether the manifest allows a pinned release, and whether its wheel fits the image's CUDA."""
     release = pin.release or ""
     if cuda is None or not manifest.specifier.contains(release.partition("+")[0], prereleases=True):
         return False
     if local := cuda_of(release):
         return local == cuda
-    row = framework(table, release)
+    row = framework(pin.name, release)
     return row is not None and any(Version(each).release == Version(cuda).release[:2] for each in row.cuda)

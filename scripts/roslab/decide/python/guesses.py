@@ -13,7 +13,7 @@ from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.evidence.ros.vcs import https
-from roslab.knowledge.frameworks import imports, tabled
+from roslab.knowledge.frameworks import imports, released_together, tabled
 from roslab.knowledge.guesses import same_module, tooling
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
@@ -23,7 +23,6 @@ from roslab.values.requirement_line import stated
 
 _FOR_DEVELOPERS = pattern(r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|(?:bitbucket|azure)-pipelines\.|docs?\d?/)")
 _FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
-_BESIDE = frozenset({"torchvision", "torchaudio", "jaxlib"})
 MAX_GUESSES = 40
 
 
@@ -115,7 +114,8 @@ def loose_names(
     asked = [each for file in with_includes(evidence, files) for each in file.requirements]
     asked += [each for project in projects for each in project.requirements if each.role in {"", "source"}]
     limited = {each.key for each in asked if each.limited}
-    return frozenset(each.key for each in asked if each.name) - limited - _FRAMEWORKS - _BESIDE
+    beside = {name for names in released_together().values() for name in names}
+    return frozenset(each.key for each in asked if each.name) - limited - _FRAMEWORKS - beside
 
 
 def known_names(

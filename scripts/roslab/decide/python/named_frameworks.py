@@ -10,13 +10,11 @@ from roslab.decide.cuda.local import cuda_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
-from roslab.knowledge.frameworks import framework, framework_on_cuda
+from roslab.knowledge.frameworks import framework, framework_on_cuda, released_together
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
-_BESIDE = {"torch": frozenset({"torchvision", "torchaudio"}), "jax": frozenset({"jaxlib"})}
-"""Built for one release of the framework, which they ask for by its number."""
 _WHY = "a page names this version: what is installed after it fits it"
 
 
@@ -35,7 +33,7 @@ def named_frameworks(guessed: Iterable[Requirement], python: str | None) -> Choi
     """
     said = [each for each in guessed if each.release and each.origin == "prose" and not each.url]
     leading = [each for each in said if framework_on_cuda(each.key) and _has_wheel(each, python)]
-    beside = {name for each in leading for name in _BESIDE.get(framework_on_cuda(each.key) or "", ())}
+    beside = {name for each in leading for name in released_together().get(framework_on_cuda(each.key) or "", ())}
     files = {each.file for each in leading}
     first = (*leading, *(each for each in said if each.key in beside and each not in leading and each.file in files))
     limits = {stated(f"{each.key}{each.specifier}"): each for each in first}

@@ -92,7 +92,7 @@ def repair(
         found = [asked for each in with_includes(evidence, [file]) for asked in each.requirements]
         spelled = [asked for asked in found if asked.role == "repaired"]
         taken = [asked for asked in found if _from_page(asked, pages)]
-        missing = [asked for asked in found if refused(asked) and asked not in taken]
+        missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
         if not (spelled or taken or missing or any(asked.role == "project" for asked in found)):
             continue
         broken.add(file.file)
@@ -103,7 +103,8 @@ def repair(
     for project in projects:
         found = [asked for asked in project.requirements if asked.role in {"", "source", "member"}]
         taken = [asked for asked in found if _from_page(asked, pages)]
-        missing = [asked for asked in found if refused(asked) and asked.key not in names and asked not in taken]
+        missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
+        missing = [asked for asked in missing if asked.key not in names]
         if taken or missing or any(asked.role for asked in found):  # or pip would look for it in the wrong place
             alone.append(project.folder or ".")
             kept += _kept(found, names, pages)

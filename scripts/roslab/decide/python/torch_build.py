@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from packaging.version import Version
 
+from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
@@ -29,7 +30,7 @@ def beside_torch(evidence: Evidence) -> str | None:
 
     conda then takes the torch that was built for that CUDA, of no version the newest one.
     """
-    torch = {(asked.file, asked.line) for asked in evidence.prose_pip if asked.role == "conda" and asked.key == "torch"}
+    torch = conda_torch(evidence)
     return next((m.value for m in evidence.mentions if m.topic == "cuda" and (m.file, m.line) in torch), None)
 
 

@@ -16,17 +16,17 @@ _CLONED = pattern(r"https?://")
 _PATH = pattern(r"(?!\.\.?(?:/|$))[\w.+-]+(?:/(?!\.\.?(?:/|$))[\w.+-]+)*")
 
 
-def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[tuple[Source, ...], list[Reason]]:
-    """Return what the image clones there, each under its path, and a reason for it and for each other submodule.
+def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple[GitSource, Source]], list[Reason]]:
+    """Return what the image clones there, each under its path, and a reason for each of these and other submodules.
 
     ``before``: the day of which it is taken where no commit is known.
     """
-    empty: list[Source] = []
+    empty: list[tuple[GitSource, Source]] = []
     reasons: list[Reason] = []
     for git in evidence.sources:
         clone = _CLONED.match(git.url) and _PATH.fullmatch(git.name) and not config.compatible
         if git.kind == "inside" and clone:
-            empty.append(_source(git, before or evidence.pip_day or ""))
+            empty.append((git, _source(git, before or evidence.pip_day or "")))
             why = "the page clones it, and the code puts a folder of it on Python's path"
             reasons.append(because("source", git.name, why, git, weight=Weight.LISTED))
         elif git.kind == "submodule":
@@ -34,9 +34,9 @@ def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[tuple[Sour
             if git.absent and clone:
                 commit = f"at {git.ref}" if git.ref else "at no fixed commit, for git does not tell it"
                 why = f"a submodule that is not checked out: it is cloned from {git.url} {commit}"
-                empty.append(_source(git, before))
+                empty.append((git, _source(git, before)))
             reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
-    return tuple(empty), reasons
+    return empty, reasons
 
 
 def _source(git: GitSource, before: str) -> Source:

@@ -114,7 +114,7 @@ class _Chosen:
     reasons: list[Reason] = field(default_factory=list)
     warnings: list[Warning_] = field(default_factory=list)
     libraries: dict[str, Dependency] = field(default_factory=dict)
-    empty: tuple[Source, ...] = ()
+    empty: list[Source] = field(default_factory=list)
     packages: set[str] = field(default_factory=set)
     """Packages that the table finds in these repositories."""
     others: set[str] = field(default_factory=set)
@@ -157,10 +157,11 @@ class _Chosen:
 
     def in_tree(self, evidence: Evidence, config: Config) -> None:
         """Report the submodules, and what a page clones into the tree; what is not there is cloned in the image."""
-        self.empty, reasons = in_tree(evidence, config, self.before)
+        found, reasons = in_tree(evidence, config, self.before)
         self.reasons += reasons
-        for source in self.empty:
-            self._linked(source, self.ros)
+        self.empty += [source for _, source in found]
+        for git, _ in found:
+            self._linked(git, self.ros)
 
     def library(self, name: str, git: GitSource) -> None:
         """Note a library of the table that a list names: it is built before the workspace."""
@@ -169,18 +170,12 @@ class _Chosen:
         )
         self.libraries.setdefault(name, asked)
 
-    def _linked(self, source: Source, ros: int) -> None:
+    def _linked(self, git: GitSource, ros: int) -> None:
         """Note the library that a submodule links, if the table of unreleased packages knows the submodule."""
-        for found in ros_sources(source.name.rpartition("/")[2], ros):
-            if found.library and address(found.repo) == address(source.repo or ""):
-                place = source.place or Place(file=".gitmodules")
+        for found in ros_sources(git.name.rpartition("/")[2], ros):
+            if found.library and address(found.repo) == address(git.url):
                 asked = Dependency(
-                    namespace="ros",
-                    name=found.package,
-                    strength="declared",
-                    file=place.file,
-                    line=place.line or 1,
-                    role="build",
+                    namespace="ros", name=found.package, strength="declared", file=git.file, line=git.line, role="build"
                 )
                 self.libraries.setdefault(found.library, asked)
 
@@ -240,7 +235,7 @@ class _Chosen:
             answer=Sources(
                 sources=tuple(self.sources.values()),
                 vcs=files,
-                submodules=self.empty,
+                submodules=tuple(self.empty),
                 libraries=tuple(self.libraries.items()),
                 names=frozenset(self.sources) | {plain(name) for name in self.sources} | self.packages,
             ),

@@ -62,16 +62,17 @@ def read(repository: Repository) -> Prose:
     So is what only builds other branches, each named after a distribution, where other files name one for this branch.
     """
     files = [file for file in (*repository.suffixed(".yml", ".yaml"), *repository.named("Jenkinsfile")) if _is_ci(file)]
-    texts = {file.path: repository.read(file) for file in sorted(files, key=_path) if file.size < MAX_SIZE}
-    found = {path: _read(text, path) for path, text in texts.items()}
-    branch = repository.branch
-    others = {path for path, text in texts.items() if branch and _for_others(text, branch)}
+    found: dict[str, Prose] = {}
+    others: set[str] = set()
+    for file in sorted(files, key=lambda file: file.path):
+        if file.size < MAX_SIZE:
+            text = repository.read(file)
+            values = None if file.path.endswith("Jenkinsfile") else scalars(text)
+            found[file.path] = _read(text, values, file.path)
+            if values and repository.branch and _for_others(values, repository.branch):
+                others.add(file.path)
     own = any(mention.topic == "distro" for path in found.keys() - others for mention in found[path].mentions)
     return merge(prose for path, prose in found.items() if not (own and path in others))
-
-
-def _path(file: File) -> str:
-    return file.path
 
 
 def _is_ci(file: File) -> bool:
@@ -83,21 +84,18 @@ def _is_ci(file: File) -> bool:
     )
 
 
-def _read(text: str, path: str) -> Prose:
-    values = None if path.endswith("Jenkinsfile") else scalars(text)
+def _read(text: str, values: tuple[Scalar, ...] | None, path: str) -> Prose:
     found = _by_lines(text, path) if values is None else _by_values(values, text, path)
     uncommented = re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
     return found._replace(mentions=(*found.mentions, *mentions.read(uncommented, path, "ci")))
 
 
-def _for_others(text: str, branch: str) -> bool:
+def _for_others(values: tuple[Scalar, ...], branch: str) -> bool:
     """Tell whether a file only builds other branches, each named after a distribution.
 
     Those are what it checks out (``ref: jazzy``, as reusable workflows are given it, too) and what starts it.
     """
-    if "branches" not in text and "ref" not in text:
-        return False
-    named = {value.text.strip() for value in scalars(text) or () if _BRANCHES.fullmatch(value.key)} - {""}
+    named = {value.text.strip() for value in values if _BRANCHES.fullmatch(value.key)} - {""}
     return bool(named) and branch not in named and all(ever() & set(_WORD.findall(name.lower())) for name in named)
 
 

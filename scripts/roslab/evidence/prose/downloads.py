@@ -52,9 +52,8 @@ def told(words: tuple[str, ...], folder: str) -> Iterator[tuple[Topic, str]]:
 def placed(mention: Mention, repository: Repository) -> Mention | None:
     """Return what is fetched or unpacked with paths from the repository's root; ``None`` outside, or where it is there.
 
-    The value is the URL, or of what is unpacked the build file that names it.
-
-    A page may begin above the root, and go into the repository by its name.
+    The value is the URL, or of what is unpacked the build file that names it. A page
+    may begin above the root, and go into the repository by its name.
     """
     first, last = mention.value.split(" ", 1)
     paths = [last] if mention.topic == "fetched" else [first, last]

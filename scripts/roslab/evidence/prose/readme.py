@@ -73,8 +73,8 @@ _NAMED_PYTHON = pattern(
     re.IGNORECASE,
 )
 """A sentence that runs a file of Python; what is used *as* something is read by another program."""
-_IN_SENTENCES = ((_NAMED, "`"), (_NAMED_PYTHON, ".py"), (_GO_INTO, "/"))
-"""What a sentence tells to do, each with a part of what it quotes."""
+_IN_SENTENCES = ((_NAMED, "`"), (_NAMED_PYTHON, ".py"), (_GO_INTO, "`"), (_CLONED, "://"))
+"""What a sentence tells to do, each with a part of it."""
 _SAID_LAUNCH = pattern(
     r"(?<![`\w/-])(?:roslaunch|ros2 launch) +[a-z]\w+ +[\w./-]+(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.py)"
     r"(?: +\w+:=[^\s\"'\u201d`,;)]+)*(?![\w`])"
@@ -247,12 +247,8 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
 
 def _tells(line: str, *, fenced: bool) -> bool:
     """Tell whether a line may hold a command."""
-    said = _IN_SENTENCES if not fenced and "`" in line else ()
-    return (
-        telling(line)
-        or (not fenced and "://" in line and _CLONED.search(line) is not None)
-        or any(sign in line and each.search(line) for each, sign in said)
-    )
+    said = _IN_SENTENCES if not fenced else ()
+    return telling(line) or any(sign in line and each.search(line) for each, sign in said)
 
 
 def _shell(line: str, *, fenced: bool) -> Iterator[str]:

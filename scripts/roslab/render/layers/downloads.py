@@ -1,4 +1,4 @@
-"""Files that the default command needs: fetched in a stage of their own, which no edit of the source repeats."""
+"""Files that the command or the build needs: fetched in a stage of their own, which no edit of the source repeats."""
 
 from __future__ import annotations
 
@@ -34,4 +34,4 @@ def bring(plan: Plan) -> str:
     folder = source_folder(plan)
     copy = f"COPY --from={STAGE} --chown=${{NB_UID}}:${{NB_UID}} {FOLDER}/ {quote.docker_path(folder)}/"
     made = shell.run(f"mkdir --parents {quote.shell_with_user(folder)}")
-    return f"# What the README fetches for the program\nUSER ${{NB_USER}}\n{made}\n{copy}\nUSER root"
+    return f"# What the README fetches for the program or its build\nUSER ${{NB_USER}}\n{made}\n{copy}\nUSER root"
