@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 from roslab.engine.docker import native_platform, output
 from roslab.knowledge.pins import pin
@@ -53,26 +54,39 @@ def listed(inspection: str) -> tuple[str, ...]:
     return tuple(part.strip().rstrip("*") for line in lines for part in line.split(",") if part.strip())
 
 
-def failed_log() -> str:
-    """Return the log of the builder's newest failed build, ``""`` if it keeps none.
+def failed_log(environment: Mapping[str, str]) -> str:
+    """Return the log of the newest failed build that was started here, ``""`` if the builder keeps none.
 
     https://docs.docker.com/reference/cli/docker/buildx/history/
     """
     listing = output(["docker", "buildx", "history", "ls", "--format", "json"]).stdout
-    newest = newest_failure(listing)
+    newest = newest_failure(listing, _started(environment))
     if not newest:
         return ""
     answer = output(["docker", "buildx", "history", "logs", "--progress", "plain", newest])
     return answer.stdout + answer.stderr if answer.returncode == 0 else ""
 
 
-def newest_failure(listing: str) -> str | None:
-    """Return the newest failed build of ``docker buildx history ls --format json``, which lists the newest first."""
+def newest_failure(listing: str, started: Path) -> str | None:
+    """Return the newest failed build of ``docker buildx history ls --format json``, which lists the newest first.
+
+    ``started`` is the folder in which buildx notes the builds that it started, each as ``BUILDER/NODE/BUILD``. A
+    BuildKit that several jobs share lists the builds of all of them: only those that are noted count, if any
+    build of the builder is noted at all.
+    """
+    failed: list[str] = []
     for line in listing.splitlines():
         try:
             record = json.loads(line)
         except ValueError:
             continue
         if isinstance(record, dict) and str(record.get("status", "")).lower() == "error":
-            return str(record.get("ref", "")).rpartition("/")[2] or None
-    return None
+            failed.append(str(record.get("ref", "")))
+    own = [ref for ref in failed if not (started / ref).parent.is_dir() or (started / ref).is_file()]
+    return (own[0].rpartition("/")[2] or None) if own else None
+
+
+def _started(environment: Mapping[str, str]) -> Path:
+    """Return the folder of buildx's notes: https://docs.docker.com/build/building/variables/#buildx_config."""
+    docker = environment.get("DOCKER_CONFIG") or Path(environment.get("HOME") or Path.home(), ".docker")
+    return Path(environment.get("BUILDX_CONFIG") or Path(docker, "buildx"), "refs")

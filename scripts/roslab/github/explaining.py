@@ -43,7 +43,7 @@ def explain(environment: Mapping[str, str]) -> None:
     """Read the log of the build that has just failed and raise a ``BuildError`` that explains it."""
     folder = Folder.of(environment)
     run = folder.run
-    log = builder.failed_log()
+    log = builder.failed_log(environment)
     what = event.read(environment)
     if refused := access.refusal(log):
         access.require(refused, image=run.image, event=what)

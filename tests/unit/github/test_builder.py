@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from roslab.github import builder
 
 INSPECTION = """\
@@ -25,9 +27,17 @@ def test_platforms_that_a_builder_lists() -> None:
     assert builder.listed("") == ()
 
 
-def test_the_newest_failed_build() -> None:
-    assert builder.newest_failure(HISTORY) == "middle"
-    assert builder.newest_failure("") is None
+def test_the_newest_failed_build(tmp_path: Path) -> None:
+    assert builder.newest_failure(HISTORY, tmp_path) == "middle"
+    assert builder.newest_failure("", tmp_path) is None
+
+
+def test_a_failed_build_of_another_job_on_the_same_buildkit_is_not_explained(tmp_path: Path) -> None:
+    notes = tmp_path / "default" / "default"
+    notes.mkdir(parents=True)
+    assert builder.newest_failure(HISTORY, tmp_path) is None
+    (notes / "oldest").write_text("{}")
+    assert builder.newest_failure(HISTORY, tmp_path) == "oldest"
 
 
 def test_one_platform_that_is_not_pushed_is_built_by_the_engine_unless_a_machine_names_another() -> None:
