@@ -8,16 +8,17 @@ from roslab.knowledge.table import rows
 from roslab.values.pattern import pattern
 
 _SONAME = pattern(r"lib([\w+.-]+?)\.so\.(\d+(?:\.\d+)*)")
-_ANYWHERE = pattern(
-    r"lib(?:c|m|dl|rt|pthread|util|resolv|nsl|gcc_s|stdc\+\+|z|anl)\.so\.|"
-    r"lib(?:cuda|cud|nv|cublas|cufft|curand|cusolver|cusparse|torch|c10|tensorflow|python)"
-)
-"""Libraries of every system, of CUDA and of pip's packages."""
 
 
 @cache
 def _tabled() -> dict[str, str]:
     return {row["library"]: row["apt"] for row in rows("shared_objects")}
+
+
+@cache
+def _given() -> tuple[str, ...]:
+    """Return how the names of libraries begin that are in every image, or that CUDA or pip's packages bring."""
+    return tuple(row["begins"] for row in rows("shared_objects_given"))
 
 
 def package_of(soname: str) -> str | None:
@@ -27,7 +28,7 @@ def package_of(soname: str) -> str | None:
     https://www.debian.org/doc/debian-policy/ch-sharedlibs.html, 2026-11-23.
     """
     match = _SONAME.fullmatch(soname)
-    if match is None or soname in _tabled() or _ANYWHERE.match(soname):
+    if match is None or soname in _tabled() or soname.startswith(_given()):
         return _tabled().get(soname)
     name = f"lib{match[1]}".lower().replace("_", "-")
     return f"{name}{'-' if name[-1].isdigit() else ''}{match[2]}"

@@ -128,6 +128,7 @@ def test_a_line_of_three_megabytes_is_read_in_time() -> None:
         "programs",
         "apt_names",
         "shared_objects",
+        "shared_objects_given",
         "api_changes",
         "headers",
         "package_advice",

@@ -13,6 +13,12 @@ def lines_with(text: str, *words: str) -> Iterable[int]:
     return sorted({start for word in words for start in _lines_with(text, word)})
 
 
+def end_of_line(text: str, start: int) -> int:
+    """Return where the line ends that holds a place."""
+    end = text.find("\n", start)
+    return end if end >= 0 else len(text)
+
+
 def _lines_with(text: str, word: str) -> Iterator[int]:
     position = text.find(word)
     while position >= 0:

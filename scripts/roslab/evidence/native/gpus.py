@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.facts import CodeLimit
 from roslab.evidence.lex.cmake import calls
-from roslab.evidence.lex.lines import lines_with
+from roslab.evidence.lex.lines import end_of_line, lines_with
 from roslab.evidence.lex.truth import cmake_holds
 from roslab.knowledge.cuda_gpus import NAME, cuda_of_gpu
 from roslab.repository.checkout import File, Repository
@@ -53,7 +53,7 @@ def _in(file: File, text: str) -> Iterator[tuple[int, int]]:
         yield from _in_cmake(text) if any(word in text for word in (*_OPTIONS, "CUDA_ARCHITECTURES")) else ()
         return
     for start in lines_with(text, *_OPTIONS):
-        line = text[start : text.find("\n", start) % (len(text) + 1)].partition("#")[0]
+        line = text[start : end_of_line(text, start)].partition("#")[0]
         if not line.lstrip().startswith(("if", "elif")) and "if " not in text[max(0, start - _NEAR) : start]:
             yield from ((int(match[1]), text.count("\n", 0, start) + 1) for match in _GPU.finditer(line))
 

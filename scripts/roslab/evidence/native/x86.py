@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.lex.cmake import Call, calls
-from roslab.evidence.lex.lines import lines_with, matches_at
+from roslab.evidence.lex.lines import end_of_line, lines_with, matches_at
 from roslab.evidence.lex.preprocessor import reached
 from roslab.evidence.lex.truth import cmake_holds
 from roslab.evidence.x86_only import X86Only
@@ -134,7 +134,7 @@ def _unset(name: str, repository: Repository) -> bool:
 
 
 def _with(text: str, word: str) -> Iterator[str]:
-    return (text[start : text.find("\n", start) % (len(text) + 1)] for start in lines_with(text, word))
+    return (text[start : end_of_line(text, start)] for start in lines_with(text, word))
 
 
 def _passes(call: Call, used: Collection[str]) -> bool:

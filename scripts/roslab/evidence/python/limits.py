@@ -8,7 +8,7 @@ from packaging.version import Version
 
 from roslab.evidence import places
 from roslab.evidence.facts import CodeLimit
-from roslab.evidence.lex.lines import lines_with
+from roslab.evidence.lex.lines import end_of_line, lines_with
 from roslab.evidence.python.modules import modules
 from roslab.knowledge.code_limits import Limit, limits
 from roslab.knowledge.hints import Search
@@ -77,5 +77,4 @@ def _parts(sign: Limit, text: str) -> Iterator[tuple[int, int]]:
         yield 0, len(text)
         return
     for start in lines_with(text, *sign.hints.each):
-        end = text.find("\n", start)
-        yield start, end if end >= 0 else len(text)
+        yield start, end_of_line(text, start)

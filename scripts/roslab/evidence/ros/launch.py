@@ -14,7 +14,7 @@ from typing import Literal, TypedDict
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.launch_file import LaunchFile
-from roslab.evidence.lex.lines import lines_with, matches_at, matching_lines
+from roslab.evidence.lex.lines import end_of_line, lines_with, matches_at, matching_lines
 from roslab.knowledge.compiled import programs
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
@@ -201,8 +201,7 @@ def _nearest(files: Iterable[File]) -> list[File]:
 def _included(text: str) -> Iterator[str]:
     """Yield the names of launch files on the lines that have one."""
     for start in lines_with(text, ".launch", "_launch."):
-        end = text.find("\n", start)
-        yield from _INCLUDED.findall(text, start, end if end >= 0 else len(text))
+        yield from _INCLUDED.findall(text, start, end_of_line(text, start))
 
 
 def _uncommented(text: str, kind: Literal["xml", "hash"]) -> str:
