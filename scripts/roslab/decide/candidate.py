@@ -28,6 +28,8 @@ class Candidate:
     """Arguments that the reader fills in were left out, and they have no default."""
     blanks: tuple[str, ...] = ()
     """Names of arguments with a value that the reader fills in (``map:=…``): they are left out."""
+    variables: tuple[str, ...] = ()
+    """Variables that the page starts it with, ``NAME=VALUE``."""
     installed: bool = False
     """pip installs the program with the repository."""
 

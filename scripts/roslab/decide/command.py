@@ -55,6 +55,8 @@ class Command:
     """A container of the author's image has to be given it, as the image does not start it by itself."""
     entrypoint: bool = True
     """It is given through the entry point of that image."""
+    page: Candidate | None = None
+    """What a page runs, if that is the command."""
 
 
 def decide_command(
@@ -80,7 +82,10 @@ def decide_command(
     gui = _opened(evidence, config, shlex.join(command))
     inside = next((c for c in found if c.argv == command and c.inside), None)
     ports = (PORT,) if command[: len(NOTEBOOK)] == NOTEBOOK else ()
-    chosen = Command(command=there(inside) if inside else command, candidates=candidates, gui=gui, ports=ports)
+    page = by_argv.get(command)
+    chosen = Command(
+        command=there(inside) if inside else command, candidates=candidates, gui=gui, ports=ports, page=page
+    )
     if not (authored and started(authored)) and command != ("bash",):
         chosen = _given(chosen, dockerfile, authored)
     return Choice(answer=chosen, reasons=(why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES])))

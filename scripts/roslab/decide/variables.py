@@ -1,27 +1,37 @@
-"""Variables without which the build or a launch file stops: those of the author's pages, and one of CMake."""
+"""Variables without which the build or a program stops: those of the author's pages, and one of CMake."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
 from roslab.config.model import Config
+from roslab.decide.candidate import Candidate
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.machine_variables import of_one_machine
 from roslab.knowledge.search_paths import search_paths
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
 SET = 40
 """Weight of the reason; nothing competes with it."""
+_VALUE = pattern(r"(?!/|~|YOUR|your[_-]|path[/_-]to)[\w.+:,@=%/-]{1,100}")
+"""A value that is written out and is no place on the author's machine."""
 
 
 def decide_variables(
-    evidence: Evidence, config: Config, ubuntu: str | None, asked: Iterable[Requirement]
+    evidence: Evidence,
+    config: Config,
+    ubuntu: str | None,
+    asked: Iterable[Requirement],
+    command: Candidate | None = None,
 ) -> Choice[tuple[tuple[str, str], ...]]:
     """Return each variable with the value that roslab.yaml gives it, else a page first.
 
-    After them what keeps a new CMake from refusing old code; ``asked``: what pip installs or builds with.
+    After them those that a page starts the default ``command`` with, without those of one machine, and what keeps a
+    new CMake from refusing old code; ``asked``: what pip installs or builds with.
     """
     if config.compatible:
         return Choice(answer=())
@@ -36,6 +46,11 @@ def decide_variables(
         because("workspace", f"{name}={value}", f"a page sets it, and {_reader(name)} reads it", place, weight=SET)
         for name, (value, place) in found.items()
     ]
+    for name, value in (each.split("=", 1) for each in (command.variables if command else ())):
+        if command and name not in pairs and not of_one_machine(name) and _VALUE.fullmatch(value):
+            pairs[name] = given.get(name, value)
+            why = "a page starts the default command with it"
+            reasons.append(because("workspace", f"{name}={pairs[name]}", why, command, weight=SET))
     if POLICY not in {*pairs, *given} and (old := refused_by_new(evidence, ubuntu, asked)):
         pairs[POLICY] = str(KEPT_BY_NEW)
         why = f"CMake 4 may be in the image, and refuses code for {old.version}"

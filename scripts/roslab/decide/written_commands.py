@@ -95,6 +95,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 inside=mention.inside if argv[0].startswith(("python", "bash")) else "",
                 cut=cut,
                 blanks=blanks,
+                variables=mention.variables,
                 installed=argv[0] in tree.installed and not ros,
             )
 

@@ -189,6 +189,8 @@ class Mention:
     """The titles of the sections that it stands in, the outermost first (``Usage / Simulation``); of a page only."""
     inside: str = ""
     """Of a command: the folder of the tree that it has to be started in."""
+    variables: tuple[str, ...] = ()
+    """Of a command: the variables that it is started with, ``NAME=VALUE``."""
 
 
 Runner = Literal["pytest", "unittest", "launch_test"]

@@ -81,3 +81,28 @@ def test_the_image_has_the_folders_of_models(tree: Tree) -> None:
     text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
     here = "/home/${NB_USER}/ws/src/demo"
     assert f'ENV GAZEBO_MODEL_PATH="{here}/models:{here}"\n' in text
+
+
+PROGRAM = {"train.py": "import mujoco\nif __name__ == '__main__':\n    print(1)\n", "requirements.txt": "mujoco\n"}
+
+
+@pytest.mark.parametrize(
+    ("page", "found"),
+    [
+        ("MUJOCO_GL=egl CUDA_VISIBLE_DEVICES=0 python train.py", (("MUJOCO_GL", "egl"),)),
+        ("$ MUJOCO_GL='egl' python train.py\nMUJOCO_GL=osmesa python train.py", (("MUJOCO_GL", "egl"),)),
+        ("HYDRA_FULL_ERROR=1 OMP_NUM_THREADS=4 torchrun --nproc_per_node=1 train.py", (("HYDRA_FULL_ERROR", "1"),)),
+        ("LOCAL_RANK=0 WANDB_API_KEY=abc LD_PRELOAD=a.so PYTHONPATH=. python train.py", ()),
+        ("DATA=/home/me/data CACHE=<path> MODE=$1 python train.py", ()),
+        ("python train.py\nDEBUG=1 python train.py --more", ()),
+    ],
+)
+def test_the_default_command_has_the_variables_before_it(
+    tree: Tree, page: str, found: tuple[tuple[str, str], ...]
+) -> None:
+    assert tree({**PROGRAM, "README.md": f"# Usage\n```\n{page}\n```\n"}).variables == found
+
+
+def test_another_command_on_the_page_sets_nothing(tree: Tree) -> None:
+    page = "# Usage\n```\npython train.py\n```\n# Convert\n```\nFORMAT=bag python convert.py\n```\n"
+    assert tree({**PROGRAM, "convert.py": PROGRAM["train.py"], "README.md": page}).variables == ()

@@ -83,6 +83,8 @@ class Command(NamedTuple):
 
     words: tuple[str, ...]
     lines: tuple[int, ...]
+    assigned: tuple[str, ...] = ()
+    """The variables that stand before it, ``NAME=VALUE``; not those whose value only a running shell knows."""
 
     @property
     def line(self) -> int:
@@ -267,4 +269,5 @@ def _unwrapped(words: list[tuple[str, int]], known: dict[str, str], depth: int =
             for inner in _split(_filled(text), line, known):
                 yield from _unwrapped(inner, known, depth + 1)
             return
-    yield Command(tuple(word for word, _ in rest), tuple(line for _, line in rest))
+    assigned = (word for word, _ in words[:index] if _ASSIGNMENT.match(word) and UNKNOWN not in word)
+    yield Command(tuple(word for word, _ in rest), tuple(line for _, line in rest), tuple(assigned))

@@ -148,6 +148,7 @@ class Collector:
                 text=words,
                 heading=self.heading,
                 inside=longer(self.folder, self.whole) if topic == "command" and self.source == "readme" else "",
+                variables=command.assigned if topic == "command" else (),
             )
         )
 

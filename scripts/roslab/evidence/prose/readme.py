@@ -41,7 +41,7 @@ _DOCS_PAGE = pattern(
     r"launching"
 )
 _START = pattern(
-    r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z_]+=\S+\s+)*"
+    r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z][A-Z0-9_]*=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
     r"rosrun|catkin|catkin_make|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|accelerate|torchpack|horovodrun|jupyter(?:-notebook|-lab)?|(?:ba)?sh|mkdir|cd|"
     r"wget|curl|dpkg|docker|add-apt-repository)\s.*|catkin_make|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
@@ -105,7 +105,8 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
     if not programs:
         return ()
     names = "|".join(map(re.escape, sorted(programs)))
-    called = re.compile(rf"^\s*(?:[$>]\s+)?(?:\w+\s+run\s(?:.*\s)?)?(?:{names})(?:\s|$)", re.MULTILINE)
+    before = r"^\s*(?:[$>]\s+)?(?:[A-Z][A-Z0-9_]*=\S+\s+)*(?:\w+\s+run\s(?:.*\s)?)?"
+    called = re.compile(rf"{before}(?:{names})(?:\s|$)", re.MULTILINE)
     found: list[Mention] = []
     for file in pages(repository):
         text = text_of(repository, file)
@@ -120,6 +121,7 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
                         line=command.line,
                         text=" ".join(command.words).replace(UNKNOWN, "…")[:200],
                         heading=heading,
+                        variables=command.assigned,
                     )
                     for command in map(started, commands(logical, start))
                     if command.words[0] in programs

@@ -27,11 +27,12 @@ def started(command: Command) -> Command:
     """Return what ``uv run``, ``mpirun`` or ``xvfb-run`` starts, as Python starts it; other commands as they are."""
     words, lines = command.words, command.lines
     if words[0].startswith("./") and words[0].endswith(".py"):
-        return Command(("python", words[0].removeprefix("./"), *words[1:]), (lines[0], *lines))
+        return command._replace(words=("python", words[0].removeprefix("./"), *words[1:]), lines=(lines[0], *lines))
     program = words[0].rpartition("/")[2]
     if program == "torchrun" or (_PYTHON.match(program) and words[1:2] == ("-m",) and _OF_TORCH & {*words[2:3]}):
         file = next((n for n, word in enumerate(words) if n > 2 * (program != "torchrun") and _begins(word)), 0)
-        return Command(("python", *words[file:]), (lines[0], *lines[file:])) if file else command
+        whole = command._replace(words=("python", *words[file:]), lines=(lines[0], *lines[file:]))
+        return whole if file else command
     start = 2 if program in _RUNNERS and words[1:2] == ("run",) else 1 if program in _WRAPPERS else 0
     if program in _LAUNCHERS and words[1 : 1 + len(_LAUNCHERS[program])] == _LAUNCHERS[program]:
         start = 1 + len(_LAUNCHERS[program])
@@ -41,10 +42,11 @@ def started(command: Command) -> Command:
         return command
     rest = words[start:]
     if rest[0].endswith(".py"):
-        return Command(("python", *rest), (lines[start], *lines[start:]))
+        return command._replace(words=("python", *rest), lines=(lines[start], *lines[start:]))
     if program == "pixi" and start > 2:  # options before the task
-        return Command((*words[:2], *rest), (*lines[:2], *lines[start:]))
-    return Command(rest, lines[start:]) if _PYTHON.match(rest[0]) or program in _MANAGERS else command
+        return command._replace(words=(*words[:2], *rest), lines=(*lines[:2], *lines[start:]))
+    known = _PYTHON.match(rest[0]) or program in _MANAGERS
+    return command._replace(words=rest, lines=lines[start:]) if known else command
 
 
 def _begins(word: str) -> bool:
