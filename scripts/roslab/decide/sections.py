@@ -20,6 +20,10 @@ _ASIDE = pattern(
     re.IGNORECASE,
 )
 """A section about something else than starting it."""
+_TRIED = pattern(
+    r"\b(?:sanity|quick|smoke|simple|first)[ -]+(?:tests?|check)\b|\btest[ -](?:run|drive|it)\b", re.IGNORECASE
+)
+"""A section that has the reader run it once, to see whether it works."""
 _TO_TEST = pattern(r"(?<!\w)(start|run|launch)\b(.{1,80}?)\bto test\b", re.IGNORECASE)
 """What a section starts to see whether it works: ``Start the simulation to test your setup``."""
 
@@ -27,6 +31,8 @@ _TO_TEST = pattern(r"(?<!\w)(start|run|launch)\b(.{1,80}?)\bto test\b", re.IGNOR
 def about_running(heading: str) -> int:
     """Return 1 for a section about running it, -1 for one about something else, else 0; the innermost title counts."""
     for title in reversed(heading.split(" / ")):
+        if _TRIED.search(title):
+            return 1
         if _ASIDE.search(_TO_TEST.sub(r"\1\2", title)):
             return -1
         if _USAGE.search(title):

@@ -23,10 +23,12 @@ from roslab.values.words import written as as_written
 
 _PLACEHOLDER = pattern(
     r"YOUR|your[_-]|path[/_-]to|/path|/where/|\[|\]|\.\.\.|…|/home/|~|\$|<|>|\{[a-z]\w*\}|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
-    r"(?-i:(?<![A-Za-z])XX(?![A-Za-z])|/[A-Z_]{5,}(?:\.\w+)?$|=[A-Z_]+_(?:NAME|PATH|DIR|FILE|FOLDER|ID|IP)$)",
+    r"(?-i:(?<![A-Za-z])XX(?![A-Za-z])|/[A-Z_]{5,}(?:\.\w+)?$|(?:=|^)[A-Z_]+_(?:NAME|PATH|DIR|FILE|FOLDER|ID|IP|ROOT|LOCATION)$)|"
+    r"^-{0,2}(?:[\w-]+=)?\w*[_-]\*$",
     re.IGNORECASE,
 )
-"""Also ``yyy-yy``, as a repeated letter stands for a value that the reader fills in, and ``name:=PACKAGE_NAME``."""
+"""Also ``yyy-yy``, as a repeated letter stands for a value that the reader fills in, ``name:=PACKAGE_NAME``, and
+``--config-name=train_*``: what a shell would fill in has a folder or an ending, ``data/*.png``."""
 _BRACKETS = pattern(r"<[^<>]{1,80}>|\[[^\[\]]{1,80}\]|\$\([^()]{1,80}\)")
 """A blank of several words: ``<path to the data>``, ``[--option VALUE]``, ``$(rospack find demo)``."""
 _OPTIONAL = pattern(r"\[\s*(?:-|\w+:=)")

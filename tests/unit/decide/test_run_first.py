@@ -11,7 +11,7 @@ from roslab.decide.decision import Decision
 Tree = Callable[[dict[str, str]], Decision]
 MAIN = "import numpy\nif __name__ == '__main__':\n    print(1)\n"
 PYTHON = dict.fromkeys(
-    ("train.py", "play.py", "profile_net.py", "reset_arms.sh", "demo/track.py", "demo/show.py"), MAIN
+    ("train.py", "play.py", "profile_net.py", "view_result.py", "reset_arms.sh", "demo/track.py", "demo/show.py"), MAIN
 )
 ROS = {
     "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
@@ -44,6 +44,14 @@ ROS = {
         ),
         ("# Train\n```\npython train.py\n```\n# 2. Using it\n```\npython play.py\n```\n", "python play.py"),
         ("# Demo\n## From a pre-recorded film\n`python train.py`\n## Demo\n`python play.py`\n", "python train.py"),
+        ("# Run\n## Sanity test\n`python play.py`\n## Run on your data\n`python train.py`\n", "python play.py"),
+        ("# Demos\n```\npython view_result.py a.pth\npython train.py -n 3\n```\n", "python train.py -n 3"),
+        ("1. `python train.py --config-name=train_*`\n```\npython train.py -n 3\n```\n", "python train.py -n 3"),
+        ("`python train.py --root=DATA_ROOT --net NET_LOCATION`\n`python train.py -n 3`\n", "python train.py -n 3"),
+        (
+            "```\npython train.py --films=films/*.mp4\npython train.py -n 3\n```\n",
+            "python train.py --films=films/*.mp4",
+        ),
     ],
 )
 def test_the_first_program_of_python(tree: Tree, page: str, command: str) -> None:
