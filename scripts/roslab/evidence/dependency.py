@@ -47,7 +47,7 @@ class GitSource:
     kind: Literal["vcs", "submodule", "git_url", "clone", "upstream", "fetch", "link", "inside"]
     """What names it: a vcs file, .gitmodules, package.xml's export, a clone line, CI's workspace, CMake, a link;
 
-    a clone line for a path that is ``name``, from which the code imports."""
+    a clone line for a path that is ``name``, from which the code imports or which CMake names."""
     installed: bool = False
     """The page compiles it by hand with CMake and installs it, with these options."""
     options: str = ""

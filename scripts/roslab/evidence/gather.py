@@ -7,6 +7,7 @@ import re
 from roslab.evidence import places, submodules
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import authors_folders, cmake, cpp, cpu, gpus, makefiles, shared_objects, x86
+from roslab.evidence.native import clones as native_clones
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import (
     apt_sources,
@@ -65,6 +66,7 @@ def gather(repository: Repository) -> Evidence:
         *prose.sources,
         *clones.read(own, prose.sources),
     )
+    sources = (*sources, *native_clones.read(repository, sources, cmake_projects))
     return Evidence(
         manifests=manifests,
         cmake=cmake_projects,

@@ -27,7 +27,7 @@ def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple
         clone = _CLONED.match(git.url) and _PATH.fullmatch(git.name) and not config.compatible
         if git.kind == "inside" and clone:
             empty.append((git, _source(git, before or evidence.pip_day or "")))
-            why = "the page clones it, and the code puts a folder of it on Python's path"
+            why = "the page clones it, and the code takes a folder of it from there"
             reasons.append(because("source", git.name, why, git, weight=Weight.LISTED))
         elif git.kind == "submodule":
             why = f"a submodule ({git.url}): check it out with the repository"

@@ -21,12 +21,13 @@ WEIGHT = 300
 def compiled_inside(evidence: Evidence, config: Config, kind: Kind) -> Choice[tuple[tuple[str, str], ...]]:
     """Return the folders to compile with CMake where they lie, each with its options, in the order of the page.
 
-    Only copied libraries and submodules: examples and the project itself are no need of it. Of those that are packages,
-    ROS's tools build each in a workspace; where CMake alone builds the project, they are libraries as the others.
+    Only copied libraries, submodules and what a page clones into the tree: examples and the project itself are no need
+    of it. Of those that are packages, ROS's tools build each in a workspace; where CMake alone builds the project, they
+    are libraries as the others.
     """
     if config.compatible or config.build or kind == "python":
         return Choice(answer=())
-    absent = [git.name for git in evidence.sources if git.kind == "submodule"]
+    absent = [git.name for git in evidence.sources if git.kind in {"submodule", "inside"}]
     folders = {project.file.rpartition("/")[0] for project in evidence.cmake if places.vendored(project.file)}
     folders = {folder for folder in {*folders, *absent} if folder}
     if kind in {"ros1", "ros2"}:

@@ -1,0 +1,69 @@
+"""What a page or a script clones into the tree, and CMake names there, is there when CMake looks for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+CMAKE = "cmake_minimum_required(VERSION 3.5)\nproject(a)\n{}\nadd_executable(a a.cpp)\n"
+CLONE = "cd libs\ngit clone -b v2 https://github.com/lab/tinymesh.git\n"
+COMPILED = f"{CLONE}cd tinymesh\nmkdir build && cd build\ncmake -DGUI=OFF ..\nmake\n"
+FOLDER = "${PROJECT_SOURCE_DIR}/libs/tinymesh"
+
+
+def page(text: str) -> str:
+    return f"# A\n```\n{text}```\n"
+
+
+@pytest.mark.parametrize(
+    ("line", "path"),
+    [
+        ("add_subdirectory(libs/tinymesh)", "libs/tinymesh"),
+        ("add_subdirectory(tinymesh)", "tinymesh"),
+        (f"include_directories({FOLDER}/include)", "libs/tinymesh"),
+        (f"set(LIBS {FOLDER})\ninclude_directories(${{LIBS}}/include)", "libs/tinymesh"),
+        (f"target_include_directories(a PUBLIC {FOLDER}/include)", "libs/tinymesh"),
+    ],
+)
+def test_a_folder_that_cmake_names_is_cloned(tree: Tree, line: str, path: str) -> None:
+    decision = tree({"CMakeLists.txt": CMAKE.format(line), "README.md": page(CLONE)})
+    found = [(source.name, source.repo, source.ref) for source in decision.submodules]
+    assert found == [(path, "https://github.com/lab/tinymesh.git", "v2")]
+    assert decision.inside == ()  # CMake adds it, or has its headers from there
+
+
+@pytest.mark.parametrize(
+    ("line", "more"),
+    [
+        ("target_link_libraries(a tinymesh)", {}),  # a library by its name
+        ("include_directories(${PROJECT_SOURCE_DIR}/../tinymesh)", {}),  # outside
+        ("add_subdirectory(libs/tinymesh)", {"libs/tinymesh/CMakeLists.txt": "project(tinymesh)\n"}),  # there
+        ("add_subdirectory(libs/tinymeshes)", {}),  # another name
+    ],
+)
+def test_what_is_no_folder_of_it_is_not(tree: Tree, line: str, more: dict[str, str]) -> None:
+    assert tree({"CMakeLists.txt": CMAKE.format(line), "README.md": page(CLONE), **more}).submodules == ()
+
+
+def test_a_package_takes_it_from_its_own_folder(tree: Tree) -> None:
+    files = {
+        "robot/package.xml": "<package><name>robot</name><buildtool_depend>catkin</buildtool_depend></package>",
+        "robot/CMakeLists.txt": f"project(robot)\nfind_package(catkin REQUIRED)\ninclude_directories({FOLDER})\n",
+        "README.md": page(CLONE),
+    }
+    assert [source.name for source in tree(files).submodules] == ["robot/libs/tinymesh"]
+
+
+@pytest.mark.parametrize("script", [True, False])
+def test_what_is_compiled_there_is_compiled_there(tree: Tree, script: bool) -> None:
+    line = f"include_directories({FOLDER}/include)\nlink_directories({FOLDER}/build)"
+    files = {"CMakeLists.txt": CMAKE.format(line), "README.md": page(COMPILED)}
+    if script:
+        files |= {"README.md": page("./install_deps.sh\n"), "install_deps.sh": f"#!/bin/bash\n{COMPILED}"}
+    decision = tree(files)
+    assert [source.name for source in decision.submodules] == ["libs/tinymesh"]
+    assert decision.inside == (("libs/tinymesh", "-DGUI=OFF"),)
