@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
+from roslab.decide.launch_calls import launch_calls
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
@@ -29,11 +30,12 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     """Yield what could be run; what the README runs comes first."""
     ros = kind in {"ros1", "ros2"}
     compiled = kind == "cpp" or (kind == "cuda" and _only_compiled(evidence))
-    demands = {(launch.package, launch.file.rpartition("/")[2]): launch.demands for launch in evidence.launch}
+    calls = launch_calls(evidence)
+    demands = {calls[each.file]: each.demands for each in evidence.launch if each.file in calls}
     for each in written(evidence, kind, ros=ros, compiled=compiled):
         yield _cut(each, demands)
     if ros:
-        launched = tuple(_launched(evidence, kind))
+        launched = tuple(_launched(evidence, kind, calls))
         yield from (_cut(each, demands) for each in launched or _nodes(evidence, kind))
     elif compiled or not evidence.programs:
         yield from _compiled(evidence)
@@ -42,12 +44,12 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         yield from _installed(evidence)
 
 
-def _cut(candidate: Candidate, demands: Mapping[tuple[str | None, str], tuple[str, ...]]) -> Candidate:
+def _cut(candidate: Candidate, demands: Mapping[tuple[str, ...], tuple[str, ...]]) -> Candidate:
     """Return a command as one that lacks arguments, if its launch file demands some that it does not give."""
     argv = candidate.argv
     rest = argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
     given = {word.partition(":=")[0] for word in rest}
-    lacking = set(demands.get((rest[0], rest[1]), ())) - given if len(rest) > 1 else set()
+    lacking = {*demands.get(rest[:1], ()), *demands.get(rest[:2], ())} - given
     return replace(candidate, cut=True) if lacking else candidate
 
 
@@ -60,14 +62,14 @@ def _only_compiled(evidence: Evidence) -> bool:
     return root and all("/" in file for file in manifests)
 
 
-def _launched(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
+def _launched(evidence: Evidence, kind: Kind, calls: Mapping[str, tuple[str, ...]]) -> Iterator[Candidate]:
     """Yield the launch files of the repository's packages that are for its version of ROS."""
     tests = {test.file for test in evidence.tests} | {launch.file for launch in evidence.launch if launch.tests}
     for launch in evidence.launch:
         aside = launch.file in tests or places.test(launch.file)
         if launch.package and not aside and kind == f"ros{launch.ros}":
             start = ("roslaunch",) if launch.ros == 1 else ("ros2", "launch")
-            argv = (*start, launch.package, launch.file.rpartition("/")[2])
+            argv = (*start, *calls[launch.file])
             yield Candidate(argv=argv, why="a launch file", file=launch.file, line=launch.line, strong=False)
 
 

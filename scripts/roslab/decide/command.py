@@ -162,7 +162,9 @@ def _own(argv: tuple[str, ...], evidence: Evidence) -> bool:
     """Tell whether a command starts something that the repository contains, not just a viewer."""
     package = argv[2:3] if argv[0] == "ros2" else argv[1:2] if argv[0] in {"roslaunch", "rosrun"} else ()
     names = {manifest.name for manifest in evidence.manifests}
-    return not package or not names or package[0] in names
+    return (
+        not package or not names or package[0] in names or any(launch.file == package[0] for launch in evidence.launch)
+    )
 
 
 def _others(evidence: Evidence, only: Candidate) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
+from roslab.decide.launch_calls import launch_calls
 from roslab.decide.scripts import NOTEBOOK, RUNS
 from roslab.decide.sections import about_running
 from roslab.evidence.facts import Evidence
@@ -30,6 +31,7 @@ def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
     """
     ours = (each for each in evidence.launch if each.package and kind == f"ros{each.ros}" and not each.demands)
     owners = {launch.file: launch for launch in ours}
+    calls = launch_calls(evidence)
     found: list[Candidate] = []
     for said in evidence.mentions:
         argv: tuple[str, ...] = ()
@@ -37,7 +39,7 @@ def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
             continue
         if said.topic == "pointed" and (launch := owners.get(said.value)):
             start = ("roslaunch",) if kind == "ros1" else ("ros2", "launch")
-            argv = (*start, launch.package or "", said.value.rpartition("/")[2])
+            argv = (*start, *calls[launch.file])
         elif said.topic == "pointed" and kind not in {"ros1", "ros2"} and RUNS.match(said.value.rpartition("/")[2]):
             argv = ("bash", said.value)
         elif said.topic == "pointed" and kind in {"python", "cuda"} and said.value.endswith(".ipynb"):

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 from roslab.config.model import Kind
 from roslab.decide.blank_launches import LAUNCH, with_a_launch_file
 from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.launch_calls import launch_calls
 from roslab.decide.outputs import written_below
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
@@ -69,6 +70,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
         programs=tuple(script.file for script in evidence.programs),
         compiled=in_packages(evidence) if ros else dict.fromkeys((p.name for p in programs_of(evidence)), ""),
         launched=_launch_files(evidence),
+        calls=launch_calls(evidence),
         packages=packages_of(evidence).names,
         installed=frozenset(name for project in evidence.python if project.installable for name, _ in project.scripts),
         projects=tuple(project.folder for project in evidence.python if project.installable),
@@ -112,6 +114,8 @@ class _Tree:
     """Compiled programs, each with its package, ``""`` where there is none."""
     launched: Mapping[str, frozenset[str]]
     """The launch files of each package, by their names."""
+    calls: Mapping[str, tuple[str, ...]]
+    """How each launch file of the tree is started, by its path."""
     packages: frozenset[str]
     installed: frozenset[str]
     """Programs that pip installs with the repository."""
@@ -214,7 +218,7 @@ def _task(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...]:
 def _of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
     """Return a command of the repository's ROS version; ``None`` if its launch file is not in the tree.
 
-    ``roslaunch path/to/a.launch`` becomes ``roslaunch PACKAGE a.launch``.
+    ``roslaunch path/to/a.launch`` becomes ``roslaunch PACKAGE a.launch``, where the package has one of that name.
     """
     if (argv[0] == "ros2") != (tree.kind == "ros2"):
         return None
@@ -224,8 +228,9 @@ def _of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
     package, *rest = argv[len(start) :]
     if LAUNCH.search(package):
         name = package.rpartition("/")[2]
-        owners = [owner for owner, names in tree.launched.items() if owner and name in names]
-        return (*start, owners[0], name, *rest) if len(owners) == 1 else None
+        named = [call for file, call in tree.calls.items() if file.rpartition("/")[2] == name]
+        call = tree.calls.get(package) or (named[0] if len(named) == 1 else ())
+        return (*start, *call, *rest) if call else None
     if package not in tree.packages:
         return argv
     file = next((word.rpartition("/")[2] for word in rest if not word.startswith("-")), "")

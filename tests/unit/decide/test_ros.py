@@ -247,6 +247,13 @@ def test_plain_cmake_packages_need_catkin_tools(tmp_path: Path) -> None:
     assert decided(tmp_path, {"README.md": "```\ncatkin_make\n```\n"}).build_tool == "catkin_make"
 
 
+def test_packages_that_a_page_builds_one_by_one_need_catkin_tools(tmp_path: Path) -> None:
+    page = {"README.md": "```\ncatkin_make_isolated -DCMAKE_BUILD_TYPE=Release\n```\n"}
+    assert decided(tmp_path, {**package("a", folder="a"), **page}).build_tool == "catkin_tools"
+    both = {"README.md": f"{page['README.md']}Or\n```\ncatkin_make\n```\n"}
+    assert decided(tmp_path, both).build_tool == "catkin_make"
+
+
 def test_two_levels_of_trust(tmp_path: Path) -> None:
     files = {
         "package.xml": CATKIN.format(name="demo").replace(

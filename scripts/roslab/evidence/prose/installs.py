@@ -45,7 +45,8 @@ _STARTS = pattern(
     rf"(?:{_BUILT.pattern.removesuffix('$')}(?=\s|$))|(?:ba)?sh \S+\.sh$|pixi run$|\.{{0,2}}/?[\w./-]+\.sh(?:\s|$)"
 )
 """A compiled program or a shell script, by its path."""
-_BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_make", "colcon": "colcon"}
+_BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_tools", "colcon": "colcon"}
+"""catkin_make_isolated builds every package by itself, plain CMake too, and so does catkin_tools, in its place."""
 
 
 @dataclass

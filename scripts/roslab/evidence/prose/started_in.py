@@ -15,6 +15,8 @@ _PATH = pattern(
     r"[\"\']((?:\.{1,2}/)*(?:[\w-]+/)+[\w.-]*|(?:\.{1,2}/)*[\w-]+\.(?:ya?ml|json|csv|txt|np[yz]|xml|urdf|pth?|pkl|png|jpe?g|dat|mat))"
 )
 """A file or a folder in a string, or what such a string begins with."""
+_PLACES = {"bash": 1, "sh": 1, "roslaunch": 1, "ros2": 2}
+"""Where the words of a command name a script or a launch file, if not in the first."""
 
 
 def started_in(mention: Mention, words: Sequence[str], repository: Repository) -> str:
@@ -41,14 +43,14 @@ def started_in(mention: Mention, words: Sequence[str], repository: Repository) -
 
 
 def script_in(mention: Mention, repository: Repository) -> tuple[int, str, str] | None:
-    """Return which word of a command is a shell script below the folder that the page went to, its path, that folder.
+    """Return which word of a command is a script or launch file below where the page went, its path, that folder.
 
     A page may begin above the root, and may go to a folder again without having left it: the longest end of where it is
     that has the script is meant. ``None`` where there is none: the script is at the root, or nowhere.
     """
     words = mention.value.split()
-    position = 1 if words[0] in {"bash", "sh"} and len(words) > 1 else 0
-    if not words[position].endswith(".sh") or words[position].startswith(("/", "~")):
+    position = min(_PLACES.get(words[0], 0), len(words) - 1)
+    if not words[position].endswith((".sh", ".launch", ".launch.py")) or words[position].startswith(("/", "~")):
         return None
     for folder in ends(mention.inside):
         path = posixpath.normpath(posixpath.join(folder, words[position]))

@@ -1,0 +1,19 @@
+"""How a launch file is started: by its package and name, or by its path where the package has two of that name."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+
+from roslab.evidence.facts import Evidence
+
+
+def launch_calls(evidence: Evidence) -> Mapping[str, tuple[str, ...]]:
+    """Return what follows ``roslaunch`` or ``ros2 launch`` for each launch file of a package, by its path.
+
+    Both look for the name in every folder of the package and refuse to choose between two
+    (ros/ros: core/roslib/src/roslib/packages.py; ros2/launch_ros: ros2launch/ros2launch/api/api.py; 2026-11-23).
+    """
+    named = [(each.file, each.package, each.file.rpartition("/")[2]) for each in evidence.launch if each.package]
+    often = Counter((package, name) for _, package, name in named)
+    return {file: (file,) if often[package, name] > 1 else (package, name) for file, package, name in named}

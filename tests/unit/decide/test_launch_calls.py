@@ -1,0 +1,39 @@
+"""A launch file whose name its package has twice is started by its path."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+FILES = {
+    "demo/package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "demo/CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+    "demo/launch/flat/plan.launch": "<launch/>\n",
+    "demo/launch/flat/side.launch": "<launch/>\n",
+}
+TWICE = {**FILES, "demo/launch/deep/plan.launch": "<launch/>\n"}
+
+
+@pytest.mark.parametrize(
+    ("files", "lines", "command"),
+    [
+        (TWICE, "cd ./demo/launch/deep\nroslaunch plan.launch", ("roslaunch", "demo/launch/deep/plan.launch")),
+        (TWICE, "roslaunch demo/launch/flat/plan.launch", ("roslaunch", "demo/launch/flat/plan.launch")),
+        (TWICE, "roslaunch side.launch", ("roslaunch", "demo", "side.launch")),
+        (FILES, "cd ./demo/launch/flat\nroslaunch plan.launch a:=1", ("roslaunch", "demo", "plan.launch", "a:=1")),
+        (FILES, "roslaunch demo/launch/flat/plan.launch", ("roslaunch", "demo", "plan.launch")),
+    ],
+)
+def test_the_path_tells_files_of_one_name_apart(
+    tree: Tree, files: dict[str, str], lines: str, command: tuple[str, ...]
+) -> None:
+    assert tree({**files, "README.md": f"ROS Noetic\n```\n{lines}\n```\n"}).command == command
+
+
+def test_what_nobody_runs_is_called_so_too(tree: Tree) -> None:
+    called = {candidate[1:] for candidate in tree(TWICE).command_candidates}
+    assert called == {("demo", "side.launch"), ("demo/launch/deep/plan.launch",), ("demo/launch/flat/plan.launch",)}
