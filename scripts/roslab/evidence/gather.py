@@ -25,6 +25,7 @@ from roslab.evidence.prose import (
 )
 from roslab.evidence.prose.installs import merge
 from roslab.evidence.python import (
+    called,
     clones,
     conda,
     imports,
@@ -82,6 +83,7 @@ def gather(repository: Repository) -> Evidence:
         code=(
             *cpp.read(repository, signs, intrinsics),
             *imports.read(repository),
+            *called.read(own),
             *launch.plugins(repository),
             *cmake.fetching(repository),
             *shared_objects.read(own),

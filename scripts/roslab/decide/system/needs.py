@@ -18,6 +18,8 @@ from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 
 _TOOLKIT = "nvidia-cuda-toolkit"
+_OF_CODE = frozenset({"called", "fetch", "linked", "typelib"})
+"""Roles of packages that the code itself shows."""
 _STARTED = pattern(r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch))\s+(?:--?\S+\s+)*([a-z][a-z0-9_]+)\s")
 
 
@@ -28,7 +30,7 @@ def needs(
     yield from _cmake(evidence, packages, compiled=kind in {"ros1", "ros2", "cpp"})
     for dependency in evidence.code:
         started_by = dependency.role == "shebang" and kind in {"ros1", "ros2"}  # others have a `python` of their own
-        if dependency.namespace == "include" or started_by or dependency.role in {"fetch", "typelib", "linked"}:
+        if dependency.namespace == "include" or started_by or dependency.role in _OF_CODE:
             yield dependency, False
     for made in evidence.makefiles if kind in {"cpp", "cuda"} else ():
         for name in made.linked:

@@ -38,6 +38,7 @@ _HOW = {
     "rosdep": "the key {} is named",
     "fetch": "a CMake file clones, which needs {}",
     "cuda": "CMake compiles for CUDA, which needs {}",
+    "called": "a Python file calls a program of {}",
     "typelib": "a program asks for a library of GObject, which needs {}",
     "shebang": "the first line of a program names {}",
     "script": "a script that the page compiles with names {}",
