@@ -115,7 +115,7 @@ def decide_python(
         conda_pip=any(each.role != "project" for each in listed),
         conda_old_pip=_old_pip(evidence, conda),
         conda_defaults=not pixi and _default_channels(evidence, conda),
-        first=first(everything, chosen.projects),
+        first=first(everything, chosen.projects, cmake=manager != "system"),
         bounds=(*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *numpy.answer),
         options=tuple(
             dict.fromkeys((*indexes, *build.answer[1], *_file_options(evidence, chosen, repaired), *chosen.options))

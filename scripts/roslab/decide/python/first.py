@@ -4,14 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from roslab.decide.system.cmake_version import BRINGS_CMAKE, NEW
 from roslab.evidence.facts import PythonProject
 from roslab.knowledge.frameworks import build_needs, imports
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
 
-def first(asked: Sequence[Requirement], projects: Sequence[PythonProject]) -> tuple[Requirement, ...]:
+def first(
+    asked: Sequence[Requirement], projects: Sequence[PythonProject], *, cmake: bool = False
+) -> tuple[Requirement, ...]:
     """Return what must be installed before the rest is built, with the pins that the rest asks for.
+
+    ``cmake``: the base may have no CMake, which a setup.py then calls in vain.
 
     If there is anything, the projects are built in the image's own environment, which then needs their build
     requirements too.
@@ -25,6 +30,8 @@ def first(asked: Sequence[Requirement], projects: Sequence[PythonProject]) -> tu
     elif "cython" in extensions or "c" in extensions:
         needs += [stated("numpy"), stated("Cython")]
     needs += [need for project in projects for need in _for_setup(project)]
+    if cmake and any(map(_calls_cmake, projects)):
+        needs.append(stated(f"cmake<{NEW.major}"))
     if needs:
         asking = [line for project in projects for line in project.build_requires]
         while_building = [name for line in asking for name in build_needs().get(line.key, ())]
@@ -39,6 +46,11 @@ def _isolated(project: PythonProject) -> bool:
     """
     needs = {each.key for each in project.build_requires} - {"setuptools", "wheel", "setuptools-scm"}
     return bool(needs) and project.file.endswith("pyproject.toml") and "cuda" not in project.extensions
+
+
+def _calls_cmake(project: PythonProject) -> bool:
+    """Tell whether its setup.py calls a CMake that nothing which it is built with brings."""
+    return "cmake" in project.extensions and BRINGS_CMAKE.isdisjoint(each.key for each in project.build_requires)
 
 
 def _for_setup(project: PythonProject) -> Iterator[Requirement]:

@@ -20,7 +20,8 @@ NEW = Version("4.0")
 KEPT_BY_NEW = Version("3.5")
 POLICY = "CMAKE_POLICY_VERSION_MINIMUM"
 """https://cmake.org/cmake/help/latest/envvar/CMAKE_POLICY_VERSION_MINIMUM.html; an older CMake does not read it."""
-_BRINGS_CMAKE = frozenset({"cmake", "scikit-build-core"})
+BRINGS_CMAKE = frozenset({"cmake", "scikit-build-core"})
+"""What builds Python packages and has CMake, or asks pip for it."""
 
 
 def needed_cmake(evidence: Evidence) -> Dependency | None:
@@ -68,6 +69,6 @@ def refused_by_new(evidence: Evidence, ubuntu: str | None, asked: Iterable[Requi
     if oldest is None or Version(oldest.version or "0") >= KEPT_BY_NEW:
         return None
     ours = Version(cmake_of_ubuntu().get(ubuntu or "", "0"))
-    fetched = [each for each in asked if each.key in _BRINGS_CMAKE and each.specifier.contains(str(NEW))]
+    fetched = [each for each in asked if each.key in BRINGS_CMAKE and each.specifier.contains(str(NEW))]
     in_conda = any(p.name == "cmake" and not p.version for conda in evidence.conda for p in conda.packages)
     return oldest if ours >= NEW or fetched or in_conda else None

@@ -1,0 +1,45 @@
+"""A setup.py that compiles with CMake."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+SETUP = """from setuptools import Extension, setup
+class CMakeExtension(Extension): pass
+setup(name="demo", ext_modules=[CMakeExtension("demo")], install_requires=["numpy"])
+"""
+PROJECT = '[project]\nname = "demo"\nversion = "1"\n'
+
+
+@pytest.mark.parametrize(
+    ("more", "asked"),
+    [
+        ({}, ["cmake<4"]),
+        ({"requirements.txt": "cmake==3.18.4\n"}, ["cmake==3.18.4"]),
+        ({"pyproject.toml": '[build-system]\nrequires = ["setuptools", "pybind11"]\n' + PROJECT}, ["cmake<4"]),
+        ({"pyproject.toml": '[build-system]\nrequires = ["setuptools", "cmake>=3.12"]\n'}, []),
+        ({"pyproject.toml": '[build-system]\nrequires = ["scikit-build-core"]\n' + PROJECT}, []),
+        ({"setup.py": SETUP.replace("CMake", "Other")}, []),
+    ],
+)
+def test_cmake_is_there_before_a_setup_script_calls_it(tree: Tree, more: dict[str, str], asked: list[str]) -> None:
+    files = {"setup.py": SETUP, "demo/__init__.py": "import numpy\n", "demo/a.py": "import numpy\n"}
+    assert [each.text for each in tree(files | more).python.first if each.key == "cmake"] == asked
+
+
+def test_the_cmake_of_a_base_of_ros_is_taken(tree: Tree) -> None:
+    xml = "<package><name>nodes</name><buildtool_depend>catkin</buildtool_depend></package>"
+    files = {
+        "nodes/package.xml": xml,
+        "nodes/CMakeLists.txt": "find_package(catkin REQUIRED)\n",
+        "demo/setup.py": SETUP,
+    }
+    files["README.md"] = "```\nroslaunch nodes a.launch\ncd demo && pip install .\n```\n"
+    found = tree(files)
+    assert (found.kind, found.python.projects) == ("ros1", ("demo",))
+    assert all(each.key != "cmake" for each in found.python.first)
