@@ -11,7 +11,7 @@ Strength = Literal["declared", "used", "optional", "prose"]
 
 ``declared``: a manifest made for installing says so (package.xml, requirements.txt, a required ``find_package``);
 ``used``: the code uses it (an include, an import, a launch file's package); ``optional``: behind a condition or
-``QUIET``; ``prose``: written for humans (README) or for another machine (an author's Dockerfile, CI).
+``QUIET`` alone; ``prose``: written for humans (README) or for another machine (an author's Dockerfile, CI).
 """
 Namespace = Literal["rosdep", "apt", "cmake", "ros", "pkg-config", "include", "import", "link", "call"]
 """What kind of name it is: ``ros`` is a ROS package, ``cmake`` a name given to ``find_package``, ``call`` the

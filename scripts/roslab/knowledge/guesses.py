@@ -10,8 +10,11 @@ from roslab.knowledge.table import rows
 
 
 @cache
-def tooling(asked_by: Literal["installers", "developers"]) -> frozenset[str]:
-    """Return the tools that install packages, or those with which developers check their code."""
+def tooling(asked_by: Literal["installers", "developers", "ros"]) -> frozenset[str]:
+    """Return the tools that install packages, those with which developers check their code, or ROS's own packages.
+
+    ROS's are those that its core brings and that ``pip freeze`` lists on a machine with it: pip's index has none.
+    """
     return frozenset(row["pip"] for row in rows("python_tooling") if row["asked_by"] == asked_by)
 
 

@@ -80,6 +80,7 @@ def test_a_foreach_over_a_list_is_unrolled(tmp_path: Path) -> None:
         ("find_package(Ceres REQUIRED)", "declared"),
         ("find_package(Ceres)", "used"),
         ("find_package(Ceres QUIET)", "optional"),
+        ("find_package(Ceres REQUIRED QUIET)", "declared"),
         ("if(WITH_CERES)\nfind_package(Ceres REQUIRED)\nendif()", "optional"),
         ("if(NOT WIN32)\nfind_package(Ceres REQUIRED)\nendif()", "declared"),
         ("if(UNIX)\nfind_package(Ceres REQUIRED)\nendif()", "declared"),

@@ -15,6 +15,7 @@ from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.lost import lost
+from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, with_includes
 from roslab.decide.python.named_frameworks import named_frameworks
 from roslab.decide.python.own import OwnPython, manager_of, of_ubuntu, outvoted
@@ -145,6 +146,7 @@ def decide_python(
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
             *lost(evidence, kind, chosen),
             *ignored_environments(evidence, kind, chosen),
+            *machine_lists(evidence, chosen.files),
         ),
     )
 

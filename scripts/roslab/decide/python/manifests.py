@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from roslab.config.model import Config, Kind
+from roslab.decide.python.machine_lists import of_machines
 from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.evidence import places
@@ -42,7 +43,7 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
     if config.requirements is not None:
         wanted = {posixpath.normpath(path) for path in config.requirements}
         return tuple(file for file in evidence.requirements if file.file in wanted)
-    aside = for_reference(evidence) | of_parts(evidence)
+    aside = for_reference(evidence) | of_parts(evidence) | of_machines(evidence)
     run = {
         file.file: file
         for file in evidence.requirements

@@ -193,8 +193,9 @@ def _finder(words: tuple[str, ...]) -> _Finder:
 
 
 def _strength(call: Call, *, required: bool, quiet: bool = False) -> Strength:
-    """Return the strength of a call: required and unconditional is declared, quiet or conditional is optional."""
-    if quiet or any(_ELSEWHERE.match(condition) or not _HERE.match(condition) for condition in call.conditions):
+    """Return the strength of a call: required and unconditional is declared; conditional or quiet alone is optional."""
+    hidden = any(_ELSEWHERE.match(condition) or not _HERE.match(condition) for condition in call.conditions)
+    if hidden or (quiet and not required):
         return "optional"
     return "declared" if required else "used"
 
