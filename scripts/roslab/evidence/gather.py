@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from roslab.evidence import places, submodules
-from roslab.evidence.facts import Evidence, PackageManifest
+from roslab.evidence.facts import CMakeProject, Evidence, PackageManifest
 from roslab.evidence.native import authors_folders, cmake, cpp, cpu, gpus, makefiles, shared_objects, x86
 from roslab.evidence.native import clones as native_clones
 from roslab.evidence.native.limits import Signs
@@ -53,7 +53,7 @@ def gather(repository: Repository) -> Evidence:
     """Read everything that a repository says about itself; nothing of it is executed."""
     manifests = package_xml.read(repository) or rosbuild.read(repository)
     signs, intrinsics = Signs(), x86.Intrinsics()
-    cmake_projects = cmake.read(repository)
+    cmake_projects = _without_python(cmake.read(repository), manifests)
     own = submodules.without(repository)
     if any(own.has(manifest.file) for manifest in manifests) or any("/" not in p.file for p in cmake_projects):
         own = repository  # of what is compiled, the submodules are a part
@@ -127,3 +127,11 @@ def _malformed(manifest: PackageManifest) -> tuple[str, str, int]:
     if match is None:
         return f"not well-formed: {manifest.malformed}", manifest.file, manifest.line
     return f"not well-formed: {match[2]}", manifest.file, int(match[1])
+
+
+def _without_python(
+    projects: tuple[CMakeProject, ...], manifests: tuple[PackageManifest, ...]
+) -> tuple[CMakeProject, ...]:
+    """Leave out what lies beside a package.xml for setup.py alone: colcon does not read it, it is of another ROS."""
+    alone = {m.file.rpartition("/")[0] for m in manifests if {name for name, _ in m.build_types} == {"ament_python"}}
+    return tuple(each for each in projects if each.file.rpartition("/")[0] not in alone)

@@ -312,6 +312,29 @@ def test_vcs_files_for_the_distribution_without_the_repository_itself(tmp_path: 
     ]
 
 
+def test_a_list_does_not_clone_what_the_tree_has_itself(tmp_path: Path) -> None:
+    listed = "".join(
+        f"- git: {{local-name: {name}, uri: 'https://github.com/lab/{name}.git'}}\n" for name in ("a", "b-b", "c")
+    )
+    files = {**package("a", folder="src/a"), **package("b_b", folder="src/more/b"), "src/more/x.rosinstall": listed}
+    files["src/a/package.xml"] = CATKIN.format(name="a").replace("roscpp", "c")
+    assert [source.name for source in decided(tmp_path, files).source] == ["c"]
+
+
+def test_a_cmakelists_beside_a_package_of_python_is_of_another_ros(tmp_path: Path) -> None:
+    manifest = "<package format='3'><name>demo</name><export><build_type>ament_python</build_type></export></package>"
+    files = {
+        "package.xml": manifest,
+        "setup.py": "from setuptools import setup\nsetup(name='demo')\n",
+        "CMakeLists.txt": CMAKE.format(name="demo") + "find_package(CUDA REQUIRED)\nfind_package(xy REQUIRED)\n",
+        "README.md": "ROS 2 Humble",
+    }
+    found = decided(tmp_path, files)
+    assert (found.kind, found.apt_guessed, found.warnings) == ("ros2", (), ())
+    both = manifest.replace("<build_type>", "<build_type condition='$ROS_VERSION == 1'>catkin</build_type><build_type>")
+    assert "xy" in " ".join(warning.message for warning in decided(tmp_path, {"package.xml": both}).warnings)
+
+
 def _sister(name: str) -> str:
     return f"repositories:\n  {name}: {{type: git, url: 'https://github.com/lab/{name}.git', version: main}}\n"
 

@@ -19,6 +19,7 @@ FINDS = "if(WITH_BRISK)\nfind_package(brisk REQUIRED)\nendif()\n"
     ("files", "page", "cloned"),
     [
         ({"CMakeLists.txt": f"{MADE}{OFF}{FINDS}"}, "", False),
+        ({"CMakeLists.txt": f"{MADE}{OFF}{FINDS.replace('WITH_BRISK', '${WITH_BRISK}')}"}, "", False),
         ({"CMakeLists.txt": f"{MADE}{ON}{FINDS}"}, "", True),
         ({"CMakeLists.txt": f"{MADE}{OFF}set(WITH_BRISK ON)\n{FINDS}"}, "", True),
         ({"CMakeLists.txt": f"{MADE}{OFF}{FINDS}"}, "```\ncd build\ncmake -DWITH_BRISK=ON ..\n```\n", True),

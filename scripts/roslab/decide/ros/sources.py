@@ -76,7 +76,8 @@ def decide_sources(
     lacking = bool(unreleased(needed, known | rosdep_keys()))
     files = vcs_files(evidence, config, ros_distro, lacking=lacking, itself=itself)
     for git in evidence.sources:
-        if git.kind == "vcs" and git.file in files and not itself_in(git, itself):
+        twice = itself_in(git, itself) or plain(git.name) in own  # the tree has it, changed perhaps
+        if git.kind == "vcs" and git.file in files and not twice:
             library = recipe_at(address(git.url)) if kind == "ros1" and not config.compatible else None
             if library:  # plain CMake, in which catkin sees no package
                 chosen.library(library, git)

@@ -135,8 +135,9 @@ class _Scope:
 
     def _condition(self, words: list[str]) -> str:
         """Return a condition's text: ``OFF NAME`` of an option that is off by default, else ``ON NAME``."""
-        if len(words) == 1 and words[0] in self.options:
-            return f"{'ON' if self.options[words[0]] else 'OFF'} {words[0]}"
+        name = words[0].removeprefix("${").removesuffix("}") if len(words) == 1 else ""
+        if name in self.options:
+            return f"{'ON' if self.options[name] else 'OFF'} {name}"
         return " ".join(words)[:MAX_VALUE]
 
 
