@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import cast
 
 from roslab.config.model import Config, Kind
@@ -12,16 +11,12 @@ from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
 from roslab.decide.ros.plain_workspace import built_together
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
+from roslab.decide.ros.wrappers import BUILDERS, run_by_page, wraps
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention, PackageManifest
 from roslab.knowledge.distros import distro, distros
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
-from roslab.values.requirement import Requirement
-
-SMALL_WRAPPER = 3
-"""A Python program with at most this many ROS packages below its root only has a ROS wrapper."""
-
 
 _ROS_NAME = pattern(r"(?:^|[-_.])ros[12]?(?:[-_.]|$)")
 """A repository of this name is for ROS, and its packages wrap nothing."""
@@ -50,6 +45,7 @@ class Weight:
     WRAPPER = 200  # ROS packages that only wrap a Python program: any manifest of the program wins
     CMAKE_BELOW = 150  # where most of the code is C++
     CUDA_SIGN = 130  # code or CUDA sources without any manifest
+    RUN = 210  # a program that the page at the root runs, where ROS packages only wrap it
     PROGRAM = 120
     CODE = 100  # it may belong to a library or be a helper script
     ROSBUILD_PART = 90  # one such folder may be an example
@@ -109,7 +105,7 @@ def _packages(evidence: Evidence, built: tuple[PackageManifest, ...], *, named: 
         for version in ros_versions(manifest, macros.get(manifest.file.rpartition("/")[0], ())):
             by_version[version].append(manifest)
     files = [m.file for m in (*by_version[1], *by_version[2])]
-    wrapper = not named and (_wrapper(evidence, files) or _of_library(evidence, files))
+    wrapper = not named and wraps(evidence, files)
     reasons: list[Reason] = []
     for version, made in by_version.items():
         if not made:
@@ -134,43 +130,6 @@ def _warnings(evidence: Evidence, kind: Kind) -> tuple[Warning_, ...]:
     return (warn(f"{message}; {hint}", old),)
 
 
-def _wrapper(evidence: Evidence, manifests: list[str]) -> bool:
-    """Tell whether the ROS packages only wrap a Python program: few, deep, and most code lies outside them."""
-    folders = {file.rpartition("/")[0] for file in manifests}
-    if not manifests or "" in folders or len(folders) > SMALL_WRAPPER:
-        return False
-    compiled = any(project.executables and _within(project.file, folders) for project in evidence.cmake)
-    depth = 0 if compiled else 2  # packages of C++ nodes count more than requirements of some script
-    own = [p.file for p in evidence.python if p.installable] + [c.file for c in evidence.conda]
-    own += [r.file for r in evidence.requirements if r.purpose == "run"]
-    if not any(f.count("/") <= depth and not _within(f, folders) and not places.vendored(f) for f in own):
-        return False
-    code = {d.file for d in evidence.code if d.namespace == "import"} | {script.file for script in evidence.programs}
-    inside = sum(_within(file, folders) for file in code)
-    return 2 * inside < len(code)
-
-
-def _of_library(evidence: Evidence, manifests: list[str]) -> bool:
-    """Tell whether the only package is the root of a Python library, which a page has pip install: nodes are extras.
-
-    It compiles nothing, setup.py asks for what pip installs, and most programs are none of ROS's.
-    """
-    library = any(p.installable and not p.folder and p.requirements for p in evidence.python)
-    if set(manifests) != {"package.xml"} or not library or any(project.executables for project in evidence.cmake):
-        return False
-    by_page = any(asked.role == "project" and asked.written in {".", "./"} for asked in _of_pages(evidence))
-    nodes = sum(program.kind == "node" for program in evidence.programs)
-    return by_page and 2 * nodes < len(evidence.programs)
-
-
-def _of_pages(evidence: Evidence) -> Iterator[Requirement]:
-    return (asked for asked in evidence.prose_pip if asked.file.endswith((".md", ".rst", ".txt")))
-
-
-def _within(file: str, folders: set[str]) -> bool:
-    return any(file.startswith(folder + "/") for folder in folders)
-
-
 def _leaning(evidence: Evidence, version: int, majority: int) -> int:
     """Return how strongly a repository made for both favours a version: by branch, images, CI, README, packages."""
     sides_of = {name: found.ros for name, found in distros().items()} | {"ros1": 1, "ros2": 2}
@@ -192,8 +151,7 @@ def _meta(evidence: Evidence) -> list[Reason]:
     sides = [found.ros for m in evidence.mentions if m.topic == "distro" and (found := distro(m.value))]
     own = [source for source in listed if "/" not in source.file and source.file.endswith((".repos", ".rosinstall"))]
     tools = {m.value for m in evidence.mentions if m.topic == "build_tool"}
-    builders = tools & {"catkin_make", "catkin_tools", "colcon"}
-    if not listed and builders and sides:
+    if not listed and tools & BUILDERS and sides:
         listed = [source for source in evidence.sources if source.kind == "submodule"]
     if not listed or not (sides or own):
         return []
@@ -232,6 +190,8 @@ def _python_place(evidence: Evidence) -> tuple[Placed, str, int] | None:
         if requirement.purpose == "run":
             weight = Weight.REQUIREMENTS_BELOW if "/" in requirement.file else Weight.REQUIREMENTS
             return requirement, "Python requirements", weight
+    if run := run_by_page(evidence):
+        return run, "a Python program, which the page at the root runs, with nothing of ROS", Weight.RUN
     if evidence.programs:
         return evidence.programs[0], "a Python program", Weight.PROGRAM
     imported = next((d for d in evidence.code if d.namespace == "import"), None)

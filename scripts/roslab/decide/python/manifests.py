@@ -108,10 +108,11 @@ def projects(
     evidence: Evidence, kind: Kind, conda: str | None, files: Iterable[RequirementFile] = ()
 ) -> tuple[PythonProject, ...]:
     """Return the folders to install: the root, what a README or the given files install, else the nearest."""
-    manifests = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests if not manifest.ignored}
+    ros = kind in {"ros1", "ros2"}
+    manifests = {m.file.rpartition("/")[0] for m in evidence.manifests if ros and not m.ignored}
     usable = {p.folder: p for p in evidence.python if p.installable}
     chosen: dict[str, PythonProject] = {}
-    if "" in usable and not ("" in manifests and kind in {"ros1", "ros2"}):
+    if "" in usable and "" not in manifests:
         members = {asked.key for asked in usable[""].requirements if asked.role == "member"}
         chosen = {p.folder: p for p in usable.values() if p.name and canonicalize_name(p.name) in members}
         chosen[""] = usable[""]
@@ -127,7 +128,7 @@ def projects(
         own = [
             folder
             for folder in usable
-            if not _inside(folder, manifests if kind in {"ros1", "ros2"} else set())
+            if not _inside(folder, manifests)
             and not places.vendored(folder + "/")
             and not places.test(folder + "/")
             and not places.example(folder + "/")
