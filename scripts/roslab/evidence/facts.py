@@ -7,6 +7,7 @@ from typing import Literal, NamedTuple
 from roslab.evidence.apt_source import AptSource
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.launch_file import LaunchFile
+from roslab.evidence.locked import Locked
 from roslab.evidence.makefile import Makefile
 from roslab.evidence.x86_only import X86Only
 from roslab.values.conda import CondaPackage
@@ -248,6 +249,7 @@ class Evidence:
     python: tuple[PythonProject, ...] = ()
     requirements: tuple[RequirementFile, ...] = ()
     conda: tuple[CondaEnvironment, ...] = ()
+    locked: tuple[Locked, ...] = ()
     dockerfiles: tuple[AuthorDockerfile, ...] = ()
     launch: tuple[LaunchFile, ...] = ()
     programs: tuple[Program, ...] = ()

@@ -15,9 +15,9 @@ from roslab.values.wheel import Wheel, wheel_of
 if TYPE_CHECKING:
     from packaging.markers import Marker
 
-RequirementOrigin = Literal["manifest", "conda", "prose", "import", "build", "configuration", "table"]
+RequirementOrigin = Literal["manifest", "conda", "prose", "import", "build", "configuration", "table", "lock"]
 """Who asks: a file made for pip, a conda environment, an install line for humans or for another machine, the code, the
-build, roslab.yaml, or a table of the program's own."""
+build, roslab.yaml, a table of the program's own, or a lock."""
 Role = Literal[
     "environment",
     "channel",

@@ -68,6 +68,7 @@ class Weight:
     SAID: ClassVar = {"readme": 30, "script": 16, "ci": 14, "dockerfile": 12}
     SAID_ELSEWHERE = 8
     NEAR, DEEPER = 6, 2  # added for a mention at the root, minus the second for each folder above it, up to three
+    LOCKED = 5  # the wheel of a lock, which nobody wrote by hand
     UNPINNED = 4  # the newest wheel
     AT_LEAST = 3  # a lower bound: what is pinned, or the newest wheel, lies above it
     ASIDE = 3  # a pin of an example, or one deep in the tree
@@ -174,9 +175,10 @@ def _of_pin(pin: Pin, day: str | None) -> Iterator[Candidate]:
     asked, table = pin.requirement, framework_on_cuda(pin.name)
     local = (cuda_of(asked.url) or cuda_of(pin.release or "")) if pin.name in _BUILT_FOR else None
     row = framework(table, pin.release) if table and pin.release else None
-    if not pin.trust:  # from an example, or deep in the tree
+    if not pin.trust:  # from a lock, from an example, or deep in the tree
+        weight = Weight.LOCKED if asked.origin == "lock" else Weight.ASIDE
         if answer := local or (row.cuda[0] if row else None):
-            yield because("cuda", answer, f"{asked.written} is used with it", asked, weight=Weight.ASIDE), ()
+            yield because("cuda", answer, f"{asked.written} is used with it", asked, weight=weight), ()
     elif local:
         yield (
             because("cuda", local, f"{asked.written} is built for it", asked, weight=Weight.LOCAL_VERSION + pin.trust),

@@ -14,6 +14,7 @@ from roslab.decide.python.conda_alone import conda_alone
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.ignored_environments import ignored_environments
+from roslab.decide.python.locked import locked_releases
 from roslab.decide.python.lost import lost
 from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, with_includes
@@ -93,6 +94,9 @@ def decide_python(
     numpy = numpy_of(everything if manager != "system" else ())
     if any(bound.key == "numpy" for bound in bounds.answer):
         numpy = Choice(answer=())
+    limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *numpy.answer)
+    at_root = manager != "system" and any(not project.folder for project in chosen.projects)
+    of_lock = locked_releases(evidence.locked if at_root else (), manifests, (*named.answer.first, *limits), number)
     indexes = [*_indexes([*declared, *chosen.guessed, *exact.answer])]
     indexes = [*indexes, *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option")]
     whole = [file for file in chosen.files if file.file not in repaired.files]
@@ -117,7 +121,7 @@ def decide_python(
         conda_old_pip=_old_pip(evidence, conda),
         conda_defaults=not pixi and _default_channels(evidence, conda),
         first=first(everything, chosen.projects, cmake=manager != "system"),
-        bounds=(*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *numpy.answer),
+        bounds=(*limits, *of_lock.answer),
         options=tuple(
             dict.fromkeys((*indexes, *build.answer[1], *_file_options(evidence, chosen, repaired), *chosen.options))
         ),
@@ -138,6 +142,7 @@ def decide_python(
             *named.reasons,
             *build.reasons,
             *numpy.reasons,
+            *of_lock.reasons,
         ),
         warnings=(
             *outvoted(own, ubuntu, ros_distro),

@@ -22,11 +22,12 @@ _LEADING = ("torch", "tensorflow", "jax")
 _INSTALL_LINE = 1
 """Of ``Pin.trust``."""
 _WHY = "an install line pins what the manifest leaves free"
+WHY_LOCKED = "the lock has this release of what the manifest leaves free"
 _WHY_LATER = "one manifest pins what another one, which is installed before it, leaves free"
 
 
 def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str | None) -> Choice[Constraints]:
-    """Return constraints for frameworks that ``asked`` leaves open, from install lines that fit the image's CUDA.
+    """Return constraints for frameworks that ``asked`` leaves open, from install lines or a lock that fit the CUDA.
 
     Today's newest release of the framework may fit neither the code and its compiled parts nor the image's CUDA. What
     one manifest pins and another leaves open is pinned for both: what is compiled between them must fit what stays.
@@ -35,7 +36,7 @@ def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str 
     free = {each.key: each for each in everything if not each.limited}
     found = dict(_of_manifests(everything, free))
     free = {key: each for key, each in free.items() if key not in {exact.key for exact in found}}
-    said = [pin for pin in pins if pin.trust == _INSTALL_LINE and pin.release]
+    said = [pin for pin in pins if (pin.trust == _INSTALL_LINE or pin.requirement.origin == "lock") and pin.release]
     for name in _LEADING:
         leading = next((p for p in said if name == p.name and name in free and _fits(p, free[name], cuda)), None)
         if leading is None:
@@ -44,8 +45,9 @@ def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str 
         for pin in (leading, *(p for p in said if p.name in beside and p.name in free)):
             if pin.requirement.file == leading.requirement.file:
                 exact = stated(f"{pin.name}=={pin.release}")
+                why = WHY_LOCKED if pin.requirement.origin == "lock" else _WHY
                 found.setdefault(
-                    exact, because("dependencies", exact.written, _WHY, pin.requirement, weight=Weight.BOUND)
+                    exact, because("dependencies", exact.written, why, pin.requirement, weight=Weight.BOUND)
                 )
     return Choice(answer=tuple(found), reasons=tuple(found.values()))
 

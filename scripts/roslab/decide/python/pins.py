@@ -8,7 +8,7 @@ from typing import NamedTuple
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence
-from roslab.knowledge.frameworks import conda_names, imports, tabled, unstated
+from roslab.knowledge.frameworks import conda_names, framework_on_cuda, imports, released_together, tabled, unstated
 from roslab.knowledge.guesses import same_module
 from roslab.values.conda import CondaPackage
 from roslab.values.name import canonicalize_name
@@ -28,7 +28,8 @@ class Pin(NamedTuple):
 
     requirement: Requirement
     trust: int
-    """3: a manifest of the project; 2: its conda environment; 1: README and Dockerfiles; 0: other files of the tree."""
+    """3: a manifest of the project; 2: its conda environment; 1: README and Dockerfiles; 0: other files of the tree,
+    and a lock."""
 
     @property
     def name(self) -> str:
@@ -47,6 +48,7 @@ def pins(evidence: Evidence) -> tuple[Pin, ...]:
     Requirements whose markers exclude every image are left out.
     """
     found = [*_of_files(evidence), *_of_projects(evidence), *_of_conda(evidence), *_of_prose(evidence)]
+    found += _of_lock(evidence)
     kept = [pin for pin in found if pin.requirement.name and ANY.may(pin.requirement)]
     return tuple(sorted((*kept, *_unstated(kept)), key=lambda pin: -pin.trust))
 
@@ -91,6 +93,14 @@ def _of_prose(evidence: Evidence) -> Iterator[Pin]:
         if not asked.role or (asked.role == "conda" and asked.key in known):
             yield Pin(asked, 1)
     yield from _of_lists(evidence)
+
+
+def _of_lock(evidence: Evidence) -> Iterator[Pin]:
+    """Yield the frameworks that a lock at the root has, and what is released with them: they need a CUDA."""
+    beside = {name for names in released_together().values() for name in names}
+    for each in evidence.locked:
+        if framework_on_cuda(each.requirement.key) or each.requirement.key in beside:
+            yield Pin(each.requirement, 0)
 
 
 def _of_lists(evidence: Evidence) -> Iterator[Pin]:

@@ -1,0 +1,91 @@
+"""Releases of a lock, for what the manifests leave free: the days on which their authors wrote them are theirs."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+from packaging.version import Version
+
+from roslab.decide.decision import Choice
+from roslab.decide.python.bounds import Constraints
+from roslab.decide.python.framework_pins import WHY_LOCKED
+from roslab.decide.python.weights import PackageWeight as Weight
+from roslab.decide.reasons import because
+from roslab.evidence.locked import Locked
+from roslab.knowledge.frameworks import released_together
+from roslab.knowledge.tools import INSTALLERS
+from roslab.values.interpreter import Interpreter
+from roslab.values.pattern import pattern
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+from roslab.values.wheel import wheel_of
+
+_CPYTHON = pattern(r"cp3(\d{1,2})")
+
+
+def locked_releases(
+    locked: Iterable[Locked], asked: Iterable[Requirement], taken: Iterable[Requirement], python: str | None
+) -> Choice[Constraints]:
+    """Return constraints for those of ``asked`` that no manifest pins, from a lock, for an image with this ``python``.
+
+    Not for what ``taken`` limits already or another index has, nor for what needs that: a lock fits together as a whole
+    only. A framework and what is released with it count as one. Left free is also what has wheels, but none for this
+    Python, and pip's own tools, of which each package that is compiled asks for others.
+    """
+    if python is None:
+        return Choice(answer=())
+    by_name: dict[str, list[Locked]] = {}
+    for each in locked:
+        if Interpreter(pythons=(python,), platforms=("linux/amd64",)).may(each.requirement):
+            by_name.setdefault(each.requirement.key, []).append(each)
+    one = {name: same[0] for name, same in by_name.items() if len({s.requirement.release for s in same}) == 1}
+    wanted = {each.key: each for each in asked if each.name and each.package}
+    other = {each.key for each in taken} | {key for key, each in wanted.items() if _differs(each, one)}
+    other |= {name for name, same in by_name.items() if any(each.elsewhere for each in same)}
+    other = _needing(_families(other), by_name) | {*INSTALLERS}
+    kept = [
+        one[key].requirement
+        for key, each in wanted.items()
+        if key in one and key not in other and not (each.release or each.url) and _has_wheel(one[key], python)
+    ]
+    lines = tuple(stated(each.written.partition("+")[0], "lock", each.file, each.line) for each in kept)
+    reasons = (because("dependencies", each.written, WHY_LOCKED, each, weight=Weight.BOUND) for each in lines)
+    return Choice(answer=lines, reasons=tuple(reasons))
+
+
+def _differs(asked: Requirement, one: Mapping[str, Locked]) -> bool:
+    """Tell whether a manifest asks for another release than the lock has: the lock is older, or of another part."""
+    release = one[asked.key].requirement.release if asked.key in one else None
+    return release is not None and not asked.specifier.contains(release, prereleases=True)
+
+
+def _families(names: Collection[str]) -> set[str]:
+    """Return the names, of a framework with all that is released together with it."""
+    together = ({name, *beside} for name, beside in released_together().items())
+    return {*names}.union(*(family for family in together if family & {*names}))
+
+
+def _needing(names: set[str], by_name: Mapping[str, Iterable[Locked]]) -> set[str]:
+    """Return the names and all that needs one of them, directly or not."""
+    while more := {
+        name for name, same in by_name.items() if name not in names and any(names & {*s.needs} for s in same)
+    }:
+        names = names | more
+    return names
+
+
+def _has_wheel(each: Locked, python: str) -> bool:
+    """Tell whether a release has a wheel for this Python on Linux, or none at all: then pip compiles it."""
+    return not each.wheels or any(_fits(name, python) for name in each.wheels)
+
+
+def _fits(name: str, python: str) -> bool:
+    wheel = wheel_of(name)
+    minor = Version(python).minor
+    for tag in wheel.tags if wheel else ():
+        built = _CPYTHON.fullmatch(tag.interpreter)
+        known = tag.interpreter == "py3" or (built is not None and int(built[1]) == minor)
+        known = known or (built is not None and tag.abi == "abi3" and int(built[1]) <= minor)
+        if known and (tag.platform == "any" or ("linux" in tag.platform and tag.platform.endswith("x86_64"))):
+            return True
+    return False

@@ -1,0 +1,98 @@
+"""Releases that a lock at the root names: uv.lock, poetry.lock, pdm.lock.
+
+https://docs.astral.sh/uv/concepts/projects/layout/#the-lockfile, https://python-poetry.org/docs/basic-usage/ and
+https://pdm-project.org/latest/usage/lockfile/, read 2026-11-23. All three are TOML with a table for each release.
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections import Counter
+from collections.abc import Iterator
+from typing import Any
+
+from roslab.evidence.locked import Locked
+from roslab.repository.checkout import Repository
+from roslab.values import toml
+from roslab.values.name import canonicalize_name
+from roslab.values.requirement_line import stated
+from roslab.values.version import version_of
+
+LOCKS = ("uv.lock", "poetry.lock", "pdm.lock")
+_INDEXES = frozenset({"registry", "legacy", "pypi"})
+"""What uv and Poetry call an index: what comes from elsewhere is no release."""
+_ELSEWHERE = frozenset({"git", "path", "url"})
+"""Keys with which pdm tells that a package comes from elsewhere."""
+
+
+def read(repository: Repository) -> tuple[Locked, ...]:
+    """Return the releases of the first lock that the root has; one that is no TOML tells nothing."""
+    file = next((name for name in LOCKS if repository.has(name)), None)
+    if file is None:
+        return ()
+    text = repository.read(file)
+    try:
+        packages = toml.parsed(text).get("package")
+    except ValueError:
+        return ()
+    lines = [number for number, line in enumerate(text.split("\n"), 1) if line.strip() == "[[package]]"]
+    tables = packages if isinstance(packages, list) and len(packages) == len(lines) else []
+    pairs = [(table, line) for table, line in zip(tables, lines, strict=False) if isinstance(table, dict)]
+    usual = Counter(_index(table) for table, _ in pairs).most_common(1)
+    found = (_release(table, file, line, usual[0][0]) for table, line in pairs)
+    return tuple(each for each in found if each)
+
+
+def _index(table: dict[str, Any]) -> str:
+    """Return the address of the index that a release is from, ``""`` for that of its tool."""
+    source = table.get("source")
+    return str(source.get("registry") or source.get("url") or "") if isinstance(source, dict) else ""
+
+
+def _release(table: dict[str, Any], file: str, line: int, usual: str) -> Locked | None:
+    name, version = str(table.get("name", "")), version_of(str(table.get("version", "")))
+    if not name or version is None or not _of_an_index(table):
+        return None
+    line_of_it = stated(f"{canonicalize_name(name)}=={version}", "lock", file, line)
+    wheels = tuple(each for each in _files(table) if each.endswith(".whl"))
+    return Locked(
+        requirement=line_of_it.only_if(_condition(table)),
+        wheels=wheels,
+        needs=tuple(_needs(table)),
+        elsewhere=_index(table) != usual and not version.local,
+    )
+
+
+def _of_an_index(table: dict[str, Any]) -> bool:
+    source = table.get("source")
+    kinds = {str(source.get("type", ""))} | {*source} if isinstance(source, dict) else {"registry"}
+    return bool(kinds & _INDEXES) and not _ELSEWHERE & {*table}
+
+
+def _condition(table: dict[str, Any]) -> str:
+    """Return the marker under which the release is meant, ``""`` where it always is."""
+    said = table.get("resolution-markers", table.get("markers", table.get("marker")))
+    every = said if isinstance(said, list) else [said]
+    return " or ".join(f"({each})" for each in every if isinstance(each, str))
+
+
+def _files(table: dict[str, Any]) -> Iterator[str]:
+    for each in (*_listed(table, "wheels"), *_listed(table, "files")):
+        if isinstance(each, dict):
+            yield posixpath.basename(str(each.get("file") or each.get("url") or "").partition("#")[0])
+
+
+def _needs(table: dict[str, Any]) -> Iterator[str]:
+    """Yield what a release needs: a list of tables of uv's, a table of Poetry's, a list of lines of pdm's."""
+    said = table.get("dependencies")
+    if isinstance(said, dict):
+        yield from map(canonicalize_name, said)
+    for each in _listed(table, "dependencies"):
+        named = str(each.get("name", "")) if isinstance(each, dict) else stated(str(each)).name
+        if named:
+            yield canonicalize_name(named)
+
+
+def _listed(table: dict[str, Any], key: str) -> list[Any]:
+    found = table.get(key)
+    return found if isinstance(found, list) else []

@@ -1,0 +1,102 @@
+"""A lock at the root says which release is meant of what the manifests leave free."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PROJECT = """[project]
+name = "demo"
+version = "1"
+requires-python = ">=3.10,<3.11"
+dependencies = ["trimesh", "viser>=1", "scipy==1.10.0", "plan @ git+https://example.org/lab/plan"]
+[build-system]
+requires = ["hatchling"]
+build-backend = "hatchling.build"
+"""
+
+
+def uv(
+    name: str, version: str, *, wheel: str = "py3-none-any", more: str = "", index: str = "https://index.example"
+) -> str:
+    file = f"{index}/{name}-{version}-{wheel}.whl"
+    return (
+        f'[[package]]\nname = "{name}"\nversion = "{version}"\nsource = {{ registry = "{index}" }}\n'
+        f'{more}wheels = [\n    {{ url = "{file}", hash = "sha256:00" }},\n]\n\n'
+    )
+
+
+def poetry(name: str, version: str, wheel: str) -> str:
+    return (
+        f'[[package]]\nname = "{name}"\nversion = "{version}"\npython-versions = ">=3.8"\n'
+        f'files = [\n    {{file = "{name}-{version}-{wheel}.whl", hash = "sha256:00"}},\n]\n\n'
+    )
+
+
+def limits(decision: Decision) -> set[str]:
+    return {each.written for each in decision.python.bounds}
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "found"),
+    [
+        ("uv.lock", uv("trimesh", "4.1.0") + uv("viser", "1.2.0"), {"trimesh==4.1.0", "viser==1.2.0"}),
+        ("uv.lock", uv("viser", "0.9.0"), set()),
+        ("uv.lock", uv("scipy", "1.11.0") + uv("plan", "1.0") + uv("absent", "2.0"), set()),
+        ("uv.lock", uv("trimesh", "4.1.0", wheel="cp312-cp312-manylinux2014_x86_64"), set()),
+        ("uv.lock", uv("trimesh", "4.1.0", wheel="cp310-cp310-manylinux2014_x86_64"), {"trimesh==4.1.0"}),
+        ("uv.lock", uv("trimesh", "4.1.0", wheel="cp39-abi3-manylinux2014_x86_64"), {"trimesh==4.1.0"}),
+        (
+            "uv.lock",
+            uv("trimesh", "4.1.0", more="resolution-markers = [\"python_full_version < '3.11'\"]\n")
+            + uv("trimesh", "4.5.0", more="resolution-markers = [\"python_full_version >= '3.11'\"]\n"),
+            {"trimesh==4.1.0"},
+        ),
+        ("uv.lock", uv("trimesh", "4.1.0") + uv("trimesh", "4.5.0"), set()),
+        (
+            "uv.lock",
+            '[[package]]\nname = "trimesh"\nversion = "4"\nsource = { git = "https://example.org/t" }\n',
+            set(),
+        ),
+        ("uv.lock", "[[package]\n", set()),
+        ("poetry.lock", poetry("trimesh", "4.1.0", "py3-none-any"), {"trimesh==4.1.0"}),
+        ("pdm.lock", poetry("viser", "1.2.0", "cp310-cp310-manylinux2014_x86_64"), {"viser==1.2.0"}),
+    ],
+)
+def test_what_a_manifest_leaves_free(tree: Tree, file: str, text: str, found: set[str]) -> None:
+    assert limits(tree({"pyproject.toml": PROJECT, "demo.py": "import trimesh\n", file: text})) == found
+
+
+def test_what_needs_a_release_that_the_image_cannot_have_is_left_free_too(tree: Tree) -> None:
+    lock = uv("scipy", "1.9.0") + uv("viser", "1.2.0") + uv("mesh", "1.0", more='dependencies = [{ name = "scipy" }]\n')
+    lock += uv("trimesh", "4.1.0", more='dependencies = [{ name = "mesh" }]\n')
+    assert limits(tree({"pyproject.toml": PROJECT, "demo.py": "import trimesh\n", "uv.lock": lock})) == {"viser==1.2.0"}
+
+
+def test_a_lock_of_what_is_not_installed_tells_nothing(tree: Tree) -> None:
+    files = {"requirements.txt": "trimesh\n", "demo.py": "import trimesh\n", "uv.lock": uv("trimesh", "4.1.0")}
+    assert limits(tree(files)) == set()
+
+
+def test_a_torch_that_is_locked_has_its_own_cuda(tree: Tree) -> None:
+    free = PROJECT.replace('"trimesh"', '"torch", "torchvision"')
+    lock = uv("torch", "2.5.1+cu124", wheel="cp310-cp310-linux_x86_64") + uv("torchvision", "0.20.1+cu124")
+    found = tree({"pyproject.toml": free, "demo.py": "import torch\n", "uv.lock": lock})
+    assert found.cuda == "12.4"
+    assert limits(found) == {"torch==2.5.1+cu124", "torchvision==0.20.1+cu124"}
+    assert "--extra-index-url https://download.pytorch.org/whl/cu124" in found.python.options
+
+
+def test_what_another_index_has_is_left_free(tree: Tree) -> None:
+    lock = uv("trimesh", "4.1.0.dev3", index="https://nightly.example") + uv("viser", "1.2.0") + uv("mesh", "1.0")
+    assert limits(tree({"pyproject.toml": PROJECT, "demo.py": "import trimesh\n", "uv.lock": lock})) == {"viser==1.2.0"}
+
+
+def test_no_build_is_given_the_setuptools_of_a_lock(tree: Tree) -> None:
+    free = PROJECT.replace('"trimesh"', '"setuptools"')
+    lock = uv("setuptools", "80.1.0") + uv("viser", "1.2.0")
+    assert limits(tree({"pyproject.toml": free, "demo.py": "import viser\n", "uv.lock": lock})) == {"viser==1.2.0"}
