@@ -46,7 +46,7 @@ from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, host_options, started
 from roslab.decide.system.own_options import own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
-from roslab.decide.system.packages import decide_system, without_twins
+from roslab.decide.system.packages import decide_system, with_libraries
 from roslab.decide.variables import decide_variables
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
@@ -145,7 +145,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cuda=cuda.answer.version if target.cuda else None,
     )
     sources = with_recipes(sources, libraries)
-    system = without_twins(system, frozenset(source.name for source, _ in libraries))
+    system = with_libraries(system, frozenset(source.name for source, _ in libraries))
 
     repositories = decide_apt_sources(
         evidence, config, frozenset((*system.answer.apt, *system.answer.apt_guessed)), base.answer.ubuntu

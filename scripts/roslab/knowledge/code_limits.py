@@ -82,6 +82,11 @@ def fits(library: str, ubuntu: str, *, at_least: str | None, below: str | None, 
     return (at_least is None or version >= Version(at_least)) and (below is None or version < Version(below))
 
 
+def bounds_of(library: str, asked: str) -> tuple[str, str | None]:
+    """Return the oldest release that ``find_package(LIBRARY ASKED)`` takes, and the first newer one that it refuses."""
+    return asked, str(Version(asked).major + 1) if library in _same_major() else None
+
+
 def satisfies(library: str, ubuntu: str, asked: str, *, ros: bool = False) -> bool:
     """Tell whether ``find_package(LIBRARY ASKED REQUIRED)`` succeeds on an Ubuntu; of an unknown library it does.
 

@@ -62,6 +62,12 @@ def recipe_at(url: str) -> str | None:
 
 
 @cache
+def beside(name: str) -> tuple[str, ...]:
+    """Return the apt packages that an image needs with a library of the table, to link it and to run what does."""
+    return tuple((_table(name) or {}).get("beside", ()))
+
+
+@cache
 def releases(name: str) -> tuple[str, ...]:
     """Return the releases of a library that the table knows how to build; ``()`` where it names none."""
     return tuple((_table(name) or {}).get("releases", {}))

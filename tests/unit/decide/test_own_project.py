@@ -109,14 +109,14 @@ def test_what_a_script_clones_and_does_not_install_brings_no_newer_version(
 ) -> None:
     files = {
         **CODE,
-        "CMakeLists.txt": f"{MADE}find_package(OpenCV 3.1 REQUIRED)\n",
-        "build.sh": f"git clone -b 3.4.1 https://github.com/opencv/opencv.git\ncd opencv/build\ncmake ..\n{command}\n",
+        "CMakeLists.txt": f"{MADE}find_package(PCL 1.8 REQUIRED)\n",
+        "build.sh": f"git clone -b pcl-1.8.1 https://github.com/lab/pcl.git\ncd pcl/build\ncmake ..\n{command}\n",
         "roslab.yaml": "format: 3\nbase: {ubuntu: 16.04}\n",
     }
     for path, text in files.items():
         (tmp_path / path).write_text(text, encoding="utf-8")
     warnings = plan_repository(tmp_path).plan.warnings
-    assert any("CMake requires OpenCV 3.1" in warning.message for warning in warnings) == told
+    assert any("CMake requires PCL 1.8" in warning.message for warning in warnings) == told
 
 
 def test_the_documentation_is_no_program(tree: Tree) -> None:

@@ -9,8 +9,16 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_hand import as_written, by_hand
 from roslab.decide.system.libtorch import libtorch
 from roslab.decide.system.names import Target
+from roslab.decide.system.needs import needs
 from roslab.decide.system.packages import SystemPackages
-from roslab.decide.system.recipes import of_another_release, own_names, recipes_for, too_old_here
+from roslab.decide.system.recipes import (
+    of_another_release,
+    own_names,
+    recipes_for,
+    refused_here,
+    required_releases,
+    too_old_here,
+)
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.libraries import packaged
@@ -34,13 +42,15 @@ def decide_libraries(
     ``cuda``: the version that the image has.
     """
     own = own_names(evidence, folder_name)
+    required = () if config.compatible else tuple(required_releases(needs(evidence, packages, kind, target.ros_distro)))
     wanted = (
         *sources.libraries,
         *system.recipes,
         *of_another_release(evidence, system.apt_guessed),
         *too_old_here(evidence, system.apt, target),
+        *refused_here(required, target),
     )
-    tabled = as_written(recipes_for(wanted, target.ubuntu, evidence.limits, own), evidence)
+    tabled = as_written(recipes_for(wanted, target.ubuntu, (*evidence.limits, *required), own), evidence)
     submodules = (git.name for git in evidence.sources if git.kind == "submodule")
     elsewhere = {plain(name) for name in (*submodules, *(source.name for source, _ in tabled))}
     taken = sources.names | packages.names | own | elsewhere

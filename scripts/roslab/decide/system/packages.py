@@ -21,7 +21,7 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.never import never
 from roslab.knowledge.on_request import packages as on_request
-from roslab.knowledge.recipes import recipe
+from roslab.knowledge.recipes import beside, recipe
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.name import bare_name
 from roslab.values.requirement import Requirement
@@ -161,12 +161,16 @@ def _drop(
     return (*dropped, *guessed)
 
 
-def without_twins(choice: Choice[SystemPackages], built: frozenset[str]) -> Choice[SystemPackages]:
-    """Leave out ROS's packages of libraries that are built from their source: two versions would be mixed."""
+def with_libraries(choice: Choice[SystemPackages], built: frozenset[str]) -> Choice[SystemPackages]:
+    """Add what the libraries that are built from their source need beside them, and leave out ROS's packages of these.
+
+    Two versions would be mixed.
+    """
     names = "|".join(bare_name(name) for name in built)
     twin = re.compile(rf"ros-[a-z]+-(?:{names})") if names else None
-    kept = tuple(name for name in choice.answer.apt_guessed if twin is None or not twin.fullmatch(name))
-    return replace(choice, answer=replace(choice.answer, apt_guessed=kept))
+    kept = {name for name in choice.answer.apt_guessed if twin is None or not twin.fullmatch(name)}
+    kept |= {name for library in built for name in beside(library) if name not in choice.answer.apt}
+    return replace(choice, answer=replace(choice.answer, apt_guessed=tuple(sorted(kept))))
 
 
 def _requested(config: Config, ubuntu: str | None) -> Iterator[str]:

@@ -11,7 +11,7 @@ from roslab.decide.ros.source_names import itself_in, plain
 from roslab.decide.system.names import Target
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import CodeLimit, Evidence
-from roslab.knowledge.code_limits import fits
+from roslab.knowledge.code_limits import bounds_of, fits, satisfies
 from roslab.knowledge.libraries import library
 from roslab.knowledge.recipes import Bound, Recipe, recipe, releases
 
@@ -40,6 +40,17 @@ def own_names(evidence: Evidence, folder_name: str) -> frozenset[str]:
     """Return the names of the repository itself as a library, for which its own examples may ask."""
     named = {plain(each.name) for each in evidence.cmake if each.file == "CMakeLists.txt" and each.name}
     return frozenset({plain(folder_name), *named})
+
+
+def required_releases(needed: Iterable[tuple[Dependency, bool]]) -> Iterator[CodeLimit]:
+    """Yield what CMake requires at a version, in what is built, as bounds on the release to build."""
+    for asked, trusted in needed:
+        if trusted and asked.namespace == "cmake" and asked.strength == "declared" and asked.version:
+            oldest, first_not = bounds_of(asked.name, asked.version)
+            what = f"find_package({asked.name} {asked.version})"
+            yield CodeLimit(
+                library=asked.name, at_least=oldest, below=first_not, what=what, file=asked.file, line=asked.line
+            )
 
 
 def _source(built: Recipe) -> Source:
@@ -84,6 +95,20 @@ def of_another_release(evidence: Evidence, apt: Iterable[str]) -> tuple[tuple[st
         for limit in evidence.limits
         if limit.below and (name := limit.library.lower()) in brought and recipe(name, None)
     )
+
+
+def refused_here(required: Iterable[CodeLimit], target: Target) -> Iterator[tuple[str, Dependency]]:
+    """Yield the libraries that CMake requires in a release which this Ubuntu does not have, and which a recipe has."""
+    for limit in required:
+        name, oldest = limit.library.lower(), limit.at_least or "0"
+        end = Version(limit.below) if limit.below else None
+        known = (Version(release) for release in releases(name))
+        fit = any(release >= Version(oldest) and (end is None or release < end) for release in known)
+        if fit and target.ubuntu and not satisfies(limit.library, target.ubuntu, oldest, ros=bool(target.ros_distro)):
+            asked = Dependency(
+                namespace="cmake", name=limit.what, strength="declared", file=limit.file, line=limit.line
+            )
+            yield name, asked
 
 
 def too_old_here(evidence: Evidence, apt: Iterable[str], target: Target) -> tuple[tuple[str, Dependency], ...]:

@@ -1,0 +1,82 @@
+"""A release that CMake requires, and that the Ubuntu does not have, is built where the table of recipes has one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+CMAKE = "cmake_minimum_required(VERSION 3.5)\nproject(a)\nfind_package({})\nadd_executable(a a.cpp)\n"
+ON = "Tested on Ubuntu {}\n"
+
+
+def built(decision: Decision) -> list[tuple[str, str | None]]:
+    return [(source.name, source.ref) for source in decision.source]
+
+
+@pytest.mark.parametrize(
+    ("asked", "ubuntu", "ref"),
+    [
+        ("OpenCV 3.4 REQUIRED", "18.04", "3.4.16"),  # it has 3.2
+        ("OpenCV 3.4 REQUIRED", "20.04", "3.4.16"),  # it has 4.2
+    ],
+)
+def test_a_release_that_the_ubuntu_lacks_is_built(tree: Tree, asked: str, ubuntu: str, ref: str) -> None:
+    decision = tree({"CMakeLists.txt": CMAKE.format(asked), "README.md": ON.format(ubuntu)})
+    assert built(decision) == [("opencv", ref)]
+    assert "libavcodec-dev" in decision.apt_guessed
+    assert not any("CMake requires" in warning.message for warning in decision.warnings)
+
+
+@pytest.mark.parametrize(
+    "asked", ["OpenCV 3 REQUIRED", "OpenCV REQUIRED", "OpenCV 3.4", "OpenCV 5.1 REQUIRED", "Ceres 1.13 REQUIRED"]
+)
+def test_one_that_it_has_or_that_no_row_has_is_not(tree: Tree, asked: str) -> None:
+    assert built(tree({"CMakeLists.txt": CMAKE.format(asked), "README.md": ON.format("18.04")})) == []
+
+
+def test_an_example_is_no_reason(tree: Tree) -> None:
+    files = {
+        "CMakeLists.txt": CMAKE.format("Eigen3 REQUIRED"),
+        "examples/b/CMakeLists.txt": CMAKE.format("OpenCV 3.4 REQUIRED"),
+    }
+    assert built(tree({**files, "README.md": ON.format("18.04")})) == []
+
+
+@pytest.mark.parametrize(
+    ("asked", "code", "ref"),
+    [
+        ("pinocchio REQUIRED", "", "v2.7.1"),
+        ("pinocchio 3.1 REQUIRED", "", "v3.3.1"),
+        ("pinocchio REQUIRED", "#include <pinocchio/algorithm/constrained-dynamics.hpp>\n", "v3.3.1"),
+    ],
+)
+def test_pinocchio_is_built_after_its_library_of_collisions(tree: Tree, asked: str, code: str, ref: str) -> None:
+    decision = tree({"CMakeLists.txt": CMAKE.format(asked), "a.cpp": code, "README.md": ON.format("22.04")})
+    assert built(decision) == [("hpp-fcl", "v2.4.5"), ("pinocchio", ref)]
+    assert {"liburdfdom-dev", "libassimp-dev"} <= {*decision.apt_guessed, *decision.apt}
+
+
+def test_a_workspace_gets_it_too(tree: Tree) -> None:
+    asked = "".join(f"find_package({each} REQUIRED)\n" for each in ("ament_cmake", "OpenCV 4.9.0"))
+    files = {
+        "package.xml": "<package><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+        "CMakeLists.txt": f"project(demo)\n{asked}",
+        ".github/workflows/a.yml": "container: ros:humble\n",
+    }
+    assert built(tree({**files, "README.md": "For ROS 2 Humble.\n"})) == [("opencv", "4.9.0")]
+
+
+@pytest.mark.parametrize("distro", ["melodic", "humble"])
+def test_a_ros_that_has_it_brings_it(tree: Tree, distro: str) -> None:
+    tool = "catkin" if distro == "melodic" else "ament_cmake"
+    manifest = f"<package><name>demo</name><buildtool_depend>{tool}</buildtool_depend></package>"
+    asked = "".join(f"find_package({name} REQUIRED)\n" for name in (tool, "pinocchio", "hpp-fcl"))
+    decision = tree(
+        {"package.xml": manifest, "CMakeLists.txt": f"project(demo)\n{asked}", "README.md": f"For ROS {distro}\n"}
+    )
+    assert built(decision) == []
+    assert {f"ros-{distro}-pinocchio", f"ros-{distro}-hpp-fcl"} <= {*decision.apt_guessed}
