@@ -312,6 +312,31 @@ def test_vcs_files_for_the_distribution_without_the_repository_itself(tmp_path: 
     ]
 
 
+def test_of_lists_side_by_side_the_one_that_ci_builds_upstream_is_imported(tmp_path: Path) -> None:
+    lists = {"lists/sim.repos": _sister("x"), "lists/sonar.repos": _sister("y")}
+    files = {**package("a", xml=AMENT.replace("rclcpp", "some_unknown")), **lists}
+    assert decided(tmp_path, files, branch="jazzy").vcs == ("lists/sim.repos", "lists/sonar.repos")
+    ci = "on: push\nenv:\n  UPSTREAM_WORKSPACE: lists/sim.repos -c\njobs:\n  build:\n    runs-on: ubuntu-24.04\n"
+    ci += "    steps:\n      - uses: ros-industrial/industrial_ci@master\n"
+    assert decided(tmp_path, {".github/workflows/b.yml": ci}, branch="jazzy").vcs == ("lists/sim.repos",)
+
+
+@pytest.mark.parametrize(
+    ("distro", "name", "apt"),
+    [
+        ("jazzy", "gz-sim8", "ros-jazzy-gz-sim-vendor"),
+        ("kilted", "gz-sim9", "ros-kilted-gz-sim-vendor"),
+        ("humble", "ignition-gazebo6", "libignition-gazebo6-dev"),
+        ("humble", "ignition-plugin1", "libignition-plugin-dev"),
+    ],
+)
+def test_gazebos_libraries_have_their_version_in_their_name(tmp_path: Path, distro: str, name: str, apt: str) -> None:
+    cmake = f"project(demo)\nfind_package(ament_cmake REQUIRED)\nfind_package({name} REQUIRED)\n"
+    found = decided(tmp_path, {"package.xml": AMENT.format(name="demo"), "CMakeLists.txt": cmake}, branch=distro)
+    assert apt in {*found.apt, *found.apt_guessed}
+    assert not [warning.message for warning in found.warnings if name in warning.message]
+
+
 def test_a_list_does_not_clone_what_the_tree_has_itself(tmp_path: Path) -> None:
     listed = "".join(
         f"- git: {{local-name: {name}, uri: 'https://github.com/lab/{name}.git'}}\n" for name in ("a", "b-b", "c")

@@ -28,10 +28,11 @@ def vcs_files(
 ) -> tuple[str, ...]:
     """Return the vcs files to import: roslab.yaml's, else those for this distribution, else the plainest ones.
 
-    ``lacking``: something is needed that no distribution has. Otherwise a list below the root is imported only where a
-    page, a Dockerfile or CI names it: it may be data of a program. ``itself``: the repository's names, in lower case,
-    which say nothing of what a list is for. A list that CI builds as its downstream workspace names who needs the
-    repository: https://github.com/ros-industrial/industrial_ci/blob/master/doc/index.rst
+    Where a page names some of them, or CI for its upstream workspace, those are meant. ``lacking``: something is needed
+    that no distribution has. Otherwise a list below the root is imported only where a page, a Dockerfile or CI names
+    it: it may be data of a program. ``itself``: the repository's names, in lower case, which say nothing of what a list
+    is for. A list that CI builds as its downstream workspace names who needs the repository:
+    https://github.com/ros-industrial/industrial_ci/blob/master/doc/index.rst
     """
     if config.vcs is not None:
         return config.vcs
@@ -43,7 +44,11 @@ def vcs_files(
     plainest = _plainest(named or [file for file, words in distinct if not words], itself)
     said = [mention for mention in evidence.mentions if mention.topic == "vcs_file"]
     pages = {mention.value for mention in said if mention.source == "readme"}
-    plainest = [file for file in plainest if _name(file).lower() in pages] or plainest
+    above = {
+        mention.value for mention in said if mention.source == "ci" and "upstream_workspace" in mention.text.lower()
+    }
+    for named_in in (pages, above):
+        plainest = [file for file in plainest if _name(file).lower() in named_in] or plainest
     nearest = min((file.count("/") for file in plainest), default=0)
     found = tuple(file for file in plainest if file.count("/") == nearest)
     anywhere = {mention.value for mention in said}
