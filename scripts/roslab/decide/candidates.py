@@ -145,4 +145,5 @@ def _installed(evidence: Evidence) -> Iterator[Candidate]:
         aside = places.vendored(path) or places.example(path) or (library and _TOOLS.match(path))
         if program.kind == "main" and path.count("/") <= 1 and not aside:
             why = "it has a __main__ guard"
-            yield Candidate(argv=("python3", path), why=why, file=path, line=program.line, strong=False)
+            argv = ("python3", path)
+            yield Candidate(argv=argv, why=why, file=path, line=program.line, strong=False, inside=program.inside)

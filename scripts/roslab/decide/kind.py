@@ -10,6 +10,7 @@ from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
 from roslab.decide.ros.plain_workspace import built_together
+from roslab.decide.ros.without_manifest import CLIENTS, client_of
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
 from roslab.decide.ros.wrappers import BUILDERS, run_by_page, wraps
 from roslab.evidence import places
@@ -31,6 +32,7 @@ class Weight:
     PACKAGES = 500  # only ROS's tools build them
     BUILT = 460  # a C++ project that its page builds with CMake, and never with pip
     BINDINGS = 450  # a C++ project whose setup.py only wraps it: wins over that setup.py
+    ROS_ALONE = 410  # its program imports what only ROS has: wins over a setup.py, which knows nothing of it
     INSTALLABLE = 400  # pip installs the repository itself
     CONDA = 380  # it fits this code, but perhaps only its development
     OWN_LIST = 370  # a list that only ROS's tools read: wins over requirements, which a collection may have too
@@ -91,6 +93,9 @@ def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
     if not reasons and (said := built_together(evidence)):
         why = "packages of plain CMake, which the README has colcon build together"
         reasons.append(because("kind", "ros2", why, said, weight=Weight.PACKAGES))
+    if not reasons and (client := client_of(evidence)):
+        why = f"its program imports {client.name}, which ROS alone brings"
+        reasons.append(because("kind", CLIENTS[client.name], why, client, weight=Weight.ROS_ALONE))
     for manifest in packages.assets[:1]:
         why = "a package.xml with nothing to build beside it: the description of a robot"
         reasons.append(because("kind", "ros1", why, manifest, weight=Weight.DESCRIPTION))

@@ -214,6 +214,8 @@ class Program:
     file: str
     line: int
     kind: Literal["main", "console", "node"]
+    inside: str = ""
+    """The folder that it has to be started in, by what it puts on Python's path."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -16,6 +16,7 @@ from roslab.evidence.lex.shell import expand
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.copies import in_copy
+from roslab.evidence.prose.entry_scripts import started_by
 from roslab.evidence.prose.installs import Collector, merge
 from roslab.evidence.prose.recipe import recipe
 from roslab.evidence.prose.uncopied import uncopied
@@ -216,7 +217,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         requirements=tuple(dict.fromkeys(collector.requirements)),
         command=start.command,
         command_line=start.line,
-        entrypoint=start.entrypoint,
+        entrypoint=started_by(repository, start.entrypoint),
         starts_in_source=start.source is not None and start.source == posixpath.normpath(start.workdir),
         purpose="vendored" if in_copy(repository, file) else _purpose(file.path, reading.base or "", problem),
         problem=problem or reading.needs or missing,

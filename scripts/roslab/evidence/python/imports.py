@@ -13,6 +13,7 @@ from roslab.evidence.facts import Program
 from roslab.evidence.lex.lines import first_line
 from roslab.evidence.python import notebooks
 from roslab.evidence.python.modules import Module, modules
+from roslab.evidence.python.own_folder import own_folder
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.typelibs import typelibs
 from roslab.knowledge.windows import shown
@@ -173,6 +174,7 @@ def programs(repository: Repository) -> tuple[Program, ...]:
                     file=file.path,
                     line=text.count("\n", 0, match.start()) + 1,
                     kind="node" if node else "main",
+                    inside=own_folder(repository, module),
                 )
             )
     return tuple(sorted(found, key=lambda script: script.file))
