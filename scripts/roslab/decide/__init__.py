@@ -160,7 +160,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         (*everything, *(each for project in projects for each in project.build_requires)),
         command.answer.page,
     )
-    downloads = decide_downloads(evidence, config, command.answer.command, folder_name)
+    downloads = decide_downloads(evidence, config, command.answer.command, folder_name, command.answer.page)
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else NO_CUDA
     compiling = decide_compiling(

@@ -8,6 +8,7 @@ import shlex
 from collections.abc import Iterator
 
 from roslab.config.model import Config
+from roslab.decide.candidate import Candidate
 from roslab.decide.decision import Choice, Download, Reason
 from roslab.decide.reasons import because
 from roslab.evidence import places
@@ -21,18 +22,24 @@ MOST = 6
 
 
 def decide_downloads(
-    evidence: Evidence, config: Config, command: tuple[str, ...] | str, folder_name: str
+    evidence: Evidence,
+    config: Config,
+    command: tuple[str, ...] | str,
+    folder_name: str,
+    page: Candidate | None = None,
 ) -> Choice[tuple[Download, ...]]:
     """Return what pages near the root fetch of what the command or the build names.
 
-    An archive that a page unpacks is meant where the command names a path in it, or in the folder that it goes to.
-    ``folder_name`` is the repository's.
+    An archive that a page unpacks is meant where the command names a path in it, or in the folder that it goes to, and
+    so is what the last script of the tree fetches which the ``page`` runs before the command in the same section: its
+    configuration may name it. ``folder_name`` is the repository's.
     """
     if config.compatible:
         return Choice(answer=())
     named = set(_named(line_of(command)))
     fetched = [m for m in evidence.mentions if m.topic == "fetched" and _near(m)]
     unpacked = [m for m in evidence.mentions if m.topic == "unpacked" and _near(m)]
+    before = _before(fetched, page)
     found: dict[str, tuple[Download, Reason]] = {}
     for mention in fetched:
         path = _inside(mention.files[0], folder_name)
@@ -42,12 +49,20 @@ def decide_downloads(
             continue
         meant = path in named if folder is None else any(_in_archive(each, path, folder) for each in named)
         reader = "the command" if meant else archive.value if archive else ""
-        if reader:
-            why = f"{reader} names it, and the page fetches it"
+        if reader or (mention.inside and mention.line == before):
+            why = f"{reader} names it, and the page fetches it" if reader else "the page fetches it before the command"
             reason = because("downloads", mention.value, why, mention, weight=WEIGHT)
             found.setdefault(path, (Download(url=mention.value, path=path, unpack=folder), reason))
     chosen = list(found.values())[:MOST]
     return Choice(answer=tuple(each for each, _ in chosen), reasons=tuple(reason for _, reason in chosen))
+
+
+def _before(fetched: list[Mention], page: Candidate | None) -> int:
+    """Return the line of the last script that fetches in the section of a command, before it; 0 for none."""
+    if page is None or not page.heading:
+        return 0
+    same = (m for m in fetched if m.inside and (m.file, m.heading) == (page.file, page.heading))
+    return max((m.line for m in same if m.line < page.line), default=0)
 
 
 def _near(mention: Mention) -> bool:

@@ -79,11 +79,12 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     )
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
     said = [m for m in said if not places.vendored(m.file)]
+    fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
     nearest = min((mention.file.count("/") for mention in said), default=0)
     for mention in said:
         whole, cut, blanks = _filled(mention.value, mention.files)
         argv = _runnable(whole, mention, tree, ros=ros, compiled=compiled)
-        if argv is not None:
+        if argv is not None and not fetching & {*argv[:2]}:
             strong = not compiled or not any(places.example(part) for part in argv[:2])
             strong = strong and not (compiled and argv[0].startswith("python"))
             strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)

@@ -189,7 +189,7 @@ class Mention:
     heading: str = ""
     """The titles of the sections that it stands in, the outermost first (``Usage / Simulation``); of a page only."""
     inside: str = ""
-    """Of a command: the folder of the tree that it has to be started in."""
+    """Of a command: the folder of the tree that it has to be started in; of what is fetched: the script."""
     variables: tuple[str, ...] = ()
     """Of a command: the variables that it is started with, ``NAME=VALUE``."""
 

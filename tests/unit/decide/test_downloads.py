@@ -71,3 +71,40 @@ def test_an_edit_of_the_source_fetches_nothing_again(tree: Tree) -> None:
     assert "COPY . " not in stage
     brought = text.index("COPY --from=downloads --chown=${NB_UID}:${NB_UID} /fetched/ /home/${NB_USER}/demo/\n")
     assert brought < text.index("COPY --chown=${NB_UID}:${NB_UID} . .")
+
+
+ARCHIVE = "https://x.example/sets/room.zip"
+SCRIPT = (
+    f"#!/bin/bash\nset -e\nmkdir -p data && cd data\necho Fetching it\nwget {ARCHIVE}\nunzip room.zip\nrm room.zip\n"
+)
+ROOM = Download(url=ARCHIVE, path="data/room.zip", unpack="data")
+
+
+@pytest.mark.parametrize(
+    ("page", "script", "found"),
+    [
+        ("# Data\n`bash get/room.sh`\n# Demo\n`python demo.py --input data/room/one`\n", SCRIPT, (ROOM,)),
+        ("# Data\n```\n./get/room.sh\n```\n# Demo\n`python demo.py --input data/room/one`\n", SCRIPT, (ROOM,)),
+        ("# Demo\n```\nbash get/room.sh\npython demo.py conf.yaml\n```\n", SCRIPT, (ROOM,)),
+        ("# Data\n`bash get/room.sh`\n# Demo\n`python demo.py conf.yaml`\n", SCRIPT, ()),
+        ("# Demo\n```\npython demo.py conf.yaml\nbash get/room.sh\n```\n", SCRIPT, ()),
+        ("# Demo\n`python demo.py --input data/room/one`\n", SCRIPT, ()),
+        (
+            "# Demo\n```\nbash get/room.sh\npython demo.py conf.yaml\n```\n",
+            SCRIPT.replace("set -e", "for each in a b; do") + "done\n",
+            (),
+        ),
+        ("# Demo\n```\nbash get/room.sh\npython demo.py conf.yaml\n```\n", f"{SCRIPT}python convert.py\n", ()),
+    ],
+)
+def test_a_script_of_the_tree_that_only_fetches(
+    tree: Tree, page: str, script: str, found: tuple[Download, ...]
+) -> None:
+    files = {"demo.py": "import numpy\n", "requirements.txt": "numpy\n", "conf.yaml": "data: data/room\n"}
+    assert tree({**files, "get/room.sh": script, "README.md": page}).downloads == found
+
+
+def test_a_script_that_only_fetches_is_no_default_command(tree: Tree) -> None:
+    files = {"demo.py": "import numpy\n", "requirements.txt": "numpy\n", "get/room.sh": SCRIPT}
+    page = "# Demo\n```\nbash get/room.sh\npython demo.py\n```\n"
+    assert tree({**files, "README.md": page}).command == ("python", "demo.py")

@@ -16,6 +16,7 @@ from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logi
 from roslab.evidence.prose import apt_scripts, downloads, exports, generated, libtorch, mentions, python_path
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
+from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of
 from roslab.evidence.prose.installs import BLANK, Collector, merge
 from roslab.evidence.prose.own_files import with_files
@@ -151,6 +152,7 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         yield from () if mention.topic == "compiled" and of_another(mention, repository) else (mention,)
     elif not leads_elsewhere(told := with_files(mention, repository), repository):
         yield told
+        yield from fetched_by(told, repository)
 
 
 def pages(repository: Repository) -> list[File]:
