@@ -39,7 +39,7 @@ from roslab.evidence.python import (
     requirements,
     tests,
 )
-from roslab.evidence.ros import commit_date, distro_names, launch, package_xml, rosbuild, vcs
+from roslab.evidence.ros import commit_date, distro_names, gazebo_plugins, launch, package_xml, rosbuild, vcs
 from roslab.repository.checkout import Repository
 
 PROSE = (
@@ -87,6 +87,7 @@ def gather(repository: Repository) -> Evidence:
             *imports.read(repository),
             *called.read(own),
             *launch.plugins(repository),
+            *(gazebo_plugins.read(repository) if manifests else ()),
             *cmake.fetching(repository),
             *shared_objects.read(own),
         ),

@@ -1,0 +1,36 @@
+"""The plugins of Gazebo that robots, worlds and launch files load, which few package.xml name."""
+
+from __future__ import annotations
+
+import re
+
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.lex.lines import matches_at
+from roslab.knowledge.gazebo_plugins import gazebo_plugins
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 256 * 1024
+MAX_FILES = 800
+"""Most files that are opened, those nearest to the root first."""
+_LIBRARY = pattern(r"lib[\w-]{1,80}\.so\b(?!\.)")
+_COMMENT = pattern(r"<!--.*?-->", re.DOTALL)
+
+
+def read(repository: Repository) -> tuple[Dependency, ...]:
+    """Return the packages of the libraries that are loaded, each once, where it is loaded first."""
+    described = repository.suffixed(".xacro", ".urdf", ".sdf", ".world", ".gazebo", ".launch")
+    launching = (file for file in repository.suffixed(".py") if "launch" in file.name)
+    files = [file for file in (*described, *launching) if file.size <= MAX_SIZE and not places.vendored(file.path)]
+    found: dict[str, Dependency] = {}
+    for file in sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]:
+        text = repository.read(file)
+        text = _COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text) if ".so" in text else ""
+        for match in matches_at(_LIBRARY, text, "lib"):
+            if (name := gazebo_plugins().get(match[0])) and name not in found:
+                line = text.count("\n", 0, match.start()) + 1
+                found[name] = Dependency(
+                    namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec"
+                )
+    return tuple(found.values())

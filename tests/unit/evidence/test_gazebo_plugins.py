@@ -1,0 +1,34 @@
+"""A plugin of Gazebo is known by its library, wherever a robot, a world or a launch file loads it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from roslab.evidence.ros.gazebo_plugins import read
+from roslab.repository.checkout import Repository
+
+
+def _write(root: Path, files: dict[str, str]) -> Repository:
+    for path, text in files.items():
+        target = root / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    return Repository.open(root)
+
+
+def test_every_package_is_named_once_where_its_plugin_is_loaded(tmp_path: Path) -> None:
+    files = {
+        "urdf/robot.xacro": '<robot>\n<!-- <plugin filename="libgazebo_ros_range.so"/> -->\n'
+        '<plugin name="c" filename="libgazebo_ros_control.so"/>\n</robot>\n',
+        "urdf/wheels.gazebo": '<plugin filename="libgazebo_ros_diff_drive.so"/><plugin filename="libown_wheels.so"/>',
+        "worlds/a.world": '<sdf><plugin filename="libgazebo_ros_camera.so"/></sdf>',
+        "launch/sim.launch.py": "ExecuteProcess(cmd=['gazebo', '-s', 'libgazebo_ros_init.so'])\n",
+        "third_party/x.urdf": '<plugin filename="libgazebo_ros_kobuki.so"/>',
+        "README.md": "libgazebo_ros_velodyne_laser.so\n",
+    }
+    found = [(each.name, each.file, each.line) for each in read(_write(tmp_path, files))]
+    assert found == [
+        ("gazebo_ros", "launch/sim.launch.py", 1),
+        ("gazebo_ros_control", "urdf/robot.xacro", 3),
+        ("gazebo_plugins", "urdf/wheels.gazebo", 1),
+    ]
