@@ -20,7 +20,7 @@ from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.processor import decide_processor
 from roslab.decide.proof import compiled, decide_test, rostests
-from roslab.decide.python.alternatives import named_by_wheels, one_way
+from roslab.decide.python.alternatives import named_by_wheels, one_way, without_lists
 from roslab.decide.python.cloned import with_cloned
 from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
@@ -65,7 +65,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence, config = narrowed(evidence, config)
     day, pip_day, evidence = decide_days(evidence, config)
     kind = decide_kind(evidence, config, folder_name)
-    evidence = named_by_wheels(with_cloned(with_fetched(evidence), kind.answer, folder_name))
+    evidence = without_lists(with_cloned(with_fetched(evidence), kind.answer, folder_name), kind.answer)
+    evidence = named_by_wheels(evidence)
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
     cuda = decide_cuda(evidence, config, pins(evidence))

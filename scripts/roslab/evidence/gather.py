@@ -93,7 +93,7 @@ def gather(repository: Repository) -> Evidence:
         ),
         prose=prose.dependencies,
         prose_pip=prose.requirements,
-        listed=page_lists.read(own) if not manifests else (),
+        listed=page_lists.read(own),
         sources=sources,
         apt_sources=apt_sources.read(own),
         mentions=(

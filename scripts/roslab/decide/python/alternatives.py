@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from packaging.version import Version
 
+from roslab.config.model import Kind
 from roslab.decide.cuda.local import cuda_of
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import framework, released_together
@@ -35,6 +36,11 @@ class Way:
     pinned: bool
     computes: bool
     """It is for a GPU, as far as it says."""
+
+
+def without_lists(evidence: Evidence, kind: Kind) -> Evidence:
+    """Return the evidence without what pages list, for packages of ROS: their manifests say what they need."""
+    return replace(evidence, listed=()) if evidence.manifests and kind in {"ros1", "ros2"} else evidence
 
 
 def named_by_wheels(evidence: Evidence) -> Evidence:
