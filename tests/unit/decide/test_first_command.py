@@ -691,6 +691,26 @@ def test_a_script_that_stops_without_a_variable_is_not_what_is_run(tree: Tree, g
     assert " ".join(tree({**files, "requirements.txt": "numpy\n"}).command) == command
 
 
+@pytest.mark.parametrize(
+    ("script", "command"),
+    [
+        ("conda create -n demo python=3.10 -y\nconda activate demo\npip install -e .", "python main.py"),
+        ("if true; then\n  sudo apt-get -y install ffmpeg\nfi\npython setup.py develop", "python main.py"),
+        ("pip install -r requirements.txt\nexec python main.py --fast", "bash env/all.sh"),
+        ("pip install numpy\nDISPLAY=:0 ./sim", "bash env/all.sh"),
+        ("pip install numpy\nbuild/sim --fast", "bash env/all.sh"),
+        ("echo 'pip install numpy if it is missing'", "bash env/all.sh"),
+    ],
+)
+def test_a_script_that_only_installs_is_not_what_is_run(tree: Tree, script: str, command: str) -> None:
+    page = "# Usage\n```\ncd env\n./all.sh\n```\nThen\n```\ncd ..\npython main.py\n```\n"
+    files = {"env/all.sh": f"#!/bin/bash\n{script}\n", "main.py": "import numpy\n", "README.md": page}
+    found = tree({**files, "requirements.txt": "numpy\n"}).command
+    assert (found if isinstance(found, str) else " ".join(found)).replace(
+        "cd env && exec bash ", "bash env/"
+    ) == command
+
+
 def test_what_a_sentence_uses_as_something_is_not_what_is_run(tree: Tree) -> None:
     page = "# Usage\nCopy and use `lib/demo.py` as a template, or use `other.py` to see it.\n"
     main = 'if __name__ == "__main__":\n    print(1)\n'

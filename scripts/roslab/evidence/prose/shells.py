@@ -1,9 +1,11 @@
 """Scripts of the tree that start no program of it: they open a shell in which a person goes on, or a container.
 
-So do those that stop because nobody has set a variable.
+So do those that stop because nobody has set a variable, and those that only install what others need.
 """
 
 from __future__ import annotations
+
+import re
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.unset import stops_unset
@@ -23,13 +25,27 @@ _CONTAINER = pattern(
     r"(?:run|exec|start|up|build|pull)(?![\w-])"
 )
 """The host's engine, also in a variable that is called later: ``RUN_COMMAND="docker run …"``."""
+_INSTALLS = pattern(
+    r"^[ \t]*(?:(?:sudo|then|else|do)[ \t]+)*(?:pip[23]?|python[\d.]*[ \t]+-m[ \t]+pip|conda|mamba|micromamba|apt|"
+    r"apt-get)[ \t]+(?:-\S+[ \t]+)*(?:install|create|env[ \t]+(?:create|update))\b",
+    re.MULTILINE,
+)
+_STARTS = pattern(
+    r"^[ \t]*(?:(?:exec|eval|nohup|time|then|else|do)[ \t]+)*(?:\w+=\S*[ \t]+)*"
+    r"(?:python[\d.]*[ \t]+(?!-m[ \t]+pip\b|setup\.py\b|-[cV])|torchrun\b|accelerate[ \t]+launch|roslaunch\b|rosrun\b|"
+    r"roscore\b|ros2[ \t]|jupyter\b|[\w.~-]*/|(?:ba)?sh[ \t]+\S|[$\"'])",
+    re.MULTILINE,
+)
+"""A line that starts a program, or what a variable names."""
 
 
 def leads_elsewhere(mention: Mention, repository: Repository) -> bool:
-    """Tell whether a command runs a script of the tree that ends in a shell, starts a container or stops at once."""
+    """Tell whether a command runs a script that ends in a shell, or starts a container or no program at all."""
     scripts = [file for file in mention.files if file.endswith(".sh")]
     return any(map(_leads_elsewhere, (repository.read(script, limit=MAX_SIZE) for script in scripts[:1])))
 
 
 def _leads_elsewhere(text: str) -> bool:
+    if _INSTALLS.search(text) and not _STARTS.search(text):
+        return True
     return stops_unset(text) or any(_OPENS.match(line) or _CONTAINER.match(line) for line in text.splitlines())
