@@ -9,6 +9,7 @@ from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import address, drifts, fixed, fixed_at, moves, plain
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.lies_beside import with_beside
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
 from roslab.evidence import places
@@ -30,15 +31,19 @@ def as_written(
     by_url |= {address(git.url): git for git in _installed(evidence)}
     date = dated(evidence)
     day = date.value if date else ""
-    return tuple((_like(source, by_url.get(address(source.repo or "")), day), asked) for source, asked in sources)
+    found: list[tuple[Source, Dependency]] = []
+    for source, asked in sources:
+        git = by_url.get(address(source.repo or ""))
+        found.append((with_beside(_like(source, git, day), git, evidence) if git else source, asked))
+    return tuple(found)
 
 
 def _installed(evidence: Evidence) -> Iterator[GitSource]:
     return (git for git in evidence.sources if git.installed and not places.vendored(git.file))
 
 
-def _like(source: Source, git: GitSource | None, day: str) -> Source:
-    if git is None or not (ref := fixed(git.ref)):
+def _like(source: Source, git: GitSource, day: str) -> Source:
+    if not (ref := fixed(git.ref)):
         return source
     said = {word.partition("=")[0] for word in git.options.split()}
     ours = (word for word in source.cmake_options.split() if word.partition("=")[0] not in said)
@@ -96,7 +101,7 @@ def by_hand(
             cmake_options=git.options,
             place=Place(file=git.file, line=git.line),
         )
-        found.setdefault(name, (source, asked))
+        found.setdefault(name, (with_beside(source, git, evidence), asked))
     return tuple(found.values())
 
 

@@ -1,0 +1,39 @@
+"""What a page fetches beside a library that it builds, and names in an option of that."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+CMAKE = {"CMakeLists.txt": "project(demo)\nfind_package(grasplib REQUIRED)\nadd_executable(demo main.cpp)\n"}
+LIBRARY = "git clone https://github.com/lab/grasplib.git\ncd grasplib && git checkout v2.1 && cd ..\n"
+BUILT = "cd grasplib\nmkdir build && cd build\ncmake -DMORE={more} -DGUI=OFF ..\nmake\nsudo make install\n"
+ARCHIVE = "wget https://github.com/lab/grasplib_more/archive/v2.1.tar.gz\ntar xzf v2.1.tar.gz\n"
+CLONE = "git clone -b v2.1 https://github.com/lab/grasplib_more.git\n"
+STEPS = (
+    "git clone https://github.com/lab/grasplib_more{end} ../grasplib_more"
+    " && git -C ../grasplib_more -c advice.detachedHead=false checkout v2.1"
+)
+
+
+@pytest.mark.parametrize(
+    ("fetched", "more", "options", "end"),
+    [
+        (ARCHIVE, "../../grasplib_more-2.1/modules", "-DMORE=../../grasplib_more/modules -DGUI=OFF", ""),
+        (CLONE, "../../grasplib_more/modules", "-DMORE=../../grasplib_more/modules -DGUI=OFF", ".git"),
+        (CLONE, "/opt/grasplib_more", "-DMORE=../../grasplib_more -DGUI=OFF", ".git"),
+        (CLONE, "../../modules", "-DMORE=../../modules -DGUI=OFF", None),
+        ("", "../../grasplib_more/modules", "-DMORE=../../grasplib_more/modules -DGUI=OFF", None),
+    ],
+)
+def test_what_an_option_names_is_fetched_beside_the_library(
+    tree: Tree, fetched: str, more: str, options: str, end: str | None
+) -> None:
+    page = f"```\n{LIBRARY}{fetched}{BUILT.format(more=more)}```\n"
+    (source,) = (each for each in tree({**CMAKE, "README.md": page}).source if each.name == "grasplib")
+    assert source.cmake_options == options
+    assert source.prepare == ("" if end is None else STEPS.format(end=end))
