@@ -631,11 +631,17 @@ def test_a_program_is_started_in_the_folder_that_its_paths_begin_in(
         ("cd ~/ws/src/demo/scripts\nsh main.sh", "cd scripts && exec bash main.sh"),
         ("cd build\n./start.sh", "bash start.sh"),
         ("./scripts/main.sh", "bash scripts/main.sh"),
+        ("roscd demo/scripts\n./main.sh", "cd scripts && exec bash main.sh"),
+        ("roscd demo/scripts\n./show_it", "cd scripts && exec bash show_it"),
+        ("cd scripts\n./show_it", "cd scripts && exec bash show_it"),
+        ("roscd demo\n./main_node\nroslaunch demo map.launch", "roslaunch demo map.launch"),
         ("cd scripts\n./gone.sh\nroslaunch demo map.launch", "roslaunch demo map.launch"),
     ],
 )
 def test_a_script_is_started_in_the_folder_that_the_page_goes_to(tree: Tree, page: str, command: str) -> None:
-    scripts = dict.fromkeys(("scripts/main.sh", "scripts/build.sh", "start.sh"), "roslaunch demo map.launch\n")
+    scripts = dict.fromkeys(
+        ("scripts/main.sh", "scripts/build.sh", "scripts/show_it", "start.sh"), "roslaunch demo map.launch\n"
+    )
     found = tree({**ROS1, **scripts, "README.md": f"# Run\n```\n{page}\n```\n"}).command
     assert (found if isinstance(found, str) else " ".join(found)) == command
 

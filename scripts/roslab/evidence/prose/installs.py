@@ -118,7 +118,7 @@ class Collector:
             self._python(conda_asks(command, self.file), command)
         elif program == "git":
             self._git(command)
-        elif program == "cd":
+        elif program in {"cd", "roscd"}:
             self._cd(words[1] if len(words) > 1 else "~")
         else:
             self._program(program, command)

@@ -25,7 +25,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
     if script := script_in(mention, repository) if mention.inside else None:
         words[script[0]] = script[1]
     for index, word in enumerate(words):
-        if index == 0 and not word.endswith(".sh"):
+        if index == 0 and not (script or word.endswith(".sh")):
             continue
         named = any(sign in word for sign in "/._")
         path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", written(word))) if named else ""

@@ -50,10 +50,12 @@ def script_in(mention: Mention, repository: Repository) -> tuple[int, str, str] 
     """
     words = mention.value.split()
     position = min(_PLACES.get(words[0], 0), len(words) - 1)
-    if not words[position].endswith((".sh", ".launch", ".launch.py")) or words[position].startswith(("/", "~")):
+    word = words[position]
+    bare = word.startswith("./") and "." not in posixpath.basename(word)
+    if not (bare or word.endswith((".sh", ".launch", ".launch.py"))) or word.startswith(("/", "~")):
         return None
     for folder in ends(mention.inside):
-        path = posixpath.normpath(posixpath.join(folder, words[position]))
+        path = posixpath.normpath(posixpath.join(folder, word))
         if repository.has(path):
             return (position, path, folder) if folder else None
     return None

@@ -22,7 +22,7 @@ _TELLING = tuple(
         (".sh", r"\b(?:ba)?sh\s+\S+\.sh\b"),
         ("colcon", r"\bcolcon\b"),
         ("jupyter", r"\bjupyter[ -](?:notebook|lab)\s"),
-        ("cd", r"\bcd\s"),
+        ("cd", r"\b(?:ros)?cd\s"),
         ("conda", r"\bconda\b"),
         ("mamba", r"\b(?:micro)?mamba\b"),
         ("python", r"\bpython[\d.]*\s+\S"),
