@@ -59,6 +59,10 @@ def test_what_the_authors_dockerfile_installs_is_a_library_and_no_package(tree: 
     assert [(each.name.lower(), each.build) for each in decision.source] == [(library.lower(), "cmake")]
 
 
+LINKED = "add_executable(a a.cpp)\nif(WITH_G)\ntarget_link_libraries(a grasplib)\nendif()\n"
+SWITCHED = "```\nmkdir build && cd build\ncmake -DWITH_G=ON ..\n```\n"
+
+
 def test_the_options_of_the_page_win(tree: Tree) -> None:
     options = tree(ros1("find_package(GTSAM REQUIRED)\n", ARCHIVE)).source[0].cmake_options.split()
     assert "-DGTSAM_POSE3_EXPMAP=ON" in options
@@ -74,6 +78,9 @@ def test_the_options_of_the_page_win(tree: Tree) -> None:
         ("find_package(grasplib REQUIRED)\n", "See https://github.com/lab/other.", []),
         ("find_package(grasplib REQUIRED)\n", "See https://github.com/lab/grasplib/issues/3.", []),
         ("find_package(Eigen3 REQUIRED)\n", "See https://github.com/lab/eigen3.", []),
+        (f"option(WITH_G 'g' ON)\n{LINKED}", "See https://github.com/lab/grasplib.", ["grasplib"]),
+        (f"option(WITH_G 'g' OFF)\n{LINKED}", "See https://github.com/lab/grasplib.", []),
+        (f"option(WITH_G 'g' OFF)\n{LINKED}", f"{SWITCHED}See https://github.com/lab/grasplib.", ["grasplib"]),
     ],
 )  # fmt: skip
 def test_a_linked_library_that_cmake_asks_for(tree: Tree, cmake: str, page: str, names: list[str]) -> None:

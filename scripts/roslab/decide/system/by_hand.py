@@ -12,6 +12,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.lies_beside import with_beside
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
+from roslab.decide.system.switches import given, waits
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
@@ -76,9 +77,10 @@ def by_hand(
             offered.setdefault(_bare(git.name), git)
     taken |= {plain(git.name) for project in evidence.cmake for git in project.sources}  # CMake fetches it itself
     found: dict[str, tuple[Source, Dependency]] = {}
+    options = given(evidence)
     for asked in code_needs(evidence, packages):
         name = _bare(asked.name)
-        if name not in offered or len(name) < SHORTEST:
+        if name not in offered or len(name) < SHORTEST or waits(asked, options):
             continue
         git = offered[name]
         if {name, plain(asked.name), plain(git.name)} & taken:
