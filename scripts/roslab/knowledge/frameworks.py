@@ -95,6 +95,17 @@ def newest_on_cuda(package: str, cuda: str, python: str | None, day: str | None 
     return None
 
 
+def oldest_on_cuda(package: str, cuda: str, python: str | None) -> Framework | None:
+    """Return the row of the oldest release with wheels for a CUDA and a Python, any if that is not known."""
+    number = Version(python) if python else None
+    fits = (
+        row
+        for _, row in reversed(_frameworks().get(package, ()))
+        if cuda in row.cuda and (number is None or Version(row.python_min) <= number <= Version(row.python_max))
+    )
+    return next(fits, None)
+
+
 def last_below(package: str, release: str) -> Framework | None:
     """Return the row of the newest release before this one, ``None`` if the table has none."""
     numbers = _numbers(release)

@@ -19,6 +19,7 @@ from roslab.decide.python.lost import lost
 from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, with_includes
 from roslab.decide.python.named_frameworks import named_frameworks
+from roslab.decide.python.older_torch import older_torch, without_release
 from roslab.decide.python.own import OwnPython, manager_of, of_ubuntu, outvoted
 from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin
@@ -79,6 +80,10 @@ def decide_python(
         declared += [asked for asked in _of_environment(evidence, chosen) if not asked.role]
     kept = dict(_kept(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
+    extended = kind == "cuda" and manager != "system" and extends_torch(evidence, chosen)
+    older = extended and older_torch((pin.requirement for pin in pins), cuda)
+    if older:
+        chosen = replace(chosen, guessed=without_release(chosen.guessed))
     named = named_frameworks(chosen.guessed if manager != "system" else (), number)
     declared += named.answer.first
     chosen = replace(chosen, guessed=tuple(each for each in chosen.guessed if each not in named.answer.first))
@@ -87,8 +92,8 @@ def decide_python(
     bounds = decide_bounds(evidence.bounds if manager != "system" else (), everything)
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
     wheels = (*exact.answer, *everything) if kind == "cuda" and manager != "system" else ()
-    compiled = bool(wheels) and extends_torch(evidence, chosen)
-    build = torch_build(wheels if compiled else (), cuda, number, evidence.pip_day)
+    compiled = bool(wheels) and extended
+    build = torch_build(wheels if compiled else (), cuda, number, evidence.pip_day, oldest=older)
     if not compiled and (on_page := beside_torch(evidence)):
         build = torch_build(wheels, on_page, number, evidence.pip_day, "conda is asked for CUDA {cuda} beside it")
     numpy = numpy_of(everything if manager != "system" else ())

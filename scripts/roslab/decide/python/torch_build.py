@@ -11,7 +11,7 @@ from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.frameworks import Framework, framework, newest_on_cuda
+from roslab.knowledge.frameworks import Framework, framework, newest_on_cuda, oldest_on_cuda
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
@@ -21,6 +21,7 @@ ONE_PAGE_BEFORE = Version("1.11")
 https://pytorch.org/get-started/previous-versions/, read 2026-08-22."""
 _WITH_NUMPY_2 = {"torch": "2.3", "tensorflow": "2.16", "tensorflow-gpu": "2.16", "jaxlib": "0.4.26"}
 """The first release of each whose wheels take NumPy 2."""
+_NEWEST = "the newest torch that was built with it"
 Build = tuple[tuple[Requirement, ...], tuple[str, ...]]
 """Constraints, and pip's options."""
 
@@ -40,8 +41,12 @@ def torch_build(
     python: str | None,
     day: str | None = None,
     why: str = "extensions are compiled with CUDA {cuda}",
+    *,
+    oldest: bool = False,
 ) -> Choice[Build]:
     """Return a limit for a torch that nothing pins, and the index of its wheels for this CUDA, which knows no ``day``.
+
+    It is the newest of those wheels, the ``oldest`` where the code is older than all of them.
 
     PyTorch refuses to compile with a toolkit of another major version than its own:
     https://github.com/pytorch/pytorch/blob/main/torch/utils/cpp_extension.py, ``_check_cuda_version``.
@@ -52,14 +57,17 @@ def torch_build(
     release = Version(torch.release) if torch.release else None
     if release is not None and release.local:
         return Choice(answer=((), ()))  # its own index is known
-    row = framework("torch", torch.release) if torch.release else newest_on_cuda("torch", cuda, python, day)
+    unpinned = oldest_on_cuda("torch", cuda, python) if oldest else newest_on_cuda("torch", cuda, python, day)
+    row = framework("torch", torch.release) if torch.release else unpinned
     if row is None or cuda not in row.cuda or not torch.specifier.contains(torch.release or f"{row.first}.0"):
         return Choice(answer=((), ()))
     options = () if cuda == row.cuda[0] else (_option(row, cuda),)
     if torch.release or torch.below:
         return Choice(answer=((), options))
     limit = stated(f"torch=={row.first}.*")
-    return Choice(answer=((limit,), options), reasons=(_why(limit, why.format(cuda=cuda), torch),))
+    which = "the oldest torch that was built with it, for code of older ones" if oldest else _NEWEST
+    reason = _why(limit, f"{why.format(cuda=cuda)}: {which}", torch)
+    return Choice(answer=((limit,), options), reasons=(reason,))
 
 
 def numpy_of(asked: Iterable[Requirement]) -> Choice[tuple[Requirement, ...]]:
@@ -87,6 +95,5 @@ def _option(row: Framework, cuda: str) -> str:
     return f"--find-links {page}/torch_stable.html" if old else f"--extra-index-url {page}"
 
 
-def _why(limit: Requirement, cause: str, torch: Requirement) -> Reason:
-    why = f"{cause}: the newest torch that was built with it"
+def _why(limit: Requirement, why: str, torch: Requirement) -> Reason:
     return because("dependencies", limit.written, why, torch if torch.file else None, weight=Weight.BOUND)

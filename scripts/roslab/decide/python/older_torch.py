@@ -1,0 +1,37 @@
+"""A torch that a page only names and that is older than every CUDA with an image: it compiles nothing there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from packaging.version import Version
+
+from roslab.knowledge.frameworks import framework, released_together
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+
+
+def older_torch(asked: Iterable[Requirement], cuda: str | None) -> bool:
+    """Tell whether a list or a sentence of a page has a torch whose wheels are all for an older CUDA than the image's.
+
+    Such a torch refuses to compile for the GPUs of CUDA 11 (https://github.com/lkeab/BCNet/issues/23, read 2026-11-23).
+    What a command or a manifest pins is meant as it stands.
+    """
+    said = (each for each in asked if each.key == "torch" and each.role == "listed" and each.release)
+    return cuda is not None and any(_before(each.release or "", cuda) for each in said)
+
+
+def without_release(guessed: Iterable[Requirement]) -> tuple[Requirement, ...]:
+    """Return the guesses with the torch that a page lists, and what is released with it, without their releases."""
+    family = {"torch", *released_together().get("torch", ())}
+    return tuple(
+        stated(each.name, each.origin, each.file, each.line, role=each.role)
+        if each.key in family and each.role == "listed"
+        else each
+        for each in guessed
+    )
+
+
+def _before(release: str, cuda: str) -> bool:
+    row = framework("torch", release)
+    return row is not None and all(Version(each) < Version(cuda) for each in row.cuda)

@@ -1,0 +1,52 @@
+"""A torch that a page was tested with, and that is older than every CUDA of an image, where extensions are compiled."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+SETUP = (
+    "from setuptools import setup\nfrom torch.utils.cpp_extension import CUDAExtension, BuildExtension\n"
+    "setup(name='ops', ext_modules=[CUDAExtension('ops', ['a.cu'])], cmdclass={'build_ext': BuildExtension})\n"
+)
+PAGE = "# Net\n## Requirements\n- Python 3.6\n- {torch}\n\n## Install\n```\n{install}\n```\n## Run\n`python train.py`\n"
+COMPILES = "cd ops && python setup.py install"
+
+
+def planned(tree: Tree, torch: str, install: str = COMPILES, **more: str) -> Decision:
+    files = {"train.py": "import torch\n", "ops/setup.py": SETUP, "ops/a.cu": "__global__ void f() {}\n", **more}
+    return tree({**files, "README.md": PAGE.format(torch=torch, install=install)})
+
+
+def torch_of(decision: Decision) -> set[str]:
+    asked = (*decision.python.pip, *decision.python.pip_guessed, *decision.python.bounds)
+    return {each.written for each in asked if each.key == "torch"}
+
+
+@pytest.mark.parametrize(
+    ("torch", "install", "found"),
+    [
+        ("PyTorch 1.1.0", COMPILES, {"torch", "torch==1.7.*"}),
+        ("PyTorch 1.8.0", COMPILES, {"torch==1.8.0"}),
+        ("PyTorch 1.1.0", f"pip install torch==1.1.0\n{COMPILES}", {"torch==1.1.0"}),
+    ],
+)
+def test_the_oldest_torch_for_the_cuda_of_the_image(tree: Tree, torch: str, install: str, found: set[str]) -> None:
+    assert torch_of(planned(tree, torch, install)) == found
+
+
+def test_a_manifest_that_leaves_it_free(tree: Tree) -> None:
+    found = planned(
+        tree, "PyTorch 1.6", f"pip install -r requirements.txt\n{COMPILES}", **{"requirements.txt": "torch\n"}
+    )
+    assert found.cuda == "11.0"
+    assert torch_of(found) == {"torch==1.7.*"}
+
+
+def test_where_nothing_is_compiled_it_stays(tree: Tree) -> None:
+    page = PAGE.format(torch="PyTorch 1.1.0", install="pip install numpy")
+    assert torch_of(tree({"train.py": "import torch\n", "README.md": page})) == {"torch==1.1.0"}
