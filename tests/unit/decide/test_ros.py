@@ -98,6 +98,22 @@ def test_a_dockerfile_older_than_the_declared_keys_is_not_believed(tmp_path: Pat
     assert any("eloquent has no ros_gz_bridge" in reason.reason for reason in found.reasons)
 
 
+@pytest.mark.parametrize(
+    ("line", "distro"),
+    [
+        ("RUN apt-get install -y ros-eloquent-ros-gz-bridge", "eloquent"),
+        ("RUN apt-get install -y ros-eloquent-ros-gz", "jazzy"),
+    ],
+)
+def test_a_key_that_the_authors_apt_has_from_elsewhere_rules_nothing_out(
+    tmp_path: Path, line: str, distro: str
+) -> None:
+    xml = AMENT.replace("<depend>rclcpp</depend>", "<depend>rclcpp</depend><depend>ros_gz_bridge</depend>")
+    recipe = f"FROM ros:eloquent\n{line}\nCOPY . /ws/src\n"
+    found = decided(tmp_path, {**package(xml=xml), "Dockerfile": recipe, "README.md": "ROS 2 jazzy"})
+    assert found.ros_distro == distro
+
+
 def test_a_family_of_images_is_a_list(tmp_path: Path) -> None:
     files = {
         f"docker/{name}/Dockerfile": f"FROM ros:{name}\nCOPY . /ws/src\n"

@@ -11,6 +11,7 @@ from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.code_fits import misfits, unlaunchable
+from roslab.decide.system.names import Target
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.ros.conditions import holds
@@ -146,9 +147,16 @@ def _unknown_keys(evidence: Evidence, ros: int) -> dict[str, frozenset[str]]:
     later: set[str] = set()
     unknown = {name: frozenset[str]() for name, found in distros().items() if found.ros == ros and found.never_ends}
     for name in sorted(line, key=lambda name: distros()[name].released, reverse=True):
-        unknown[name] = frozenset(later - released(name))
+        unknown[name] = frozenset(later - released(name) - _in_apt(evidence, name, later))
         later |= keys & released(name)
     return unknown
+
+
+def _in_apt(evidence: Evidence, name: str, keys: set[str]) -> set[str]:
+    """Return the keys whose packages for a distribution a page, a script, CI or a Dockerfile installs by apt."""
+    said = [*evidence.prose, *(each for authored in evidence.dockerfiles for each in authored.dependencies)]
+    lines = {each.name for each in said if each.namespace == "apt"}
+    return {key for key in keys if Target(ros_distro=name, ubuntu=None).ros(key) in lines}
 
 
 def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
