@@ -77,6 +77,13 @@ def limits(uses: tuple[Removed, ...], *lines: str) -> list[str]:
     return [bound.text for bound in decide_bounds(uses, map(stated, lines)).answer]
 
 
+def test_a_bound_that_the_author_excludes_is_none(tmp_path: Path) -> None:
+    (tmp_path / "a.py").write_text("np.Inf\nfig.gca(projection='3d')\n", encoding="utf-8")
+    uses = removed.read(Repository.open(tmp_path))
+    assert limits(uses, "numpy>=2.0.0", "matplotlib>=3.5") == ["matplotlib<3.6"]
+    assert limits(uses, "numpy>=1.26", "numpy>=2.1; python_version >= '3.13'") == ["numpy<2"]
+
+
 def test_what_was_compiled_against_numpy_1_keeps_numpy_2_out(tmp_path: Path) -> None:
     (tmp_path / "a.py").write_text("fig.gca(projection='3d')", encoding="utf-8")
     uses = removed.read(Repository.open(tmp_path))

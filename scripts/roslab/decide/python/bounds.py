@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from packaging.version import Version
+
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.weights import PackageWeight
 from roslab.decide.reasons import because
@@ -15,9 +17,13 @@ Constraints = tuple[Requirement, ...]
 
 
 def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choice[Constraints]:
-    """Return constraints for the packages in ``asked`` that have no upper bound from the author."""
+    """Return constraints for the packages in ``asked`` that have no upper bound from the author.
+
+    None that the author's own lower bound excludes: pip would find no version at all.
+    """
+    asked = tuple(asked)
     limited = {each.key: each.limited for each in asked if each.name}
-    chosen = [use for use in uses if limited.get(use.bound.key) is False]
+    chosen = [use for use in uses if limited.get(use.bound.key) is False and not _excluded(use.bound, asked)]
     if not chosen:
         return Choice(answer=(), reasons=())
     beside = {removal.bound: removal.beside for removal in removals()}
@@ -26,7 +32,7 @@ def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choi
         why = f"the code uses {use.what}, which newer versions no longer have"
         bounds[use.bound] = because("dependencies", use.bound.written, why, use, weight=PackageWeight.BOUND)
         needed = beside.get(use.bound)
-        if needed and not limited.get(needed.key):
+        if needed and not limited.get(needed.key) and not _excluded(needed, asked):
             why = f"{use.bound.written} was compiled against it; {why}"
             bounds.setdefault(needed, because("dependencies", needed.written, why, use, weight=PackageWeight.BOUND))
     # One bound per package: the lower of two is the one that the code itself needs
@@ -34,3 +40,10 @@ def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choi
     names = {bound.key for bound in own}
     kept = {bound: why for bound, why in bounds.items() if bound in own or bound.key not in names}
     return Choice(answer=tuple(kept), reasons=tuple(kept.values()))
+
+
+def _excluded(bound: Requirement, asked: Iterable[Requirement]) -> bool:
+    """Tell whether a package is asked for in no version that a bound leaves."""
+    floors = (each.at_least for each in asked if each.key == bound.key and not each.marker)
+    below = bound.below
+    return below is not None and any(floor and Version(floor) >= Version(below) for floor in floors)
