@@ -152,7 +152,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         evidence, config, frozenset((*system.answer.apt, *system.answer.apt_guessed)), base.answer.ubuntu
     )
     inside = compiled_inside(evidence, config, kind.answer)
-    scripts = decide_scripts(evidence, config, kind.answer, inside, python.answer.projects)
+    scripts = decide_scripts(evidence, config, kind.answer, inside, python.answer.projects, target=target)
     projects = [project for project in evidence.python if (project.folder or ".") in python.answer.projects]
     variables = decide_variables(
         evidence,

@@ -36,7 +36,7 @@ def compiled_inside(evidence: Evidence, config: Config, kind: Kind) -> Choice[tu
     found: dict[str, Mention] = {}
     for mention in evidence.mentions:
         if mention.topic == "compiled" and (mention.source == "readme" or mention.file in run):
-            folder = _meant(mention.value, folders)
+            folder = meant(mention.value, folders)
             if folder and not places.vendored(mention.file):
                 found.setdefault(folder, mention)
     why = "it is compiled where it lies"
@@ -45,7 +45,7 @@ def compiled_inside(evidence: Evidence, config: Config, kind: Kind) -> Choice[tu
     scripts = [mention for mention in evidence.mentions if mention.topic == "compiled"]
     for folder, path, place in _linked(evidence, folders - answer.keys()):
         if folder not in answer:
-            said = next((m.text for m in scripts if _meant(m.value, {folder}) and not places.vendored(m.file)), "")
+            said = next((m.text for m in scripts if meant(m.value, {folder}) and not places.vendored(m.file)), "")
             answer[folder] = said
             reasons.append(
                 because("source", folder, f"{path} is linked, which is compiled there", place, weight=WEIGHT)
@@ -63,7 +63,7 @@ def _linked(evidence: Evidence, folders: Collection[str]) -> Iterator[tuple[str,
                 yield max(holding, key=len), path, Place(file=project.file, line=line)
 
 
-def _meant(path: str, folders: Collection[str]) -> str | None:
+def meant(path: str, folders: Collection[str]) -> str | None:
     """Return the folder that a path ends with, or the only one that ends with it: a page may begin anywhere."""
     whole = [folder for folder in folders if f"/{path}".endswith(f"/{folder}")]
     part = [folder for folder in folders if f"/{folder}".endswith(f"/{path}")]

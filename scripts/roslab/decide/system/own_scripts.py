@@ -11,6 +11,8 @@ from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, OwnScript
 from roslab.decide.programs import beside_top, found_by, names_of
 from roslab.decide.reasons import because
+from roslab.decide.system.beside_python import compiled_beside
+from roslab.decide.system.names import Target
 from roslab.evidence import places
 from roslab.evidence.facts import CMakeProject, Evidence, Mention
 from roslab.values.origin import Place
@@ -33,10 +35,14 @@ def decide_scripts(
     kind: Kind,
     inside: Choice[tuple[tuple[str, str], ...]],
     projects: Collection[str] = (),
+    *,
+    target: Target,
 ) -> Choice[tuple[OwnScript, ...]]:
     """Return the scripts that the pages nearest to the root run to compile, in their order; none where ROS does it.
 
     What has Makefiles in place of CMake is compiled by make.
+
+    What has CMakeLists.txt in a folder beside Python's code, and a page that compiles it, is compiled there.
 
     Of a C++ project only those of copied libraries and submodules: CMake compiles the project itself, and the folders
     ``inside`` too. ``projects``: folders that pip installs editable, which compiles what their setup.py does.
@@ -66,20 +72,30 @@ def decide_scripts(
         _part(project, found=bool(names_of(project) & wanted)) for project in beside_top(evidence) if kind == "cpp"
     ]
     parts = [part for part in parts if part.folder not in compiled]
+    said_so = compiled_beside(evidence, target) if kind == "python" or (kind == "cuda" and listed) else ()
+    beside = [
+        (_part(project, found=False, options=m.text), m) for project, m in said_so if not _ASIDE.search(m.heading)
+    ]
     why, other = "the README runs it to compile", "a CMake project beside the one that is compiled"
     return Choice(
-        answer=(*(script for script, _ in chosen), *parts),
+        answer=(*(script for script, _ in chosen), *parts, *(part for part, _ in beside)),
         reasons=(
             *(because("source", script.path, why, mention, weight=WEIGHT) for script, mention in chosen),
             *(because("source", part.folder, other, Place(file=part.path, line=1), weight=WEIGHT) for part in parts),
+            *(because("source", part.folder, "the page has CMake compile it", m, weight=WEIGHT) for part, m in beside),
         ),
     )
 
 
-def _part(project: CMakeProject, *, found: bool) -> OwnScript:
-    """Return how CMake compiles a project where it lies, and installs it where another one finds it by its name."""
+def _part(project: CMakeProject, *, found: bool, options: str = "") -> OwnScript:
+    """Return how CMake compiles a project where it lies, and installs it where another one finds it by its name.
+
+    ``options`` are those of a page, of which paths of its author's computer are left out.
+    """
     folder = project.file.rpartition("/")[0]
-    make = 'mkdir --parents build && cd build && cmake -DCMAKE_BUILD_TYPE=Release .. && make --jobs="$(compile-jobs)"'
+    said = [word for word in options.split() if "=/" not in word and "CMAKE_BUILD_TYPE" not in word]
+    cmake = " ".join(("cmake -DCMAKE_BUILD_TYPE=Release", *said, ".."))
+    make = f'mkdir --parents build && cd build && {cmake} && make --jobs="$(compile-jobs)"'
     return OwnScript(folder=folder, path=project.file, command=f"{make} install" if found else make)
 
 

@@ -261,7 +261,7 @@ class Collector:
         """Note a folder in which CMake is run, ``.`` where the text begins, with its options: it may be a library's."""
         here, line = source_of(self.folder, command.words), command.line
         said = Mention(topic="compiled", value=here, source=self.source, file=self.file, line=line, text=self.options)
-        self.mentions.append(said)
+        self.mentions.append(replace(said, heading=self.heading))
 
     def _program(self, program: str, command: Command) -> None:
         words = command.words

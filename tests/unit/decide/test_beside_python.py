@@ -1,0 +1,66 @@
+"""C++ in a folder beside Python's code is compiled where a page has CMake compile it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+CMAKE = "cmake_minimum_required(VERSION 3.5)\nproject(ranges)\n{}add_executable(ranges ranges.cpp)\n"
+FILES = {"train.py": "import torch\n", "requirements.txt": "torch==1.13.1\n", "ranges/ranges.cpp": "int main() {}\n"}
+BUILD = "mkdir build && cd build\ncmake ..\nmake\n"
+
+
+def compiled(decision: Decision) -> list[str]:
+    return [each.folder for each in decision.scripts]
+
+
+@pytest.mark.parametrize(
+    ("page", "text"),
+    [
+        ("README.md", f"```\ncd ranges\n{BUILD}```\n"),
+        ("README.md", f"```\ngit clone https://github.com/lab/demo.git\ncd demo/ranges\n{BUILD}```\n"),
+        ("ranges/README.md", f"```\n{BUILD}```\n"),
+        ("ranges/README.md", f"```\ncd ranges\n{BUILD}```\n"),
+    ],
+)
+def test_what_the_page_compiles_is_compiled(tree: Tree, page: str, text: str) -> None:
+    decision = tree({**FILES, "ranges/CMakeLists.txt": CMAKE.format("find_package(OpenCV REQUIRED)\n"), page: text})
+    assert decision.kind in {"python", "cuda"}
+    assert compiled(decision) == ["ranges"]
+    assert "libopencv-dev" in decision.apt_guessed
+
+
+@pytest.mark.parametrize(
+    ("asked", "page"),
+    [
+        ("", "Only Python.\n"),
+        ("", f"## Optional: C++\n```\ncd ranges\n{BUILD}```\n"),
+        ("find_package(NobodyKnows REQUIRED)\n", f"```\ncd ranges\n{BUILD}```\n"),
+        ("find_package(Pangolin REQUIRED)\n", f"```\ncd ranges\n{BUILD}```\n"),  # no package has it
+        ("find_package(catkin REQUIRED)\ncatkin_package()\n", f"```\ncd ranges\n{BUILD}```\n"),
+        ("", f"```\ngit clone https://github.com/lab/other.git\ncd other\n{BUILD}```\n"),
+    ],
+)
+def test_the_rest_is_left_alone(tree: Tree, asked: str, page: str) -> None:
+    assert compiled(tree({**FILES, "ranges/CMakeLists.txt": CMAKE.format(asked), "README.md": page})) == []
+
+
+def test_the_options_of_the_page_are_given(tree: Tree) -> None:
+    page = f"```\ncd ranges\n{BUILD}```\n".replace("cmake", "cmake -DWITH_VIEW=OFF -DPYTHON_EXECUTABLE=/opt/python")
+    decision = tree({**FILES, "ranges/CMakeLists.txt": CMAKE.format(""), "README.md": page})
+    assert "cmake -DCMAKE_BUILD_TYPE=Release -DWITH_VIEW=OFF .. &&" in decision.scripts[0].command
+
+
+def test_pip_compiles_what_setup_py_does(tree: Tree) -> None:
+    setup = (
+        "from setuptools import Extension, setup\nfrom setuptools.command.build_ext import build_ext\n\n\n"
+        "class CMakeExtension(Extension):\n    pass\n\n\n"
+        "setup(name='ranges', ext_modules=[CMakeExtension('ranges')], cmdclass={'build_ext': build_ext})\n"
+    )
+    page = f"```\npip install ./ranges\ncd ranges\n{BUILD}```\n"
+    files = {"ranges/CMakeLists.txt": CMAKE.format(""), "ranges/setup.py": setup, "README.md": page}
+    assert compiled(tree({**FILES, **files})) == []
