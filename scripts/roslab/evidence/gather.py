@@ -10,6 +10,7 @@ from roslab.evidence.native import authors_folders, cmake, cpp, cpu, gpus, makef
 from roslab.evidence.native import clones as native_clones
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import (
+    apt_lists,
     apt_sources,
     author_dockerfile,
     ci,
@@ -47,6 +48,7 @@ PROSE = (
     ci.read,  # another machine on which the build works
     readme.read,  # what people are told, perhaps years ago
     install_scripts.read,  # install scripts, called by any of the three
+    apt_lists.read,  # names without a command
 )
 
 

@@ -41,6 +41,7 @@ _HOW = {
     "called": "a Python file calls a program of {}",
     "typelib": "a program asks for a library of GObject, which needs {}",
     "shebang": "the first line of a program names {}",
+    "named": "the page names {}",
     "script": "a script that the page compiles with names {}",
 }
 
