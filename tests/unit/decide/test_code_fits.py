@@ -10,6 +10,7 @@ from roslab.decide.decision import Decision
 from roslab.knowledge.code_limits import fits, satisfies
 
 Tree = Callable[[dict[str, str]], Decision]
+GPU = "list(APPEND CUDA_NVCC_FLAGS -arch=sm_61)\n"
 PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
 
 
@@ -38,6 +39,10 @@ def ros1(cmake: str = "", code: str = "", page: str = "Tested with ROS Kinetic")
         ("", "#ifdef OLD\nint f = CV_LOAD_IMAGE_COLOR;\n#endif\n", "Tested with ROS Noetic", "noetic"),
         ("", "#ifndef A_H\n#define A_H\n#include <opencv/cv.h>\n#endif\n", "Tested with ROS Noetic", "melodic"),
         ("", "#ifdef OLD\n#endif\n#include <opencv/cv.h>\n", "Tested with ROS Noetic", "melodic"),
+        (f"find_package(CUDA REQUIRED)\n{GPU}", "", "Tested with ROS Kinetic", "melodic"),
+        (f"find_package(CUDA QUIET)\n{GPU}", "", "Tested with ROS Kinetic", "kinetic"),
+        (f"find_package(CUDA REQUIRED)\n{GPU.replace('61', '86')}", "", "Tested with ROS Noetic", "noetic"),
+        (f"find_package(CUDA REQUIRED)\n{GPU.replace('61', '50')}", "", "Tested with ROS Kinetic", "kinetic"),
     ],
 )  # fmt: skip
 def test_a_page_yields_to_the_code(tree: Tree, cmake: str, code: str, page: str, distro: str) -> None:

@@ -11,6 +11,7 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.knowledge.code_limits import fits, satisfies
+from roslab.knowledge.cuda_gpus import NAME as CUDA
 from roslab.knowledge.distros import cmake_of_ubuntu, distro, distros, ubuntus
 
 TOO_OLD_FOR_PIP = frozenset({"trusty"})
@@ -24,10 +25,13 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     What none of them has speaks against none.
     """
     ros, asked = bool(packages_of(evidence).built), tuple(_asked(evidence))
+    on_gpu = any("cuda" in project.macros for project in _built(evidence))
     found: dict[str, dict[str, None]] = {ubuntu: {} for ubuntu in ubuntus().values()}
     for ubuntu, lacks in found.items():
         for limit in evidence.limits:
             if limit.at_least and _brought(limit.library, evidence):
+                continue
+            if limit.library == CUDA and not on_gpu:
                 continue
             if not fits(limit.library, ubuntu, at_least=limit.at_least, below=limit.below, ros=ros):
                 wanted = f"{limit.at_least} or newer" if limit.at_least else f"older than {limit.below}"
