@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import re
 
 from roslab.values.pattern import pattern
@@ -25,11 +24,13 @@ def as_markdown(text: str) -> str:
 
 
 def _written(match: re.Match[str]) -> str:
+    from html import unescape  # noqa: PLC0415 - its table of names is long, and few pages have such a block
+
     before = match.string[: match.start()]
     if before.count(_FENCE) % 2:
         return match[0]
     around = ["\n" * (part or "").count("\n") for part in match.group(1, 3)]
-    code = html.unescape(_TAG.sub("", match[2])).join(around)
+    code = unescape(_TAG.sub("", match[2])).join(around)
     if code[:1] == "\n" and code.rstrip(" \t")[-1:] == "\n":
         return f"{_FENCE}{code}{_FENCE}"
     return "\n".join(f"    {line}" if line.strip() else "" for line in code.split("\n"))

@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 
 from roslab.evidence.lex.dockerfile import instructions
+from roslab.values.pattern import pattern
 
 MOST = 16 * 1024
 """Most characters of such a file: a plan carries it."""
-_FROM_A_STAGE = re.compile(r"--from=\S|<<|^\s*https?://\S+\s+\S+\s*$")
-_ESCAPE = re.compile(r"^[ \t]*#[ \t]*escape[ \t]*=", re.IGNORECASE | re.MULTILINE)
-_BOUND = re.compile(r"--mount=(?!type=(?:cache|tmpfs|secret|ssh)\b)(?!\S*\bfrom=)")
+_FROM_A_STAGE = pattern(r"--from=\S|<<|^\s*https?://\S+\s+\S+\s*$")
+_ESCAPE = pattern(r"^[ \t]*#[ \t]*escape[ \t]*=", re.IGNORECASE | re.MULTILINE)
+_BOUND = pattern(r"--mount=(?!type=(?:cache|tmpfs|secret|ssh)\b)(?!\S*\bfrom=)")
 
 
 def recipe(text: str) -> str | None:
