@@ -41,6 +41,7 @@ from roslab.decide.system.apt_sources import decide_apt_sources
 from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.libraries import decide_libraries
+from roslab.decide.system.linked_headers import linked_headers
 from roslab.decide.system.missing import decide_missing, marked, provided
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, host_options, started
@@ -263,6 +264,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             *missing.answer.options,
         ),
         cuda_options=host_options(system.answer.apt_guessed, base.answer.ubuntu),
+        header_links=linked_headers(evidence, base.answer.ubuntu),
         native=told(evidence.problems) and not config.compatible,
         compilers=own_compilers(evidence, config, folder_name) if build_tool.answer == "cmake" else (),
         dockerfile=dockerfile,

@@ -193,6 +193,8 @@ class Decision:
     """What a page tells CMake for the repository itself, where it is no ROS package."""
     cuda_options: tuple[str, ...] = ()
     """What tells CMake the compiler that the image's toolkit of CUDA takes."""
+    header_links: tuple[tuple[str, str], ...] = ()
+    """Headers of the Ubuntu that links take the place of, each with where its link leads to."""
     native: bool = False
     """CMake files compile for the processor of the machine that builds."""
     without: tuple[str, ...] = ()

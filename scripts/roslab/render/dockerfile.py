@@ -71,6 +71,7 @@ TODAY = Order(
         workspace.submodules,
         workspace.rosdep,  # 4. what the manifests name
         system.package_data,
+        system.header_links,
         python.constraints,
         python.locked,
         python.packages,

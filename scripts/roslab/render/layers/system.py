@@ -71,6 +71,15 @@ def package_data(plan: Plan) -> str:
     return "\n".join(runs)
 
 
+def header_links(plan: Plan) -> str:
+    """Put links in the place of headers that contradict others, where both are there."""
+    if not plan.header_links:
+        return ""
+    pairs = ((quote.shell(file), quote.shell(instead)) for file, instead in plan.header_links)
+    linked = [f"if [ -e {file} ] && [ -e {instead} ]; then ln -sf {instead} {file}; fi" for file, instead in pairs]
+    return shell.run(*linked, comment="Headers that contradict those of another package, which the code includes too")
+
+
 def newer_cmake(plan: Plan) -> str:
     """Build the CMake that ``base.cmake_update`` asks for over the distribution's."""
     if not plan.cmake_update:
