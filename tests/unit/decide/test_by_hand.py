@@ -170,6 +170,17 @@ def test_what_cmake_fetches_itself_is_not_built_beside_it(tree: Tree) -> None:
     assert tree(ros1(fetch + asked, page)).source == ()
 
 
+@pytest.mark.parametrize(("added", "built"), [("add_subdirectory(external/strange3)\n", []), ("", ["strange3"])])
+def test_what_the_tree_compiles_for_itself_is_not_built_beside_it(tree: Tree, added: str, built: list[str]) -> None:
+    page = "```\ngit clone https://github.com/lab/strange3.git\ncd strange3/build\ncmake ..\nsudo make install\n```\n"
+    linked = f"{added}set(LIB strange3)\nadd_executable(demo main.cpp)\ntarget_link_libraries(demo ${{LIB}})\n"
+    copy = {
+        "external/strange3/CMakeLists.txt": "project(strange3)\nadd_subdirectory(src)\n",
+        "external/strange3/src/CMakeLists.txt": "add_library(strange3 a.cpp)\n",
+    }
+    assert [source.name for source in tree(ros1(linked, page) | copy).source] == built
+
+
 def test_a_linked_library_is_found_with_and_without_lib(tree: Tree) -> None:
     page = "Install [libstrange3](https://github.com/somebody/libstrange3) first.\n"
     sources = tree(ros1("find_package(strange3 REQUIRED)\n", page)).source

@@ -76,12 +76,15 @@ def by_hand(
         if (git.installed or listed or git.kind == "link") and not places.vendored(git.file):
             offered.setdefault(_bare(git.name), git)
     taken |= {plain(git.name) for project in evidence.cmake for git in project.sources}  # CMake fetches it itself
+    added = {_bare(project.name) for project in evidence.cmake if project.name and not project.top_level}
     found: dict[str, tuple[Source, Dependency]] = {}
     options = given(evidence)
     for asked in code_needs(evidence, packages):
         name = _bare(asked.name)
         if name not in offered or len(name) < SHORTEST or waits(asked, options):
             continue
+        if asked.namespace == "link" and name in added:
+            continue  # what a project of the tree that another one adds compiles is linked from there
         git = offered[name]
         if {name, plain(asked.name), plain(git.name)} & taken:
             continue
