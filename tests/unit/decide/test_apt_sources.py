@@ -147,3 +147,22 @@ def test_the_script_names_the_file_of_the_key(tmp_path: Path, answer: str, added
         line = (tmp_path / "a.list").read_text(encoding="utf-8")
         assert line == "deb [signed-by=./a.gpg] https://apt.acme.org/stable jammy main\n"
         assert (tmp_path / "a.gpg").read_bytes() == b"\x99\x01"
+
+
+@pytest.mark.parametrize(
+    ("host", "package", "added"),
+    [
+        ("packages.osrfoundation.org/gazebo", "ignition-dome", True),
+        ("apt.acme.org", "ignition-dome", False),
+    ],
+)
+def test_a_known_source_of_a_dockerfile_that_is_not_built(tree: Tree, host: str, package: str, added: bool) -> None:
+    url = f"http://{host}/ubuntu-stable"
+    recipe = (
+        "FROM ubuntu:22.04\nARG user\n"
+        f"RUN sh -c 'echo \"deb [trusted=yes] {url} `lsb_release -cs` main\" > /etc/apt/sources.list.d/a.list'\n"
+        f"RUN apt-get update \\\n && apt-get install -y {package}\nRUN adduser ${{user}}\n"
+    )
+    found = tree(CODE | {"docker/Dockerfile": recipe, "README.md": "Tested on Ubuntu 22.04\n"})
+    assert found.dockerfile is None
+    assert [url in line for line in found.repositories] == [True] * added

@@ -1,4 +1,4 @@
-"""Package sources that a page adds: followed where the page installs a package after it."""
+"""Package sources that a page or a Dockerfile adds: followed where it installs a package after it."""
 
 from __future__ import annotations
 
@@ -45,20 +45,27 @@ def decide_apt_sources(
         if release in ubuntus().values() and release != ubuntu:
             why_not = f"it is for {release}, the image is {ubuntu}"
         if why_not:
-            message = f"not added: the package source {source.url}, with which the page installs {asked}: {why_not}"
+            message = (
+                f"not added: the package source {source.url}, with which {_who(source)} installs {asked}: {why_not}"
+            )
             told.append(warn(message, source))
             continue
         line = " ".join((f"deb [signed-by={key}]", source.url, suite, *source.components))
-        why = f"the page installs {asked} from it"
+        why = f"{_who(source)} installs {asked} from it"
         added.setdefault(line, because("dependencies", source.url, why, source, weight=WEIGHT))
     return Choice(answer=tuple(added), reasons=tuple(added.values()), warnings=tuple(told))
 
 
+def _who(source: AptSource) -> str:
+    return "the page" if source.file.lower().endswith((".md", ".rst", ".txt")) else source.file
+
+
 def _asked(source: AptSource, evidence: Evidence, installed: Collection[str]) -> str | None:
-    """Return the first package of the image that the page installs after it has added the source."""
+    """Return the first package of the image that is installed after the source was added."""
+    said = [*evidence.prose, *(each for authored in evidence.dockerfiles for each in authored.dependencies)]
     lines = {
         each.line: each.name
-        for each in reversed(evidence.prose)
+        for each in reversed(said)
         if each.namespace == "apt"
         and each.file == source.file
         and 0 < each.line - source.line <= NEAR

@@ -61,24 +61,25 @@ _REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
 
 def read(repository: Repository) -> tuple[AuthorDockerfile, ...]:
     """Return every Dockerfile of the tree, sorted by path; ``prose`` returns what they mention."""
-    return tuple(_dockerfile(repository, file) for file in _files(repository))
+    return tuple(_dockerfile(repository, file) for file in files(repository))
 
 
 def prose(repository: Repository) -> Prose:
     """Return the versions and build commands that the Dockerfiles name."""
     return merge(
         Prose(mentions=(*mentions.read(_uncommented(text), file.path, "dockerfile"), *_built(text, file.path)))
-        for file in _files(repository)
+        for file in files(repository)
         if (text := repository.read(file, limit=MAX_SIZE))
     )
 
 
-def _files(repository: Repository) -> list[File]:
+def files(repository: Repository) -> list[File]:
+    """Return the Dockerfiles of the tree, sorted by path."""
     named = [
         file
-        for name, files in repository.by_name.items()
+        for name, found in repository.by_name.items()
         if _NAME.match(name) and not _NOT.search(name)
-        for file in files
+        for file in found
     ]
     return sorted((file for file in named if file.size < 4 * MAX_SIZE), key=lambda file: file.path)[:200]
 
