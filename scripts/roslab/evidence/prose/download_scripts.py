@@ -13,7 +13,7 @@ from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 
 MAX_SIZE = 16 * 1024
-_SHELLS = frozenset({"bash", "sh", "source"})
+_SHELLS = frozenset({"bash", "sh"})
 _SIMPLE = frozenset({"mkdir", "cd", "wget", "curl", "gdown", "unzip", "tar", "rm", "mv", "echo", "set"})
 """What a script may call: one that also branches, loops or starts programs is not understood line by line."""
 
