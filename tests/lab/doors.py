@@ -101,7 +101,11 @@ jobs:
 
 
 def payload(name: str, *, ref: str = "refs/heads/main", head: str | None = None) -> dict[str, Any]:
-    """Return an event of a repository, ``OWNER/name``; ``head`` is the repository that a pull request comes from."""
+    """Return an event of a repository, ``OWNER/name``; ``head`` is the repository that a pull request comes from.
+
+    The workspace in the image has that name: tests that build the same compile it once where it is the same, and the
+    input ``image`` keeps what they publish apart.
+    """
     repository = {"full_name": f"{OWNER}/{name}", "default_branch": "main", "private": False}
     found: dict[str, Any] = {"ref": ref, "repository": repository}
     if head:

@@ -305,28 +305,28 @@ def test_the_talker_of_ros_2_through_both_doors(lab: Laboratory, roslab: Roslab,
         pytest.skip("Debian has no rclcpp, and REPRO_LAB_ROS2 named no folder of packages: see tests/lab/README.md")
     example = CHECKOUT / "examples/ros2_talker"
     files = {str(path.relative_to(example)): path.read_text() for path in example.rglob("*") if path.is_file()}
-    name = lab.fresh_repository(f"{doors.OWNER}/talker").rpartition("/")[2]
-    inputs = {"registry": lab.registry, "platforms": "linux/amd64"}
+    image = lab.fresh_repository(f"{doors.OWNER}/talker").partition("/")[2]
+    inputs = {"registry": lab.registry, "image": image, "platforms": "linux/amd64"}
     if door == "action":
         caller = doors.through_action(tmp_path / "caller", inputs, files, base={})
     else:
         caller = doors.through_workflow(tmp_path / "caller", {**inputs, "distro": "jazzy"}, files, base={}, door=door)
-    ran = run_workflow(lab, caller, "push", doors.payload(name), env=doors.builder(lab))
+    ran = run_workflow(lab, caller, "push", doors.payload("talker"), env=doors.builder(lab))
     assert ran.exit_code == 0, ran.log
     assert "rung 2, talks" in ran.summary
-    index, _ = registry.manifest(f"{doors.OWNER}/{name}:main")
+    index, _ = registry.manifest(f"{image}:main")
     ((_, ladder),) = json.loads(index["annotations"][KEY])["platforms"]
     assert [(each["number"], each["state"]) for each in ladder["rungs"]] == [(0, "held"), (1, "held"), (2, "held")]
     said = ladder["rungs"][2]["said"]
     assert re.search(r"2 nodes \(/listener, /talker\); .*/chatter \[std_msgs/String\] [1-9]\d* messages", said), said
     if door == "action":
         return
-    published = f"{lab.registry}/{doors.OWNER}/{name}:main"
+    published = f"{lab.registry}/{image}:main"
     same = roslab("verify", published, env=lab.environment, timeout=300)
     assert same.returncode == 0, same.stderr
     assert "the same rungs as were recorded" in same.stdout
     (tmp_path / "Dockerfile").write_text(f"FROM {published}\nRUN find ~/ws/install -name listener -type f -delete\n")
-    other = f"{lab.registry}/{doors.OWNER}/{name}:changed"
+    other = f"{lab.registry}/{image}:changed"
     docker(lab, "build", "--quiet", "--tag", other, str(tmp_path))
     docker(lab, "push", "--quiet", other)
     differs = roslab("verify", other, "--like", published, env=lab.environment, timeout=300)
