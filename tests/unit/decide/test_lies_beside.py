@@ -37,3 +37,26 @@ def test_what_an_option_names_is_fetched_beside_the_library(
     (source,) = (each for each in tree({**CMAKE, "README.md": page}).source if each.name == "grasplib")
     assert source.cmake_options == options
     assert source.prepare == ("" if end is None else STEPS.format(end=end))
+
+
+BUILDS = "git clone https://github.com/opencv/opencv && cd opencv && git checkout 3.4.2 && mkdir build && cd build"
+OF_PAGE = "git clone -b 3.4.6 https://github.com/opencv/opencv.git\nmkdir opencv/build && cd opencv/build\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "built"),
+    [
+        ("", ("3.4.2", True)),
+        (f"```\n{OF_PAGE}cmake ..\nsudo make install\n```\n", ("3.4.6", False)),
+    ],
+)
+def test_a_library_of_the_table_is_built_as_the_authors_image_has_it(
+    tree: Tree, page: str, built: tuple[str, bool]
+) -> None:
+    files = {
+        "CMakeLists.txt": "project(demo)\nfind_package(OpenCV 3 REQUIRED)\nadd_executable(demo main.cpp)\n",
+        "Dockerfile": f"FROM ubuntu:16.04\nRUN {BUILDS} && cmake -DWITH_TBB=OFF .. && make && make install\n",
+        "README.md": page,
+    }
+    (source,) = (each for each in tree(files).source if each.name == "opencv")
+    assert (source.ref, "-DWITH_TBB=OFF" in source.cmake_options) == built

@@ -40,7 +40,14 @@ def as_written(
 
 
 def _installed(evidence: Evidence) -> Iterator[GitSource]:
-    return (git for git in evidence.sources if git.installed and not places.vendored(git.file))
+    """Yield what the author's own Dockerfiles build, then what pages build, whose refs win."""
+    for git in (*_authored(evidence), *evidence.sources):
+        if git.installed and not places.vendored(git.file):
+            yield git
+
+
+def _authored(evidence: Evidence) -> Iterator[GitSource]:
+    return (git for each in evidence.dockerfiles if each.purpose == "project" for git in each.clones)
 
 
 def _like(source: Source, git: GitSource, day: str) -> Source:
@@ -70,8 +77,9 @@ def by_hand(
         return ()
     date = dated(evidence)
     offered: dict[str, GitSource] = {}
-    authored = (git for each in evidence.dockerfiles if each.purpose == "project" for git in each.clones)
-    for git in sorted((*evidence.sources, *authored), key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
+    for git in sorted(
+        (*evidence.sources, *_authored(evidence)), key=lambda g: (not g.installed, g.kind == "link", g.ref is None)
+    ):
         listed = git.kind == "vcs" and kind not in {"ros1", "ros2"}  # of ROS, the workspace has what is listed
         if (git.installed or listed or git.kind == "link") and not places.vendored(git.file):
             offered.setdefault(_bare(git.name), git)
