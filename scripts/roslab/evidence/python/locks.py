@@ -7,6 +7,7 @@ https://pdm-project.org/latest/usage/lockfile/, read 2026-11-23. All three are T
 from __future__ import annotations
 
 import posixpath
+import re
 from collections import Counter
 from collections.abc import Iterator
 from typing import Any
@@ -15,6 +16,7 @@ from roslab.evidence.locked import Locked
 from roslab.repository.checkout import Repository
 from roslab.values import toml
 from roslab.values.name import canonicalize_name
+from roslab.values.pattern import pattern
 from roslab.values.requirement_line import stated
 from roslab.values.version import version_of
 
@@ -23,6 +25,9 @@ _INDEXES = frozenset({"registry", "legacy", "pypi"})
 """What uv and Poetry call an index: what comes from elsewhere is no release."""
 _ELSEWHERE = frozenset({"git", "path", "url"})
 """Keys with which pdm tells that a package comes from elsewhere."""
+_SOURCE = pattern(r"^sdist = \{[^\n]*\}$", re.MULTILINE)
+_FILE = pattern(r"^[ \t]*\{ ?(?:url|file) = \"(?:[^\"\\\n#]*/)?([^\"\\\n/]*)\"[^\n]*\},?$", re.MULTILINE)
+"""A file on a line of its own, with its address, hash, size and time."""
 
 
 def read(repository: Repository) -> tuple[Locked, ...]:
@@ -32,7 +37,7 @@ def read(repository: Repository) -> tuple[Locked, ...]:
         return ()
     text = repository.read(file)
     try:
-        packages = toml.parsed(text).get("package")
+        packages = toml.parsed(_thinned(text)).get("package")
     except ValueError:
         return ()
     lines = [number for number, line in enumerate(text.split("\n"), 1) if line.strip() == "[[package]]"]
@@ -41,6 +46,11 @@ def read(repository: Repository) -> tuple[Locked, ...]:
     usual = Counter(_index(table) for table, _ in pairs).most_common(1)
     found = (_release(table, file, line, usual[0][0]) for table, line in pairs)
     return tuple(each for each in found if each)
+
+
+def _thinned(text: str) -> str:
+    """Return a lock with the names of its files alone: most of it is addresses and hashes, which are slow to parse."""
+    return _FILE.sub(r'"\1",', _SOURCE.sub("", text))
 
 
 def _index(table: dict[str, Any]) -> str:
@@ -78,8 +88,8 @@ def _condition(table: dict[str, Any]) -> str:
 
 def _files(table: dict[str, Any]) -> Iterator[str]:
     for each in (*_listed(table, "wheels"), *_listed(table, "files")):
-        if isinstance(each, dict):
-            yield posixpath.basename(str(each.get("file") or each.get("url") or "").partition("#")[0])
+        said = each.get("file") or each.get("url") or "" if isinstance(each, dict) else each
+        yield posixpath.basename(str(said).partition("#")[0])
 
 
 def _needs(table: dict[str, Any]) -> Iterator[str]:
