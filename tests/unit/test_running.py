@@ -49,6 +49,8 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         (CERES, replace(FOCAL, ubuntu="bionic"), "stand-in"),
         ("E: Package 'libav-tools' has no installation candidate", replace(FOCAL, ubuntu="xenial"), "stand-in"),
         ("E: Package 'libav-tools' has no installation candidate", FOCAL, "ours or the code's"),
+        ("E: Package 'python-pip' has no installation candidate", replace(FOCAL, ubuntu="xenial"), "stand-in"),
+        ("E: Package 'python-pip' has no installation candidate", FOCAL, "ours or the code's"),
         (CERES, replace(FOCAL, ubuntu="jammy", python="3.10"), "ours or the code's"),
         ("a.h:46:8: error: 'shared_ptr' in namespace 'std' does not name a template type", FOCAL, "stand-in"),
         ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", FOCAL, "stand-in"),
