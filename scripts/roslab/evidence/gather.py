@@ -24,7 +24,7 @@ from roslab.evidence.prose import (
     readme,
     worked_on,
 )
-from roslab.evidence.prose.installs import merge
+from roslab.evidence.prose.merged import merge
 from roslab.evidence.python import (
     called,
     clones,

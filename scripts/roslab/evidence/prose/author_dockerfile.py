@@ -17,7 +17,8 @@ from roslab.evidence.prose import mentions
 from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.copies import in_copy
 from roslab.evidence.prose.entry_scripts import started_by
-from roslab.evidence.prose.installs import Collector, merge
+from roslab.evidence.prose.installs import Collector
+from roslab.evidence.prose.merged import merge
 from roslab.evidence.prose.recipe import recipe
 from roslab.evidence.prose.uncopied import uncopied
 from roslab.repository.checkout import File, Repository

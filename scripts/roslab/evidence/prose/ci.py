@@ -12,7 +12,8 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.yaml import Scalar, scalars
 from roslab.evidence.prose import mentions
-from roslab.evidence.prose.installs import Collector, merge
+from roslab.evidence.prose.installs import Collector
+from roslab.evidence.prose.merged import merge
 from roslab.evidence.prose.upstream import upstream
 from roslab.knowledge.distros import ever
 from roslab.repository.checkout import File, Repository

@@ -12,7 +12,8 @@ from roslab.evidence.lex.branches import branches
 from roslab.evidence.lex.shell import fill_placeholders
 from roslab.evidence.prose import only_on
 from roslab.evidence.prose.cloners import spelled_out
-from roslab.evidence.prose.installs import Collector, merge
+from roslab.evidence.prose.installs import Collector
+from roslab.evidence.prose.merged import merge
 from roslab.knowledge.distros import distros
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern

@@ -260,8 +260,17 @@ class Collector:
     def _compiled(self, command: Command) -> None:
         """Note a folder in which CMake is run, ``.`` where the text begins, with its options: it may be a library's."""
         here, line = source_of(self.folder, command.words), command.line
-        said = Mention(topic="compiled", value=here, source=self.source, file=self.file, line=line, text=self.options)
-        self.mentions.append(replace(said, heading=self.heading))
+        self.mentions.append(
+            Mention(
+                topic="compiled",
+                value=here,
+                source=self.source,
+                file=self.file,
+                line=line,
+                text=self.options,
+                heading=self.heading,
+            )
+        )
 
     def _program(self, program: str, command: Command) -> None:
         words = command.words
@@ -288,14 +297,3 @@ class Collector:
         words = [word for word in command.words if "<" in word or UNKNOWN in word]
         if not words or (self.source == "readme" and command.words[0] not in words):
             self._mention("command", joined(command.words).replace(UNKNOWN, "…"), command)
-
-
-def merge(parts: Iterable[Prose]) -> Prose:
-    """Merge the facts of several texts."""
-    parts = tuple(parts)
-    return Prose(
-        tuple(d for part in parts for d in part.dependencies),
-        tuple(r for part in parts for r in part.requirements),
-        tuple(s for part in parts for s in part.sources),
-        tuple(m for part in parts for m in part.mentions),
-    )

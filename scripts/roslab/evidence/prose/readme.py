@@ -18,7 +18,8 @@ from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of
-from roslab.evidence.prose.installs import BLANK, Collector, merge
+from roslab.evidence.prose.installs import BLANK, Collector
+from roslab.evidence.prose.merged import merge
 from roslab.evidence.prose.own_files import with_files
 from roslab.evidence.prose.own_scripts import called, checked
 from roslab.evidence.prose.preformatted import as_markdown

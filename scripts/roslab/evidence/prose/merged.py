@@ -1,0 +1,18 @@
+"""The facts of several texts as one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslab.evidence.facts import Prose
+
+
+def merge(parts: Iterable[Prose]) -> Prose:
+    """Merge the facts of several texts."""
+    parts = tuple(parts)
+    return Prose(
+        tuple(d for part in parts for d in part.dependencies),
+        tuple(r for part in parts for r in part.requirements),
+        tuple(s for part in parts for s in part.sources),
+        tuple(m for part in parts for m in part.mentions),
+    )
