@@ -169,6 +169,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         projects,
         (*everything, *python.answer.first),
         cuda.answer.version,
+        evidence.unsafe_hosts,
     )
     missing = decide_missing(
         evidence,

@@ -252,6 +252,8 @@ class Evidence:
     requirements: tuple[RequirementFile, ...] = ()
     conda: tuple[CondaEnvironment, ...] = ()
     locked: tuple[Locked, ...] = ()
+    unsafe_hosts: tuple[str, ...] = ()
+    """Hosts that build files clone from by ``git://``."""
     dockerfiles: tuple[AuthorDockerfile, ...] = ()
     launch: tuple[LaunchFile, ...] = ()
     programs: tuple[Program, ...] = ()

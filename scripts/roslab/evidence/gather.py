@@ -6,7 +6,7 @@ import re
 
 from roslab.evidence import places, submodules
 from roslab.evidence.facts import CMakeProject, Evidence, PackageManifest
-from roslab.evidence.native import authors_folders, cmake, cpp, cpu, gpus, makefiles, shared_objects, x86
+from roslab.evidence.native import authors_folders, cmake, cpp, cpu, fetching, gpus, makefiles, shared_objects, x86
 from roslab.evidence.native import clones as native_clones
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import (
@@ -54,6 +54,7 @@ PROSE = (
 
 def gather(repository: Repository) -> Evidence:
     """Read everything that a repository says about itself; nothing of it is executed."""
+    fetched = fetching.read(repository)
     manifests = package_xml.read(repository) or rosbuild.read(repository)
     signs, intrinsics = Signs(), x86.Intrinsics()
     cmake_projects = _without_python(cmake.read(repository), manifests)
@@ -79,6 +80,7 @@ def gather(repository: Repository) -> Evidence:
         requirements=submodules.named(requirements.read(repository), own, prose.requirements),
         conda=(*conda.read(own, prose.requirements), *pixi.read(own)),
         locked=locks.read(own),
+        unsafe_hosts=fetched.hosts,
         dockerfiles=author_dockerfile.read(own),
         launch=launch.read(repository),
         programs=imports.programs(repository),
@@ -90,7 +92,7 @@ def gather(repository: Repository) -> Evidence:
             *called.read(own),
             *launch.plugins(repository),
             *(gazebo_plugins.read(repository) if manifests else ()),
-            *cmake.fetching(repository),
+            *fetched.programs,
             *shared_objects.read(own),
         ),
         prose=prose.dependencies,

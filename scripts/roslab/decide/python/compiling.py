@@ -47,15 +47,21 @@ NOTHING = Compiling()
 
 
 def decide_compiling(
-    projects: Sequence[PythonProject], installed: Iterable[Requirement], cuda: str | None
+    projects: Sequence[PythonProject],
+    installed: Iterable[Requirement],
+    cuda: str | None,
+    named: Iterable[str] = (),
 ) -> Compiling:
-    """Return what it takes to build the ``projects`` and what they ask for, on an image with that ``cuda``."""
+    """Return what it takes to build the ``projects`` and what they ask for, on an image with that ``cuda``.
+
+    ``named``: hosts that other build files name by ``git://``.
+    """
     packages = [each for each in installed if each.package]
     build = {each.key for project in projects for each in project.build_requires}
     extensions = {extension for project in projects for extension in project.extensions}
     rust = bool(build & _RUST)
     on_torch = "cuda" in extensions or any("torch" in build_needs().get(each.key, ()) for each in packages)
-    closed = (match[1] or match[2] for each in packages if (match := _CLOSED.match(each.url)))
+    closed = {match[1] or match[2] for each in packages if (match := _CLOSED.match(each.url))} | {*named}
     torch_for = _architectures(cuda) if cuda and on_torch else ""
     return Compiling(
         compiler=bool(extensions) or rust or any(each.vcs or each.key not in prebuilt() for each in packages),
@@ -64,7 +70,7 @@ def decide_compiling(
         copied=tuple(
             p.folder or "." for p in projects if {each.key for each in p.build_requires} & _COMPILED_ON_IMPORT
         ),
-        hosts=tuple(sorted({host for host in closed if host in public_hosts()})),
+        hosts=tuple(sorted(closed & public_hosts())),
         architectures=torch_for,
         gpus=tuple(dict.fromkeys(_told(each.key, torch_for) for each in packages if each.key in gpu_variables()))
         if torch_for

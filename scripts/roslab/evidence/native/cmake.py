@@ -8,17 +8,13 @@ import re
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
-from roslab.evidence.lex.lines import first_line
 from roslab.evidence.native import cmake_needs, included
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 MAX_PROJECTS = 3_000
-MAX_MODULES = 300
-"""Most CMake files that are searched for what they clone, those nearest to the root first."""
 MAX_MODULE = 64 * 1024
-_CLONES = pattern(r"^[^#\n]*\b(?:GIT_REPOSITORY|GITHUB_REPOSITORY|CPMAddPackage|git\s+clone)\b", re.MULTILINE)
 _EXECUTABLE = frozenset(
     [
         "add_executable",
@@ -113,21 +109,6 @@ def modules(repository: Repository) -> frozenset[str]:
     """Return the names that a file of the tree finds for CMake: ``FindNAME.cmake``, ``NAMEConfig.cmake``."""
     found = (_MODULE.match(file.name) for file in repository.suffixed(".cmake", ".in"))
     return frozenset(match[1] or match[2] for match in found if match)
-
-
-def fetching(repository: Repository) -> tuple[Dependency, ...]:
-    """Return git, and what it needs for https, if a CMake file clones something while it configures."""
-    files = [*repository.suffixed(".cmake"), *repository.named("CMakeLists.txt")]
-    files = [file for file in files if file.size <= MAX_MODULE and "/CMakeFiles/" not in file.path]
-    for file in sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_MODULES]:
-        text = repository.read(file)
-        if match := first_line(_CLONES, text, "_REPOSITORY", "CPMAddPackage", "git"):
-            line = text.count("\n", 0, match.start()) + 1
-            return tuple(
-                Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="fetch")
-                for name in ("ca-certificates", "git")
-            )
-    return ()
 
 
 def _project(repository: Repository, file: File, added: dict[str, dict[str, bool]]) -> CMakeProject:

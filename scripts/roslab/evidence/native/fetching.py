@@ -1,0 +1,71 @@
+"""What build files clone while they configure or make: files of CMake, and Makefiles of rosbuild."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.lex.lines import first_line, matching_lines
+from roslab.knowledge.rosbuild_makefiles import program_of
+from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 64 * 1024
+MAX_FILES = 300
+"""Most files of each kind, those nearest to the root first."""
+_CLONES = pattern(r"[^#\n]*\b(?:GIT_REPOSITORY|GITHUB_REPOSITORY|CPMAddPackage|git\s+clone)\b")
+_INCLUDED = pattern(r"include\s[^#\n]{0,80}\bmk\)?/(\w+)\.mk\b")
+_UNSAFE = pattern(r"[^#\n]*?\bgit://([\w.-]+)/")
+
+
+class Fetching(NamedTuple):
+    """What a build needs to clone."""
+
+    programs: tuple[Dependency, ...] = ()
+    hosts: tuple[str, ...] = ()
+    """The hosts that are named by ``git://``."""
+
+
+def read(repository: Repository) -> Fetching:
+    """Return the programs that clone, each where it is called first, and the hosts; nothing of copied code."""
+    found: dict[str, Dependency] = {}
+    hosts: dict[str, None] = {}
+    for file, makefile in (*_cmake(repository), *_makefiles(repository)):
+        text = repository.read(file)
+        for name, position in _called(text, makefile=makefile):
+            line = text.count("\n", 0, position) + 1
+            asked = Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="fetch")
+            found.setdefault(name, asked)
+        if not places.vendored(file.path):
+            hosts |= dict.fromkeys(match[1] for match in matching_lines(_UNSAFE, text, "git://"))
+    return Fetching(tuple(found.values()), tuple(hosts))
+
+
+def _cmake(repository: Repository) -> Iterator[tuple[File, bool]]:
+    files = [*repository.suffixed(".cmake"), *repository.named("CMakeLists.txt")]
+    return ((file, False) for file in _nearest(files) if "/CMakeFiles/" not in file.path)
+
+
+def _makefiles(repository: Repository) -> Iterator[tuple[File, bool]]:
+    """Yield the Makefiles of packages of rosbuild."""
+    packages = {file.folder for file in repository.named("manifest.xml")}
+    return ((file, True) for file in _nearest(repository.named("Makefile")) if file.folder in packages)
+
+
+def _nearest(files: list[File] | tuple[File, ...]) -> list[File]:
+    kept = (file for file in files if file.size <= MAX_SIZE)
+    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]
+
+
+def _called(text: str, *, makefile: bool) -> Iterator[tuple[str, int]]:
+    """Yield the packages of the programs, each with its position."""
+    if makefile:
+        for match in matching_lines(_INCLUDED, text, "include"):
+            if name := program_of(match[1]):
+                yield name, match.start()
+                yield "ca-certificates", match.start()
+    elif cloned := first_line(_CLONES, text, "_REPOSITORY", "CPMAddPackage", "git"):
+        yield "ca-certificates", cloned.start()
+        yield "git", cloned.start()

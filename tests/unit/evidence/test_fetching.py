@@ -1,0 +1,53 @@
+"""What build files clone while they configure or make, with which program, and from which hosts by ``git://``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from roslab.evidence.native import fetching
+from roslab.repository.checkout import Repository
+
+CLONING = "# git clone it by hand\nExternalProject_Add(sophus GIT_REPOSITORY git://code.example.org/a/sophus.git)\n"
+CHECKOUT = (
+    "all: installed\nGIT_URL = git://github.com/lab/library.git\ninclude $(shell rospack find mk)/git_checkout.mk\n"
+)
+
+
+def _read(root: Path, files: dict[str, str]) -> fetching.Fetching:
+    for path, text in files.items():
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).write_text(text, encoding="utf-8")
+    return fetching.read(Repository.open(root))
+
+
+def test_a_makefile_of_rosbuild_clones_with_the_program_of_the_file_that_it_includes(tmp_path: Path) -> None:
+    files = {
+        "library/Makefile": CHECKOUT,
+        "library/manifest.xml": "<package/>",
+        "solver/Makefile": "SVN_URL = https://svn.example.org/a\ninclude $(shell rospack find mk)/svn_checkout.mk\n",
+        "solver/manifest.xml": "<package/>",
+        "arm/Makefile": "include $(shell rospack find mk)/cmake.mk\n# include $(MK)/mk/hg_checkout.mk\n",
+        "arm/manifest.xml": "<package/>",
+        "docs/Makefile": "include $(shell rospack find mk)/bzr_checkout.mk\n",
+    }
+    found = _read(tmp_path, files)
+    assert {(each.name, each.file, each.line) for each in found.programs} == {
+        ("git", "library/Makefile", 3),
+        ("ca-certificates", "library/Makefile", 3),
+        ("subversion", "solver/Makefile", 2),
+    }
+    assert found.hosts == ("github.com",)
+
+
+def test_cmake_clones_with_git_and_copied_code_names_no_hosts(tmp_path: Path) -> None:
+    copied = "FetchContent_Declare(x GIT_REPOSITORY git://gitlab.com/b/x.git)\n"
+    found = _read(tmp_path, {"cmake/sophus.cmake": CLONING, "third_party/x/CMakeLists.txt": copied})
+    assert [(each.name, each.file, each.line) for each in found.programs] == [
+        ("ca-certificates", "cmake/sophus.cmake", 2),
+        ("git", "cmake/sophus.cmake", 2),
+    ]
+    assert found.hosts == ("code.example.org",)
+
+
+def test_nothing_is_cloned(tmp_path: Path) -> None:
+    assert _read(tmp_path, {"CMakeLists.txt": "project(a)\n# git clone x\n", "Makefile": CHECKOUT}) == ((), ())
