@@ -24,6 +24,9 @@ Tree = Callable[[dict[str, str]], Decision]
         ("os.system(unzip)", []),
         ("# os.system('unzip a.zip')", []),
         ("system('unzip a.zip')", []),
+        ("from subprocess import run\nrun(\n    ['rsync', source])", ["rsync"]),
+        ("subprocess.run(args=('rsync', source))", ["rsync"]),
+        ("run(['rsync', source])", []),
     ],
 )
 def test_the_programs_that_code_calls(tree: Tree, code: str, asked: list[str]) -> None:
@@ -32,3 +35,16 @@ def test_the_programs_that_code_calls(tree: Tree, code: str, asked: list[str]) -
     assert [
         name for name in tree(files).apt_guessed if name in {"curl", "ffmpeg", "rsync", "unzip", "wget", "zip"}
     ] == asked
+
+
+@pytest.mark.parametrize(
+    ("path", "asked"), [("setup.py", True), ("python/setup.py", True), ("third_party/a/setup.py", False)]
+)
+def test_the_programs_that_a_setup_script_calls(tree: Tree, path: str, asked: bool) -> None:
+    script = (
+        "import subprocess\nfrom setuptools import setup\n"
+        "commit = subprocess.check_output(\n    ['git', 'rev-parse', 'HEAD']\n)\n"
+        "setup(name='demo', install_requires=['numpy'])\n"
+    )
+    decision = tree({"demo/__init__.py": "import numpy\n", "requirements.txt": "numpy\n", path: script})
+    assert ("git" in decision.apt_guessed) == asked

@@ -1,4 +1,4 @@
-"""Programs of the system that Python code calls: ``os.system("wget …; unzip …")``."""
+"""Programs of the system that Python code, a setup.py too, calls: ``os.system("wget …; unzip …")``."""
 
 from __future__ import annotations
 
@@ -7,17 +7,20 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.python.modules import Module, modules
+from roslab.evidence.python.modules import Module, modules, setup_scripts
 from roslab.knowledge.compiled import programs
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _CALLS = frozenset({"system", "popen", "subprocess"})
 _LINE = pattern(
-    r"^[^#\n]{0,200}?\b(?:os\.(?:system|popen)|(?:subprocess|sp)\.\w{1,20})\(\s{0,40}(?P<list>\[\s{0,40})?[rfu]{0,2}"
-    r"(?P<quote>[\"'])(?P<said>[^\"'\n]{1,400})",
+    r"^[^#\n]{0,200}?\b(?:os\.(?:system|popen)|(?:subprocess|sp)\.\w{1,20}|"
+    r"(?<![\w.])(?P<bare>check_output|check_call|Popen|call|run))\(\s{0,40}(?:args\s?=\s?)?(?P<list>[\[(]\s{0,40})?"
+    r"[rfu]{0,2}(?P<quote>[\"'])(?P<said>[^\"'\n]{1,400})",
     re.MULTILINE,
 )
+_IMPORTED = pattern(r"^\s{0,40}from subprocess import ([^\n#]{1,200})", re.MULTILINE)
+_WORD = pattern(r"\w+")
 _NEXT = pattern(r"\s*(?:;|&&|\|\|?)\s*")
 _PYTHON = pattern(r"python[\d.]*$")
 """The Python that runs the code is there."""
@@ -29,7 +32,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     Tests are left out, and what a variable or a path names: nobody knows its package.
     """
     found: dict[str, Dependency] = {}
-    for module in modules(repository):
+    for module in (*setup_scripts(repository), *modules(repository)):
         if not _CALLS.isdisjoint(module.words) and not places.test(module.file.path):
             for each in _called(module):
                 found.setdefault(each.name, each)
@@ -38,7 +41,10 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 
 def _called(module: Module) -> Iterator[Dependency]:
     text = module.text
+    imported = {name for line in _IMPORTED.findall(text) for name in _WORD.findall(line)}
     for match in _LINE.finditer(text):
+        if match["bare"] and match["bare"] not in imported:
+            continue
         parts = [match["said"]] if match["list"] else _NEXT.split(match["said"])
         for words in map(str.split, parts):
             called = words[1:] if words[:1] == ["sudo"] else words

@@ -13,6 +13,7 @@ MAX_READ = 128 * 1024
 """Bytes of a module that are searched: imports are at its top."""
 MAX_MODULES = 6_000
 """Most modules opened, those nearest to the root first."""
+_SETUP = "setup.py"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,14 +44,24 @@ def modules(repository: Repository) -> tuple[Module, ...]:
     return repository.once(_modules)
 
 
+def setup_scripts(repository: Repository) -> tuple[Module, ...]:
+    """Return every setup.py worth reading, as ``modules`` returns the rest."""
+    return repository.once(_setup_scripts)
+
+
 def _modules(repository: Repository) -> tuple[Module, ...]:
+    return tuple(module for module in repository.once(_all) if module.file.name != _SETUP)
+
+
+def _setup_scripts(repository: Repository) -> tuple[Module, ...]:
+    return tuple(module for module in repository.once(_all) if module.file.name == _SETUP)
+
+
+def _all(repository: Repository) -> tuple[Module, ...]:
     kept = [
         file
         for file in repository.suffixed(".py")
-        if not places.vendored(file.path)
-        and not places.documentation(file.path)
-        and file.size < 16 * MAX_READ
-        and file.name != "setup.py"
+        if not places.vendored(file.path) and not places.documentation(file.path) and file.size < 16 * MAX_READ
     ]
     nearest = sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:MAX_MODULES]
     return tuple(Module(file=file, repository=repository) for file in nearest)
