@@ -85,6 +85,29 @@ def test_the_folders_that_a_page_puts_on_the_path(tree: Tree, page: str, folders
     assert tree({**CODE, **origin, "README.md": f"```\n{page}```\n"}).python_path == folders
 
 
+@pytest.mark.parametrize(
+    ("value", "module", "folders"),
+    [
+        ("/path/to/arm", "arm/__init__.py", (".",)),
+        ("$PWD/arm", "arm/__init__.py", (".",)),
+        ("arm", "arm/__init__.py", (".",)),
+        ("/path/to/arm", "arm/typing.py", (".",)),
+        ("$PWD/arm", "arm/play.py", ("arm",)),
+        ("arm", "arm/play.py", ("arm",)),
+        ("/path/to/arm/arm", "arm/play.py", ("arm",)),
+        ("/path/to/arm/arm", "arm/__init__.py", (".",)),
+        ("/path/to/arm/lib/arm", "lib/arm/play.py", ("lib/arm",)),
+    ],
+)
+def test_a_folder_of_the_repositorys_name_is_the_clone(
+    tree: Tree, value: str, module: str, folders: tuple[str, ...]
+) -> None:
+    origin = {".git/config": '[remote "origin"]\n\turl = https://github.com/lab/arm.git\n'}
+    page = f"```\nexport PYTHONPATH=$PYTHONPATH:{value}\n```\n"
+    files = {"play.py": "import numpy\n", "requirements.txt": "numpy\n", **origin, module: "", "README.md": page}
+    assert tree(files).python_path == folders
+
+
 def test_the_image_has_the_path(tree: Tree) -> None:
     decision = tree({**CODE, "README.md": "```\nexport PYTHONPATH=$PWD:$PWD/src\n```\n"})
     text = dockerfile(make_plan(decision, Config(), folder_name="demo"))

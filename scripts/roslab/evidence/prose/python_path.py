@@ -43,4 +43,15 @@ def folder_of(path: str, repository: Repository) -> str:
     parts = [part for part in path.rstrip("/").split("/") if part not in {"", "."}]
     tails = ("/".join(parts[start:]) for start in range(len(parts)))
     itself = "." if parts and bare_name(_TO.sub("", parts[-1])) == bare_name(repository.name) else ""
-    return next((tail for tail in tails if tail in repository.folders), itself)
+    found = next((tail for tail in tails if tail in repository.folders), itself)
+    return "." if itself and found == parts[-1] and _clone(parts, repository) else found
+
+
+def _clone(parts: list[str], repository: Repository) -> bool:
+    """Tell whether the last part of a path, the repository's name and a folder of the tree, is the clone's folder.
+
+    It is where a reader's own folders stand before it, not its name again, and where the folder is a package: its
+    modules are imported by its name, and on the path itself they would hide Python's own.
+    """
+    elsewhere = len(parts) > 1 and not _HERE.match(parts[0]) and parts[-2] != parts[-1]
+    return elsewhere or repository.has(f"{parts[-1]}/__init__.py")
