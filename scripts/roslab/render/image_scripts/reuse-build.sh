@@ -59,23 +59,30 @@ if [ -d "${cache}/tree" ] && [ "$(cat "${cache}/fingerprint" 2>/dev/null)" = "${
 fi
 
 # Much code of ROS 1 includes what is generated from messages or parameters without waiting for it, and compiles by chance,
-# as the order of the targets has it. Where such a header was not there yet, all of them are generated first.
+# as the order of the targets has it. Where such a header was not there yet, all of them are generated first: by
+# catkin_make of the workspace, by catkin build of the package whose header it is, and once for each package.
 generated() {
-  make --directory=build help 2>/dev/null | sed --quiet --regexp-extended 's/^\.\.\. (.*_(generate_messages|gencfg))$/\1/p'
+  make --directory="$1" help 2>/dev/null | sed --quiet --regexp-extended 's/^\.\.\. (.*_(generate_messages|gencfg))$/\1/p'
 }
 compile() {
-  local said header targets
+  local said header package folder targets tried=' '
   said="$(mktemp)"
-  if "$@" 2>&1 | tee "${said}"; then
-    rm "${said}"
-    return
-  fi
-  header="$(sed --quiet 's#.*fatal error: \([a-z][a-z0-9_]*/[A-Z][A-Za-z0-9]*\.h\): No such file.*#\1#p' "${said}" | head -n 1)"
-  mapfile -t targets < <(if [ "$1" = catkin_make ]; then generated; fi)
-  if [[ ! " ${targets[*]}" =~ \ "${header%%/*}"_(generate_messages|gencfg) ]] || [ -z "${header}" ]; then return 1; fi
-  echo "roslab: what includes ${header} does not wait until it is generated: once more, with all that is generated first"
-  make --directory=build --jobs="$(nproc)" "${targets[@]}"
-  "$@"
+  until "$@" 2>&1 | tee "${said}"; do
+    header="$(sed --quiet 's#.*fatal error: \([a-z][a-z0-9_]*/[A-Z][A-Za-z0-9]*\.h\): No such file.*#\1#p' "${said}" | head -n 1)"
+    package="${header%%/*}"
+    case "$1" in
+      catkin_make) folder=build ;;
+      catkin) folder="build/${package}" ;;
+      *) return 1 ;;
+    esac
+    if [ -z "${header}" ] || [[ "${tried}" = *" ${package} "* ]]; then return 1; fi
+    mapfile -t targets < <(generated "${folder}")
+    if [[ ! " ${targets[*]}" =~ \ "${package}"_(generate_messages|gencfg) ]]; then return 1; fi
+    tried+="${package} "
+    echo "roslab: what includes ${header} does not wait until it is generated: once more, with all that is generated first"
+    make --directory="${folder}" --jobs="$(nproc)" "${targets[@]}"
+  done
+  rm "${said}"
 }
 
 rm --force "${cache}/fingerprint" # what fails is not used again
