@@ -111,11 +111,11 @@ def _ros(source: RosSource, tag: str | None) -> Iterator[Upstream]:
 
 
 def _python(decision: Decision) -> Iterator[Upstream]:
-    """Yield the Python that no package source of the base has."""
+    """Yield the Python that is not the base's own."""
     python = decision.python
     if python.manager == "conda" and python.version and not python.conda_file and not python.conda_specs:
         name = f"Python {python.version} of {decision.ubuntu or decision.base_image}"
-        yield Upstream(name=name, why="no package source has it", instead=f"python={python.version} of conda-forge")
+        yield Upstream(name=name, why="its own Python is another", instead=f"python={python.version} of conda-forge")
 
 
 def _hosts(decision: Decision) -> Iterator[Upstream]:

@@ -87,6 +87,8 @@ def decide(
             },
             "3.7",
         ),
+        ({"setup.py": "from setuptools import setup\nsetup(classifiers=['Python :: 2.7', 'Python :: 3'])\n"}, "3.10"),
+        ({"setup.py": "from setuptools import setup\nsetup(classifiers=['Python :: 2.7', 'Python :: 2'])\n"}, "2.7"),
         ({"README.md": "Needs Python 3.5+.\n\nI use Python 3.6.\n"}, "3.6"),
         ({"README.md": "Python 3.6, 3.7 or 3.8 (3.8 recommended)"}, "3.8"),
         ({"environment.yml": "dependencies:\n  - python=3.9.1\n"}, "3.9"),

@@ -24,6 +24,8 @@ from roslab.values.specifier import admits, specifiers
 _TRUSTED = 3
 """Of ``Pin.trust``: a manifest of the project itself."""
 _CLASSIFIER = pattern(r"Python :: (\d\.\d+)")
+_THREE = pattern(r"Python :: 3(?:$|\s)")
+"""Python 3, whichever."""
 _ANY = Version("99")
 _AFTER = 2
 """A project most likely still runs this many minor versions after its newest classifier."""
@@ -110,7 +112,8 @@ def _declared(evidence: Evidence) -> Iterator[Range]:
         elif numbers := sorted(Version(m[1]) for line in project.classifiers if (m := _CLASSIFIER.search(line))):
             first, last = numbers[0], numbers[-1]
             lowest = Version("0") if first >= Version("3") else first
-            highest = Version(f"{last.major}.{last.minor + _AFTER}")
+            three = last < Version("3") and any(_THREE.search(line) for line in project.classifiers)
+            highest = _ANY if three else Version(f"{last.major}.{last.minor + _AFTER}")
             reason = because("python", f"≥ {first}", "its classifiers name them", project, weight=Weight.CLASSIFIERS)
             yield Range(_between(lowest, highest), reason)
 
