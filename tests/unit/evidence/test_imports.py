@@ -39,6 +39,24 @@ def test_what_comes_from_outside(tmp_path: Path) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("statement", "outside"),
+    [
+        ("from datasets.indoor.loader import Loader", []),
+        ("import datasets.indoor.loader as loader", []),
+        ("from datasets.outdoor import Loader", []),  # a package of its own
+        ("from datasets import load_dataset", ["datasets"]),
+        ("from datasets.indoor.other import Loader", ["datasets"]),
+    ],
+)
+@pytest.mark.parametrize("above", ["", "src/"])
+def test_a_folder_that_is_called_like_a_package(statement: str, outside: list[str], above: str, tmp_path: Path) -> None:
+    """It has no module of its own: only what its folders have is known not to be the package's."""
+    files = {f"{above}datasets/indoor/loader.py": "", f"{above}datasets/outdoor/__init__.py": ""}
+    repository = tree(tmp_path, {**files, f"{above}train/run.py": f"{statement}\n"})
+    assert [d.name for d in imports.read(repository)] == outside
+
+
 @pytest.mark.parametrize("name", ["tkinter", "Tkinter"])
 def test_tkinter_is_a_package_of_its_own(name: str, tmp_path: Path) -> None:
     """The standard library has it, of Python 2 by its older name; Debian's and Ubuntu's do not."""

@@ -15,6 +15,11 @@ from roslab.knowledge.tools import python2_installers, tool_image
         ("opencv-python", "opencv-contrib-python-headless", True),
         ("pyyaml", "yaml", True),
         ("mmcv", "mmcv-full", True),
+        ("faiss-cpu", "faiss-gpu", True),
+        ("faiss-cpu", "faiss-gpu-cu12", True),
+        ("faiss-cpu", "faiss", True),  # conda's name
+        ("onnxruntime", "onnxruntime-gpu", True),
+        ("onnxruntime", "onnxruntime-extensions", False),
         ("hydra-core", "hydra-colorlog", False),
         ("numpy", "scipy", False),
     ],

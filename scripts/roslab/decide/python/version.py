@@ -73,17 +73,18 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
         return Choice(answer=Wanted(version=chosen.answer), reasons=(chosen, *outweighed(others, chosen)))
     if not known or not fitting:
         return Choice(answer=Wanted(version=None), reasons=tuple(replace(reason, decisive=False) for reason in named))
-    fits = because("python", fitting[0], "fits every pin below", weight=Weight.PINS)
+    every = all(fitting[0] in each.pythons for each in known)
+    why = "fits every pin below" if every else "fits most of the pins below, which contradict each other"
+    fits = because("python", fitting[0], why, weight=Weight.PINS)
     return Choice(answer=Wanted(version=fits.answer, fitting=tuple(fitting)), reasons=(fits, *reasons))
 
 
 def _fitting(known: tuple[Range, ...]) -> list[str]:
-    """Return the Pythons that fit all ranges, or the most trusted ranges if they contradict each other."""
-    for count in range(len(known), 0, -1):
-        fitting = [python for python in PREFERRED if all(python in each.pythons for each in known[:count])]
-        if fitting:
-            return fitting
-    return list(PREFERRED)
+    """Return the Pythons that fit all ranges; one that contradicts those before it, the more trusted, is left out."""
+    fitting = list(PREFERRED)
+    for each in known:
+        fitting = [python for python in fitting if python in each.pythons] or fitting
+    return fitting
 
 
 def _order(reason: Reason) -> tuple[int, str, int, list[int]]:

@@ -57,7 +57,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     Calls that open windows are included, each library's once for a file, the package of a plain ``python`` if the
     first line of a program starts that, and those of the libraries of GObject that a program asks for.
     """
-    local = _local(repository)
+    local, sorted_in = _local(repository)
     found: dict[str, Dependency] = {}
     for module in modules(repository):
         file, text = module.file, module.text
@@ -70,7 +70,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                 namespace="call", name=library, strength="used", file=file.path, line=text.count("\n", 0, position) + 1
             )
         found |= {f"{each.name} {each.role}": each for each in _typelibs(module)}
-        statements = [(match, _modules_of(match)) for match in _imports(text)]
+        statements = [(match, _modules_of(match, sorted_in)) for match in _imports(text)]
         node = any(not _OF_NODES.isdisjoint(tops) for _, tops in statements) and _of_node(module)
         for match, tops in statements:
             for top in tops:
@@ -90,7 +90,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                     line=text.count("\n", 0, match.start()) + 1,
                     role=role,
                 )
-    _add_notebooks(repository, local, found)
+    _add_notebooks(repository, local, sorted_in, found)
     return tuple(sorted(found.values(), key=lambda dependency: (dependency.file, dependency.line)))
 
 
@@ -122,12 +122,14 @@ def _typelibs(module: Module) -> Iterator[Dependency]:
             yield Dependency(namespace="apt", name=apt, strength="used", file=file.path, line=line, role="typelib")
 
 
-def _add_notebooks(repository: Repository, local: frozenset[str], found: dict[str, Dependency]) -> None:
+def _add_notebooks(
+    repository: Repository, local: frozenset[str], sorted_in: frozenset[str], found: dict[str, Dependency]
+) -> None:
     for file in notebooks.files(repository):
         text = repository.read(file, limit=notebooks.MAX_SIZE)
         for line, code in notebooks.imports(text):
             match = _IMPORT.match(code)
-            for top in _modules_of(match) if match and not match["indent"] else ():
+            for top in _modules_of(match, sorted_in) if match and not match["indent"] else ():
                 if not _standard(top) and top not in local and top not in found and not top.startswith("_"):
                     found[top] = Dependency(
                         namespace="import", name=top, strength="optional", file=file.path, line=line
@@ -146,10 +148,10 @@ def _imports(text: str) -> Iterator[re.Match[str]]:
         position = text.find("import", end) if end >= 0 else -1
 
 
-def _modules_of(match: re.Match[str]) -> list[str]:
-    """Return the top-level modules that a statement imports."""
+def _modules_of(match: re.Match[str], sorted_in: frozenset[str]) -> list[str]:
+    """Return the top-level modules that a statement imports, without those that ``sorted_in`` has whole."""
     names = [match["module"]] if match["module"] else [part.split()[0] for part in match["plain"].split(",")]
-    return [name.partition(".")[0] for name in names]
+    return [name.partition(".")[0] for name in names if name not in sorted_in]
 
 
 @cache
@@ -180,18 +182,23 @@ def programs(repository: Repository) -> tuple[Program, ...]:
     return tuple(sorted(found, key=lambda script: script.file))
 
 
-def _local(repository: Repository) -> frozenset[str]:
+def _local(repository: Repository) -> tuple[frozenset[str], frozenset[str]]:
     """Return every name that could be a module of the tree: its Python files and their folders.
 
-    A folder that only holds others and is called like a known package (``gym``) sorts what is for that package.
+    A folder that only holds others and is called like a known package (``gym``) sorts what is for that package. What
+    is in it may be imported all the same: these modules are returned apart, whole (``datasets.indoor.loader``).
     """
     names: set[str] = set()
     above: set[str] = set()
+    sorted_in: set[str] = set()
     for file in repository.suffixed(".py", ".pyx", ".so"):
         *holding, folder = file.folder.split("/")
-        names |= {file.name.partition(".")[0], folder}
+        stem = file.name.partition(".")[0]
+        names |= {stem, folder}
         above.update(holding)
+        whole = [*holding, folder] if stem == "__init__" else [*holding, folder, stem]
+        sorted_in |= {".".join(whole[at:]) for at, name in enumerate(holding) if name in known_imports()}
     names |= above - known_imports().keys()
     for file in repository.named("package.xml"):
         names.add(file.folder.rpartition("/")[2])
-    return frozenset(names)
+    return frozenset(names), frozenset(sorted_in)
