@@ -9,6 +9,8 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.locked import Locked
 from roslab.evidence.makefile import Makefile
+from roslab.evidence.own_key import OwnKey
+from roslab.evidence.removed_name import Removed
 from roslab.evidence.x86_only import X86Only
 from roslab.values.conda import CondaPackage
 from roslab.values.dataclass import dataclass
@@ -219,17 +221,6 @@ class Program:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Removed:
-    """A use of a name that newer versions of a Python package no longer have."""
-
-    bound: Requirement
-    """The versions that still have it: ``matplotlib<3.5``."""
-    what: str
-    file: str
-    line: int
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
 class CodeLimit:
     """A sign in the code of the versions of a library, or of the compiler, that it compiles with."""
 
@@ -269,6 +260,8 @@ class Evidence:
     listed: tuple[Requirement, ...] = ()
     """What the pages at the root of a repository without ROS packages list as needed, or name with a version."""
     sources: tuple[GitSource, ...] = ()
+    own_keys: tuple[OwnKey, ...] = ()
+    """Keys that the repository defines for rosdep, each once."""
     apt_sources: tuple[AptSource, ...] = ()
     mentions: tuple[Mention, ...] = ()
     bounds: tuple[Removed, ...] = ()

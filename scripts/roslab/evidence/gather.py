@@ -40,7 +40,16 @@ from roslab.evidence.python import (
     requirements,
     tests,
 )
-from roslab.evidence.ros import commit_date, distro_names, gazebo_plugins, launch, package_xml, rosbuild, vcs
+from roslab.evidence.ros import (
+    commit_date,
+    distro_names,
+    gazebo_plugins,
+    launch,
+    package_xml,
+    rosbuild,
+    rosdep_lists,
+    vcs,
+)
 from roslab.repository.checkout import Repository
 
 PROSE = (
@@ -99,6 +108,7 @@ def gather(repository: Repository) -> Evidence:
         prose_pip=prose.requirements,
         listed=page_lists.read(own),
         sources=sources,
+        own_keys=rosdep_lists.read(repository) if manifests else (),
         apt_sources=apt_sources.read(own),
         mentions=(
             *distro_names.read(repository),

@@ -10,8 +10,8 @@ from packaging.requirements import Requirement
 
 from hanging import ends
 from roslab.decide.python.bounds import decide_bounds
-from roslab.evidence.facts import Removed
 from roslab.evidence.python import removed
+from roslab.evidence.removed_name import Removed
 from roslab.knowledge.removals import removals
 from roslab.knowledge.table import rows
 from roslab.repository.checkout import Repository

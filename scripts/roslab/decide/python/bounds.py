@@ -9,7 +9,7 @@ from packaging.version import Version
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.weights import PackageWeight
 from roslab.decide.reasons import because
-from roslab.evidence.facts import Removed
+from roslab.evidence.removed_name import Removed
 from roslab.knowledge.removals import removals
 from roslab.values.requirement import Requirement
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
@@ -13,7 +13,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.apt_scripts import adds_a_source
 from roslab.evidence.ros.conditions import holds
-from roslab.knowledge.distros import ubuntus_with_python2
+from roslab.knowledge.distros import ubuntus, ubuntus_with_python2
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import dataclass
@@ -49,6 +49,23 @@ def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Depen
             if holds(dependency.condition, variables):
                 found.setdefault(dependency.name, dependency)
     return tuple(found[name] for name in sorted(found))
+
+
+def own_packages(keys: Iterable[Dependency], evidence: Evidence, target: Target) -> dict[str, tuple[Dependency, ...]]:
+    """Return the packages of the keys that rosdep does not have and that a list of the repository's own defines."""
+    own = {each.name: each for each in evidence.own_keys}
+    there = rosdep_keys() | released(target.ros_distro or "")
+    number = next((number for number, name in ubuntus().items() if name == target.ubuntu), "")
+    found: dict[str, tuple[Dependency, ...]] = {}
+    for mine in (own[key.name] for key in keys if key.name in own and key.name not in there):
+        by = dict(mine.apt)
+        packages = by.get(target.ubuntu or "") or by.get(number) or by.get("*", ())
+        if packages:
+            found[mine.name] = tuple(
+                Dependency(namespace="apt", name=name, strength="declared", file=mine.file, line=mine.line, role="key")
+                for name in packages
+            )
+    return found
 
 
 def translate(key: Dependency, target: Target, *, cloned: bool, submodules: tuple[str, ...] = ()) -> Translated:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Python, Reason, Warning_
 from roslab.decide.reasons import because, configured
-from roslab.decide.ros.keys import declared_keys, of_an_apt_source, translate
+from roslab.decide.ros.keys import declared_keys, of_an_apt_source, own_packages, translate
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.carried import brought, held
@@ -36,6 +36,7 @@ _HOW = {
     "ros": "the ROS package {} is used",
     "apt": "an install line names {}",
     "rosdep": "the key {} is named",
+    "key": "the repository's own list for rosdep names {}",
     "fetch": "a CMake file clones, which needs {}",
     "cuda": "CMake compiles for CUDA, which needs {}",
     "called": "a Python file calls a program of {}",
@@ -102,11 +103,14 @@ def decide_system(
     keys = declared_keys(packages, target, kind) if target.ros_distro else ()
     found = _Found(declared=dict.fromkeys((*config.apt, *base_packages)))
     found.skip = dict.fromkeys((*config.skip_keys, *(key.name for key in keys if key.name in sisters)))
+    own = own_packages((key for key in keys if key.name not in found.skip), evidence, target)
+    found.skip |= dict.fromkeys(own)
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
     for key in keys:
         if key.name not in found.skip:
             _translate(key, target, found, cloned=bool(sisters), submodules=submodules)
-    needed = tuple(needs(evidence, packages, kind, target.ros_distro))
+    defined = ((each, False) for listed in own.values() for each in listed)
+    needed = (*defined, *needs(evidence, packages, kind, target.ros_distro))
     in_apt = _named_in_apt(found, needed)
     if together := of_an_apt_source(tuple(found.unknown), target, evidence):
         found.warnings = [*(each for each in found.warnings if each not in found.unknown.values()), together]

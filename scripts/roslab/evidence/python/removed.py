@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from roslab.evidence.facts import Removed
 from roslab.evidence.python.modules import modules
+from roslab.evidence.removed_name import Removed
 from roslab.knowledge.hints import Search
 from roslab.knowledge.removals import newer_api, removals
 from roslab.repository.checkout import Repository
