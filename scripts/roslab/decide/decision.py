@@ -103,6 +103,8 @@ class Python:
     """The conda file has pip install something else."""
     conda_old_pip: str = ""
     """The version of pip that the conda file pins and that is not taken: it knows no wheels of today."""
+    conda_pip_below: str = ""
+    """The first pip that is too new for the conda file, which names it in any version."""
     first: tuple[Requirement, ...] = ()
     """What must be installed before the others are built (numpy, torch, Cython)."""
     bounds: tuple[Requirement, ...] = ()

@@ -30,6 +30,13 @@ https://pip.pypa.io/en/stable/news/#v24-1, read 2026-11-22.
 """
 
 
+ALWAYS_ISOLATED = "25.3"
+"""The first pip that builds even what has only a setup.py apart from all that is installed, torch too.
+
+https://pip.pypa.io/en/stable/news/#v25-3, read 2026-11-23.
+"""
+
+
 def for_old_packages(tools: PythonTools) -> PythonTools:
     """Return the tools with a pip that installs packages with the metadata of their time."""
     return replace(tools, installers=tuple(map(_lenient, tools.installers)))

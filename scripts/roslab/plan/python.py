@@ -36,6 +36,7 @@ class PythonPlan:
     conda_local: tuple[str, ...] = ()
     conda_pip: bool = True
     conda_old_pip: str = ""
+    conda_pip_below: str = ""
     git_hosts: tuple[str, ...] = ()
     """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
     copied: tuple[str, ...] = ()
@@ -72,6 +73,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_local=python.conda_local,
         conda_pip=python.conda_pip,
         conda_old_pip=python.conda_old_pip,
+        conda_pip_below=python.conda_pip_below,
         git_hosts=compiling.hosts,
         copied=compiling.copied,
         cuda_architectures=compiling.architectures,

@@ -38,3 +38,23 @@ def test_the_repository_itself_is_no_package_to_fetch(tree: Tree) -> None:
 def test_a_pip_that_knows_no_wheels_of_later_days(tree: Tree, pip: str, old: str) -> None:
     environment = f"name: a\ndependencies:\n  - python=3.5\n  - {pip}\n  - pip:\n    - numpy\n"
     assert tree({"environment.yml": environment, "a.py": "import numpy\n"}).python.conda_old_pip == old
+
+
+FROM_GIT = "git+https://github.com/lab/rasterizer.git"
+
+
+@pytest.mark.parametrize(
+    ("torch", "pip", "built", "below"),
+    [
+        ("pytorch=2.1.2", "pip", FROM_GIT, "25.3"),
+        ("pytorch=2.1.2", "pip", "torch-scatter", "25.3"),
+        ("pytorch=2.1.2", "pip", "numpy", ""),  # a wheel
+        ("pytorch=2.1.2", "pip=23.3", FROM_GIT, ""),
+        ("scipy", "pip", FROM_GIT, ""),
+    ],
+)
+def test_a_pip_that_lets_a_setup_py_see_condas_torch(tree: Tree, torch: str, pip: str, built: str, below: str) -> None:
+    environment = f"name: a\ndependencies:\n  - python=3.10\n  - {torch}\n  - {pip}\n  - pip:\n    - {built}\n"
+    decision = tree({"environment.yml": environment, "a.py": "import numpy\n"})
+    assert decision.python.conda_pip_below == below
+    assert any(each.answer == f"pip<{below}" for each in decision.reasons) is bool(below)

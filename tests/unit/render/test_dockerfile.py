@@ -519,6 +519,18 @@ def test_a_script_that_compiles_is_run_as_root_and_stops_nothing() -> None:
     assert positions(text, "      build-essential", "      cmake", "      python3-dev")
 
 
+def test_any_pip_of_a_conda_file_is_limited(plan: Callable[..., Plan], tmp_path: Path) -> None:
+    text = dockerfile(plan(manager="conda", conda_file="environment.yml", conda_pip_below="25.3"))
+    command = next(line for line in text.splitlines() if " && sed --in-place --regexp" in line or "RUN sed" in line)
+    assert text.index(command) < text.index("micromamba create")
+    file = tmp_path / "environment.yml"
+    file.write_text("dependencies:\n  - pip  # any\n  - 'pip'\n  - pipx\n  - pip=20\n  - pip:\n    - numpy\n")
+    command = command.strip("RUN &\\").replace("/tmp/manifests/environment.yml", str(file))
+    subprocess.run(["bash", "-c", command], check=True)
+    limited = '  - "pip<25.3"  # any\n  - "pip<25.3"\n'
+    assert file.read_text() == f"dependencies:\n{limited}  - pipx\n  - pip=20\n  - pip:\n    - numpy\n"
+
+
 def test_an_old_pip_of_a_conda_file_is_not_taken(plan: Callable[..., Plan], tmp_path: Path) -> None:
     text = dockerfile(plan(manager="conda", conda_file="environment.yml", conda_old_pip="9.0.1"))
     command = next(line for line in text.splitlines() if " && sed --in-place --regexp" in line or "RUN sed" in line)

@@ -11,6 +11,7 @@ from roslab.decide.cuda.toolkit import extends_torch
 from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.conda_alone import conda_alone
+from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.ignored_environments import ignored_environments
@@ -42,8 +43,6 @@ from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 from roslab.values.version import minor_of
 
-NEW_WHEELS = Version("20.3")
-"""The first pip that takes every kind of wheel for Linux (PEP 600). https://github.com/pypa/manylinux#readme"""
 _WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}
 _ALONE = "conda alone has it: it comes from there, with the Python"
 _WITH_LOCAL_VERSIONS = frozenset({"torch", "torchvision", "torchaudio"})
@@ -123,7 +122,8 @@ def decide_python(
         conda_channels=pixi.channels if pixi else alone.channels,
         conda_local=tuple(each.written for each in listed if each.role == "project"),
         conda_pip=any(each.role != "project" for each in listed),
-        conda_old_pip=_old_pip(evidence, conda),
+        conda_old_pip=old_pip(evidence, conda),
+        conda_pip_below=pip_below(evidence, conda),
         conda_defaults=not pixi and _default_channels(evidence, conda),
         first=first(everything, chosen.projects, cmake=manager != "system"),
         bounds=(*limits, *of_lock.answer),
@@ -140,7 +140,7 @@ def decide_python(
             *own.reasons,
             *_reasons(chosen),
             *(because("dependencies", each.text, _ALONE, each, weight=Weight.CONDA_FILE) for each in alone.asked),
-            *_of_old_pip(answer),
+            *of_conda_pip(answer),
             *kept.values(),
             *bounds.reasons,
             *exact.reasons,
@@ -159,19 +159,6 @@ def decide_python(
             *machine_lists(evidence, chosen.files),
         ),
     )
-
-
-def _old_pip(evidence: Evidence, conda: str | None) -> str:
-    """Return the pip that an environment pins, if it is too old for the wheels of later days; else ``""``."""
-    packages = (package for each in evidence.conda if each.file == conda for package in each.packages)
-    pinned = next((package.release for package in packages if package.name == "pip" and package.release), "")
-    return pinned if pinned and Version(pinned) < NEW_WHEELS else ""
-
-
-def _of_old_pip(answer: Python) -> Iterator[Reason]:
-    if answer.conda_old_pip and answer.conda_file:
-        why = f"{answer.conda_file} pins {answer.conda_old_pip}, which knows no wheels of later days: it is the newest"
-        yield because("dependencies", "pip", why, Place(file=answer.conda_file), weight=Weight.CONDA_FILE)
 
 
 def _default_channels(evidence: Evidence, conda: str | None) -> bool:

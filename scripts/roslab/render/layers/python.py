@@ -117,6 +117,8 @@ def _conda(plan: Plan) -> str:
     without = _without(python.conda_local, f"{manifests.FOLDER}/{python.conda_file}", others=python.conda_pip)
     if python.conda_old_pip:
         without = (*without, _newer_pip(f"{manifests.FOLDER}/{python.conda_file}"))
+    if python.conda_pip_below:
+        without = (*without, _older_pip(f"{manifests.FOLDER}/{python.conda_file}", python.conda_pip_below))
     more = "CONDA_CHANNELS=defaults " if python.conda_defaults else ""
     lists, file = locks.conda(plan)
     if file:
@@ -151,6 +153,12 @@ def _without(folders: Sequence[str], file: str, *, others: bool) -> tuple[str, .
 def _newer_pip(file: str) -> str:
     """Return the command that takes the version off the pip of a conda file."""
     script = "s/^( *- *[\"']?)pip *= *[^ \"'#]*/\\1pip/"
+    return f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}"
+
+
+def _older_pip(file: str, below: str) -> str:
+    """Return the command that limits a pip that a conda file names in any version."""
+    script = f's/^( *- *)(["\']?)pip\\2( *#.*)?$/\\1"pip<{below}"\\3/'
     return f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}"
 
 
