@@ -59,6 +59,20 @@ def test_what_the_authors_dockerfile_installs_is_a_library_and_no_package(tree: 
     assert [(each.name.lower(), each.build) for each in decision.source] == [(library.lower(), "cmake")]
 
 
+@pytest.mark.parametrize("path", [".devcontainer/Dockerfile", "Dockerfile"])
+@pytest.mark.parametrize("folder", ["/opt/acme_lidar/build", "acme_lidar/build"])
+def test_what_a_dockerfile_for_an_editor_compiles_where_workdir_is(tree: Tree, path: str, folder: str) -> None:
+    run = (
+        "WORKDIR /opt\nRUN git clone -b v2.1 https://github.com/lab/acme_lidar.git\nRUN mkdir acme_lidar/build\n"
+        f"WORKDIR {folder}\nRUN cmake .. -DBUILD_APPS=OFF\nRUN make -j4\nRUN make install\nWORKDIR /ws\n"
+        "RUN git clone -b v3 https://github.com/lab/acme_radar.git\nRUN cmake -DX=1 . && make install\n"
+    )
+    files = ros1("find_package(acme_lidar REQUIRED)\nfind_package(acme_radar REQUIRED)\n", "")
+    decision = tree(files | {path: f"FROM ros:noetic\n{run}"})
+    found = [(each.name, each.ref, each.cmake_options) for each in decision.source if each.build == "cmake"]
+    assert found == [("acme_lidar", "v2.1", "-DBUILD_APPS=OFF")]
+
+
 LINKED = "add_executable(a a.cpp)\nif(WITH_G)\ntarget_link_libraries(a grasplib)\nendif()\n"
 SWITCHED = "```\nmkdir build && cd build\ncmake -DWITH_G=ON ..\n```\n"
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from typing import Literal
 
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.distro_dates import dated
@@ -40,14 +41,14 @@ def as_written(
 
 
 def _installed(evidence: Evidence) -> Iterator[GitSource]:
-    """Yield what the author's own Dockerfiles build, then what pages build, whose refs win."""
-    for git in (*_authored(evidence), *evidence.sources):
+    """Yield what Dockerfiles for CI or an editor build, then the project's own, then pages, whose refs win."""
+    for git in (*_authored(evidence, "ci"), *_authored(evidence, "project"), *evidence.sources):
         if git.installed and not places.vendored(git.file):
             yield git
 
 
-def _authored(evidence: Evidence) -> Iterator[GitSource]:
-    return (git for each in evidence.dockerfiles if each.purpose == "project" for git in each.clones)
+def _authored(evidence: Evidence, purpose: Literal["project", "ci"]) -> Iterator[GitSource]:
+    return (git for each in evidence.dockerfiles if each.purpose == purpose for git in each.clones)
 
 
 def _like(source: Source, git: GitSource, day: str) -> Source:
@@ -77,9 +78,8 @@ def by_hand(
         return ()
     date = dated(evidence)
     offered: dict[str, GitSource] = {}
-    for git in sorted(
-        (*evidence.sources, *_authored(evidence)), key=lambda g: (not g.installed, g.kind == "link", g.ref is None)
-    ):
+    written = (*evidence.sources, *_authored(evidence, "project"), *_authored(evidence, "ci"))
+    for git in sorted(written, key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
         listed = git.kind == "vcs" and kind not in {"ros1", "ros2"}  # of ROS, the workspace has what is listed
         if (git.installed or listed or git.kind == "link") and not places.vendored(git.file):
             offered.setdefault(_bare(git.name), git)

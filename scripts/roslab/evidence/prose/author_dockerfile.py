@@ -5,17 +5,16 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable
-from typing import Literal
 
-from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import AuthorDockerfile, Mention, Prose
 from roslab.evidence.lex.balance import unbalanced
 from roslab.evidence.lex.dockerfile import Instruction, argv, instructions, sources
-from roslab.evidence.lex.shell import expand
+from roslab.evidence.lex.shell import Command, expand
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.copies import in_copy
+from roslab.evidence.prose.dockerfile_purpose import purpose_of
 from roslab.evidence.prose.entry_scripts import started_by
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import merge
@@ -40,21 +39,12 @@ _FROM = pattern(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
 _UPDATE = pattern(r"\brosdep\s+update\b(?!\s+--(?:include-eol-distros|rosdistro))")
 """Not told to keep distributions that have ended. https://github.com/ros-infrastructure/rosdep/issues/818"""
 _PAIR = pattern(r"(\w+)=(\"[^\"]*\"|'[^']*'|\S*)")
-_DEPLOY = pattern(
-    r"jetson|l4t|deploy|tegra|raspberry|\brpi\b|arm64|aarch64|armhf|production|release|simulator|\bursim\b",
-    re.IGNORECASE,
-)
-_CI = pattern(
-    r"(?:^|[/._-])ci(?:[/._-]|$)|\.circleci|\.?devcontainer|\.github|\.gitlab|jenkins|travis|azure|clang-tidy|"
-    r"coverage|lint",
-    re.IGNORECASE,
-)
-_DOCS = pattern(r"sphinx|mkdocs|doxygen|jekyll|readthedocs|(?:^|[/._-])docs?(?:[/._-]|$)", re.IGNORECASE)
 _PRIVATE = pattern(
     r"id_rsa|GITHUB_TOKEN|ACCESS_TOKEN|OAUTH|:\$\{?\w*(?:TOKEN|PASSWORD)\w*\}?@",
     re.IGNORECASE,
 )
 _MOUNT = pattern(r"--mount=(\S*\btype=(?:ssh|secret)\b\S*)")
+_COMPILES = pattern(r"\b(?:cmake|make|ninja)\b")
 _OPTIONS = pattern(r"^(?:--\S+\s+)+")
 """Options of RUN."""
 _REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
@@ -129,6 +119,8 @@ class _Reading:
     values: Values = field(default_factory=Values)
     needs: str | None = None
     """What it needs that a build cannot give it."""
+    inside: str = ""
+    """The folder of something cloned that WORKDIR names."""
 
     def take(self, instruction: Instruction) -> None:
         """Read one instruction."""
@@ -143,6 +135,7 @@ class _Reading:
         elif name in {"ARG", "ENV"}:
             self._set(name, body)
         elif name == "RUN":
+            self._enter(body, line)
             _collect(self.collector, instruction)
             if wrong := "" if instruction.script else unbalanced(_OPTIONS.sub("", body)):
                 self.problem = self.problem or f"line {line} is nothing that a shell reads: {wrong}"
@@ -157,10 +150,20 @@ class _Reading:
         else:
             self._start(name, body, line)
 
+    def _enter(self, body: str, line: int) -> None:
+        """Go where a line begins that may compile something cloned."""
+        if self.inside:
+            self.collector.folder = ""
+            if _COMPILES.search(body):
+                self.collector.command(Command(("cd", self.inside), (line, line)))
+
     def _start(self, name: str, body: str, line: int) -> None:
         start = self.start
         if name == "WORKDIR":
             start.workdir = posixpath.join(start.workdir, expand(body.strip().strip("\"'"), self.known))
+            cloned = {clone.name for clone in self.collector.sources}
+            left, self.inside = self.inside, "" if cloned.isdisjoint(start.workdir.split("/")) else start.workdir
+            self.collector.folder = "" if left else self.collector.folder
         elif name == "ENTRYPOINT":
             start.entrypoint, start.line = argv(body), start.line or line
         elif name == "CMD":
@@ -177,6 +180,7 @@ class _Reading:
         if match := _FROM.match(expand(body.strip(), self.known)):
             if match[1].lower() not in self.stages and match[1] != "scratch":
                 self.bases.append((match[1], line))
+            self.inside = ""
             self.base, self.base_line = self.stages.get(match[1].lower(), match[1]), line
             self.start = replace(self.starts.get(match[1].lower(), _Start()))
             if match[2]:
@@ -221,7 +225,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         command_line=start.line,
         entrypoint=started_by(repository, start.entrypoint),
         starts_in_source=start.source is not None and start.source == posixpath.normpath(start.workdir),
-        purpose="vendored" if in_copy(repository, file) else _purpose(file.path, reading.base or "", problem),
+        purpose="vendored" if in_copy(repository, file) else purpose_of(file.path, reading.base or "", problem),
         problem=problem or reading.needs or missing,
         context=context,
         secrets=tuple(sorted(dict(reversed(reading.secrets)).items(), key=lambda found: found[1])),
@@ -280,19 +284,3 @@ def _context(repository: Repository, file: File, copied: list[tuple[str, int]]) 
 def _holds_source(repository: Repository, folder: str) -> bool:
     prefix = folder + "/"
     return any(file.path.startswith(prefix) and file.name.endswith(_REPOSITORY_FILES) for file in repository.files)
-
-
-def _purpose(
-    path: str, base: str, problem: str | None
-) -> Literal["project", "documentation", "vendored", "ci", "deploy", "broken"]:
-    if problem:
-        return "broken"
-    if places.vendored(path):
-        return "vendored"
-    if places.documentation(path) or _DOCS.search(path):
-        return "documentation"
-    if _CI.search(path):
-        return "ci"
-    if _DEPLOY.search(path) or re.search(r"l4t|jetson|arm32v7|arm64v8|ursim", base):
-        return "deploy"
-    return "project"

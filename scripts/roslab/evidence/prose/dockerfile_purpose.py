@@ -1,0 +1,37 @@
+"""What an author's Dockerfile is for."""
+
+from __future__ import annotations
+
+import re
+from typing import Literal
+
+from roslab.evidence import places
+from roslab.values.pattern import pattern
+
+_DEPLOY = pattern(
+    r"jetson|l4t|deploy|tegra|raspberry|\brpi\b|arm64|aarch64|armhf|production|release|simulator|\bursim\b",
+    re.IGNORECASE,
+)
+_CI = pattern(
+    r"(?:^|[/._-])ci(?:[/._-]|$)|\.circleci|\.?devcontainer|\.github|\.gitlab|jenkins|travis|azure|clang-tidy|"
+    r"coverage|lint",
+    re.IGNORECASE,
+)
+_DOCS = pattern(r"sphinx|mkdocs|doxygen|jekyll|readthedocs|(?:^|[/._-])docs?(?:[/._-]|$)", re.IGNORECASE)
+
+
+def purpose_of(
+    path: str, base: str, problem: str | None
+) -> Literal["project", "documentation", "vendored", "ci", "deploy", "broken"]:
+    """Return what a Dockerfile at a path with this base is for; one with a problem is broken."""
+    if problem:
+        return "broken"
+    if places.vendored(path):
+        return "vendored"
+    if places.documentation(path) or _DOCS.search(path):
+        return "documentation"
+    if _CI.search(path):
+        return "ci"
+    if _DEPLOY.search(path) or re.search(r"l4t|jetson|arm32v7|arm64v8|ursim", base):
+        return "deploy"
+    return "project"
