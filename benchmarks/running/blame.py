@@ -37,6 +37,8 @@ ASKED = re.compile(
 )
 """Names of ROS packages in what catkin, the compiler, Python and roslaunch say of one that is not there."""
 
+LEFT_OUT = re.compile(r"roslab: left out: apt ros-[a-z]+-([a-z0-9-]+)\s*$", re.MULTILINE)
+"""A package of ROS that the base does not know, as the image's own script tells it."""
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
@@ -99,7 +101,8 @@ def _whose(found: Explanation, log: str, base: Base) -> Whose:
         if "cuda" in base.name and found.id in known["cuda"]["ids"]:
             return "stand-in"
         said = "\n".join((found.error, *found.lines)) or log[-4000:]
-        if (_asked(said) | {value for _, value in found.names}) & base.lacking:
+        names = {value for _, value in found.names}
+        if (_asked(said) | names) & base.lacking or {*map(_bare, names)} & _left_out(log, base):
             return "stand-in"
         if found.id in known["python"]["ids"] and _python_is_another(base):
             return "stand-in"
@@ -143,6 +146,16 @@ def _why(found: Explanation) -> str:
 
 def _asked(text: str) -> set[str]:
     return {name for match in ASKED.finditer(text) for name in match.groups() if name}
+
+
+def _left_out(log: str, base: Base) -> set[str]:
+    """Return the bare names of libraries whose packages the build left out, and that the stand-in alone lacks."""
+    names = (match[1].replace("-", "_") for match in LEFT_OUT.finditer(log))
+    return {_bare(name) for name in names if name in base.lacking}
+
+
+def _bare(name: str) -> str:
+    return name.lower().removeprefix("lib")
 
 
 def _lacked(output: str, base: Base) -> str:

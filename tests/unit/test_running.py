@@ -62,6 +62,25 @@ def test_whose_a_failed_build_is(error: str, base: blame.Base, whose: str) -> No
     assert blame.of_build(LOG.format(error=error), base)[0] == whose
 
 
+@pytest.mark.parametrize(
+    ("package", "base", "whose"),
+    [
+        ("ros-noetic-libnmea-msgs", FOCAL, "ours or the code's"),
+        ("ros-noetic-nmea-msgs", FOCAL, "stand-in"),
+        ("ros-noetic-nmea-msgs", REAL, "ours or the code's"),
+        ("libnmea-dev", FOCAL, "ours or the code's"),
+    ],
+)
+def test_a_library_that_only_the_stand_in_leaves_out(package: str, base: blame.Base, whose: str) -> None:
+    error = (
+        "CMake Error: The following variables are used in this project, but they are set to NOTFOUND.\n"
+        "#9 1.2 Please set them or make sure they are set and tested correctly in the CMake files:\n"
+        "#9 1.2 NMEA_MSGS_INCLUDE_DIR\n#9 1.2    used as include directory in directory /ws/src/a"
+    )
+    log = f"#6 [4/5] RUN install-optional-apt {package}\n#6 1.0 roslab: left out: apt {package}\n{LOG}"
+    assert blame.of_build(log.format(error=error), base)[0] == whose
+
+
 def test_an_image_of_a_stage_that_nothing_stands_in_for_is_the_stand_ins() -> None:
     log = "ERROR: failed to solve: a/b:1.2: failed to resolve source metadata for docker.io/a/b:1.2: not found\n"
     whose, cause, _ = blame.of_build(log, FOCAL)
