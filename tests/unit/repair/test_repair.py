@@ -317,7 +317,15 @@ def broken(command: str, *said: str) -> str:
         ),
         (
             broken("rosdep install --from-paths src", "your rosdep installation has not been initialized yet"),
-            "+RUN rosdep update --include-eol-distros\n RUN rosdep install --from-paths src\n",
+            " || rosdep init && rosdep update --include-eol-distros\n RUN rosdep install --from-paths src\n",
+        ),
+        (
+            broken(
+                "rosdep update && rosdep install --from-paths src",
+                'Skip end-of-life distro "kinetic"',
+                "robot: Cannot locate rosdep definition for [roscpp]",
+            ),
+            "+RUN rosdep update --include-eol-distros && rosdep install --from-paths src\n",
         ),
         (
             broken("pip install .[dev, sim] --no-deps", "ERROR: Invalid requirement: '.[dev,'"),
