@@ -46,6 +46,7 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         ("a.cpp:1:10: fatal error: pluginlib/class_list_macros.h: No such file or directory", FOCAL, "stand-in"),
         ("a.cpp:1:10: fatal error: pluginlib/class_list_macros.h: No such file or directory",
          replace(FOCAL, ubuntu="noble", python="3.12"), "ours or the code's"),
+        ("Package 'pluginlib', required by 'rosbag_storage', not found", replace(FOCAL, ubuntu="bionic"), "stand-in"),
         (CERES, replace(FOCAL, ubuntu="bionic"), "stand-in"),
         ("E: Package 'libav-tools' has no installation candidate", replace(FOCAL, ubuntu="xenial"), "stand-in"),
         ("E: Package 'libav-tools' has no installation candidate", FOCAL, "ours or the code's"),
