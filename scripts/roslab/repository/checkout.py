@@ -5,7 +5,7 @@ from __future__ import annotations
 import datetime as dt
 import os
 import re
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterable
 from functools import cached_property
 from pathlib import Path
 from typing import Any, TypeVar
@@ -228,6 +228,11 @@ class Repository:
             return (self.git_folder / name).read_text(errors="replace")[:65536] if self.git_folder else ""
         except OSError:
             return ""
+
+
+def nearest(files: Iterable[File]) -> list[File]:
+    """Return files sorted by how deep they lie, then by path."""
+    return sorted(files, key=lambda file: (file.path.count("/"), file.path))
 
 
 def _read_up_to(descriptor: int, size: int) -> bytes:

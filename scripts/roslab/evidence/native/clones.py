@@ -10,7 +10,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
@@ -47,7 +47,7 @@ def read(repository: Repository, sources: Iterable[GitSource], projects: Iterabl
         return
     tops = frozenset(project.file.rpartition("/")[0] for project in projects if project.name)
     files = [file for file in repository.named("CMakeLists.txt") if not places.vendored(file.path)]
-    files = sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]
+    files = nearest(files)[:MAX_FILES]
     for file in files:
         text = repository.read(file) if file.size <= MAX_SIZE else ""
         named = [git for name, git in clones.items() if name in text]

@@ -9,7 +9,7 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import cmake_needs, included
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
@@ -98,7 +98,7 @@ class _Reading:
 
 def read(repository: Repository) -> tuple[CMakeProject, ...]:
     """Return every CMakeLists.txt with anything of interest, sorted by path; build folders are skipped."""
-    files = sorted(repository.named("CMakeLists.txt"), key=lambda file: (file.path.count("/"), file.path))
+    files = nearest(repository.named("CMakeLists.txt"))
     added: dict[str, dict[str, bool]] = {}
     found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
     kept = (p for p in found if p.name or p.top_level or p.dependencies or p.executables or p.macros or p.linked)

@@ -11,7 +11,7 @@ from roslab.evidence.native.limits import Signs, tells
 from roslab.evidence.native.x86 import Intrinsics
 from roslab.knowledge.libraries import library
 from roslab.knowledge.windows import shown as shown_by
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
 SUFFIXES = (".cpp", ".hpp", ".h", ".cc", ".cxx", ".hh", ".c", ".cu", ".cuh")
@@ -95,7 +95,7 @@ def _sources(repository: Repository) -> list[File]:
         for file in repository.suffixed(*SUFFIXES)
         if file.size < MAX_SIZE and not places.vendored(file.path) and not places.test(file.path)
     ]
-    return sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_SOURCES]
+    return nearest(files)[:MAX_SOURCES]
 
 
 def _local(repository: Repository, name: str) -> bool:

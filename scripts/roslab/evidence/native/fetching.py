@@ -9,7 +9,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import first_line, matching_lines
 from roslab.knowledge.rosbuild_makefiles import program_of
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
@@ -56,7 +56,7 @@ def _makefiles(repository: Repository) -> Iterator[tuple[File, bool]]:
 
 def _nearest(files: list[File] | tuple[File, ...]) -> list[File]:
     kept = (file for file in files if file.size <= MAX_SIZE)
-    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]
+    return nearest(kept)[:MAX_FILES]
 
 
 def _called(text: str, *, makefile: bool) -> Iterator[tuple[str, int]]:

@@ -10,7 +10,7 @@ from roslab.evidence.lex.cmake import calls
 from roslab.evidence.lex.lines import end_of_line, lines_with
 from roslab.evidence.lex.truth import cmake_holds
 from roslab.knowledge.cuda_gpus import NAME, cuda_of_gpu
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
 MAX_FILES = 100
@@ -44,7 +44,7 @@ def _files(repository: Repository) -> list[File]:
     files = (*repository.named("CMakeLists.txt", "Makefile", "setup.py"), *repository.suffixed(".cmake"))
     aside = (places.vendored, places.example, places.test, places.documentation)
     kept = [file for file in files if file.size <= MAX_SIZE and not any(each(file.path) for each in aside)]
-    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]
+    return nearest(kept)[:MAX_FILES]
 
 
 def _in(file: File, text: str) -> Iterator[tuple[int, int]]:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.knowledge.shared_objects import package_of
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 4 * 1024 * 1024
@@ -40,4 +40,4 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 def _files(repository: Repository) -> Iterator[File]:
     named = (file for file in repository.files if ".so" in file.name and _NAME.search(file.name))
     own = [file for file in named if not (places.test(file.path) or places.documentation(file.path))]
-    yield from sorted(own, key=lambda file: (file.path.count("/"), file.path))[:MOST]
+    yield from nearest(own)[:MOST]

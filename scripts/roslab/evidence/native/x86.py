@@ -12,7 +12,7 @@ from roslab.evidence.lex.preprocessor import reached
 from roslab.evidence.lex.truth import cmake_holds
 from roslab.evidence.x86_only import X86Only
 from roslab.knowledge.x86_only import x86_only
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
@@ -87,7 +87,7 @@ def _read_copied(repository: Repository, intrinsics: Intrinsics) -> None:
 
 def _nearest(files: Iterable[File]) -> list[File]:
     kept = (f for f in files if not (places.test(f.path) or places.example(f.path) or places.documentation(f.path)))
-    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))
+    return nearest(kept)
 
 
 def _cmake_files(repository: Repository) -> list[File]:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose import search_paths
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
 DEEPEST = 1
@@ -48,7 +48,7 @@ def _is_read(name: str, repository: Repository) -> bool:
     files = [*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake", ".launch", ".xacro")]
     files += [file for file in repository.suffixed(".py", ".xml") if "launch" in file.name]
     files = [file for file in files if not places.vendored(file.path)]
-    for file in sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_READERS]:
+    for file in nearest(files)[:MAX_READERS]:
         found = repository.read(file)
         if name in found and reads.search(found):
             return True

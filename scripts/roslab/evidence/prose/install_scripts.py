@@ -15,7 +15,7 @@ from roslab.evidence.prose.cloners import spelled_out
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import merge
 from roslab.knowledge.distros import distros
-from roslab.repository.checkout import Repository
+from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
@@ -54,7 +54,7 @@ def read(repository: Repository) -> Prose:
         and not places.vendored(file.path)
         and file.size < MAX_SIZE
     ]
-    for file in sorted(shells, key=lambda file: (file.path.count("/"), file.path))[:MAX_SCRIPTS]:
+    for file in nearest(shells)[:MAX_SCRIPTS]:
         text = repository.read(file)
         if any(word in text for word in ("install", "clone", "cmake", "docker")):
             collector = Collector(file.path, "script")

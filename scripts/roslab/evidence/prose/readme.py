@@ -26,7 +26,7 @@ from roslab.evidence.prose.preformatted import as_markdown
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.shells import leads_elsewhere
 from roslab.evidence.prose.telling import telling
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 from roslab.values.prompt import PROMPT
 from roslab.values.words import joined
@@ -169,7 +169,7 @@ def pages(repository: Repository) -> list[File]:
         docs = places.documentation(file.path) and _DOCS_PAGE.search(name)
         if (page and file.path.count("/") <= 3) or docs:
             found.append(file)
-    return sorted(found, key=lambda file: (file.path.count("/"), file.path))[:MAX_PAGES]
+    return nearest(found)[:MAX_PAGES]
 
 
 def _read(text: str, file: File) -> Prose:

@@ -6,7 +6,7 @@ from functools import cached_property
 
 from roslab.evidence import places
 from roslab.knowledge.hints import words_of
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass
 
 MAX_READ = 128 * 1024
@@ -63,5 +63,4 @@ def _all(repository: Repository) -> tuple[Module, ...]:
         for file in repository.suffixed(".py")
         if not places.vendored(file.path) and not places.documentation(file.path) and file.size < 16 * MAX_READ
     ]
-    nearest = sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:MAX_MODULES]
-    return tuple(Module(file=file, repository=repository) for file in nearest)
+    return tuple(Module(file=file, repository=repository) for file in nearest(kept)[:MAX_MODULES])

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from roslab.evidence import places
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 
 MAX_SIZE = 1024 * 1024
 MAX_FILES = 50
@@ -20,7 +20,7 @@ MAX_FILES = 50
 def files(repository: Repository) -> list[File]:
     """Return the notebooks that are opened, those nearest to the root first."""
     kept = [file for file in repository.suffixed(".ipynb") if not places.vendored(file.path) and file.size < MAX_SIZE]
-    return sorted(kept, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]
+    return nearest(kept)[:MAX_FILES]
 
 
 def alone(repository: Repository) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ import re
 
 from roslab.evidence import places
 from roslab.evidence.facts import Runner, TestFile
-from roslab.repository.checkout import Repository
+from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 _NAMED = pattern(r"^test_.*\.py$|_test\.py$|\.test\.py$")
@@ -28,8 +28,7 @@ def read(repository: Repository) -> tuple[TestFile, ...]:
     Where the CMakeLists.txt of a package registers launch tests, one that it does not name is left out.
     """
     files = [file for file in repository.suffixed(".py") if _NAMED.search(file.name) and not places.vendored(file.path)]
-    nearest = sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]
-    found = ((file.path, _runner(repository.read(file))) for file in nearest)
+    found = ((file.path, _runner(repository.read(file))) for file in nearest(files)[:MAX_FILES])
     tests = tuple(TestFile(file=path, line=1, runner=runner) for path, runner in sorted(found) if runner)
     lists = _registering(repository) if any(test.runner == "launch_test" for test in tests) else {}
     return tuple(test for test in tests if test.runner != "launch_test" or _registered(test.file, lists))
@@ -47,8 +46,8 @@ def _registered(path: str, lists: dict[str, str]) -> bool:
     folder, _, name = path.rpartition("/")
     parts = folder.split("/") if folder else []
     above = ("/".join(parts[:count]) for count in range(len(parts), -1, -1))
-    nearest = next((each for each in above if each in lists), None)
-    return nearest is None or name in lists[nearest]
+    closest = next((each for each in above if each in lists), None)
+    return closest is None or name in lists[closest]
 
 
 def _runner(text: str) -> Runner | None:

@@ -8,7 +8,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import matches_at
 from roslab.knowledge.gazebo_plugins import gazebo_plugins
-from roslab.repository.checkout import Repository
+from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
@@ -24,7 +24,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     launching = (file for file in repository.suffixed(".py") if "launch" in file.name)
     files = [file for file in (*described, *launching) if file.size <= MAX_SIZE and not places.vendored(file.path)]
     found: dict[str, Dependency] = {}
-    for file in sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]:
+    for file in nearest(files)[:MAX_FILES]:
         text = repository.read(file)
         text = _COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text) if ".so" in text else ""
         for match in matches_at(_LIBRARY, text, "lib"):

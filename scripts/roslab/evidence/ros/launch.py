@@ -16,7 +16,7 @@ from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import end_of_line, lines_with, matches_at, matching_lines
 from roslab.knowledge.compiled import programs
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
@@ -195,7 +195,7 @@ def _candidates(repository: Repository) -> list[File]:
 
 
 def _nearest(files: Iterable[File]) -> list[File]:
-    return sorted(files, key=lambda file: (file.path.count("/"), file.path))[:MAX_FILES]
+    return nearest(files)[:MAX_FILES]
 
 
 def _included(text: str) -> Iterator[str]:
