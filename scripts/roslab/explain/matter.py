@@ -32,6 +32,8 @@ _NEVER = pattern(
     r"|go: (?:finding|downloading|extracting) \S{1,200} v"
     r"|(?:[|│] {1,3}){0,30}(?:[+`]--|[├└]─)[-─┬ ]{0,3}[@\w])"  # a tree of packages
 )
+_JOINED = pattern(r"^\s{0,8}(?:Reading|Building|Processing)[^\n]{1,60}?\.\.\.(?: ?(?:\d{1,3}%|Done))? ?(?=[EWN]: )")
+"""apt's progress, which ends without a line break, before a message on the other stream."""
 _PROBE = pattern(
     r"_configtest|conftest\.|CMakeTmp|CMakeScratch|TryCompile-|cmTC_|CheckSymbolExists|check_c_source|check_libyaml"
     r"|\bext/_yaml\."
@@ -61,14 +63,19 @@ _LAST = pattern(
 def lines(step: Step) -> list[Line]:
     """Return a step's lines, including the builder's own message, without those that are never errors."""
     found = [
-        Line(line.number, _english(line.text).translate(_QUOTES))
+        Line(line.number, _english(text).translate(_QUOTES))
         for line in step.lines
-        if line.text and not _NEVER.match(line.text) and not _PROBE.search(line.text)
+        if (text := _alone(line.text)) and not _NEVER.match(text) and not _PROBE.search(text)
     ]
     word = last_word(step)
     if word:
         found.append(Line(found[-1].number if found else 0, word))
     return _bounded(found)
+
+
+def _alone(text: str) -> str:
+    """Return a line without the progress of apt that its message was written behind."""
+    return _JOINED.sub("", text) if "..." in text else text
 
 
 def _english(text: str) -> str:

@@ -92,6 +92,19 @@ def test_colours_and_carriage_returns_are_gone_before_anything_is_matched(log: s
     header_is_missing(said(log.replace("src/a.cpp", f"{bar}src/a.cpp")))
 
 
+@pytest.mark.parametrize("before", ["Reading package lists...", "0.573 Reading state information... ", ""])
+def test_a_message_behind_the_progress_of_apt_is_read(before: str) -> None:
+    message = "E: Version '1.06-1' for 'bc' was not found"
+    log = f"""\
+#14 [dependencies 4/4] RUN apt-get update && apt-get install --yes bc=1.06-1
+#14 0.5 Building dependency tree...
+#14 {before or "0.6 "}{message}
+#14 0.6 Package bc is not available, but is referred to by another package.
+#14 ERROR: process "/bin/sh -c apt-get update" did not complete successfully: exit code: 100
+"""
+    assert [found.id for found in said(log).explanations] == ["apt-version-gone"]
+
+
 def test_what_follows_a_carriage_return_stays_with_its_step() -> None:
     log = PLAIN.replace("#6 1.2 src", "#6 1.2  10%\r 50%\rsrc").replace("\n1.2 src", "\n1.2 ")
     header_is_missing(said(log))
