@@ -26,6 +26,10 @@ class Framework:
     released: str
     """Day of its first release on the index, ``""`` where the tables do not tell."""
 
+    def runs_with(self, python: str) -> bool:
+        """Tell whether it has wheels for a Python (``3.8``)."""
+        return Version(self.python_min) <= Version(python) <= Version(self.python_max)
+
 
 @cache
 def _frameworks() -> dict[str, list[tuple[Version, Framework]]]:
@@ -79,17 +83,20 @@ def framework(package: str, release: str) -> Framework | None:
     return next((row for first, row in series if numbers and first <= numbers), None)
 
 
-def newest_framework(package: str, day: str | None = None) -> Framework | None:
-    """Return the row for the newest release (of a day), ``None`` for a package that is not in the table."""
-    series = _frameworks().get(tabled(package), ())
-    return next((row for _, row in series if day is None or row.released <= day), None)
+def newest_framework(package: str, day: str | None = None, python: str | None = None) -> Framework | None:
+    """Return the row for the newest release (of a day), ``None`` for a package that is not in the table.
+
+    Of those with wheels for a ``python``, where there are any.
+    """
+    series = [row for _, row in _frameworks().get(tabled(package), ()) if day is None or row.released <= day]
+    fitting = (row for row in series if python is None or row.runs_with(python))
+    return next(fitting, series[0] if series else None)
 
 
 def newest_on_cuda(package: str, cuda: str, python: str | None, day: str | None = None) -> Framework | None:
     """Return the row of the newest release (of a day) with wheels for a CUDA and a Python, any if that is not known."""
-    number = Version(python) if python else None
     for _, row in _frameworks().get(package, ()):
-        fits = number is None or Version(row.python_min) <= number <= Version(row.python_max)
+        fits = python is None or row.runs_with(python)
         if cuda in row.cuda and fits and (day is None or row.released <= day):
             return row
     return None
@@ -97,11 +104,10 @@ def newest_on_cuda(package: str, cuda: str, python: str | None, day: str | None 
 
 def oldest_on_cuda(package: str, cuda: str, python: str | None) -> Framework | None:
     """Return the row of the oldest release with wheels for a CUDA and a Python, any if that is not known."""
-    number = Version(python) if python else None
     fits = (
         row
         for _, row in reversed(_frameworks().get(package, ()))
-        if cuda in row.cuda and (number is None or Version(row.python_min) <= number <= Version(row.python_max))
+        if cuda in row.cuda and (python is None or row.runs_with(python))
     )
     return next(fits, None)
 
@@ -175,6 +181,12 @@ def older_wheels() -> dict[str, tuple[Version, tuple[str, ...]]]:
 def build_needs() -> dict[str, tuple[str, ...]]:
     """Return what must be installed before a pip package can be built."""
     return {row["pip"]: tuple(row["first"].split()) for row in rows("build_needs")}
+
+
+@cache
+def with_numpy_2() -> dict[str, str]:
+    """Return the first release of each pip package whose wheels take NumPy 2, which they do not ask pip for."""
+    return {row["pip"]: row["first"] for row in rows("with_numpy_2")}
 
 
 @cache

@@ -19,6 +19,7 @@ from roslab.decide.python.torch_build import torch_build
 from roslab.evidence.facts import CondaEnvironment, Evidence, Mention, RequirementFile
 from roslab.knowledge.frameworks import cuda_images, nearest_cuda_image
 from roslab.values.conda import conda_package
+from roslab.values.dataclass import replace
 from roslab.values.requirement_line import stated
 
 
@@ -43,6 +44,10 @@ def said(value: str, text: str = "") -> Mention:
     return Mention(topic="cuda", value=value, source="readme", file="README.md", line=1, text=text)
 
 
+def python(value: str) -> Mention:
+    return replace(said(value), topic="python")
+
+
 @pytest.mark.parametrize(
     ("evidence", "cuda"),
     [
@@ -54,6 +59,8 @@ def said(value: str, text: str = "") -> Mention:
         (Evidence(requirements=(asked("torch==2.0.1"),), mentions=(said("11.8"),)), "11.7"),
         (Evidence(requirements=(asked("torch"),), mentions=(said("11.3"),)), "11.3"),
         (Evidence(requirements=(asked("torch"),), mentions=(said("9.0", "CUDA 9.0 or above"),)), "12.8"),
+        (Evidence(requirements=(asked("torch"),), mentions=(python("3.6"),)), "11.1"),
+        (Evidence(requirements=(asked("torch"),), mentions=(python("3.8"),)), "12.1"),
         (Evidence(cuda_files=("a.cu",)), "11.8"),
     ],
 )

@@ -21,6 +21,9 @@ CODE = {"run.py": "import numpy\n"}
         ("h5py==2.8.0\n", "3.7"),
         ("Pillow==6.1.0\npandas==0.25.1\n", "3.7"),
         ("matplotlib==3.8.2\nPillow==12.0.0\n", "3.10"),
+        ("h5py<2.9\nscipy\n", "3.7"),
+        ("torch<1.11\nscipy\n", "3.8"),
+        ("h5py<=3.6\nscipy\n", "3.10"),
     ],
 )
 def test_compiled_packages_have_wheels(tree: Tree, pins: str, python: str) -> None:

@@ -444,6 +444,9 @@ def test_an_environment_of_another_system_is_not_taken(tmp_path: Path) -> None:
         ("torch==1.11.0\nnumpy<1.25\n", ()),
         ("tensorflow==2.10.0\nscipy\n", ("numpy<2",)),
         ("torch\nnumpy\n", ()),
+        ("opencv-python==4.8.0.74\nscipy\n", ("numpy<2",)),
+        ("opencv-python-headless==4.10.0.84\nscipy\n", ()),
+        ("opencv-python==4.8.0.74\nnumpy>=2\n", ()),
     ],
 )
 def test_a_framework_older_than_numpy_2_keeps_it_out(tmp_path: Path, lines: str, bounds: tuple[str, ...]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import ClassVar
 
 from packaging.version import Version
@@ -14,6 +14,7 @@ from roslab.decide.cuda.gpus import gpu_limits, knows_gpus, nearest_that_knows, 
 from roslab.decide.cuda.local import cuda_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import DEVELOPMENT, Pin
+from roslab.decide.python.version import python_version
 from roslab.decide.reasons import because, configured, outweighed, warn
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
@@ -93,7 +94,8 @@ def decide_cuda(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Ch
     if config.base.cuda:
         said = configured(config, "cuda", config.base.cuda, "base.cuda")
         return _fitted(config.base.cuda, config.base.cudnn, (said,), others=())
-    found = sorted(_candidates(evidence, pins), key=lambda item: (-item[0].weight, not _has_image(item[0].answer)))
+    candidates = _candidates(evidence, config, pins)
+    found = sorted(candidates, key=lambda item: (-item[0].weight, not _has_image(item[0].answer)))
     if not found:
         return NO_CUDA
     best, others = _known_to_compiler(found, evidence)
@@ -136,14 +138,14 @@ Candidate = tuple[Reason, tuple[str, ...]]
 """An answer, with the other CUDA versions that the same wheel exists for."""
 
 
-def _candidates(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Candidate]:
+def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Iterator[Candidate]:
     """Yield every answer that anything speaks for."""
-    day = evidence.pip_day
+    day, python = evidence.pip_day, python_version(evidence, config, pins).answer.version
     compiles = bool(evidence.cuda_files) or any("cuda" in project.extensions for project in evidence.python)
     compiles = compiles or any("torch" in build_needs().get(pin.name, ()) for pin in pins)
     for pin in pins:
         # The wheels of torch bring the CUDA of their day: the image needs it only where something is compiled for them
-        yield from _of_pin(pin, None if tabled(pin.name) == "torch" and not compiles else day)
+        yield from _of_pin(pin, None if tabled(pin.name) == "torch" and not compiles else day, python)
     yield from _of_indexes(evidence)
     for environment in evidence.conda:
         for package in environment.packages:
@@ -170,8 +172,8 @@ def _of_indexes(evidence: Evidence) -> Iterator[Candidate]:
             yield because("cuda", local, f"pip uses {asked.written}", asked, weight=weight), ()
 
 
-def _of_pin(pin: Pin, day: str | None) -> Iterator[Candidate]:
-    """Yield the CUDA that a wheel names, or the one that the table has for its release, the newest of ``day``."""
+def _of_pin(pin: Pin, day: str | None, python: str | None) -> Iterator[Candidate]:
+    """Yield the CUDA that a wheel names, or the one of its release: the newest of ``day`` that ``python`` runs."""
     asked, table = pin.requirement, framework_on_cuda(pin.name)
     local = (cuda_of(asked.url) or cuda_of(pin.release or "")) if pin.name in _BUILT_FOR else None
     row = framework(table, pin.release) if table and pin.release else None
@@ -190,8 +192,9 @@ def _of_pin(pin: Pin, day: str | None) -> Iterator[Candidate]:
         why = f"{pin.name} {pin.release} {_WHY[table]}"
         weight = Weight.RELEASE[table] + Weight.TRUST * pin.trust
         yield because("cuda", row.cuda[0], why, asked, weight=weight), row.cuda[1:]
-    elif table and asked.role != "listed" and (newest := newest_framework(table, day)):
-        why = f"{pin.name} is not pinned: its newest wheel {f'of {day} ' if day else ''}is for this CUDA"
+    elif table and asked.role != "listed" and (newest := newest_framework(table, day, python)):
+        which = "".join((f" of {day}" if day else "", f" for Python {python}" if python else ""))
+        why = f"{pin.name} is not pinned: its newest wheel{which} is for this CUDA"
         yield because("cuda", newest.cuda[0], why, asked, weight=Weight.UNPINNED), newest.cuda[1:]
 
 

@@ -46,7 +46,7 @@ def named_frameworks(guessed: Iterable[Requirement], python: str | None) -> Choi
 def _has_wheel(asked: Requirement, python: str | None) -> bool:
     release = asked.release or ""
     row = framework(asked.key, release)
-    if row is None or python is None or not Version(row.python_min) <= Version(python) <= Version(row.python_max):
+    if row is None or python is None or not row.runs_with(python):
         return False
     local = cuda_of(release)
     return not Version(release).local or (local or "") in row.cuda or Version(release).local == "cpu"

@@ -121,15 +121,22 @@ def _declared(evidence: Evidence) -> Iterator[Range]:
 def _pinned(pin: Pin) -> Iterator[Range]:
     """Yield the Pythons that a pinned package has wheels for; lower bounds only count in the project's manifest."""
     asked = pin.requirement
-    release = pin.release or asked.below
     if pin.release is None and pin.trust >= _TRUSTED:
         yield from _lowest(pin)
-    row = framework(pin.name, release) if release and pin.trust else None
+    row = _newest_allowed(pin) if pin.trust else None
     if row is not None:
         why = f"{asked.written} has wheels for Python {row.python_min} to {row.python_max}"
         reason = because("python", f"{row.python_min}…{row.python_max}", why, asked, weight=Weight.PINS + pin.trust)
         lowest = Version(row.python_min) if pin.release else Version("0")
         yield Range(_between(lowest, Version(row.python_max)), reason)
+
+
+def _newest_allowed(pin: Pin) -> Framework | None:
+    """Return the row of the release that a package is pinned to, or of the newest that its upper bound leaves."""
+    release, below = pin.release, pin.requirement.below
+    if release or below is None:
+        return framework(pin.name, release) if release else None
+    return framework(pin.name, below) if pin.requirement.specifier.contains(below) else last_below(pin.name, below)
 
 
 def _ended(pin: Pin) -> Iterator[Range]:

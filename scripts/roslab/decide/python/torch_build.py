@@ -11,7 +11,7 @@ from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.frameworks import Framework, framework, newest_on_cuda, oldest_on_cuda
+from roslab.knowledge.frameworks import Framework, framework, newest_on_cuda, oldest_on_cuda, with_numpy_2
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
@@ -19,8 +19,6 @@ ONE_PAGE_BEFORE = Version("1.11")
 """Before this release torch's wheels for a CUDA were listed on a page, not in an index of their own.
 
 https://pytorch.org/get-started/previous-versions/, read 2026-08-22."""
-_WITH_NUMPY_2 = {"torch": "2.3", "tensorflow": "2.16", "tensorflow-gpu": "2.16", "jaxlib": "0.4.26"}
-"""The first release of each whose wheels take NumPy 2."""
 _NEWEST = "the newest torch that was built with it"
 Build = tuple[tuple[Requirement, ...], tuple[str, ...]]
 """Constraints, and pip's options."""
@@ -71,16 +69,14 @@ def torch_build(
 
 
 def numpy_of(asked: Iterable[Requirement]) -> Choice[tuple[Requirement, ...]]:
-    """Return a limit for NumPy beside a framework that was compiled before NumPy 2 existed.
-
-    https://github.com/numpy/numpy/issues/24300 and https://github.com/pytorch/pytorch/issues/107302, read 2026-11-21.
-    """
+    """Return a limit for NumPy beside a package that is pinned to a release compiled before NumPy 2 existed."""
     names = {each.key: each for each in asked}
     numpy = names.get("numpy")
-    for name, first in _WITH_NUMPY_2.items():
+    for name, first in with_numpy_2().items():
         pinned = names.get(name)
         release = Version(pinned.release) if pinned and pinned.release else None
-        if pinned and release and release < Version(first) and not (numpy and numpy.limited):
+        asked_new = numpy is not None and (numpy.limited or not numpy.specifier.contains("1.26.4"))
+        if pinned and release and release < Version(first) and not asked_new:
             limit = stated("numpy<2")
             why = f"{name} {release} was compiled before NumPy 2"
             place = pinned if pinned.file else None
