@@ -6,9 +6,10 @@ import re
 from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.pattern import pattern
 
 
 @cache
 def kept_names() -> dict[str, re.Pattern[str]]:
     """Return the names that each header brings."""
-    return {row["header"]: re.compile(row["pattern"]) for row in rows("kept_names")}
+    return {row["header"]: pattern(row["pattern"]) for row in rows("kept_names")}

@@ -6,9 +6,10 @@ import re
 from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.pattern import pattern
 
 
 @cache
 def never() -> re.Pattern[str]:
     """Return one pattern that matches the full name of each of them."""
-    return re.compile("(?:" + "|".join(row["pattern"] for row in rows("never")) + r")\Z")
+    return pattern("(?:" + "|".join(row["pattern"] for row in rows("never")) + r")\Z")

@@ -6,9 +6,10 @@ import re
 from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.pattern import pattern
 
 
 @cache
 def unread() -> re.Pattern[str]:
     """Return one pattern that matches the full name of each of them."""
-    return re.compile("(?:" + "|".join(f"(?:{row['pattern']})" for row in rows("unread")) + r")\Z")
+    return pattern("(?:" + "|".join(f"(?:{row['pattern']})" for row in rows("unread")) + r")\Z")

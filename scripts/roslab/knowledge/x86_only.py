@@ -7,10 +7,11 @@ from functools import cache
 from typing import Literal
 
 from roslab.knowledge.table import rows
+from roslab.values.pattern import pattern
 
 
 @cache
 def x86_only(what: Literal["option", "header", "macro"]) -> re.Pattern[str]:
     """Return a pattern for all options, headers or macros that only x86 has; it matches one as a whole word."""
     each = "|".join(row["pattern"] for row in rows("x86_only") if row["what"] == what)
-    return re.compile(rf"(?<![\w.=-])(?:{each})(?![\w.=-])")
+    return pattern(rf"(?<![\w.=-])(?:{each})(?![\w.=-])")

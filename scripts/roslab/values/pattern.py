@@ -1,4 +1,8 @@
-"""Patterns that are compiled when they are first used: of the several hundred, one repository needs a few."""
+"""Patterns that are compiled when they are first used: of the several hundred, one repository needs a few.
+
+They are the program's own, whose compiled form is kept for the next start; what is made of a repository's words is
+compiled by ``re`` and forgotten.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +10,8 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, cast
+
+from roslab.values.kept_patterns import compiled
 
 
 class _Lazy:
@@ -18,7 +24,7 @@ class _Lazy:
         """Compile the pattern, and keep the method, so that the next use of it does not come here."""
         if name == "pattern":
             return self._given[0]
-        found = getattr(re.compile(*self._given), name)
+        found = getattr(compiled(*self._given), name)
         setattr(self, name, found)
         return found
 

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import importlib
+import marshal
 import pkgutil
 import re
+import sys
 from pathlib import Path
 
 import pytest
 
 import roslab
+from roslab.values import kept_patterns
 from roslab.values.pattern import pattern, postponed
 
 
@@ -43,13 +46,72 @@ def test_what_is_imported_meanwhile_waits_too(tmp_path: Path, monkeypatch: pytes
         library.WRONG.match("(")
 
 
-def test_every_pattern_of_the_program_can_be_compiled() -> None:
+def _patterns() -> list[re.Pattern[str]]:
+    """Return every pattern that a module of the program has by a name."""
     found_modules = pkgutil.walk_packages(roslab.__path__, "roslab.")
     names = [each.name for each in found_modules if not {"__main__", "probes"} & set(each.name.split("."))]
     kind = type(pattern(""))
-    found = [
+    return [
         value for name in names for value in vars(importlib.import_module(name)).values() if isinstance(value, kind)
     ]
+
+
+def test_every_pattern_of_the_program_can_be_compiled() -> None:
+    found = _patterns()
     assert len(found) > 100
     for each in found:
-        assert each.pattern is not None
+        assert each.groups >= 0
+
+
+@pytest.fixture
+def file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The file of kept patterns, in a folder of its own and not yet written."""
+    monkeypatch.setattr(kept_patterns, "_file", lambda: str(tmp_path / "kept"))
+    monkeypatch.setattr(kept_patterns, "_kept", None)
+    monkeypatch.setattr(sys, "dont_write_bytecode", False)
+    return tmp_path / "kept"
+
+
+def _read_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    kept_patterns._write()
+    monkeypatch.setattr(kept_patterns, "_kept", None)
+
+
+@pytest.mark.skipif(sys.version_info < (3, 11), reason="this Python keeps no patterns")
+def test_a_kept_pattern_is_what_re_compiles(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    given = [each._given for each in _patterns()]  # type: ignore[attr-defined]
+    for source, flags in given:
+        assert kept_patterns.compiled(source, flags) == re.compile(source, flags)
+    _read_again(monkeypatch)
+    monkeypatch.setattr(kept_patterns, "_form", None)  # nothing is compiled any more
+    for source, flags in given:
+        found, expected = kept_patterns.compiled(source, flags), re.compile(source, flags)
+        assert found == expected
+        assert (found.flags, found.groups, found.groupindex) == (expected.flags, expected.groups, expected.groupindex)
+
+
+@pytest.mark.skipif(sys.version_info < (3, 11), reason="this Python keeps no patterns")
+@pytest.mark.parametrize(
+    "text", [b"", b"no form", b"i\x01\x00\x00\x00", marshal.dumps(("another release", {("a", 0): 1}))]
+)
+def test_a_file_that_is_damaged_or_of_another_python_is_written_anew(
+    file: Path, monkeypatch: pytest.MonkeyPatch, text: bytes
+) -> None:
+    file.write_bytes(text)
+    assert kept_patterns.compiled("a", 0).match("a")
+    _read_again(monkeypatch)
+    monkeypatch.setattr(kept_patterns, "_form", None)
+    assert kept_patterns.compiled("a", 0).match("a")
+
+
+def test_nothing_is_written_where_python_writes_nothing(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    assert kept_patterns.compiled("a", 0).match("a")
+    kept_patterns._write()
+    assert not file.exists()
+
+
+def test_a_folder_that_cannot_be_written_is_no_error(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kept_patterns, "_file", lambda: str(file / "absent" / "kept"))
+    assert kept_patterns.compiled("a", 0).match("a")
+    kept_patterns._write()
