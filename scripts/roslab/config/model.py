@@ -65,6 +65,8 @@ class Source:
     """Shell text from this program's own tables, run in the fresh checkout."""
     before: str = ""
     """Without a ``ref``: the newest commit not after this date (``YYYY-MM-DD``) is taken, if there is one."""
+    unread: bool = False
+    """Nobody has read what its own CMakeLists.txt asks for: no table knows the library, and no author configures it."""
     place: Place | None = None
 
 

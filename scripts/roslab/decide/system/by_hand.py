@@ -112,6 +112,7 @@ def by_hand(
             before="" if (ref and not drifts(ref)) or date is None else date.value,
             build="cmake",
             cmake_options=git.options,
+            unread=True,
             place=Place(file=git.file, line=git.line),
         )
         found.setdefault(name, (with_beside(source, git, evidence), asked))

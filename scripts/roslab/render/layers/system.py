@@ -13,6 +13,8 @@ from roslab.values.secret import NETRC, SSH
 SOURCES = "/tmp/sources"  # noqa: S108 - a folder of the image while it is built
 CMAKE_URL = "https://cmake.org/files"
 """Kitware's own archive of every release, ``vX.Y/cmake-X.Y.Z.tar.gz``."""
+CONFIGURE = "configure-library"
+"""A script that calls CMake for a library whose own options nobody has read."""
 
 
 def first_packages(plan: Plan) -> str:
@@ -116,6 +118,8 @@ def library_stages(plan: Plan) -> str:
         if given.mounts:  # what is compiled has no part in them
             lines.append(shell.run(*fetched, secrets=given))
             fetched = []
+        if library.unread:
+            lines.append(shell.copy_script(CONFIGURE).rstrip())
         lines.append(
             shell.run(
                 *fetched,
@@ -216,7 +220,7 @@ def _compile(plan: Plan, library: Source, *first: str) -> list[str]:
     return [
         f"mkdir --parents {folder}/build",
         f"cd {folder}/build",
-        f"cmake{options} {quote.shell(library.cmake_folder or '../')}",
+        f"{CONFIGURE if library.unread else 'cmake'}{options} {quote.shell(library.cmake_folder or '../')}",
         *first,
         f"{{ {make}; }}" if library.make_command else make,
     ]

@@ -1,0 +1,69 @@
+"""A library of which nothing was read is configured without what its own options leave out, where it is not with it."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from roslab.pipeline import plan_repository
+from roslab.render import image_scripts
+from roslab.render.dockerfile import dockerfile
+
+SCRIPT = Path(image_scripts.__path__[0]) / "configure-library.sh"
+CACHE = """\
+BUILD_SHARED_LIBS:BOOL=ON
+PYTHON_BINDING:BOOL=ON
+PYTHON_BINDING_FORCE_PYTHON3:BOOL=OFF
+build_examples:BOOL=TRUE
+ACME_BUILD_TESTS:BOOL=ON
+WITHOUT_TESTS:BOOL=ON
+FASTEST_PATH:BOOL=ON
+CMAKE_INSTALL_DOCDIR:PATH=share/doc
+"""
+
+
+def configured(folder: Path, *options: str, works_with: str) -> tuple[int, str, list[str]]:
+    """Run the script with a stand-in of CMake that works with one option alone; return its code, words and calls."""
+    stand_in = folder / "bin" / "cmake"
+    stand_in.parent.mkdir()
+    body = f'echo "$*" >>calls\ncat >CMakeCache.txt <<"EOF"\n{CACHE}EOF\n[[ " $* " == *"{works_with}"* ]]\n'
+    stand_in.write_text(f"#!/bin/bash\n{body}", encoding="utf-8")
+    stand_in.chmod(0o755)
+    command = ["bash", str(SCRIPT), *options, "../"]
+    path = {"PATH": f"{stand_in.parent}:{os.environ['PATH']}"}
+    done = subprocess.run(command, cwd=folder, env=path, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout, (folder / "calls").read_text(encoding="utf-8").splitlines()
+
+
+def test_it_is_configured_once_where_that_works(tmp_path: Path) -> None:
+    assert configured(tmp_path, "-DA=1", works_with="-DA=1") == (0, "", ["-DA=1 ../"])
+
+
+def test_it_is_configured_again_without_what_nothing_links(tmp_path: Path) -> None:
+    code, said, calls = configured(tmp_path, "-DA=1", works_with="-DPYTHON_BINDING=OFF")
+    without = "-DPYTHON_BINDING=OFF -Dbuild_examples=OFF -DACME_BUILD_TESTS=OFF"
+    assert (code, calls) == (0, ["-DA=1 ../", f"{without} -DA=1 ../"])
+    assert said == f"roslab: what the library does not need is left out, {without}: once more\n"
+
+
+def test_an_option_that_the_page_gives_stays(tmp_path: Path) -> None:
+    given = ("-DACME_BUILD_TESTS=ON", "-DPYTHON_BINDING:BOOL=ON", "-Dbuild_examples=ON")
+    code, said, calls = configured(tmp_path, *given, works_with="-DACME_BUILD_TESTS=OFF")
+    assert (code, said, calls) == (1, "", [f"{' '.join(given)} ../"])
+
+
+PAGE = "Needs [acme_lidar](https://github.com/lab/acme_lidar)"
+
+
+@pytest.mark.parametrize(("asked", "called"), [("acme_lidar", True), ("Pangolin", False)])
+def test_it_is_for_a_library_that_no_table_knows(tmp_path: Path, asked: str, called: bool) -> None:
+    made = f"project(demo)\nfind_package({asked} REQUIRED)\nadd_executable(a a.cpp)\n"
+    for name, text in {"CMakeLists.txt": made, "a.cpp": "int main() {}\n", "README.md": PAGE}.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert f"AS library-1-{asked.lower().replace('_', '-')}" in text
+    assert ("\nCOPY --from=scripts /configure-library /usr/local/bin/\n" in text) == called
+    assert (" && configure-library -DCMAKE_BUILD_TYPE=Release ../" in text) == called
