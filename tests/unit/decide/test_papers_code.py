@@ -29,10 +29,22 @@ def lines(asked: tuple[Requirement, ...]) -> tuple[str, ...]:
     return tuple(each.text for each in asked)
 
 
-def test_a_camera_has_a_focal_length_and_ubuntu_a_release(tmp_path: Path) -> None:
-    cmake = {"CMakeLists.txt": "project(slam)\n"}
-    assert decided(tmp_path, {**cmake, "README.md": "`fx` is the focal length\n"}).ubuntu == "jammy"
-    assert decided(tmp_path, {**cmake, "README.md": "Tested on focal.\n"}).ubuntu == "focal"
+@pytest.mark.parametrize(
+    ("line", "ubuntu"),
+    [
+        ("`fx` is the focal length", "jammy"),
+        ("$f_x, f_y$: the focal distances, in pixels", "jammy"),
+        ("the pinhole camera (Focal + principal point and image size)", "jammy"),
+        ("works with focal or depth images", "jammy"),
+        ("Tested on focal.", "focal"),
+        ("- `focal`", "focal"),
+        ("builds on focal and newer", "focal"),
+        ("Packages: focal, jammy (planned)", "focal"),
+        ("the Docker image focal has it", "focal"),
+    ],
+)
+def test_a_camera_has_a_focal_length_and_ubuntu_a_release(tmp_path: Path, line: str, ubuntu: str) -> None:
+    assert decided(tmp_path, {"CMakeLists.txt": "project(slam)\n", "README.md": f"{line}\n"}).ubuntu == ubuntu
 
 
 def test_a_small_driver_beside_a_python_program_makes_no_cpp_project(tmp_path: Path) -> None:

@@ -78,6 +78,10 @@ def test_ament_is_ros2(tmp_path: Path) -> None:
         ({".github/workflows/ci.yml": "jobs:\n  a:\n    container: ros:kinetic-ros-base\n", "README.md": "ROS melodic"}, None, "kinetic"),  # noqa: E501
         ({"third_party/x/Dockerfile": "FROM ros:kinetic\n", "README.md": "needs ROS melodic"}, None, "melodic"),
         ({"README.md": "a video of the MIT bionic arm"}, None, "noetic"),
+        ({"README.md": "[ROS Melodic](https://github.com/ros/ros/blob/noetic-devel/LICENSE)"}, None, "melodic"),
+        ({"README.md": "On Ubuntu 20.04\n\nIt takes an [Image](http://docs.ros.org/en/melodic/api/sensor_msgs/msg.html)"}, None, "noetic"),  # noqa: E501
+        ({"README.md": "Install [ROS](http://wiki.ros.org/kinetic/Installation) on Ubuntu"}, None, "kinetic"),
+        ({"README.md": "See the [code](https://github.com/lab/ros-arm/tree/kinetic-devel)"}, None, "kinetic"),
     ],
 )  # fmt: skip
 def test_where_a_distribution_is_written_ranks_it(

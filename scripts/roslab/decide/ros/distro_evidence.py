@@ -43,6 +43,8 @@ _FOR = pattern(
 _EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)(?!\w)", re.IGNORECASE)
 """The sentence only shows how a name is written."""
 _RECOMMENDED = pattern(r"\brecommend", re.IGNORECASE)
+_READ_THERE = pattern(r"https?://[^\s<>()\[\]\"']*/(?:blob|tree|raw|api)/[^\s<>()\[\]\"']*", re.IGNORECASE)
+"""The address of a page that is read: a file or folder of a branch, the documentation of a message."""
 _LIST = (".repos", ".rosinstall")
 _SENTENCE = pattern(r"(?<=[.;!?])\s+|\s*\|\s*")
 _WHAT = {"filename": "a file is named", "ci": "CI:", "dockerfile": "the author's image:", "script": "a script:"}
@@ -78,6 +80,7 @@ class Weight:
     LIST = 390  # a list of repositories for one distribution has what that one lacks; others may need no list
     UBUNTU: ClassVar = {"dockerfile": 260, "ci": 240, "readme": 230}  # an Ubuntu that has only this distribution
     HAS_EVERY_KEY = 100  # nothing names it, but it fits
+    ADDRESS = 110  # only in the address of what a page links to: a word of its own, and an Ubuntu, tell more
     EXAMPLE = 30  # it stands for whatever the reader has; the date of the last commit tells more
     VENDORED = 20  # in a file copied from another project
     DEFAULT = 1
@@ -198,7 +201,7 @@ def _weighed(mention: Mention) -> tuple[str, int]:
         return f"a list is named {mention.text}", Weight.LIST - deeper
     if mention.source in Weight.PLACE:
         return f"{_WHAT[mention.source]} {mention.text[:120]}", Weight.PLACE[mention.source] - deeper
-    weight = max(_spoken(sentence) for sentence in _sentences(mention.text, mention.value))
+    weight = max(_spoken(sentence, mention.value) for sentence in _sentences(mention.text, mention.value))
     weight -= Weight.DOCUMENTATION if places.documentation(mention.file) else 0
     return f"“{_quoted(mention)}”", weight - Weight.DEEPER_PAGE * depth
 
@@ -214,7 +217,9 @@ def _sentences(text: str, value: str) -> list[str]:
     return [part for part in _SENTENCE.split(text) if value in part.lower()] or [text]
 
 
-def _spoken(sentence: str) -> int:
+def _spoken(sentence: str, value: str) -> int:
+    if value in sentence.lower() and value not in _READ_THERE.sub("", sentence).lower():
+        return Weight.ADDRESS
     weight = Weight.TELLS_TO_HAVE if _FOR.search(sentence) else Weight.SPEAKS_OF_IT
     if _EXAMPLE.search(sentence):
         return Weight.EXAMPLE

@@ -83,6 +83,9 @@ _REMOVED = pattern(
 _EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)[^\n]*:\W*(?:<br ?/?>)?\W*\Z", re.IGNORECASE)
 """A line that an example follows, which then stands in a block of its own."""
 _CONTEXT = pattern(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
+_OF_A_SYSTEM = pattern(r"debian|linux|codename|docker|\bapt(?:-get)?\b|\blts\b|\b\d\d\.(?:04|10)\b", re.IGNORECASE)
+_STOOD_ON = pattern(r"\b(?:on|for|under)\s+(?:the\s+)?[`*_\"']{0,3}\Z", re.IGNORECASE)
+_ENDS = pattern(r"[`*_\"']{0,3}\s*(?:[^\w\s]|(?:and|or)\b|\n|\Z)", re.IGNORECASE)
 
 
 def read(
@@ -100,6 +103,8 @@ def read(
             value = next(group for group in match.groups() if group).lower()
             if topic == "distro" and value in english_words() and not _CONTEXT.search(context):
                 continue  # it only counts with ROS, a branch or an Ubuntu near it
+            if topic == "ubuntu" and source == "readme" and not _a_release(value, context, match):
+                continue
             if topic == "python" and _of_no_use(text, max(0, start), match.start()):
                 continue
             if topic == "distro" and source == "readme":
@@ -114,6 +119,21 @@ def read(
             found += 1
             if found >= MAX_MENTIONS:
                 break
+
+
+def _a_release(value: str, context: str, match: re.Match[str]) -> bool:
+    """Tell whether a page means a release of Ubuntu by its name: each of them is an ordinary word, too.
+
+    What tells is a word of a system or another release on its line, nothing else on it, or "on" right before it.
+    """
+    names = set(ubuntus().values())
+    if value not in names or _CONTEXT.search(context) or _OF_A_SYSTEM.search(context):
+        return True
+    words = set(re.findall(r"[a-z]+", context.lower()))
+    if words == {value} or words & (names - {value}):
+        return True
+    text = match.string
+    return bool(_STOOD_ON.search(text, max(0, match.start() - 20), match.start()) and _ENDS.match(text, match.end()))
 
 
 def _of_no_use(text: str, start: int, end: int) -> bool:
