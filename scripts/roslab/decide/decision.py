@@ -85,6 +85,8 @@ class Python:
     """Read from imports or prose: installed where pip can, reported where not."""
     requirements: tuple[str, ...] = ()
     """Requirement files of the tree to install as they are, relative to the root."""
+    cloned_files: tuple[str, ...] = ()
+    """Requirement files of submodules that the image clones, relative to the root; nothing has read them."""
     manifests: tuple[str, ...] = ()
     """Every file that ``requirements`` and ``conda_file`` need to be read: what they include, their constraints."""
     projects: tuple[str, ...] = ()

@@ -85,7 +85,8 @@ def _python_needs(decision: Decision, *, notebook: bool, compatible: bool) -> li
         needs += _compilers(decision, own_python=own_python)
     if not own_python and (python.manager == "venv" or notebook):
         needs += ["ca-certificates", "python3", "python3-venv"]
-    if not own_python and python.manager == "system" and (asked or python.requirements or python.projects):
+    files = python.requirements or python.cloned_files
+    if not own_python and python.manager == "system" and (asked or files or python.projects):
         needs.append("python-pip" if (python.version or "").startswith("2") else "python3-pip")
     return needs + list(packages("python2", decision.ubuntu) if python.python2 else ())
 

@@ -39,6 +39,7 @@ class PythonPlan:
     conda_pip_below: str = ""
     git_hosts: tuple[str, ...] = ()
     """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
+    cloned_files: tuple[str, ...] = ()
     copied: tuple[str, ...] = ()
     """Own projects that are not installed editable."""
     cuda_architectures: str = ""
@@ -75,6 +76,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_old_pip=python.conda_old_pip,
         conda_pip_below=python.conda_pip_below,
         git_hosts=compiling.hosts,
+        cloned_files=python.cloned_files,
         copied=compiling.copied,
         cuda_architectures=compiling.architectures,
         cuda_variables=compiling.gpus,

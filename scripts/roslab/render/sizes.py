@@ -22,7 +22,10 @@ PARTS: tuple[tuple[str, re.Pattern[str]], ...] = (
     ("conda", pattern(r"\b(?:conda|mamba|micromamba)\s+(?:install|create|env)\b")),
     (
         "pip",
-        re.compile(r"\b(?:pip[\d.]*|poetry|pdm|pipenv|uv)\s+(?:install|sync)\b|-m venv\b|\binstall-optional-pip\b"),
+        re.compile(
+            r"\b(?:pip[\d.]*|poetry|pdm|pipenv|uv)\s+(?:install|sync)\b|-m venv\b|"
+            r"\binstall-(?:optional-pip|cloned-files)\b"
+        ),
     ),
     ("apt", pattern(r"\bapt(?:-get)?\s+(?:-\S+\s+)*install\b|\binstall-(?:optional-apt|icub)\b")),
     ("compiled", pattern(r"\b(?:colcon|catkin_make\w*|catkin|cmake|make|ninja|nvcc|cargo)\b")),

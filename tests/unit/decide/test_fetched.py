@@ -126,3 +126,24 @@ def test_the_python_of_conda_brings_tk(tree: Tree, file: str) -> None:
     text = "name: a\ndependencies:\n  - python=3.8\n  - matplotlib\n" if file.endswith("yml") else "matplotlib\n"
     decision = tree({file: text, "run.py": "import matplotlib\n"})
     assert ("python3-tk" in decision.apt_guessed) == (file == "requirements.txt")
+
+
+@pytest.mark.parametrize(
+    "lines", ["pip install -r sub/knn/requirements.txt", "cd sub/knn\npip install -r requirements.txt"]
+)
+def test_a_page_installs_the_requirement_file_of_a_submodule(tmp_path: Path, lines: str) -> None:
+    (tmp_path / ".gitmodules").write_text(MODULES, encoding="utf-8")
+    link = "Our [knn](https://github.com/somebody/knn) is a submodule.\n"
+    (tmp_path / "README.md").write_text(f"{link}```\npip install einops\n{lines}\n```\n", encoding="utf-8")
+    (tmp_path / "run.py").write_text("import knn\nimport torch\n", encoding="utf-8")
+    plan = plan_repository(tmp_path, folder_name="demo").plan
+    assert plan.python.cloned_files == ("sub/knn/requirements.txt",)
+    assert not any("knn" in line for line in plan.python.pip_guessed)
+    text = dockerfile(plan)
+    install = text.index("-- /home/${NB_USER}/demo/sub/knn/requirements.txt")
+    assert (
+        text.index("git clone https://github.com/somebody/knn") < install < text.index("install-optional-pip python3")
+    )
+    (tmp_path / "sub/knn").mkdir(parents=True)
+    (tmp_path / "sub/knn/requirements.txt").write_text("munch\n", encoding="utf-8")
+    assert plan_repository(tmp_path, folder_name="demo").plan.python.cloned_files == ()

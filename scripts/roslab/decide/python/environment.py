@@ -12,6 +12,7 @@ from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.conda_alone import conda_alone
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
+from roslab.decide.python.fetched import cloned_files
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.ignored_environments import ignored_environments
@@ -114,6 +115,7 @@ def decide_python(
         pip=tuple(dict.fromkeys(declared)),
         pip_guessed=tuple(dict.fromkeys(one_build(right(chosen.guessed), cuda))),
         requirements=tuple(file.file for file in whole),
+        cloned_files=cloned_files(evidence),
         manifests=beside(evidence, whole, conda),
         projects=tuple(project.folder or "." for project in chosen.projects),
         alone=repaired.alone,

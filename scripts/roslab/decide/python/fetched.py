@@ -6,6 +6,7 @@ import posixpath
 from collections.abc import Iterator
 
 from roslab.decide.cuda.signs import sign_of_cuda
+from roslab.decide.python.pins import DEVELOPMENT
 from roslab.evidence.facts import Evidence, PythonProject
 from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
@@ -16,14 +17,13 @@ def with_fetched(evidence: Evidence) -> Evidence:
 
     What such a folder holds is unknown: it may compile, beside torch also for the GPU.
     """
-    absent = tuple(git.name for git in evidence.sources if git.kind == "submodule" and git.absent)
+    absent = _absent(evidence)
     known = {project.folder for project in evidence.python}
     extensions = ("c", "cuda") if sign_of_cuda(evidence) and _on_torch(evidence) else ("c",)
     added: dict[str, PythonProject] = {}
     for asked, folder in _folders(evidence) if absent else ():
-        place = next((name for name in absent if f"/{folder}/".find(f"/{name}/") >= 0), None)
         ends = [name for name in absent if name.endswith(f"/{folder}")]  # of `cd REPOSITORY/sub/a` only `a` is known
-        path = folder[folder.index(place) :] if place else ends[0] if len(ends) == 1 else ""
+        path = _inside(absent, folder) or (ends[0] if len(ends) == 1 else "")
         if path and path not in known:
             added.setdefault(
                 path,
@@ -40,6 +40,27 @@ def with_fetched(evidence: Evidence) -> Evidence:
                 ),
             )
     return replace(evidence, python=(*evidence.python, *added.values())) if added else evidence
+
+
+def cloned_files(evidence: Evidence) -> tuple[str, ...]:
+    """Return the requirement files of missing submodules that pages at the root have pip install, in their order."""
+    absent = _absent(evidence)
+    named = (posixpath.normpath(asked.written) for asked in evidence.prose_pip if asked.role == "file" and _near(asked))
+    return tuple(dict.fromkeys(path for name in named if (path := _inside(absent, name))))
+
+
+def _near(asked: Requirement) -> bool:
+    return asked.file.count("/") <= 1 and not DEVELOPMENT.search(asked.file)
+
+
+def _absent(evidence: Evidence) -> tuple[str, ...]:
+    return tuple(git.name for git in evidence.sources if git.kind == "submodule" and git.absent)
+
+
+def _inside(absent: tuple[str, ...], path: str) -> str:
+    """Return a path from the root if it lies in one of these folders, ``""`` for all others."""
+    place = next((name for name in absent if f"/{name}/" in f"/{path}/"), None)
+    return path[path.index(place) :] if place else ""
 
 
 def _on_torch(evidence: Evidence) -> bool:

@@ -79,13 +79,15 @@ def guesses(
 def _linked(evidence: Evidence) -> dict[str, Requirement]:
     """Return the repositories that a page at the root links to or clones: a module of no table may be one's package.
 
-    One that has the name of a CMake project of the tree is the repository itself, which compiles that module.
+    One that has the name of a CMake project of the tree is the repository itself, which compiles that module; one that
+    has a submodule's lies in the tree.
     """
     found: dict[str, Requirement] = {}
-    compiled = {bare_name(project.name) for project in evidence.cmake if project.name}
+    inside = {bare_name(project.name) for project in evidence.cmake if project.name}
+    inside |= {bare_name(git.name.rpartition("/")[2]) for git in evidence.sources if git.kind == "submodule"}
     for git in evidence.sources:
         offered = git.kind in {"link", "clone"} and "/" not in git.file and not git.installed
-        if offered and bare_name(git.name) not in compiled:
+        if offered and bare_name(git.name) not in inside:
             ref = f"@{git.ref}" if git.ref and re.fullmatch(r"[\w.-]+", git.ref) else ""
             found.setdefault(canonicalize_name(git.name), stated(f"git+{https(git.url)}{ref}", "import"))
     return found

@@ -54,4 +54,5 @@ def _value(value: str, plan: Plan) -> str:
 def installs(plan: Plan) -> bool:
     """Tell whether pip installs anything for the image's own Python."""
     python = plan.python
-    return bool(python.pip or python.pip_guessed or python.first or python.requirements or python.projects)
+    named = python.pip or python.pip_guessed or python.first
+    return bool(named or python.requirements or python.cloned_files or python.projects)

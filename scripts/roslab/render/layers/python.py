@@ -164,7 +164,7 @@ def _older_pip(file: str, below: str) -> str:
 
 def locked(plan: Plan) -> str:
     """Install exactly the files of roslab.lock; the steps below then find that everything is there."""
-    options = _options((*plan.python.options, *plan.python.pip_options))
+    options = pip_options((*plan.python.options, *plan.python.pip_options))
     before, commands = locks.pip(plan, interpreter(plan), options)
     if not commands:
         return ""
@@ -176,10 +176,10 @@ def packages(plan: Plan) -> str:
     """Install the declared packages from the manifests alone, so that an edit of the source reuses the layer."""
     python = plan.python
     blocks = []
-    pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{_options(python.options)}"
+    pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{pip_options(python.options)}"
     commands = [f"{pip}{shell.words(python.first)}"] if python.first else []
     if python.pip:
-        commands.append(f"{pip}{_options(python.pip_options)}{shell.words(_arguments(python.pip))}")
+        commands.append(f"{pip}{pip_options(python.pip_options)}{shell.words(_arguments(python.pip))}")
     if commands:
         blocks.append(shell.run(*commands, comment="Python packages that are declared", secrets=secrets.for_pip(plan)))
     if python.requirements:
@@ -188,7 +188,7 @@ def packages(plan: Plan) -> str:
         run = shell.run(f"{pip}{files}", secrets=secrets.for_pip(plan))
         blocks.append(f"# Requirement files\n{copy}{run}")
     if python.python2:
-        options = _options(python.python2_options)
+        options = pip_options(python.python2_options)
         blocks.append(
             shell.run(
                 f"if ! python2 -m pip --version >/dev/null 2>&1; then curl --fail --silent {GET_PIP} | python2; fi",
@@ -206,7 +206,7 @@ def guessed_packages(plan: Plan) -> str:
     """Install what is imported but declared nowhere, one by one: a wrong guess is named and breaks nothing."""
     if not plan.python.pip_guessed:
         return ""
-    options = f"{caches.pip_option(plan)}{_options(plan.python.options)}"
+    options = f"{caches.pip_option(plan)}{pip_options(plan.python.options)}"
     return shell.call(
         "install-optional-pip",
         f" {interpreter(plan)} {options} --{shell.words(plan.python.pip_guessed)}",
@@ -247,7 +247,7 @@ def projects(plan: Plan) -> str:
     if not folders:
         return ""
     isolation = " --no-build-isolation" if plan.python.first else ""
-    pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{isolation}{_options(plan.python.options)}"
+    pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{isolation}{pip_options(plan.python.options)}"
     whole = [folder for folder in folders if folder not in plan.python.alone]
     alone = [folder for folder in folders if folder in plan.python.alone]
     copied = frozenset(plan.python.copied)
@@ -284,7 +284,8 @@ def jupyter(plan: Plan) -> str:
     )
 
 
-def _options(options: Sequence[str]) -> str:
+def pip_options(options: Sequence[str]) -> str:
+    """Return options of pip as quoted words, each after a space."""
     return "".join(f" {quote.shell(word)}" for option in options for word in option.split())
 
 
