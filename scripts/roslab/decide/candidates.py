@@ -37,9 +37,10 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     if ros:
         launched = tuple(_launched(evidence, kind, calls))
         yield from (_cut(each, demands) for each in launched or _nodes(evidence, kind))
-    elif compiled or not evidence.programs:
+    elif compiled:
         yield from _compiled(evidence)
-        yield from () if compiled else of_notebooks(evidence)
+    elif not evidence.programs:
+        yield from of_notebooks(evidence)
     else:
         yield from _installed(evidence)
 

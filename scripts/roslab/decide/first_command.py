@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.sections import about_running, starts
+from roslab.values.dataclass import replace
 from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
 
@@ -44,8 +45,10 @@ _SHOWS = pattern(r"(?:^|[_.-])(?:visuali[sz]\w*|vis|viz)(?:[_.-]|$)|^(?:view|sho
 """The name of a file of Python that shows what another one made; a launch file of that name may be a demonstration."""
 _TEST = pattern(r"(?:^|[_.-])tests?(?:[_.-]|$)", re.IGNORECASE)
 """The name of a test; a README of Python calls prediction so, and its tests are in folders of their own."""
-_CLOUD = pattern(r"\b(?:azure|aws|gcp|cloud|clusters?|slurm|kubernetes|singularity|docker|colab)\b", re.IGNORECASE)
-"""Sections about somebody else's machines."""
+_CLOUD = pattern(
+    r"\b(?:azure|aws|gcp|cloud|clusters?|slurm|kubernetes|singularity|docker(?! container)|colab)\b", re.IGNORECASE
+)
+"""Sections about somebody else's machines; the container that a page starts it in is what the image makes."""
 _DATA = pattern(r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya?ml|png|mp4|avi|pcd|ply|obj|csv|json)$")
 """An argument that names a file."""
 _LAUNCHERS = ("roslaunch", "rosrun", "ros2")
@@ -75,7 +78,9 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
         return before[0]
     whole = {program_of(c.argv) for c in rest if not c.cut}
     pages = {file: place for place, file in enumerate(dict.fromkeys(c.file for c in rest))}
-    kept = [c for c in rest if not c.cut or program_of(c.argv) not in whole]
+    given = {c.argv for c in rest if _filled_in(c, rest) is not c}
+    kept = [replace(c, cut=False) if c.argv in given else c for c in rest]
+    kept = [c for c in kept if not c.cut or program_of(c.argv) not in whole]
     gaps: dict[tuple[str, str], int] = {}
     for each in (c for c in kept if c.cut and (c.argv[0].startswith("python") or c.installed)):
         section = (each.file, each.heading)

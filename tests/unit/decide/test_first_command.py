@@ -800,3 +800,44 @@ def test_what_a_page_quotes_is_one_word(tree: Tree, said: str, argv: tuple[str, 
     main = 'if __name__ == "__main__":\n    print(1)\n'
     files = {"run.py": main, "scene.yaml": "a: 1\n", "README.md": f"# Usage\n```\npython run.py {said}\n```\n"}
     assert tree(files).command == ("python", "run.py", *argv)
+
+
+@pytest.mark.parametrize(
+    ("title", "name"), [("Start RViz in the Docker container", "map"), ("Start RViz with Docker", "replay")]
+)
+def test_what_is_started_inside_a_container_is_what_the_image_is_for(tree: Tree, title: str, name: str) -> None:
+    """The second page shows more, with another launch file."""
+    pages = {
+        "README.md": "1. [Run](pages/a.md)\n2. [See](pages/b.md)\n",
+        "pages/a.md": f"# {title}\n`roslaunch demo map.launch`\n",
+        "pages/b.md": "# Goal Pose Visualization\n`roslaunch demo replay.launch`\n",
+    }
+    assert tree({**ROS1, **pages}).command == ("roslaunch", "demo", f"{name}.launch")
+
+
+@pytest.mark.parametrize(
+    ("elsewhere", "argv"),
+    [
+        ("roslaunch demo world.launch map:=hall", ("world.launch", "map:=hall")),
+        ("roslaunch demo world.launch gui:=true", ("drive.launch",)),
+    ],
+)
+def test_a_value_that_another_page_gives_leaves_no_gap(tree: Tree, elsewhere: str, argv: tuple[str, ...]) -> None:
+    launch = {
+        "launch/world.launch": '<launch><arg name="map"/><arg name="gui" default="false"/></launch>\n',
+        "launch/drive.launch": "<launch/>\n",
+    }
+    pages = {
+        "README.md": "# Usage\nroslaunch demo world.launch map:=<map>\nroslaunch demo drive.launch\n[a](INSTALL.md)\n",
+        "INSTALL.md": f"# Docker\n`{elsewhere}`\n",
+    }
+    files = {"package.xml": PACKAGE.format(tool="catkin")}
+    assert tree({**files, **launch, **pages}).command == ("roslaunch", "demo", *argv)
+
+
+def test_what_cmake_would_compile_beside_a_package_of_python_is_no_program_of_the_image(tree: Tree) -> None:
+    cmake = "cmake_minimum_required(VERSION 3.1)\nproject(points)\nadd_executable(viewer main.cpp)\n"
+    files = {"setup.py": "from setuptools import setup\nsetup(name='points', install_requires=['numpy'])\n"}
+    files |= {"CMakeLists.txt": cmake, "main.cpp": "int main() {}\n", "points/__init__.py": "import numpy\n"}
+    found = tree({**files, "README.md": "# Quickstart\n```\n>> import points\n```\n"})
+    assert (found.kind, found.command) == ("python", ("bash",))

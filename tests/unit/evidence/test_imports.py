@@ -135,3 +135,18 @@ def test_programs(tmp_path: Path) -> None:
     )
     found = [(s.file, s.line, s.kind) for s in imports.programs(repository)]
     assert found == [("node.py", 2, "node"), ("pkg/__main__.py", 1, "main"), ("train.py", 2, "main")]
+
+
+@pytest.mark.parametrize(
+    ("more", "outside"),
+    [
+        ({}, ["pygame"]),
+        ({"demo/envs/play.py": 'if __name__ == "__main__":\n    print(1)\n'}, []),  # its folder is on the path
+    ],
+)
+def test_a_package_inside_another_that_is_called_like_a_known_one(
+    more: dict[str, str], outside: list[str], tmp_path: Path
+) -> None:
+    files = dict.fromkeys(("demo/__init__.py", "demo/envs/__init__.py", "demo/envs/pygame/__init__.py"), "")
+    repository = tree(tmp_path, {**files, **more, "demo/envs/pygame/walls.py": "from pygame import Color\n"})
+    assert [d.name for d in imports.read(repository)] == outside

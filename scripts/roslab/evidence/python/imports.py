@@ -186,15 +186,19 @@ def _local(repository: Repository) -> tuple[frozenset[str], frozenset[str]]:
     """Return every name that could be a module of the tree: its Python files and their folders.
 
     A folder that only holds others and is called like a known package (``gym``) sorts what is for that package. What
-    is in it may be imported all the same: these modules are returned apart, whole (``datasets.indoor.loader``).
+    is in it may be imported all the same: these modules are returned apart, whole (``datasets.indoor.loader``). So is a
+    package inside another one that no program lies beside: nothing finds it without the name of the other.
     """
+    packages = {file.folder for file in repository.named("__init__.py")}
+    beside = {program.file.rpartition("/")[0] for program in programs(repository)}
+    inside = {folder for folder in packages if folder.rpartition("/")[0] in packages - beside}
     names: set[str] = set()
     above: set[str] = set()
     sorted_in: set[str] = set()
     for file in repository.suffixed(".py", ".pyx", ".so"):
         *holding, folder = file.folder.split("/")
         stem = file.name.partition(".")[0]
-        names |= {stem, folder}
+        names |= {stem} if file.folder in inside and folder in known_imports() else {stem, folder}
         above.update(holding)
         whole = [*holding, folder] if stem == "__init__" else [*holding, folder, stem]
         sorted_in |= {".".join(whole[at:]) for at, name in enumerate(holding) if name in known_imports()}
