@@ -27,6 +27,7 @@ PYTHON = {"main.py": "import numpy\n\nif __name__ == '__main__':\n    print(nump
 VARIANTS = {
     "catkin_tools": ROS
     | {"roslab.yaml": "format: 3\nbase:\n  ros: noetic\nbuild: catkin_tools\nbuild_args: [--verbose]\n"},
+    "catkin_make_isolated": ROS | {"roslab.yaml": "format: 3\nbase:\n  ros: noetic\nbuild: catkin_make_isolated\n"},
     "past_day": ROS | {"roslab.yaml": "format: 3\nbase:\n  ros: noetic\ndate: 2024-05-20\npip: [numpy]\n"},
     "old_distro": ROS | {"roslab.yaml": "format: 3\nbase:\n  ros: melodic\nskip_keys: [some_key]\n"},
     "sister_source": ROS

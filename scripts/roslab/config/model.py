@@ -7,13 +7,17 @@ and versions are well formed.
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, get_args
 
 from roslab.values.dataclass import dataclass, field
 from roslab.values.origin import Origin, Place
 
 Kind = Literal["ros1", "ros2", "cuda", "python", "cpp"]
-BuildTool = Literal["catkin_make", "catkin_tools", "rosmake", "colcon", "cmake", "pip", "conda", "none"]
+WorkspaceTool = Literal["catkin_make", "catkin_make_isolated", "catkin_tools", "colcon"]
+WORKSPACE_TOOLS: tuple[WorkspaceTool, ...] = get_args(WorkspaceTool)
+"""Build tools of a ROS workspace in which packages are found by their package.xml."""
+BuildTool = Literal[WorkspaceTool, "rosmake", "cmake", "pip", "conda", "none"]
+SourceBuild = Literal[WorkspaceTool, "cmake", "pip", "none"]
 Generation = Literal["paper", "later", "interim", "today"]
 Compatible = Literal["paper", "later"]
 PullImage = Literal["image", "archive", "none"]
@@ -53,7 +57,7 @@ class Source:
     """Branch, tag or commit (also from ``checkout`` and ``-b BRANCH`` of the old formats)."""
     depends: tuple[str, ...] = ()
     """apt packages needed to build it."""
-    build: Literal["cmake", "catkin_make", "catkin_tools", "colcon", "pip", "none"] = "cmake"
+    build: SourceBuild = "cmake"
     cmake_options: str = ""
     """Text as written; it is split by the rules of a shell when it is used."""
     cmake_folder: str | None = None

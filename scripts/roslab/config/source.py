@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Literal, cast
+from typing import cast
 
 from roslab.config import packages
 from roslab.config.cited import shown
-from roslab.config.model import Source
+from roslab.config.model import Source, SourceBuild
 from roslab.config.node import Mapping, Scalar, Sequence
 from roslab.config.reading import Reading, Text
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 from roslab.values.secret import SSH
 
-Build = Literal["cmake", "catkin_make", "catkin_tools", "colcon", "pip", "none"]
 OLD_TOOLS = {"catkin_build": "catkin_tools"}
 """Names of build tools in the old formats."""
 _FLAG = pattern(r"(?:^|\s)(?:-b|--branch)[ =]+(\S+)|(?:^|\s)--(?:single-branch|depth[ =]\d+)")
@@ -69,7 +68,7 @@ def _source(reading: Reading, item: Mapping, path: str, *, by_ssh: bool) -> Sour
         zip=archive.value if archive else None,
         ref=ref or branch,
         depends=packages.apt(reading, item, "depends", f"{path}.depends"),
-        build=cast(Build, OLD_TOOLS.get(tool, tool)),
+        build=cast(SourceBuild, OLD_TOOLS.get(tool, tool)),
         cmake_options=reading.value(item, "cmake_options", f"{path}.cmake_options") or "",
         cmake_folder=reading.value(item, "cmake_folder", f"{path}.cmake_folder"),
         make_command=reading.value(item, "make_command", f"{path}.make_command"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import cast
 
-from roslab.config.model import Config, Kind
+from roslab.config.model import WORKSPACE_TOOLS, Config, Kind
 from roslab.decide.cuda.signs import sign_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.programs import top_of
@@ -12,7 +12,7 @@ from roslab.decide.reasons import Placed, because, configured, ranked, strongest
 from roslab.decide.ros.plain_workspace import built_together
 from roslab.decide.ros.without_manifest import CLIENTS, client_of
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
-from roslab.decide.ros.wrappers import BUILDERS, run_by_page, wraps
+from roslab.decide.ros.wrappers import run_by_page, wraps
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention, PackageManifest
 from roslab.knowledge.distros import distro, distros
@@ -156,7 +156,7 @@ def _meta(evidence: Evidence) -> list[Reason]:
     sides = [found.ros for m in evidence.mentions if m.topic == "distro" and (found := distro(m.value))]
     own = [source for source in listed if "/" not in source.file and source.file.endswith((".repos", ".rosinstall"))]
     tools = {m.value for m in evidence.mentions if m.topic == "build_tool"}
-    if not listed and tools & BUILDERS and sides:
+    if not listed and not tools.isdisjoint(WORKSPACE_TOOLS) and sides:
         listed = [source for source in evidence.sources if source.kind == "submodule"]
     if not listed or not (sides or own):
         return []

@@ -7,7 +7,7 @@ are therefore ignored, and a warning names those at the root that would be insta
 
 from __future__ import annotations
 
-from roslab.config.model import Config, Kind, Source
+from roslab.config.model import WORKSPACE_TOOLS, Config, Kind, Source
 from roslab.decide.decision import Choice, Python
 from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.sources import Sources
@@ -19,7 +19,6 @@ from roslab.evidence.ros.vcs import https
 from roslab.values.dataclass import replace
 from roslab.values.origin import Origin, Place
 
-_ROS_TOOLS = frozenset({"catkin_make", "catkin_tools", "colcon"})
 Warned = tuple[str, Origin | None]
 _KEPT_TOPICS = frozenset({"command", "distro", "ubuntu", "build_tool"})
 
@@ -86,7 +85,7 @@ def _with_refs(named: tuple[Source, ...], evidence: Evidence) -> tuple[tuple[Sou
 
 def _kind(evidence: Evidence, config: Config) -> Kind | None:
     """Return the kind of an image without ROS: the later format installed no ROS unless ``base.ros`` was set."""
-    if config.kind or config.base.ros or config.compatible == "paper" or config.build in _ROS_TOOLS:
+    if config.kind or config.base.ros or config.compatible == "paper" or config.build in WORKSPACE_TOOLS:
         return config.kind
     if config.base.cuda:
         return "cuda"

@@ -7,6 +7,7 @@ import re
 from typing import Any
 
 from roslab.config.model import (
+    WORKSPACE_TOOLS,
     BuildTool,
     Compatible,
     Config,
@@ -183,9 +184,7 @@ def make_plan(
     )
     ros = decision.kind in ("ros1", "ros2")
     in_workspace = tuple(
-        of_day(s, decision.day)
-        for s in decision.source
-        if ros and s.build in ("catkin_make", "catkin_tools", "colcon", "none")
+        of_day(s, decision.day) for s in decision.source if ros and s.build in (*WORKSPACE_TOOLS, "none")
     )
     named = {s.name for s in in_workspace}
     libraries = tuple(s for s in decision.source if s.name not in named)

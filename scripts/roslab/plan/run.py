@@ -8,7 +8,7 @@ from roslab.values.dataclass import dataclass
 
 WORKSPACES = (
     "for setup in /opt/ros/*/setup.bash $(find / -xdev -maxdepth 6 "
-    "\\( -path '*/devel/setup.bash' -o -path '*/install/setup.bash' \\) 2>/dev/null); "
+    "-regextype posix-extended -regex '.*/(devel|install)(_isolated)?/setup.bash' 2>/dev/null); "
     'do . "$setup" --extend; done; '
 )
 """An author's Dockerfile may leave it to its command, or to .bashrc, to make its workspace known."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 import shlex
 from typing import Literal, get_args
 
-from roslab.config.model import Config, Custom, Source
+from roslab.config.model import Config, Custom, Source, WorkspaceTool
 from roslab.decide.decision import Decision, Download
 from roslab.decide.system.missing import skipping
 from roslab.values.dataclass import dataclass, replace
 
-RosTool = Literal["catkin_make", "catkin_tools", "rosmake", "colcon"]
+RosTool = Literal[WorkspaceTool, "rosmake"]
 ROS_TOOLS: tuple[RosTool, ...] = get_args(RosTool)
 """Build tools of a ROS workspace."""
 WORKSPACE = "ws"
@@ -19,6 +19,7 @@ WORKSPACE = "ws"
 
 _SETUP: dict[RosTool, str] = {
     "catkin_make": "devel/setup.bash",
+    "catkin_make_isolated": "devel_isolated/setup.bash",
     "catkin_tools": "devel/setup.bash",
     "rosmake": "setup.bash",
     "colcon": "install/setup.bash",

@@ -21,6 +21,7 @@ _ALIASES = ("float", "int", "bool", "object", "str", "complex", "long", "unicode
 _PIN = pattern(r"==\s*([\w.!+]{1,60})$")
 _SERIAL = {
     "catkin_make": ("-j1",),
+    "catkin_make_isolated": ("-j1",),
     "cmake": ("-j1",),
     "catkin_tools": ("-j1", "-p1"),
     "colcon": ("--executor", "sequential"),

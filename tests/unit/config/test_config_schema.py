@@ -12,8 +12,8 @@ import pytest
 import yaml
 
 from roslab.config import read, vocabulary
-from roslab.config.model import BuildTool, Generation, Kind
-from roslab.config.source import OLD_TOOLS, Build
+from roslab.config.model import BuildTool, Generation, Kind, SourceBuild
+from roslab.config.source import OLD_TOOLS
 from roslab.errors import ConfigurationError
 from roslab.knowledge.distros import releases_of
 
@@ -180,7 +180,7 @@ def test_the_words_of_schema_and_model_are_the_same(schema: Any) -> None:
     for generation in ("today", "later", "interim", "paper"):
         assert definitions[generation]["properties"]["kind"]["enum"] == list(get_args(Kind))
     assert {OLD_TOOLS.get(tool, tool) for tool in definitions["build_tool"]["enum"]} == set(get_args(BuildTool))
-    assert {OLD_TOOLS.get(tool, tool) for tool in definitions["source_build"]["enum"]} == set(get_args(Build))
+    assert {OLD_TOOLS.get(tool, tool) for tool in definitions["source_build"]["enum"]} == set(get_args(SourceBuild))
     assert {"paper", "later", "interim", "today"} == set(get_args(Generation))
 
 

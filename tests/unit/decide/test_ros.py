@@ -267,9 +267,13 @@ def test_plain_cmake_packages_need_catkin_tools(tmp_path: Path) -> None:
     assert decided(tmp_path, {"README.md": "```\ncatkin_make\n```\n"}).build_tool == "catkin_make"
 
 
-def test_packages_that_a_page_builds_one_by_one_need_catkin_tools(tmp_path: Path) -> None:
+def test_packages_that_a_page_builds_one_by_one_are_built_so(tmp_path: Path) -> None:
     page = {"README.md": "```\ncatkin_make_isolated -DCMAKE_BUILD_TYPE=Release\n```\n"}
-    assert decided(tmp_path, {**package("a", folder="a"), **page}).build_tool == "catkin_tools"
+    assert decided(tmp_path, {**package("a", folder="a"), **page}).build_tool == "catkin_make_isolated"
+    xml = "<package format='2'><name>lib</name><export><build_type>cmake</build_type></export></package>"
+    plain = {"lib/package.xml": xml, "lib/CMakeLists.txt": "project(lib)\n"}
+    assert decided(tmp_path, plain).build_tool == "catkin_make_isolated"
+    (tmp_path / "lib/package.xml").unlink()
     both = {"README.md": f"{page['README.md']}Or\n```\ncatkin_make\n```\n"}
     assert decided(tmp_path, both).build_tool == "catkin_make"
 

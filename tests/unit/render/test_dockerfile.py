@@ -232,6 +232,7 @@ def test_programs_that_are_written_into_the_source_are_compiled_where_it_stays(p
     ("tool", "command", "setup"),
     [
         ("catkin_make", "catkin_make -j", "ws/devel/setup.bash"),
+        ("catkin_make_isolated", "catkin_make_isolated -j", "ws/devel_isolated/setup.bash"),
         ("catkin_tools", "catkin build --no-status", "ws/devel/setup.bash"),
         ("colcon", "colcon build", "ws/install/setup.bash"),
     ],

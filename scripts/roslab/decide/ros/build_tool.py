@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterator, Sequence
 from typing import ClassVar
 
-from roslab.config.model import BuildTool
-from roslab.decide.decision import Choice
+from roslab.config.model import WORKSPACE_TOOLS, BuildTool, WorkspaceTool
+from roslab.decide.decision import Choice, Reason
 from roslab.decide.reasons import because, ranked, strongest
 from roslab.decide.ros.source_names import wraps
 from roslab.decide.ros.workspace import of_rosbuild, packages_of, ros_versions, types
@@ -14,6 +14,9 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.distros import distros
+
+OF_ROS1: tuple[WorkspaceTool, ...] = tuple(tool for tool in WORKSPACE_TOOLS if tool != "colcon")
+"""The tools of catkin; colcon is taken where somebody builds with it and with none of these."""
 
 
 class Weight:
@@ -46,21 +49,30 @@ def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
     reasons = [
         because("build_tool", mention.value, mention.text[:120], mention, weight=_weight(mention, copied))
         for mention in evidence.mentions
-        if mention.topic == "build_tool" and mention.value in {"catkin_make", "catkin_tools"}
+        if mention.topic == "build_tool" and mention.value in OF_ROS1
     ]
     if not reasons and (said := _colcon(evidence)):
         reasons.append(because("build_tool", "colcon", said.text[:120], said, weight=_weight(said)))
         return Choice(answer="colcon", reasons=tuple(reasons))
+    one_by_one = _one_by_one(reasons)
     if plain := next((m for m in packages_of(evidence).built if types(m, 1) == {"cmake"}), None):
         why = "a plain CMake package, which catkin_make refuses"
-        reasons.append(because("build_tool", "catkin_tools", why, plain, weight=Weight.PLAIN_CMAKE))
+        reasons.append(because("build_tool", one_by_one, why, plain, weight=Weight.PLAIN_CMAKE))
     if simple := next(_simple(evidence), None):
         why = f"it uses {simple.name}, whose authors build with catkin_tools"
-        reasons.append(because("build_tool", "catkin_tools", why, simple, weight=Weight.CATKIN_SIMPLE))
+        reasons.append(because("build_tool", one_by_one, why, simple, weight=Weight.CATKIN_SIMPLE))
     if not reasons:
         reasons.append(because("build_tool", "catkin_make", "ROS 1's own", weight=Weight.DEFAULT))
-    answer: BuildTool = "catkin_tools" if strongest(reasons).answer == "catkin_tools" else "catkin_make"
+    best = strongest(reasons).answer
+    answer: BuildTool = next((tool for tool in OF_ROS1 if tool == best), "catkin_make")
     return Choice(answer=answer, reasons=ranked(reasons, answer))
+
+
+def _one_by_one(reasons: Sequence[Reason]) -> WorkspaceTool:
+    """Return the tool that builds each package by itself: what people type, catkin_tools where nobody types either."""
+    alone = [reason for reason in reasons if reason.answer in {"catkin_make_isolated", "catkin_tools"}]
+    isolated = bool(alone) and strongest(alone).answer == "catkin_make_isolated"
+    return "catkin_make_isolated" if isolated else "catkin_tools"
 
 
 def _simple(evidence: Evidence) -> Iterator[Dependency]:

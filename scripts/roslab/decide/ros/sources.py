@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from typing import Literal
 
-from roslab.config.model import BuildTool, Config, Kind, Source
+from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind, Source
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
 from roslab.decide.ros.clones import beside, clones, linked, unreleased
@@ -26,12 +25,6 @@ from roslab.knowledge.ros_sources import RosSource, ros_sources
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.origin import Place
 from roslab.values.secret import SSH
-
-_IN_WORKSPACE: dict[BuildTool, Literal["catkin_make", "catkin_tools", "colcon"]] = {
-    "catkin_make": "catkin_make",
-    "catkin_tools": "catkin_tools",
-    "colcon": "colcon",
-}
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -133,7 +126,7 @@ class _Chosen:
             name=name,
             repo=git.by_ssh if self.by_ssh and git.by_ssh else https(git.url),
             ref=ref,
-            build=_IN_WORKSPACE.get(self.build_tool, "none"),
+            build=next((tool for tool in WORKSPACE_TOOLS if tool == self.build_tool), "none"),
             before="" if ref and not drifts(ref) else self.before,
             place=Place(file=git.file, line=git.line),
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
+from roslab.config.model import WORKSPACE_TOOLS
 from roslab.decide.python.manifests import resolve
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
@@ -13,7 +14,6 @@ from roslab.values.requirement import Requirement
 
 SMALL_WRAPPER = 3
 """A Python program with at most this many ROS packages below its root only has a ROS wrapper."""
-BUILDERS = frozenset({"catkin_make", "catkin_tools", "colcon"})
 _STARTERS = ("roslaunch", "rosrun", "ros2")
 
 
@@ -36,7 +36,7 @@ def run_by_page(evidence: Evidence) -> Mention | None:
 def _of_ros(evidence: Evidence) -> bool:
     """Tell whether a page at the root builds or starts anything with ROS's tools."""
     said = [m for m in evidence.mentions if m.source == "readme" and "/" not in m.file]
-    builds = any(m.topic == "build_tool" and m.value in BUILDERS for m in said)
+    builds = any(m.topic == "build_tool" and m.value in WORKSPACE_TOOLS for m in said)
     return builds or any(m.topic == "command" and m.value.startswith(_STARTERS) for m in said)
 
 

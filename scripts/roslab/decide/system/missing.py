@@ -28,10 +28,11 @@ from roslab.values.words import line_of
 _SKIP: dict[BuildTool, str] = {
     "colcon": "--packages-skip",
     "catkin_make": "-DCATKIN_BLACKLIST_PACKAGES=",
+    "catkin_make_isolated": "",
     "catkin_tools": "",
 }
 """How a build tool leaves packages out: by an argument, or by a marker in their folders, which all
-releases of catkin_tools know. https://colcon.readthedocs.io/en/released/reference/package-selection-arguments.html
+releases of catkin_tools and of catkin_make_isolated know. https://colcon.readthedocs.io/en/released/reference/package-selection-arguments.html
 https://docs.ros.org/en/api/catkin/html/dev_guide/generated_cmake_api.html"""
 
 

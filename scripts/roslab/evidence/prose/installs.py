@@ -45,8 +45,7 @@ _STARTS = pattern(
     rf"(?:{_BUILT.pattern.removesuffix('$')}(?=\s|$))|(?:ba)?sh \S+\.sh$|pixi run$|\.{{0,2}}/?[\w./-]+\.sh(?:\s|$)"
 )
 """A compiled program or a shell script, by its path."""
-_BUILD_TOOLS = {"catkin_make": "catkin_make", "catkin_make_isolated": "catkin_tools", "colcon": "colcon"}
-"""catkin_make_isolated builds every package by itself, plain CMake too, and so does catkin_tools, in its place."""
+_BUILD_TOOLS = frozenset({"catkin_make", "catkin_make_isolated", "colcon"})
 
 
 @dataclass
@@ -275,7 +274,7 @@ class Collector:
     def _program(self, program: str, command: Command) -> None:
         words = command.words
         if program in _BUILD_TOOLS:
-            self._mention("build_tool", _BUILD_TOOLS[program], command)
+            self._mention("build_tool", program, command)
         elif program == "catkin" and words[1:2] in {("build",), ("init",), ("config",), ("b",)}:
             self._mention("build_tool", "catkin_tools", command)
         elif program in {"cmake", "make", "ninja", "wget", "curl"}:

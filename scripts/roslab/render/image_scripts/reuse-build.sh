@@ -7,7 +7,7 @@
 set -euo pipefail
 
 cache=/var/cache/roslab-build
-trees=(build devel install .catkin_tools)
+trees=({build,devel,install}{,_isolated} .catkin_tools)
 code='.*\.(c|cc|cpp|cxx|cu|h|hh|hpp|hxx|cuh|inl|ipp|tpp|py|launch)'
 headers='.*\.(h|hh|hpp|hxx|cuh|inl|ipp|tpp|cmake|pc|a|msg|srv|action|idl)'
 
@@ -60,7 +60,7 @@ fi
 
 # Much code of ROS 1 includes what is generated from messages or parameters without waiting for it, and compiles by chance,
 # as the order of the targets has it. Where such a header was not there yet, all of them are generated first: by
-# catkin_make of the workspace, by catkin build of the package whose header it is, and once for each package.
+# catkin_make of the workspace, by other tools of the package whose header it is, and once for each package.
 generated() {
   make --directory="$1" help 2>/dev/null | sed --quiet --regexp-extended 's/^\.\.\. (.*_(generate_messages|gencfg))$/\1/p'
 }
@@ -72,6 +72,7 @@ compile() {
     package="${header%%/*}"
     case "$1" in
       catkin_make) folder=build ;;
+      catkin_make_isolated) folder="build_isolated/${package}" ;;
       catkin) folder="build/${package}" ;;
       *) return 1 ;;
     esac
@@ -101,11 +102,12 @@ if [ -d "${cache}" ]; then
 fi
 # A program may load a library out of the build tree; then only the compiler's own files go, and CMake's logs, which name
 # random targets, others at each build
-mapfile -t found < <(present | grep --line-regexp --invert-match build)
-if [ -d build ] && grep --recursive --quiet --fixed-strings "${PWD}/build/" "${found[@]}"; then
-  find build \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete
-  found+=(build)
+mapfile -t built < <(present | grep --line-regexp --extended-regexp 'build(_isolated)?')
+mapfile -t found < <(present | grep --line-regexp --extended-regexp --invert-match 'build(_isolated)?')
+if [ "${#built[@]}" -gt 0 ] && grep --recursive --quiet --extended-regexp "${PWD}/build(_isolated)?/" "${found[@]}"; then
+  find "${built[@]}" \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete
+  found+=("${built[@]}")
 fi
 mkdir --parents ../built
 mv "${found[@]}" ../built
-rm -rf build log logs
+rm -rf build build_isolated log logs

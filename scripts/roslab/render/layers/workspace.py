@@ -21,8 +21,6 @@ _LOGS = "-path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml"
 """CMake's logs, which name random targets, others at each build."""
 TIDY = rf"find . \( -name '*.o' -o {_LOGS} \) -delete"
 """Removes what no program needs of a build folder."""
-WITHOUT_LOGS = (rf"find build \( {_LOGS} \) -delete", "rm -rf log logs")
-"""Removes what differs between two builds of a workspace and is not needed to compile it again."""
 
 
 def source_folder(plan: Plan) -> str:
@@ -177,11 +175,16 @@ def compile_workspace(plan: Plan) -> str:
     build = plan.workspace.ros
     if build is None:
         return ""
-    left = () if build.tool == "rosmake" else WITHOUT_LOGS
-    run = shell.run(f"source {setups(plan)[0]}", *_commands(plan, build), *left)
+    run = shell.run(f"source {setups(plan)[0]}", *_commands(plan, build), *_without_logs(build))
     called = (WITHOUT_TESTS,) if WITHOUT_TESTS in run else ("compile-jobs", ROSMAKE) if ROSMAKE in run else ()
     scripts = "".join(map(shell.copy_script, called))
     return f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{scripts}{run}"
+
+
+def _without_logs(build: RosBuild) -> tuple[str, ...]:
+    """Return what removes what differs between two builds of a workspace and is not needed to compile it again."""
+    folder = "build_isolated" if build.tool == "catkin_make_isolated" else "build"
+    return () if build.tool == "rosmake" else (rf"find {folder} \( {_LOGS} \) -delete", "rm -rf log logs")
 
 
 def compile_again(plan: Plan) -> str:
@@ -220,6 +223,8 @@ def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
     match build.tool:
         case "catkin_make":
             return [f"{again}catkin_make -j{shell.JOBS}{options}{arguments}"]
+        case "catkin_make_isolated":
+            return [f"{again}catkin_make_isolated -j{shell.JOBS}{arguments}{cmake}"]
         case "catkin_tools":
             catkin = f'{again}catkin build --no-status --jobs "${{jobs}}" --parallel-packages "${{jobs}}"'
             return [shell.SET_JOBS, f"{catkin}{_words(build.named)}{cmake}{arguments}"]

@@ -1,0 +1,6 @@
+#include <ros/ros.h>
+#include <lib.h>
+int main(int argc, char **argv) {
+  ros::Time::init();
+  ROS_INFO("the answer is %d", answer());
+}
