@@ -72,3 +72,34 @@ def test_rolling_is_what_it_was_at_the_last_commit(tmp_path: Path, date: str, na
     mention = Mention(topic="date", value=date, source="commit", file=".git/HEAD", line=1, text="")
     decided = decide(replace(evidence, mentions=(*evidence.mentions, mention)), Config(), folder_name="a")
     assert decided.ros_distro == name
+
+
+@pytest.mark.parametrize(
+    ("page", "name"),
+    [
+        ("Requires ROS Indigo+.", "kinetic"),
+        ("ROS Indigo or newer must be installed.", "kinetic"),
+        ("Install [ROS Indigo](http://wiki.ros.org/indigo) (or later).", "kinetic"),
+        ("Works with ROS Hydro and above.", "kinetic"),
+        ("Install ROS Indigo Igloo or higher.", "kinetic"),
+        ("Install ROS Indigo, Jade or newer.", "kinetic"),
+        ("Requires ROS >= Indigo.", "kinetic"),
+        ("Install ROS Melodic or newer.", "melodic"),
+        ("ROS Indigo or newer. Tested on ROS Jade.", "jade"),
+        ("ROS Indigo or newer on Ubuntu 14.04.", "indigo"),
+        ("ROS Kinetic or newer on Ubuntu 14.04.", "kinetic"),
+        ("Install ROS Indigo and later with catkin a workspace.", "indigo"),
+        ("Install ROS Indigo + Gazebo.", "indigo"),
+        ("Install ROS Indigo or Jade.", "indigo"),
+    ],
+)
+def test_the_oldest_distribution_that_works_is_not_what_it_was_made_on(tmp_path: Path, page: str, name: str) -> None:
+    (tmp_path / "package.xml").write_text(
+        "<package><name>a</name><buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend></package>"
+    )
+    (tmp_path / "CMakeLists.txt").write_text("project(a)\nfind_package(catkin REQUIRED)\n")
+    (tmp_path / "README.md").write_text(f"# A\n\n{page}\n")
+    date = Mention(topic="date", value="2018-02-12", source="commit", file=".git/HEAD", line=1, text="")
+    evidence = gather(Repository.open(tmp_path))
+    decided = decide(replace(evidence, mentions=(*evidence.mentions, date)), Config(), folder_name="a")
+    assert decided.ros_distro == name

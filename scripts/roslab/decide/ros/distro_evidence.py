@@ -9,6 +9,7 @@ from typing import ClassVar
 
 from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
+from roslab.decide.ros.lower_bounds import bounds, least
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.knowledge.distros import distros, distros_of, ubuntus
@@ -100,6 +101,10 @@ def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
             continue
         if reason.answer not in found or reason.weight > found[reason.answer].weight:
             found[reason.answer] = reason
+    said = {m: _weighed(m)[1] for m in evidence.mentions if bounds(m)}
+    firm = [reason for reason in found.values() if reason.weight > Weight.TELLS_TO_HAVE - Weight.AGAINST]
+    for reason in least(evidence, firm, ros, said):
+        found[reason.answer] = max(reason, found.get(reason.answer, reason), key=lambda each: each.weight)
     tested = _tested(evidence, ros)
     return [_untested(reason, tested) for reason in found.values()]
 
@@ -166,6 +171,8 @@ def _names(image: str) -> list[str]:
 def _mentions(evidence: Evidence, ros: int) -> Iterator[Reason]:
     copied = {authored.file for authored in evidence.dockerfiles if authored.purpose == "vendored"}
     for mention in evidence.mentions:
+        if bounds(mention):
+            continue
         if mention.topic == "distro" and mention.value in distros():
             why, weight = _weighed(mention)
             weight = min(weight, Weight.VENDORED) if mention.file in copied else weight

@@ -1,0 +1,58 @@
+"""Distributions from which on something works: ``Indigo+``, ``Kinetic or newer`` name none that it was made on."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from functools import cache
+
+from roslab.decide.decision import Reason
+from roslab.decide.reasons import because
+from roslab.decide.ros.distro_dates import dated, of_its_time
+from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.distros import Distro, distro, distros, ever, successor
+
+_ADORNED = r"(?:\]\([^)\n]{1,150}\))?[*_`\"')]{0,4}"
+_ON = (
+    r"(?:\+(?![\w+])|[\s,]{0,3}[(\[]?(?:or|and|&)\s+(?:(?:any|all|every)\s+)?(?:newer|later(?!\s+(?:with|on|in|by|to|also)\b)|"
+    r"above|higher|greater|up|upwards?|onwards?|beyond|more\s+recent)\b|[\s,(]{1,3}onwards?\b)"
+)
+"""What says after a name that later ones are meant too."""
+_LEAST = r"(?:>=|≥|\bat\s+least|\bminimum(?:\s+version)?(?:\s+is)?:?)\s{0,3}(?:ros\s*[12]?\s+)?[*_`\"'\[]{0,3}"
+
+
+def bounds(mention: Mention) -> bool:
+    """Tell whether a page names a distribution as the oldest on which it works."""
+    return mention.topic == "distro" and mention.source == "readme" and bool(_said(mention.value).search(mention.text))
+
+
+@cache
+def _said(name: str) -> re.Pattern[str]:
+    """Return the pattern of a name as a lower bound: before its own second word, or a list that goes on."""
+    others = "|".join(sorted(ever()))
+    more = rf"(?:\s{{0,2}}(?:[/,]|\bor\b|\band\b)\s{{0,2}}(?:ros\s)?(?:{others})\b{_ADORNED}){{0,5}}"
+    second = r"(?:\s+(?!or\b|and\b|with\b|on\b)[a-z]+[)*_`]{0,3})?"
+    return re.compile(rf"\b{name}\b{_ADORNED}{more}{second}{_ON}|{_LEAST}{name}\b", re.IGNORECASE)
+
+
+def least(evidence: Evidence, named: Iterable[Reason], ros: int, weights: dict[Mention, int]) -> Iterator[Reason]:
+    """Yield the distribution for a page that only names the oldest one: of the last commit's time, or the oldest.
+
+    None where a distribution from that one on is ``named``, which then decides. ``weights``: how much each lower bound
+    counts.
+    """
+    listed = [distros()[reason.answer].released for reason in named]
+    date = dated(evidence)
+    answer = distros()[of_its_time("ros1" if ros == 1 else "ros2", date.value if date else None)]
+    for mention, weight in weights.items():
+        oldest = _oldest(mention.value)
+        if oldest is None or oldest.ros != ros or any(released >= oldest.released for released in listed):
+            continue
+        found = max(answer, oldest, key=lambda each: each.released)
+        fits = f": {found.name} fits the last commit, of {date.value}" if date and found == answer else ""
+        yield because("ros_distro", found.name, f"“{mention.text[:120]}”{fits}", mention, weight=weight)
+
+
+def _oldest(name: str) -> Distro | None:
+    """Return the distribution itself, the next one where it never had an image."""
+    return distro(name) or successor(name)
