@@ -244,7 +244,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         scripts=() if own.answer else scripts.answer,
         downloads=() if own.answer else downloads.answer,
         packages=tuple(m.file for m in packages.built if m.name not in left_out) if kind.answer in _ROS else (),
-        package_names=names_of(packages, kind.answer, left_out),
+        package_names=names_of(packages, kind.answer, left_out, build_tool.answer),
         named=named(
             evidence,
             config,

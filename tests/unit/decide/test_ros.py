@@ -272,7 +272,8 @@ def test_packages_that_a_page_builds_one_by_one_are_built_so(tmp_path: Path) -> 
     assert decided(tmp_path, {**package("a", folder="a"), **page}).build_tool == "catkin_make_isolated"
     xml = "<package format='2'><name>lib</name><export><build_type>cmake</build_type></export></package>"
     plain = {"lib/package.xml": xml, "lib/CMakeLists.txt": "project(lib)\n"}
-    assert decided(tmp_path, plain).build_tool == "catkin_make_isolated"
+    found = decided(tmp_path, plain)
+    assert (found.build_tool, found.package_names) == ("catkin_make_isolated", ("a",))
     (tmp_path / "lib/package.xml").unlink()
     both = {"README.md": f"{page['README.md']}Or\n```\ncatkin_make\n```\n"}
     assert decided(tmp_path, both).build_tool == "catkin_make"

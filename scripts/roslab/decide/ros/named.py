@@ -31,7 +31,7 @@ def named(
     packages that nobody asked for. All is built where a launch file starts a package of a clone that no package.xml
     names.
     """
-    own = names_of(packages, "ros2" if build_tool == "colcon" else "ros1", left_out)
+    own = names_of(packages, "ros2" if build_tool == "colcon" else "ros1", left_out, build_tool)
     cloned = {plain(source.name): source.name for source in sources if source.build == build_tool}
     said = tuple(_said(evidence, build_tool)) if cloned else ()
     if config.compatible or config.build_args or not {*said} & {*own}:

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable
 from functools import cache
 from typing import Literal
 
-from roslab.config.model import Kind
+from roslab.config.model import BuildTool, Kind
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.ros.conditions import holds
@@ -215,10 +215,13 @@ def _built_with(manifest: PackageManifest, ros: RosVersion) -> set[str]:
     return {d.name for d in needs if holds(d.condition, variables)}
 
 
-def names_of(packages: Packages, kind: Kind, left_out: Collection[str]) -> tuple[str, ...]:
+def names_of(packages: Packages, kind: Kind, left_out: Collection[str], build_tool: BuildTool) -> tuple[str, ...]:
     """Return the packages that ``rospack`` or ``ros2 pkg`` must find, without those left out.
 
-    rospack does not list metapackages. https://github.com/ros/rospack/issues/26
+    rospack does not list metapackages. https://github.com/ros/rospack/issues/26 Nor does it look at the source of plain
+    CMake packages where catkin_make_isolated gives each a space of its own. https://github.com/ros/catkin (builder.py)
     """
-    built = (m for m in packages.built if kind in {"ros1", "ros2"} and not (kind == "ros1" and m.metapackage))
+    built = [m for m in packages.built if kind in {"ros1", "ros2"} and not (kind == "ros1" and m.metapackage)]
+    if build_tool == "catkin_make_isolated":
+        built = [manifest for manifest in built if types(manifest, 1) != {"cmake"}]
     return tuple(sorted(manifest.name for manifest in built if manifest.name and manifest.name not in left_out))
