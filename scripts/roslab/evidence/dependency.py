@@ -55,5 +55,12 @@ class GitSource:
     """It is cloned into the ``src`` of a workspace, beside the repository itself."""
     absent: bool = False
     """A submodule that is not checked out; its ``ref`` is the commit that the repository records, if git tells it."""
+    into: str = ""
+    """The name of the folder that it is cloned into, where that is not its own."""
     by_ssh: str = ""
     """The address of ssh that stands there, for a build that has a key; ``url`` is the same by https."""
+
+    @property
+    def folder(self) -> str:
+        """Name of the folder in which it lies."""
+        return self.into or self.name

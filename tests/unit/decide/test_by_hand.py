@@ -51,6 +51,18 @@ def test_a_library_is_built_as_the_page_builds_it(tree: Tree, page: str, ref: st
     assert "ros-noetic-gtsam" not in decision.apt_guessed
 
 
+def test_a_library_that_is_cloned_into_a_folder_of_its_name_is_compiled_there(tree: Tree) -> None:
+    page = "git clone -b v2 https://github.com/lab/fork.git acme_lidar\ncd acme_lidar/build\ncmake ..\nmake install\n"
+    decision = tree(ros1("find_package(acme_lidar REQUIRED)\n", f"```\n{page}```\n"))
+    assert [(each.repo, each.ref) for each in decision.source] == [("https://github.com/lab/fork.git", "v2")]
+
+
+def test_a_package_that_is_cloned_into_a_folder_of_its_name_is_a_sister(tree: Tree) -> None:
+    files = ros1("", "```\ncd ~/catkin_ws/src\ngit clone https://github.com/lab/ROS-drivers.git acme_driver\n```\n")
+    files["package.xml"] = PACKAGE.replace("</package>", "<depend>acme_driver</depend></package>")
+    assert [each.repo for each in tree(files).source] == ["https://github.com/lab/ROS-drivers.git"]
+
+
 @pytest.mark.parametrize("library", ["Pangolin", "acme_lidar"])
 def test_what_the_authors_dockerfile_installs_is_a_library_and_no_package(tree: Tree, library: str) -> None:
     run = f"git clone https://github.com/lab/{library}.git && cd {library} && mkdir build && cd build && cmake .."

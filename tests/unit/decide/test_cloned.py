@@ -29,6 +29,10 @@ API = "git clone https://github.com/lab/graspAPI.git\n"
             "git clone https://github.com/lab/speed.git\ncd speed/speed\npython3 setup.py install --user\n",
             ["git+https://github.com/lab/speed.git#subdirectory=speed"],
         ),
+        (
+            "git clone https://github.com/lab/sim-fork.git sim\ncd sim/python\npip install .\n",
+            ["git+https://github.com/lab/sim-fork.git#subdirectory=python"],
+        ),
         ("git clone https://github.com/lab/demo.git\ncd demo\npip install -e .\n", []),
         (f"{API}pip install -r requirements.txt\n", []),
         (f"{API}cd graspAPI\npython setup.py install\n", ["git+https://github.com/lab/graspAPI.git"]),

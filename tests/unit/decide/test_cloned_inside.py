@@ -36,6 +36,18 @@ def test_a_folder_that_cmake_names_is_cloned(tree: Tree, line: str, path: str) -
     assert decision.inside == ()  # CMake adds it, or has its headers from there
 
 
+FORK = "git clone https://github.com/lab/mesh-fork"
+
+
+@pytest.mark.parametrize("clone", [f"{FORK} libs/tinymesh", f"cd libs/tinymesh\n{FORK} ."])
+def test_a_clone_into_a_folder_of_another_name_lies_there(tree: Tree, clone: str) -> None:
+    cmake = CMAKE.format("add_subdirectory(libs/tinymesh)")
+    decision = tree({"CMakeLists.txt": cmake, "README.md": page(f"{clone}\n")})
+    assert [(each.name, each.repo) for each in decision.submodules] == [
+        ("libs/tinymesh", "https://github.com/lab/mesh-fork")
+    ]
+
+
 @pytest.mark.parametrize(
     ("line", "more"),
     [

@@ -32,11 +32,12 @@ def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
         if asked.role != "project" or asked.file.count("/") > 1:
             continue
         folder = f"/{posixpath.normpath(asked.written.partition('[')[0])}/"
-        before = [g for g in clones if g.file == asked.file and g.line < (asked.line or 0) and f"/{g.name}/" in folder]
-        git = max(before, key=lambda g: folder.rindex(f"/{g.name}/"), default=None)
+        before = [g for g in clones if g.file == asked.file and g.line < (asked.line or 0)]
+        before = [git for git in before if f"/{git.folder}/" in folder]
+        git = max(before, key=lambda g: folder.rindex(f"/{g.folder}/"), default=None)
         if git is None or canonicalize_name(git.name) in named:
             continue
-        below = folder[folder.index(f"/{git.name}/") + len(git.name) + 2 :].strip("/")  # it may hold one of its name
+        below = folder.partition(f"/{git.folder}/")[2].strip("/")  # it may hold one of its name
         if below and any(project.folder == below for project in evidence.python):
             continue  # a page may go into the repository itself after it
         url = f"git+{https(git.url)}" + (f"@{git.ref}" if git.ref else "") + (f"#subdirectory={below}" if below else "")

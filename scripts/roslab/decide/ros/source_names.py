@@ -81,9 +81,10 @@ def asked_for(git: GitSource, wanted: dict[str, Dependency], known: frozenset[st
     A key that rosdep does not have also matches a clone with the key's first word in its name: ``vikit_ros`` matches
     ``rpg_vikit``.
     """
+    for name in (plain(git.name), plain(git.folder)):
+        if name in wanted:
+            return wanted[name]
     name = plain(git.name)
-    if name in wanted:
-        return wanted[name]
     unknown = [(each, d) for each, d in wanted.items() if d.name not in known]
     family = (d for each, d in unknown if each.startswith(f"{name}_") and d.namespace in {"rosdep", "ros"})
     words = {word for word in name.split("_") if len(word) >= SHORTEST} - _COMMON

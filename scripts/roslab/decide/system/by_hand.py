@@ -83,6 +83,7 @@ def by_hand(
         listed = git.kind == "vcs" and kind not in {"ros1", "ros2"}  # of ROS, the workspace has what is listed
         if (git.installed or listed or git.kind == "link") and not places.vendored(git.file):
             offered.setdefault(_bare(git.name), git)
+            offered.setdefault(_bare(git.folder), git)
     taken |= {plain(git.name) for project in evidence.cmake for git in project.sources}  # CMake fetches it itself
     added = {_bare(project.name) for project in evidence.cmake if project.name and not project.top_level}
     found: dict[str, tuple[Source, Dependency]] = {}

@@ -24,7 +24,7 @@ def with_beside(source: Source, git: GitSource, evidence: Evidence) -> Source:
         for other in others:
             ref = fixed(other.ref)
             option, _, path = word.partition("=")
-            below = _below(path, {other.name, f"{other.name}-{(ref or '').removeprefix('v')}"})
+            below = _below(path, {other.name, other.folder, f"{other.name}-{(ref or '').removeprefix('v')}"})
             if ref and below is not None:
                 folder = shlex.quote(f"../{other.name}")
                 words[index] = f"{option}={ABOVE}/{other.name}{below}"

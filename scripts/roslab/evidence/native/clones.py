@@ -42,7 +42,7 @@ def read(repository: Repository, sources: Iterable[GitSource], projects: Iterabl
     sources = tuple(sources)
     modules = {git.name for git in sources if git.kind == "submodule"}
     near = [git for git in sources if git.kind == "clone" and git.file.count("/") <= DEEPEST]
-    clones = {git.name: git for git in reversed(near) if not places.vendored(git.file)}
+    clones = {git.folder: git for git in reversed(near) if not places.vendored(git.file)}
     if not clones:
         return
     tops = frozenset(project.file.rpartition("/")[0] for project in projects if project.name)
@@ -53,9 +53,9 @@ def read(repository: Repository, sources: Iterable[GitSource], projects: Iterabl
         named = [git for name, git in clones.items() if name in text]
         for path in _paths(text, file, tops) if named else ():
             for git in named:
-                place = _up_to(git.name, path)
-                if git.name in clones and place and place not in repository.folders and place not in modules:
-                    yield replace(clones.pop(git.name), name=place, kind="inside")
+                place = _up_to(git.folder, path)
+                if git.folder in clones and place and place not in repository.folders and place not in modules:
+                    yield replace(clones.pop(git.folder), name=place, kind="inside")
 
 
 def _paths(text: str, file: File, tops: frozenset[str]) -> Iterator[str]:

@@ -161,7 +161,7 @@ class _Reading:
         start = self.start
         if name == "WORKDIR":
             start.workdir = posixpath.join(start.workdir, expand(body.strip().strip("\"'"), self.known))
-            cloned = {clone.name for clone in self.collector.sources}
+            cloned = {clone.folder for clone in self.collector.sources}
             left, self.inside = self.inside, "" if cloned.isdisjoint(start.workdir.split("/")) else start.workdir
             self.collector.folder = "" if left else self.collector.folder
         elif name == "ENTRYPOINT":

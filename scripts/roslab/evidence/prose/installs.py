@@ -16,7 +16,7 @@ from roslab.evidence.prose.checkouts import checked_out
 from roslab.evidence.prose.configured import options_of, source_of
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.telling import telling
-from roslab.evidence.prose.workspaces import below_sources, beside, end_of, longer, of_packages
+from roslab.evidence.prose.workspaces import below_sources, beside, end_of, folder_after, longer, of_packages
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks, setup_asks
 from roslab.knowledge.tools import PIXI
 from roslab.values.dataclass import dataclass, field, replace
@@ -219,7 +219,7 @@ class Collector:
         if url is None:
             return
         branch = next((words[i + 1] for i, w in enumerate(words[:-1]) if w in {"-b", "--branch"}), None)
-        url = url.rstrip(".,;)")
+        into, url = folder_after(url, words, self.folder), url.rstrip(".,;)")
         name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
         self.fresh, self.options = len(self.sources), ""
         branch = None if branch is None or UNKNOWN in branch else branch
@@ -232,6 +232,7 @@ class Collector:
                 file=self.file,
                 line=command.line,
                 kind="clone",
+                into="" if into == name else into,
                 beside=beside(words[-1] if words[-1] != url else "", self.heading, inside=self.inside),
             )
         )
@@ -251,7 +252,7 @@ class Collector:
             return
         here = {re.sub(r"[-_.]+", "_", part).lower() for part in self.folder.split("/")}
         for index in range(len(self.sources) - 1, -1, -1):
-            name = re.sub(r"[-_.]+", "_", self.sources[index].name).lower()
+            name = re.sub(r"[-_.]+", "_", self.sources[index].folder).lower()
             if any(part == name or part.startswith(f"{name}_") for part in here):
                 self.sources[index] = replace(self.sources[index], installed=True, options=self.options)
                 return

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
+from collections.abc import Sequence
 
 from roslab.values.pattern import pattern
 
 _SOURCES = pattern(r"(?:^|/)[^/]*(?:ws|workspace|catkin|colcon|ros)[^/]*/src$", re.IGNORECASE)
+_NAME = pattern(r"\w[\w.+-]*")
 _ASIDE = pattern(r"option|troubl|docker|hardware|simulat|advanced|develop|faq|known issue|alternativ", re.IGNORECASE)
 """Titles of sections that not everybody follows."""
 
@@ -35,6 +38,19 @@ def of_packages(folder: str) -> bool:
     """Tell whether ``cd`` goes into the ``src`` of a workspace; of ``cd src`` nothing else is known."""
     folder = folder.rstrip("/")
     return bool(_SOURCES.search(folder)) or folder in {"src", "./src"}
+
+
+def folder_after(url: str, words: Sequence[str], here: str) -> str:
+    """Return the name of the folder that follows the address in the words of a clone, ``""`` where none does.
+
+    ``here``: the folder that the text is in, which ``.`` means.
+    """
+    rest = words[words.index(url) + 1 :]
+    given = [word for word in rest if not word.startswith("-")]
+    if not rest or rest[0] != (given or [""])[0] or len(given) != 1:
+        return ""  # options with values follow, or a sentence goes on
+    name = posixpath.basename(posixpath.normpath(posixpath.join(here, given[0])))
+    return name if _NAME.fullmatch(name) else ""
 
 
 def beside(target: str, heading: str, *, inside: bool) -> bool:

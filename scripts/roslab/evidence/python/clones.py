@@ -27,10 +27,10 @@ def read(repository: Repository, sources: Iterable[GitSource]) -> Iterator[GitSo
     there = {folder.rpartition("/")[2] for folder in repository.folders}
     found: dict[str, GitSource] = {}
     for git in clones:
-        if git.name not in there and git.name not in found:
-            place = next((path for module in modules(repository) for path in _places(git.name, module)), None)
+        if git.folder not in there and git.folder not in found:
+            place = next((path for module in modules(repository) for path in _places(git.folder, module)), None)
             if place:
-                found[git.name] = replace(git, name=place, kind="inside")
+                found[git.folder] = replace(git, name=place, kind="inside")
     yield from found.values()
 
 
