@@ -7,12 +7,13 @@ import re
 from roslab.values.pattern import pattern
 
 _USAGE = pattern(
-    r"^\W*(?:\d[\d.]*\W*)?us(?:e|ing)\b|\bto use\b|\buse$|"
+    r"^\W*(?:\d[\d.]*\W*)?(?:use\b|using\W*$|using (?:it|this|our|the (?:code|package|software|library|tools?))\b)|"
+    r"\bto use\b|\buse$|"
     r"\b(?:run(?:ning)?|usage|launch(?:ing)?|start(?:ing|ed)?|demos?|examples?|quick\w*|play|simulat\w*|execut\w*|"
     r"try|tutorials?|how to|hello)\b",
     re.IGNORECASE,
 )
-"""A section that says how to start it."""
+"""A section that says how to start it; ``Using a GPU`` is about one way of several."""
 _ASIDE = pattern(
     r"\b(?:real|hardware|calibrat\w*|evaluat\w*|trouble\w*|faq|debug\w*|develop\w*|contribut\w*|convert\w*|conversion|"
     r"record(?:s|ing|er)?|tests?|testing|docker|format\w*|annotat\w*|benchmark\w*|advanced|optional|tools?|"
@@ -20,6 +21,12 @@ _ASIDE = pattern(
     re.IGNORECASE,
 )
 """A section about something else than starting it."""
+_TROUBLE = pattern(
+    r"\btrouble ?-?shoot\w*|\bfaqs?\b|\bq ?& ?a\b|\bfrequently asked\b|^\W*(?:issues|problems|errors)\W*$|"
+    r"\b(?:known|common|possible|frequent)\s+(?:issues?|problems?|errors?|bugs?|pitfalls?)\b",
+    re.IGNORECASE,
+)
+"""A section for those for whom something did not work."""
 _TRIED = pattern(
     r"\b(?:sanity|quick|smoke|simple|first)[ -]+(?:tests?|check)\b|\btest[ -](?:run|drive|it)\b", re.IGNORECASE
 )
@@ -38,6 +45,11 @@ def about_running(heading: str) -> int:
         if _USAGE.search(title):
             return 1
     return 0
+
+
+def about_trouble(heading: str) -> bool:
+    """Tell whether a section, or one around it, is for those for whom something did not work."""
+    return any(map(_TROUBLE.search, heading.split(" / ")))
 
 
 def starts(heading: str) -> bool:

@@ -15,6 +15,7 @@ from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import bare, script_of
+from roslab.decide.sections import about_trouble
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose import copies
@@ -78,7 +79,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
         tasks={name: command for environment in evidence.conda for name, command, _ in environment.tasks},
     )
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
-    said = [m for m in said if not places.vendored(m.file)]
+    said = [m for m in said if not (places.vendored(m.file) or about_trouble(m.heading))]
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
     nearest = min((mention.file.count("/") for mention in said), default=0)
     for mention in said:

@@ -611,6 +611,8 @@ def test_a_script_of_no_package_is_run_where_the_page_at_the_root_says_so(tree: 
         ("open(f'../data/{i}.dat')", "cd src\npython3 main.py -n 1", "cd src && exec python3 main.py -n 1"),
         ("open('a.yaml')", "cd src\npython3 main.py ../data/a.dat", "cd src && exec python3 main.py ../data/a.dat"),
         ("open('../data/a.dat')", "python3 src/main.py", "python3 src/main.py"),
+        ("open('a.yaml')", "python3 main.py", "cd src && exec python3 main.py"),
+        ("print(1)", "python3 main.py", "python3 src/main.py"),
         ("open('data/a.dat')", "cd src\npython3 main.py", "python3 src/main.py"),
         ("print(1)", "cd src\npython3 main.py", "python3 src/main.py"),
     ],

@@ -43,6 +43,10 @@ ROS = {
             "python train.py",
         ),
         ("# Train\n```\npython train.py\n```\n# 2. Using it\n```\npython play.py\n```\n", "python play.py"),
+        ("# Train\n```\npython train.py\n```\n# Using more cores\n```\npython play.py\n```\n", "python train.py"),
+        ("# Train\n```\npython train.py\n```\n# Using\n```\npython play.py\n```\n", "python play.py"),
+        ("# FAQs\n## Run it headless\n```\npython play.py\n```\n# Run\n`python train.py`\n", "python train.py"),
+        ("# Known issues\nSlow? `python play.py -s`\n# Nets\n`python train.py`\n", "python train.py"),
         ("# Demo\n## From a pre-recorded film\n`python train.py`\n## Demo\n`python play.py`\n", "python train.py"),
         ("# Run\n## Sanity test\n`python play.py`\n## Run on your data\n`python train.py`\n", "python play.py"),
         ("# Demos\n```\npython view_result.py a.pth\npython train.py -n 3\n```\n", "python train.py -n 3"),
@@ -56,6 +60,17 @@ ROS = {
 )
 def test_the_first_program_of_python(tree: Tree, page: str, command: str) -> None:
     assert " ".join(tree({**PYTHON, "map_file": "", "README.md": page}).command) == command
+
+
+def test_a_page_below_says_it_where_the_root_has_a_remedy_alone(tree: Tree) -> None:
+    pages = {
+        "README.md": "# Troubleshooting\nWithout a display:\n```\nMUJOCO_GL=egl python play.py\n```\n",
+        "nets/README.md": "# Run\n```\npython train.py -n 3\n```\n",
+    }
+    code = "open('configs/fast.yaml')\nif __name__ == '__main__':\n    pass\n"
+    files = {f"nets/{name}.py": code for name in ("train", "play")}
+    found = tree({**pages, **files, "nets/configs/fast.yaml": "", "requirements.txt": "numpy\n"}).command
+    assert found == "cd nets && exec python train.py -n 3"
 
 
 @pytest.mark.parametrize(

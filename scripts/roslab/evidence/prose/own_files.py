@@ -44,7 +44,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
             found.append(path)
         elif _of_package(word, repository):
             found.append(word)
-    inside = script[2] if script else started_in(mention, words, repository) if mention.inside else ""
+    inside = script[2] if script else started_in(mention, words, repository)
     if words[0].startswith("python") and words[1:2] == ["-m"] and len(words) > 2:
         file, inside = _module(words[2], mention.inside, repository)
         found += [file] if file else []

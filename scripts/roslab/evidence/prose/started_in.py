@@ -20,10 +20,11 @@ _PLACES = {"bash": 1, "sh": 1, "roslaunch": 1, "ros2": 2}
 
 
 def started_in(mention: Mention, words: Sequence[str], repository: Repository) -> str:
-    """Return the folder that a page goes to before it runs a program there, ``""`` if any folder will do.
+    """Return the folder that a page's command has to be run in, ``""`` if any folder will do.
 
     ``words``: the command with the paths of the tree from its root; ``mention.inside`` is the folder as written, which
-    may begin with the repository's own name. The code beside the program names what is there from that folder only.
+    may begin with the repository's own name. Where a page goes nowhere, its command can only be meant where the program
+    lies by the path that it gives. The code beside the program names what is there from that folder only.
     """
     said = mention.value.split()
     for word, path in zip(said, words, strict=True):
@@ -32,11 +33,8 @@ def started_in(mention: Mention, words: Sequence[str], repository: Repository) -
         name = posixpath.normpath(word)
         folder = path.removesuffix(name).rstrip("/")
         there = bool(folder) and posixpath.join(folder, name) == path
-        if (
-            there
-            and f"/{mention.inside}".endswith(f"/{folder}")
-            and _needs(posixpath.dirname(path), folder, repository)
-        ):
+        goes = f"/{mention.inside}".endswith(f"/{folder}") if mention.inside else not repository.has(name)
+        if there and goes and _needs(posixpath.dirname(path), folder, repository):
             return folder
         break
     return ""
