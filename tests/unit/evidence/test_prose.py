@@ -381,3 +381,21 @@ def test_what_git_takes_of_a_clone(tmp_path: Path, line: str, ref: str | None) -
     page = f"```\ngit clone https://github.com/lab/arm.git\ncd arm\n{line}\n```\n"
     found = read(readme, tmp_path, {"README.md": page}).sources
     assert [git.ref for git in found if git.kind == "clone"] == [ref]
+
+
+@pytest.mark.parametrize(
+    ("lines", "refs"),
+    [
+        ("cd arm\ngit checkout 84bfc56\ncd ../hand\ngit checkout v2", ["84bfc56", "v2"]),
+        ("cd ~/ws/src/arm/\ngit checkout 84bfc56\ngit checkout main", ["84bfc56", None]),
+        ("git -C ws/src/arm checkout 84bfc56", ["84bfc56", None]),
+        ("git checkout v2", [None, "v2"]),
+        ("cd hand && git checkout -b mine\ngit checkout v2", [None, None]),
+    ],
+)
+def test_what_is_checked_out_is_of_the_clone_in_whose_folder_git_is_called(
+    tmp_path: Path, lines: str, refs: list[str | None]
+) -> None:
+    clones = "git clone https://github.com/lab/arm.git\ngit clone https://github.com/lab/hand.git"
+    found = read(readme, tmp_path, {"README.md": f"```\n{clones}\n{lines}\n```\n"}).sources
+    assert [git.ref for git in found if git.kind == "clone"] == refs

@@ -5,8 +5,10 @@ https://git-scm.com/docs/git-checkout, https://git-scm.com/docs/git-switch
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Sequence
 
+from roslab.evidence.dependency import GitSource
 from roslab.values.pattern import pattern
 
 _TAKES = frozenset({"checkout", "switch"})
@@ -29,3 +31,26 @@ def checked_out(words: Sequence[str]) -> str | None:
     if "--" in rest or not _REF.fullmatch(ref):
         return ""
     return ref.removeprefix("tags/").removeprefix("origin/")
+
+
+def called_in(words: Sequence[str], folder: str, sources: Sequence[GitSource]) -> int | None:
+    """Return the index of the source in whose folder git is called, by ``-C`` or after ``cd``, ``None`` for none."""
+    inside = words[2] if words[1:2] == ("-C",) else folder
+    return clone_at(inside.rstrip("/").split("/")[-1:], sources)
+
+
+def clone_at(folders: Iterable[str], sources: Sequence[GitSource]) -> int | None:
+    """Return the index of the last source that one of the folders is named after, by where it lies, ``None`` for none.
+
+    ``opencv-4.5`` and ``OpenCV`` are folders of ``opencv``.
+    """
+    names = {_plain(folder) for folder in folders}
+    for index in range(len(sources) - 1, -1, -1):
+        name = _plain(sources[index].folder)
+        if any(each == name or each.startswith(f"{name}_") for each in names):
+            return index
+    return None
+
+
+def _plain(name: str) -> str:
+    return re.sub(r"[-_.]+", "_", name).lower()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterable, Mapping
 from typing import Literal
 
@@ -12,7 +11,7 @@ from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
-from roslab.evidence.prose.checkouts import checked_out
+from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at
 from roslab.evidence.prose.configured import options_of, source_of
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.telling import telling
@@ -69,8 +68,10 @@ class Collector:
     """The sections that the text stands in."""
     options: str = ""
     """The options of the last ``cmake``."""
-    fresh: int | None = None
-    """Index of the clone that a following ``git checkout`` belongs to."""
+    cloned: int | None = None
+    """Index of the last clone."""
+    fresh: set[int] = field(default_factory=set)
+    """Indices of the clones whose first ``git checkout`` is still to come."""
 
     def text(self, text: str, line: int = 1) -> None:
         """Read every logical line of a text; one in parentheses is a shell of its own, and stays where it was."""
@@ -207,11 +208,13 @@ class Collector:
 
     def _git(self, command: Command) -> None:
         words = command.words
-        if self.fresh is not None and (ref := checked_out(words)) is not None:
-            clone = self.sources[self.fresh]
-            if ref and clone.ref is None:
-                self.sources[self.fresh] = replace(clone, ref=ref)
-            self.fresh = None
+        ref = checked_out(words)
+        if ref is not None:
+            clone = called_in(words, self.folder, self.sources)
+            clone = self.cloned if clone is None else clone
+            if clone is not None and clone in self.fresh:
+                self.fresh.remove(clone)
+                self.sources[clone] = replace(self.sources[clone], ref=self.sources[clone].ref or ref or None)
             return
         if "clone" not in words:
             return
@@ -221,7 +224,8 @@ class Collector:
         branch = next((words[i + 1] for i, w in enumerate(words[:-1]) if w in {"-b", "--branch"}), None)
         into, url = folder_after(url, words, self.folder), url.rstrip(".,;)")
         name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
-        self.fresh, self.options = len(self.sources), ""
+        self.cloned, self.options = len(self.sources), ""
+        self.fresh.add(self.cloned)
         branch = None if branch is None or UNKNOWN in branch else branch
         self.sources.append(
             GitSource(
@@ -250,12 +254,9 @@ class Collector:
                 self._compiled(command)
         if not {"install", "--install"} & {*words}:
             return
-        here = {re.sub(r"[-_.]+", "_", part).lower() for part in self.folder.split("/")}
-        for index in range(len(self.sources) - 1, -1, -1):
-            name = re.sub(r"[-_.]+", "_", self.sources[index].folder).lower()
-            if any(part == name or part.startswith(f"{name}_") for part in here):
-                self.sources[index] = replace(self.sources[index], installed=True, options=self.options)
-                return
+        clone = clone_at(self.folder.split("/"), self.sources)
+        if clone is not None:
+            self.sources[clone] = replace(self.sources[clone], installed=True, options=self.options)
 
     def _compiled(self, command: Command) -> None:
         """Note a folder in which CMake is run, ``.`` where the text begins, with its options: it may be a library's."""
