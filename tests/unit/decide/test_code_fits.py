@@ -108,6 +108,28 @@ def test_an_ubuntu_for_plain_code(tree: Tree, cmake: str, page: str, ubuntu: str
     assert tree({"CMakeLists.txt": made, "a.cpp": "int main() {}\n", "README.md": page}).ubuntu == ubuntu
 
 
+@pytest.mark.parametrize(
+    ("file", "steps", "ubuntu"),
+    [
+        (".github/workflows/ci.yml", "cmake -B build", "jammy"),
+        (".github/workflows/ci.yml", "clang-format -n a.cpp", "bionic"),
+        (".travis.yml", "cmake -B build", "bionic"),
+        (".github/workflows/ci.yml", "git clone https://github.com/opencv/opencv && cmake -B build", "bionic"),
+    ],
+)
+def test_what_a_workflow_compiles_beside_a_newer_library_is_behind_an_option(
+    tree: Tree, file: str, steps: str, ubuntu: str
+) -> None:
+    files = {
+        "CMakeLists.txt": "project(demo CXX)\nadd_subdirectory(vision)\n",
+        "vision/CMakeLists.txt": "find_package(OpenCV)\nadd_executable(a a.cpp)\n",
+        "vision/a.cpp": "#include <opencv/cv.h>\nint main() {}\n",
+        ".travis.yml": "dist: bionic\n",
+    }
+    files[file] = f"jobs:\n  a:\n    runs-on: ubuntu-22.04\n    steps:\n    - run: {steps}\n"
+    assert tree(files).ubuntu == ubuntu
+
+
 def test_versions() -> None:
     assert satisfies("Boost", "focal", "1.58")
     assert not satisfies("OpenCV", "focal", "3.2")

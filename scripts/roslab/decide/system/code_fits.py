@@ -9,11 +9,12 @@ from packaging.version import Version
 from roslab.decide.programs import top_of
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
-from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.evidence.facts import CMakeProject, CodeLimit, Evidence
 from roslab.knowledge.code_limits import fits, satisfies
 from roslab.knowledge.cuda_gpus import NAME as CUDA
 from roslab.knowledge.distros import cmake_of_ubuntu, distro, distros, ubuntus
 
+WORKFLOWS = ".github/workflows/"
 TOO_OLD_FOR_PIP = frozenset({"trusty"})
 """Here pip cannot install a newer CMake: its own version does not know today's wheels.
 https://github.com/pypa/manylinux#readme (pip 8.1 is the first)"""
@@ -26,9 +27,11 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     """
     ros, asked = bool(packages_of(evidence).built), tuple(_asked(evidence))
     on_gpu = any("cuda" in project.macros for project in _built(evidence))
+    compiled = _compiled_in_workflows(evidence)
+    limits = [limit for limit in evidence.limits if not _disproved(limit, compiled, evidence, ros=ros)]
     found: dict[str, dict[str, None]] = {ubuntu: {} for ubuntu in ubuntus().values()}
     for ubuntu, lacks in found.items():
-        for limit in evidence.limits:
+        for limit in limits:
             if limit.at_least and _brought(limit.library, evidence):
                 continue
             if limit.library == CUDA and not on_gpu:
@@ -45,6 +48,25 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     nowhere = set.intersection(*(set(lacks) for lacks in found.values()))
     left = {ubuntu: tuple(lack for lack in lacks if lack not in nowhere) for ubuntu, lacks in found.items()}
     return {ubuntu: lacks for ubuntu, lacks in left.items() if lacks}
+
+
+def _compiled_in_workflows(evidence: Evidence) -> tuple[str, ...]:
+    """Return the Ubuntus that workflows on GitHub name which call CMake."""
+    own = [m for m in evidence.mentions if m.source == "ci" and m.file.startswith(WORKFLOWS)]
+    compile_ = {m.file for m in own if m.topic == "build_tool" and m.value == "cmake"}
+    named = (ubuntus().get(m.value, m.value) for m in own if m.topic == "ubuntu" and m.file in compile_)
+    return tuple(name for name in named if name in ubuntus().values())
+
+
+def _disproved(limit: CodeLimit, compiled: tuple[str, ...], evidence: Evidence, *, ros: bool) -> bool:
+    """Tell whether a workflow compiles beside a newer library than a sign in the code allows.
+
+    That code is then behind an option. A library that is too old is disproved by none: a workflow may be older than the
+    code.
+    """
+    if limit.below is None or _brought(limit.library, evidence):
+        return False
+    return any(not fits(limit.library, name, at_least=None, below=limit.below, ros=ros) for name in compiled)
 
 
 def _brought(library: str, evidence: Evidence) -> bool:
