@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.specifier import specifiers
 
 
 @cache
@@ -17,3 +18,10 @@ def accelerated() -> frozenset[str]:
 def by_extra() -> frozenset[str]:
     """Return those of them that compute on the CPU unless their wheels for CUDA are asked for: ``jax[cuda12]``."""
     return frozenset(row["name"] for row in rows("accelerated") if row["by_extra"])
+
+
+def without_gpu(name: str, release: str) -> bool:
+    """Tell whether pip's wheel of a release computes on the CPU alone: another package had the one for GPUs."""
+    ranges = next((row["without_gpu"] for row in rows("accelerated") if row["name"] == name), "")
+    allowed = (specifiers(text) for text in ranges.split())
+    return bool(release) and any(each and each.contains(release, prereleases=True) for each in allowed)

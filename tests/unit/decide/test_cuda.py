@@ -295,3 +295,29 @@ def test_jax_computes_on_the_cpu_unless_its_extra_is_asked_for(
     decision = tree({**files, "train.py": "import jax\nimport flax\n"})
     assert decision.kind == kind
     assert ("nvidia/cuda" in decision.base_image) == (kind == "cuda")
+
+
+@pytest.mark.parametrize(
+    ("files", "kind"),
+    [
+        ({"requirements.txt": "numpy\ntensorflow==1.4.0\n"}, "python"),
+        ({"requirements.txt": "tensorflow==0.12.0rc1\n"}, "python"),
+        ({"README.md": "# Install\n```\npip install tensorflow==2.0.0\n```\n"}, "python"),
+        ({"requirements.txt": "tensorflow==1.15.0\n"}, "cuda"),
+        ({"requirements.txt": "tensorflow\n"}, "cuda"),
+        ({"requirements.txt": "tensorflow-gpu==1.4.0\n"}, "cuda"),
+        ({"requirements.txt": "tensorflow==1.4.0\n", "README.md": "# Install\nIt needs CUDA 8.0.\n"}, "cuda"),
+        ({"requirements.txt": "tensorflow==1.4.0\n", "eval/requirements.txt": "tensorflow==2.4.0\n"}, "cuda"),
+    ],
+)
+def test_a_release_whose_wheel_computes_on_the_cpu_alone_asks_for_no_cuda(
+    tree: Callable[[dict[str, str]], Decision], files: dict[str, str], kind: str
+) -> None:
+    decision = tree({**files, "train.py": "import tensorflow as tf\n"})
+    assert decision.kind == kind
+    assert ("nvidia/cuda" in decision.base_image) == (kind == "cuda")
+
+
+def test_a_release_that_is_older_than_the_table_is_no_open_one() -> None:
+    evidence = Evidence(requirements=(asked("tensorflow-gpu==0.12.0"),))
+    assert [each.reason for each in decide_cuda(evidence, Config()).reasons] == []

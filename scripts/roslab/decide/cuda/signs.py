@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
-from roslab.knowledge.accelerated import accelerated, by_extra
+from roslab.knowledge.accelerated import accelerated, by_extra, without_gpu
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
@@ -44,7 +44,7 @@ def _named(evidence: Evidence) -> Iterator[Sign]:
     A library that declares what it needs, without one, does not need that of its examples and scripts; beside a list at
     the root, those of examples say nothing.
     """
-    names = accelerated() if _by_extra(evidence) else accelerated() - by_extra()
+    names = accelerated() if _by_extra(evidence) else accelerated() - by_extra() - _of_the_cpu(evidence)
     declares = any(p.installable and not p.folder and _declared(p) for p in evidence.python)
     listed = declares or any(file.requirements and "/" not in file.file for file in _to_run(evidence))
     for asked in _pip(evidence, listed=listed):
@@ -74,6 +74,15 @@ def _by_extra(evidence: Evidence) -> bool:
         or any("cuda" in text for text in (*options, *builds))
         or any(mention.topic == "cuda" for mention in evidence.mentions)
     )
+
+
+def _of_the_cpu(evidence: Evidence) -> frozenset[str]:
+    """Return the frameworks that pip is asked for in a release whose wheel computes on the CPU alone, in no other."""
+    found: dict[str, bool] = {}
+    for asked in _pip(evidence, listed=False):
+        if asked.key in accelerated() and ANY.may(asked):
+            found[asked.key] = found.get(asked.key, True) and without_gpu(asked.key, asked.release or "")
+    return frozenset(name for name, cpu in found.items() if cpu)
 
 
 def _declared(project: PythonProject) -> list[Requirement]:

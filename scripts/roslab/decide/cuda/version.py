@@ -192,7 +192,7 @@ def _of_pin(pin: Pin, day: str | None, python: str | None) -> Iterator[Candidate
         why = f"{pin.name} {pin.release} {_WHY[table]}"
         weight = Weight.RELEASE[table] + Weight.TRUST * pin.trust
         yield because("cuda", row.cuda[0], why, asked, weight=weight), row.cuda[1:]
-    elif table and asked.role != "listed" and (newest := newest_framework(table, day, python)):
+    elif table and not pin.release and asked.role != "listed" and (newest := newest_framework(table, day, python)):
         which = "".join((f" of {day}" if day else "", f" for Python {python}" if python else ""))
         why = f"{pin.name} is not pinned: its newest wheel{which} is for this CUDA"
         yield because("cuda", newest.cuda[0], why, asked, weight=Weight.UNPINNED), newest.cuda[1:]
