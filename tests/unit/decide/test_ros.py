@@ -260,6 +260,14 @@ def test_a_repository_that_is_the_workspace(tmp_path: Path) -> None:
     assert decided(tmp_path, {**package("a", folder="src/a"), **package("b", folder="src/b")}).workspace == "root"
 
 
+def test_a_workspace_that_catkin_make_refuses_is_a_folder_of_one(tmp_path: Path) -> None:
+    files = {
+        **package("a", folder="src/a"),
+        "CMakeLists.txt": "cmake_minimum_required(VERSION 3.5)\nproject(library)\n",
+    }
+    assert decided(tmp_path, files).workspace == "overlay"
+
+
 def test_plain_cmake_packages_need_catkin_tools(tmp_path: Path) -> None:
     xml = "<package format='2'><name>lib</name><export><build_type>cmake</build_type></export></package>"
     files = {**package("a", folder="a"), "lib/package.xml": xml, "lib/CMakeLists.txt": "project(lib)\n"}

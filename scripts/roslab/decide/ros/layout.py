@@ -32,7 +32,10 @@ class Layout:
 
 
 def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[Layout]:
-    """Return where the repository lies; it is the workspace itself if every package lies in its ``src``."""
+    """Return where the repository lies; it is the workspace itself if every package lies in its ``src``.
+
+    catkin_make refuses a workspace with a CMakeLists.txt beside ``src`` (ros/catkin: bin/catkin_make, 2026-11-23).
+    """
     if kind not in {"ros1", "ros2"}:
         top = top_of(evidence)
         folders = tuple(dict.fromkeys(program.folder for program in compiled(evidence)))
@@ -42,7 +45,9 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
     if not packages.built:
         return Choice(answer=Layout())
     first = Place(file=packages.built[0].file, line=1)
-    if all(manifest.file.startswith("src/") and manifest.file.count("/") > 1 for manifest in packages.built):
+    refused = kind == "ros1" and any(project.file == "CMakeLists.txt" for project in evidence.cmake)
+    in_src = all(manifest.file.startswith("src/") and manifest.file.count("/") > 1 for manifest in packages.built)
+    if in_src and not refused:
         why = because("workspace", "root", "every package lies in src/", first, weight=LAYOUT)
         return Choice(answer=Layout(workspace="root"), reasons=(why,))
     why = because("workspace", "overlay", "its packages lie beside its other files", first, weight=LAYOUT)
