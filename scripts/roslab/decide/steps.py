@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Config, Kind
@@ -12,9 +13,12 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.libraries import library
+from roslab.values.pattern import pattern
 
 _PAGES = (".md", ".rst", ".txt", "README", "INSTALL")
 """A script may clone for one robot or another; a page says what everybody needs."""
+_FETCHES = pattern(r"\b(?:wget|curl|vcs|wstool|rosinstall|rosws)\s")
+"""Programs that fetch a list of repositories, or import one by its address."""
 MOST = 8
 """Most steps that are told of one kind."""
 
@@ -30,7 +34,9 @@ def decide_steps(
         return Choice(answer=None)
     names = {plain(name) for name in taken}
     there = {address(each) for each in addresses}
-    return Choice(answer=None, warnings=(*_fetched(evidence, names), *_cloned(evidence, kind, names, there, itself)))
+    lists = _lists(evidence) if config.vcs is None else ()
+    cloned = _cloned(evidence, kind, names, there, itself)
+    return Choice(answer=None, warnings=(*_fetched(evidence, names), *lists, *cloned))
 
 
 def _fetched(evidence: Evidence, names: set[str]) -> Iterator[Warning_]:
@@ -44,6 +50,21 @@ def _fetched(evidence: Evidence, names: set[str]) -> Iterator[Warning_]:
         ):
             message = f"not part of the image: `{mention.value}`; put what it brings under `apt`, `source` or `custom`"
             told.setdefault(mention.value.partition(" | ")[0], warn(f"{message} in roslab.yaml", mention))
+    yield from list(told.values())[:MOST]
+
+
+def _lists(evidence: Evidence) -> Iterator[Warning_]:
+    """Yield a warning for each list of repositories that a page or a script fetches and that the tree does not have."""
+    there = {source.file.rpartition("/")[2].lower() for source in evidence.sources if source.kind == "vcs"}
+    told: dict[str, Warning_] = {}
+    for mention in evidence.mentions:
+        said = mention.topic == "vcs_file" and mention.source in {"readme", "script"} and mention.value not in there
+        if not said or places.vendored(mention.file) or not _FETCHES.search(mention.text):
+            continue
+        for url in re.findall(rf"https?://[^\s\"'`<>()]+/{re.escape(mention.value)}\b", mention.text, re.IGNORECASE):
+            message = f"not imported: {url}, a list of repositories that the tree does not have"
+            advice = "add the file, and name it under `vcs` in roslab.yaml"
+            told.setdefault(url, warn(f"{message}; {advice}", mention))
     yield from list(told.values())[:MOST]
 
 

@@ -43,6 +43,33 @@ def test_a_clone_that_nothing_asks_for_is_told_and_the_repository_itself_is_not(
     assert told(tree, page) == [(message, "README.md", 4)]
 
 
+LIST = (
+    "https://raw.githubusercontent.com/laboratory/robots-of-the-laboratory/a-branch-with-a-long-name/lists/robot.repos"
+)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        f"wget {LIST}",
+        f"vcs import --input {LIST} src",
+        f"vcs import src < <(curl -s {LIST})",
+        f"curl {LIST} | vcs import src",
+        f"wstool init src {LIST}",
+    ],
+)
+def test_a_list_of_repositories_that_a_page_fetches_is_imported_or_told(tree: Tree, line: str) -> None:
+    listed = (
+        "repositories:\n  odd_arm:\n    type: git\n    url: https://github.com/lab/odd_arm.git\n    version: main\n"
+    )
+    files = {"package.xml": PACKAGE, "CMakeLists.txt": CMAKE, "README.md": f"# For ROS Noetic\n```\n{line}\n```\n"}
+    (told,) = [warning for warning in tree(files).warnings if LIST in warning.message]
+    assert (told.message.partition(":")[0], told.file, told.line) == ("not imported", "README.md", 3)
+    found = tree({**files, "lists/robot.repos": listed})
+    assert [source.name for source in found.source] == ["odd_arm"]
+    assert not any(LIST in warning.message for warning in found.warnings)
+
+
 def test_a_script_names_the_distribution_by_its_packages(tree: Tree) -> None:
     script = "apt-get install -y ros-melodic-tf2-sensor-msgs\n"
     found = tree({"package.xml": PACKAGE, "CMakeLists.txt": CMAKE, "install_deps.sh": script})

@@ -29,7 +29,9 @@ _MORE = pattern(r"(?:[\s,/|&-]{0,4}(?:or|and|to)?\s{0,3}(?:python)?\s{0,2}[23]\.
 """What may follow a Python version: ``3.6, 3.7 or 3.8``. Blanks are bounded, so that no line takes long."""
 _LETTERS = bytes(byte if chr(byte).isascii() and chr(byte).isalpha() else 32 for byte in range(256))
 """What stands for each byte of a text that is to be split into words of letters alone."""
-_LIST = pattern(r"(?<![A-Za-z])([\w-][\w.-]{0,60}\.(?:repos|rosinstall))\b", re.IGNORECASE)
+_LIST = pattern(
+    r"(?:https?://[^\s\"'`<>()]{1,300}/|(?<![A-Za-z]))([\w-][\w.-]{0,60}\.(?:repos|rosinstall))\b", re.IGNORECASE
+)
 
 
 def _word(source: str) -> re.Pattern[str]:
