@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import cast
 
 from roslab.config.model import WORKSPACE_TOOLS, Config, Kind
+from roslab.decide.compiled_environments import mostly_cpp, to_compile
 from roslab.decide.cuda.signs import sign_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.programs import top_of
@@ -188,7 +189,8 @@ def _python_place(evidence: Evidence) -> tuple[Placed, str, int] | None:
             weight = Weight.INSTALLABLE_BELOW if project.folder else Weight.INSTALLABLE
             return project, "pip can install it", weight
     for environment in evidence.conda:
-        if not places.vendored(environment.file) and not places.test(environment.file):
+        aside = places.vendored(environment.file) or places.test(environment.file)
+        if not (aside or to_compile(evidence, environment)):
             weight = Weight.CONDA_BELOW if "/" in environment.file else Weight.CONDA
             return environment, "a conda environment", weight
     for requirement in evidence.requirements:
@@ -215,16 +217,16 @@ def _cpp(evidence: Evidence) -> list[Reason]:
     compiled = "CUDA" in top.languages or evidence.cuda_files
     answer = "cuda" if "cuda" in top.macros and compiled else "cpp"
     bindings = any(not project.folder and "cmake" in project.extensions for project in evidence.python)
-    if root and bindings and _mostly_cpp(evidence) and not _only_by_pip(evidence):
+    if root and bindings and mostly_cpp(evidence) and not _only_by_pip(evidence):
         return [because("kind", answer, "a CMake project with Python bindings", top, weight=Weight.BINDINGS)]
     said = None if "rosbuild" in top.macros else _built_by_page(evidence)  # rosbuild's packages are made by CMake, too
-    if root and said and _mostly_cpp(evidence):
+    if root and said and mostly_cpp(evidence):
         return [
             because(
                 "kind", answer, "a CMake project, which the README builds with CMake alone", said, weight=Weight.BUILT
             )
         ]
-    below = Weight.CMAKE_BELOW if _mostly_cpp(evidence) else Weight.CMAKE_PART
+    below = Weight.CMAKE_BELOW if mostly_cpp(evidence) else Weight.CMAKE_PART
     weight = Weight.CMAKE if root else below
     return [because("kind", answer, "a CMake project", top, weight=weight)]
 
@@ -256,10 +258,3 @@ def _by_pip(evidence: Evidence) -> bool:
 def _page_of_cmake(evidence: Evidence) -> Mention | None:
     said = (m for m in evidence.mentions if m.topic == "build_tool" and m.value == "cmake" and m.source == "readme")
     return next((mention for mention in said if "/" not in mention.file), None)
-
-
-def _mostly_cpp(evidence: Evidence) -> bool:
-    """Compare the files that include something with those that import something."""
-    included = {d.file for d in evidence.code if d.namespace == "include"}
-    imported = {d.file for d in evidence.code if d.namespace == "import"}
-    return len(included) > len(imported)

@@ -10,8 +10,8 @@ from roslab.knowledge.table import rows
 
 
 @cache
-def tooling(asked_by: Literal["installers", "developers", "ros"]) -> frozenset[str]:
-    """Return the tools that install packages, those with which developers check their code, or ROS's own packages.
+def tooling(asked_by: Literal["installers", "developers", "compilers", "ros"]) -> frozenset[str]:
+    """Return the tools that install packages, that check code or that compile C++ in conda, or ROS's own packages.
 
     ROS's are those that its core brings and that ``pip freeze`` lists on a machine with it: pip's index has none.
     """
