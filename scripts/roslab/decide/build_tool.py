@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslab.config.model import BuildTool, Config, Kind
+from roslab.decide.beside_cpp import of_cpp
 from roslab.decide.decision import Choice, Python
 from roslab.decide.programs import top_of
 from roslab.decide.python.build_tool import tool_of_python
@@ -39,7 +40,10 @@ def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Py
         return _of_cpp(evidence)
     choice = tool_of_python(evidence, python)
     top = top_of(evidence)
-    if kind == "cuda" and choice.answer == "none" and not evidence.programs and top and not top.lacks:
-        why = because("build_tool", "cmake", "a CMake project, and no Python", top, weight=Weight.CPP)
+    no_python = choice.answer == "none" and not evidence.programs
+    beside = choice.answer == "pip" and not python.projects and of_cpp(evidence)
+    if kind == "cuda" and (no_python or beside) and top and not top.lacks:
+        what = "a CMake project, with Python beside it" if beside else "a CMake project, and no Python"
+        why = because("build_tool", "cmake", what, top, weight=Weight.CPP)
         return Choice(answer="cmake", reasons=(why,))
     return choice

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import cast
 
 from roslab.config.model import WORKSPACE_TOOLS, Config, Kind
-from roslab.decide.compiled_environments import mostly_cpp, to_compile
-from roslab.decide.cuda.signs import sign_of_cuda
+from roslab.decide.beside_cpp import mostly_cpp, to_compile
+from roslab.decide.cuda.signs import includes_tensorrt, sign_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
@@ -215,7 +215,7 @@ def _cpp(evidence: Evidence) -> list[Reason]:
         return _by_make(evidence)
     root = "/" not in top.file
     compiled = "CUDA" in top.languages or evidence.cuda_files
-    answer = "cuda" if "cuda" in top.macros and compiled else "cpp"
+    answer = "cuda" if ("cuda" in top.macros and compiled) or includes_tensorrt(evidence) else "cpp"
     bindings = any(not project.folder and "cmake" in project.extensions for project in evidence.python)
     if root and bindings and mostly_cpp(evidence) and not _only_by_pip(evidence):
         return [because("kind", answer, "a CMake project with Python bindings", top, weight=Weight.BINDINGS)]

@@ -17,6 +17,9 @@ from roslab.values.requirement import Requirement
 _SCRIPTS = pattern(r"(?:scripts?|notebooks?|tools?|experiments?|benchmarks?)/", re.IGNORECASE)
 
 
+_TENSORRT = pattern(r"Nv(?:Infer|OnnxParser)\w*\.h$")
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Sign:
     """Where it shows, and what."""
@@ -36,6 +39,15 @@ def sign_of_cuda(evidence: Evidence) -> Sign | None:
         if "cuda" in project.macros and not places.vendored(project.file) and not places.example(project.file):
             return Sign(file=project.file, line=project.line, why="its CMake needs CUDA")
     return None
+
+
+def includes_tensorrt(evidence: Evidence) -> bool:
+    """Tell whether code of C++ includes TensorRT, whose packages only NVIDIA's images of CUDA have a source of.
+
+    https://github.com/NVIDIA/TensorRT/blob/main/docker/ubuntu-20.04.Dockerfile, read 2026-11-23.
+    """
+    headers = (used for used in evidence.code if used.namespace == "include" and _TENSORRT.match(used.name))
+    return any(not (places.vendored(used.file) or _example(used.file)) for used in headers)
 
 
 def _named(evidence: Evidence) -> Iterator[Sign]:

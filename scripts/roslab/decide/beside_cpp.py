@@ -1,4 +1,4 @@
-"""Conda environments in which a C++ project is compiled, by CI or its developers: they make it no Python project."""
+"""Repositories of C++ beside Python: environments of conda for compiling it, and lists for its scripts."""
 
 from __future__ import annotations
 
@@ -9,18 +9,22 @@ from roslab.knowledge.guesses import tooling
 
 
 def to_compile(evidence: Evidence, environment: CondaEnvironment) -> bool:
-    """Tell whether an environment lies with CI, or brings compilers, beside a CMake project at the root.
+    """Tell whether an environment lies with CI, or brings compilers, beside a repository of C++."""
+    brought = {package.name for package in environment.packages}
+    development = bool(DEVELOPMENT.search(environment.file)) or not brought.isdisjoint(tooling("compilers"))
+    return development and of_cpp(evidence)
 
-    Not where the code is mostly Python, or where a page starts Python: it is for that then.
+
+def of_cpp(evidence: Evidence) -> bool:
+    """Tell whether a repository is about the CMake project at its root, whatever Python lies beside it.
+
+    Not where the code is mostly Python, or where a page starts Python.
     """
     top = top_of(evidence)
     if top is None or "/" in top.file or not mostly_cpp(evidence):
         return False
     commands = (mention for mention in evidence.mentions if mention.topic == "command" and mention.source == "readme")
-    if any(mention.value.startswith("python") for mention in commands):
-        return False
-    brought = {package.name for package in environment.packages}
-    return bool(DEVELOPMENT.search(environment.file)) or not brought.isdisjoint(tooling("compilers"))
+    return not any(mention.value.startswith("python") for mention in commands)
 
 
 def mostly_cpp(evidence: Evidence) -> bool:

@@ -1,0 +1,59 @@
+"""An environment of conda or pixi in which C++ is compiled makes it no Python project."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+CPP = {
+    "CMakeLists.txt": "cmake_minimum_required(VERSION 3.10)\nproject(arm)\nadd_executable(arm a.cpp b.cpp)\n",
+    "a.cpp": "#include <Eigen/Dense>\nint main() {}\n",
+    "b.cpp": "#include <Eigen/Core>\n",
+}
+TOOLS = "name: a\ndependencies:\n  - cmake\n  - cxx-compiler\n  - eigen\n"
+PIXI = "[workspace]\nchannels = ['conda-forge']\nplatforms = ['linux-64']\n[dependencies]\nninja = '*'\neigen = '*'\n"
+PYTHON = "numpy", "scipy", "cv2", "yaml"
+USED = "name: a\ndependencies:\n  - python=3.9\n  - numpy\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "kind"),
+    [
+        ({"environment.yml": TOOLS}, "cpp"),
+        ({"pixi.toml": PIXI}, "cpp"),
+        ({"ci/environment.yml": USED}, "cpp"),
+        ({"environment.yml": USED}, "python"),
+        ({"environment.yml": TOOLS, "README.md": "```\npython run.py\n```\n", "run.py": "import numpy\n"}, "python"),
+        ({"environment.yml": TOOLS, **{f"use_{name}.py": f"import {name}\n" for name in PYTHON}}, "python"),
+    ],
+)
+def test_what_compiles_it_is_no_python(tree: Tree, files: dict[str, str], kind: str) -> None:
+    assert tree({**CPP, **files}).kind == kind
+
+
+@pytest.mark.parametrize(
+    ("page", "tool"), [("# Build\n`cmake ..`\n", "cmake"), ("# Run\n```\npython plot.py\n```\n", "pip")]
+)
+def test_a_list_for_scripts_leaves_cuda_to_cmake(tree: Tree, page: str, tool: str) -> None:
+    cmake = "project(arm LANGUAGES CXX CUDA)\nfind_package(CUDA REQUIRED)\nadd_executable(arm a.cpp b.cpp c.cu)\n"
+    files = {**CPP, "CMakeLists.txt": cmake, "c.cu": "__global__ void f() {}\n"}
+    files |= {"README.md": page, "requirements.txt": "numpy\n", "plot.py": "import numpy\n"}
+    found = tree(files)
+    assert (found.kind, found.build_tool) == ("cuda", tool)
+    if tool == "cmake":
+        assert found.python.requirements == ("requirements.txt",)
+
+
+@pytest.mark.parametrize(("folder", "kind"), [("", "cuda"), ("examples/", "cpp")])
+def test_tensorrt_is_in_the_images_of_cuda_alone(tree: Tree, folder: str, kind: str) -> None:
+    cmake = "project(net)\nfind_package(CUDA REQUIRED)\nadd_executable(net a.cpp b.cpp)\n"
+    code = "#include <NvInfer.h>\n#include <NvOnnxParser.h>\n"
+    found = tree({**CPP, "CMakeLists.txt": cmake, f"{folder}net.cpp": code, "README.md": "# Needs\n* CUDA==11.6\n"})
+    assert found.kind == kind
+    assert found.base_image.startswith("nvidia/cuda:11.6" if kind == "cuda" else "ubuntu:")
+    packages = {"libnvinfer-dev", "libnvonnxparsers-dev"} if kind == "cuda" else set()
+    assert {each for each in found.apt_guessed if each.startswith("libnv")} >= packages
