@@ -334,7 +334,10 @@ cmake .. && sudo make install
     ("asked", "built"),
     [
         ("wire 1.4.2 REQUIRED", ["https://github.com/lab/libwire v1.4.2"]),
-        ("cppzmq 4.4.1 REQUIRED EXACT", ["https://github.com/zeromq/cppzmq v4.4.1"]),
+        (
+            "cppzmq 4.4.1 REQUIRED EXACT",
+            ["https://github.com/lab/libwire v1.4.2", "https://github.com/zeromq/cppzmq v4.4.1"],
+        ),
         ("cppzmq 4.3 REQUIRED", []),
         ("cppzmq REQUIRED", []),
     ],

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import pytest
+
 from roslab.decide.decision import Decision
 
 Tree = Callable[[dict[str, str]], Decision]
@@ -17,3 +19,29 @@ def test_what_a_linked_library_needs_comes_before_it(tree: Tree) -> None:
     assert all("-DPYTHON_BINDING=OFF" in source.cmake_options for source in decision.source)
     assert not any(source.unread for source in decision.source)
     assert {"libtinyxml2-dev", "libyaml-cpp-dev"} <= {*decision.apt, *decision.apt_guessed}
+
+
+def install(name: str) -> str:
+    build = f"cd {name} && mkdir build && cd build && cmake .. && sudo make install"
+    return f"```\ngit clone https://github.com/lab/{name}.git\n{build}\n```\n"
+
+
+PLAIN = "```\ngit clone https://github.com/lab/acme_tool.git\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("asked", "page", "built"),
+    [
+        (("acme_top",), install("acme_base") + install("acme_top"), ["acme_base", "acme_top"]),
+        (("acme_top", "acme_base"), install("acme_base") + install("acme_top"), ["acme_base", "acme_top"]),
+        (("acme_base",), install("acme_base") + install("acme_top"), ["acme_base"]),
+        (("acme_top",), PLAIN + install("acme_top"), ["acme_top"]),
+        (("acme_top",), install("Eigen3") + install("acme_top"), ["acme_top"]),
+    ],
+)
+def test_what_a_page_installs_above_a_library_is_built_before_it(
+    tree: Tree, asked: tuple[str, ...], page: str, built: list[str]
+) -> None:
+    made = "project(demo)\n" + "".join(f"find_package({name} REQUIRED)\n" for name in asked)
+    files = {"CMakeLists.txt": f"{made}add_executable(a a.cpp)\n", "a.cpp": "int main() {}\n", "README.md": page}
+    assert [source.name for source in tree(files).source] == built

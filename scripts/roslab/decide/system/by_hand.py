@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Literal
 
 from roslab.config.model import Config, Kind, Source
@@ -72,11 +72,33 @@ def by_hand(
 ) -> tuple[tuple[Source, Dependency], ...]:
     """Return the libraries that no table knows, that CMake asks for by name, and that a page or a list names.
 
-    ``taken``: names that come from elsewhere. Each is built as it was at the time of the repository's last commit.
+    ``taken``: names that come from elsewhere. What a page installs above one of them is built before it. Each is built
+    as it was at the time of the repository's last commit.
     """
     if config.compatible or kind == "python":
         return ()
     date = dated(evidence)
+    day = "" if date is None else date.value
+    offered = _offered(evidence, kind)
+    taken |= {plain(git.name) for project in evidence.cmake for git in project.sources}  # CMake fetches it itself
+    free = {name: git for name, git in offered.items() if not {name, plain(git.name)} & taken}
+    found: dict[GitSource, Dependency] = {}
+    for name, asked in _asked(evidence, packages, target, free):
+        if plain(asked.name) not in taken:
+            found.setdefault(free[name], asked)
+    last = {git.file: git.line for git in sorted(found, key=lambda git: git.line) if git.installed}
+    for git in free.values():
+        asked = Dependency(namespace="cmake", name=git.name, strength="declared", file=git.file, line=git.line)
+        above = git.installed and git.line < last.get(git.file, 0)  # what is below it may need it
+        if above and _unknown(asked, target, pinned=False):
+            found.setdefault(git, asked)
+    files = [git.file for git in found]
+    in_order = sorted(found, key=lambda git: (files.index(git.file), git.line))
+    return tuple((with_beside(_source(git, day), git, evidence), found[git]) for git in in_order)
+
+
+def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
+    """Return what pages, lists and Dockerfiles name, by its bare name, the best of each name."""
     offered: dict[str, GitSource] = {}
     written = (*evidence.sources, *_authored(evidence, "project"), *_authored(evidence, "ci"))
     for git in sorted(written, key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
@@ -84,9 +106,14 @@ def by_hand(
         if (git.installed or listed or git.kind == "link") and not places.vendored(git.file):
             offered.setdefault(_bare(git.name), git)
             offered.setdefault(_bare(git.folder), git)
-    taken |= {plain(git.name) for project in evidence.cmake for git in project.sources}  # CMake fetches it itself
+    return offered
+
+
+def _asked(
+    evidence: Evidence, packages: Packages, target: Target, offered: Mapping[str, GitSource]
+) -> Iterator[tuple[str, Dependency]]:
+    """Yield the names of what is offered that the build asks for, and that has to be built for it."""
     added = {_bare(project.name) for project in evidence.cmake if project.name and not project.top_level}
-    found: dict[str, tuple[Source, Dependency]] = {}
     options = given(evidence)
     for asked in code_needs(evidence, packages):
         name = _bare(asked.name)
@@ -95,29 +122,26 @@ def by_hand(
         if asked.namespace == "link" and name in added:
             continue  # what a project of the tree that another one adds compiles is linked from there
         git = offered[name]
-        if {name, plain(asked.name), plain(git.name)} & taken:
-            continue
         pinned = git.installed and bool(fixed(git.ref))
         by_file = git.installed and (asked.namespace, asked.strength) == ("link", "declared")
-        if (
-            not by_file
-            and not (pinned and _newer(asked, target, fixed(git.ref) or ""))
-            and not _unknown(asked, target, pinned=pinned)
-        ):
-            continue  # what is named by its file below /usr/local is there only where it was built
-        ref = fixed_at(git.ref, "" if date is None else date.value)
-        source = Source(
-            name=git.name,
-            repo=git.url,
-            ref=ref,
-            before="" if (ref and not drifts(ref)) or date is None else date.value,
-            build="cmake",
-            cmake_options=git.options,
-            unread=True,
-            place=Place(file=git.file, line=git.line),
-        )
-        found.setdefault(name, (with_beside(source, git, evidence), asked))
-    return tuple(found.values())
+        newer = pinned and _newer(asked, target, fixed(git.ref) or "")
+        if by_file or newer or _unknown(asked, target, pinned=pinned):
+            yield name, asked  # what is named by its file below /usr/local is there only where it was built
+
+
+def _source(git: GitSource, day: str) -> Source:
+    """Return a library as a page or a list has it; ``day``: that of the repository's last commit."""
+    ref = fixed_at(git.ref, day)
+    return Source(
+        name=git.name,
+        repo=git.url,
+        ref=ref,
+        before="" if ref and not drifts(ref) else day,
+        build="cmake",
+        cmake_options=git.options,
+        unread=True,
+        place=Place(file=git.file, line=git.line),
+    )
 
 
 def _newer(asked: Dependency, target: Target, ref: str) -> bool:
