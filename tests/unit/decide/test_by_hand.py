@@ -429,6 +429,14 @@ def test_a_library_that_another_is_made_for_is_built_before_it(tree: Tree) -> No
     files = ros1("find_package(OsqpEigen REQUIRED)\n", "")
     found = tree(files)
     assert [source.name for source in found.source] == ["osqp", "osqp-eigen"]
+
+
+@pytest.mark.parametrize(("on", "refs"), [("20.04", ["v0.15.3", "v3.7.2"]), ("22.04", ["v0.15.3", "v3.9.0"])])
+def test_yarp_is_built_after_its_cmake_modules(tree: Tree, on: str, refs: list[str]) -> None:
+    cmake = "project(demo)\nfind_package(YARP REQUIRED)\nadd_executable(a a.cpp)\n"
+    page = f"On Ubuntu {on} it needs [YARP](https://github.com/robotology/yarp).\n"
+    found = tree({"CMakeLists.txt": cmake, "a.cpp": "int main() {}\n", "README.md": page})
+    assert [(source.name, source.ref) for source in found.source] == list(zip(["ycm", "yarp"], refs, strict=True))
     assert not [name for name in (*found.apt, *found.apt_guessed) if "osqp" in name]  # ROS has OSQP alone
 
 
