@@ -26,8 +26,14 @@ _INDEXES = frozenset({"registry", "legacy", "pypi"})
 _ELSEWHERE = frozenset({"git", "path", "url"})
 """Keys with which pdm tells that a package comes from elsewhere."""
 _SOURCE = pattern(r"^sdist = \{[^\n]*\}$", re.MULTILINE)
-_FILE = pattern(r"^[ \t]*\{ ?(?:url|file) = \"(?:[^\"\\\n#]*/)?([^\"\\\n/]*)\"[^\n]*\},?$", re.MULTILINE)
-"""A file on a line of its own, with its address, hash, size and time."""
+_FILES = pattern(r"^(wheels|files) = \[\n((?:[ \t]*\{ ?(?:url|file) = \"[^\"\\\n#]*\"[^\n]*\},?\n)+)\]$", re.MULTILINE)
+"""A list of files, each on a line of its own with its address, hash, size and time."""
+_FILE = pattern(r"^[ \t]*\{ ?\w+ = \"(?:[^\"\n]*/)?([^\"\n/]*)", re.MULTILINE)
+_NEEDS = pattern(r"^dependencies = \[\n((?:[ \t]*\{ ?name = \"[\w.-]+\"[^\n]*\},?\n)+)\]$", re.MULTILINE)
+"""A list of packages, each on a line of its own with its extras and marker."""
+_NEED = pattern(r"^[ \t]*\{ ?name = \"([^\"]*)", re.MULTILINE)
+_BETWEEN = "/"
+"""What no name of a file or package has."""
 
 
 def read(repository: Repository) -> tuple[Locked, ...]:
@@ -49,8 +55,12 @@ def read(repository: Repository) -> tuple[Locked, ...]:
 
 
 def _thinned(text: str) -> str:
-    """Return a lock with the names of its files alone: most of it is addresses and hashes, which are slow to parse."""
-    return _FILE.sub(r'"\1",', _SOURCE.sub("", text))
+    """Return a lock with one text in place of a list: most of it is addresses and hashes, which are slow to parse.
+
+    A list that is written in another way than its tool does stays as it is.
+    """
+    text = _FILES.sub(lambda found: f'{found[1]} = "{_BETWEEN.join(_FILE.findall(found[2]))}"', _SOURCE.sub("", text))
+    return _NEEDS.sub(lambda found: f'dependencies = "{_BETWEEN.join(_NEED.findall(found[1]))}"', text)
 
 
 def _index(table: dict[str, Any]) -> str:
@@ -95,8 +105,9 @@ def _files(table: dict[str, Any]) -> Iterator[str]:
 def _needs(table: dict[str, Any]) -> Iterator[str]:
     """Yield what a release needs: a list of tables of uv's, a table of Poetry's, a list of lines of pdm's."""
     said = table.get("dependencies")
-    if isinstance(said, dict):
-        yield from map(canonicalize_name, said)
+    if isinstance(said, (dict, str)):
+        yield from map(canonicalize_name, said.split(_BETWEEN) if isinstance(said, str) else said)
+        return
     for each in _listed(table, "dependencies"):
         named = str(each.get("name", "")) if isinstance(each, dict) else stated(str(each)).name
         if named:
@@ -104,5 +115,8 @@ def _needs(table: dict[str, Any]) -> Iterator[str]:
 
 
 def _listed(table: dict[str, Any], key: str) -> list[Any]:
+    """Return a list, or what stands in its place."""
     found = table.get(key)
+    if isinstance(found, str):
+        return found.split(_BETWEEN)
     return found if isinstance(found, list) else []
