@@ -43,15 +43,23 @@ class Interpreter:
     def _cases(self, requirement: Requirement) -> Iterable[bool | None]:
         if requirement.marker is None:
             return (True,)
-        return (_holds(requirement.marker, python, on) for python in self.pythons for on in self.platforms)
+        said = str(requirement.marker)  # once: a marker writes itself anew for its hash and to be compared, too
+        return (_holds(said, python, on) for python in self.pythons for on in self.platforms)
 
 
 @cache
-def _holds(marker: Marker, python: str, platform: str) -> bool | None:
-    """Evaluate a marker; ``None`` if it depends on the machine that the image will run on."""
-    from packaging.markers import UndefinedComparison  # noqa: PLC0415 - its marker has imported it
+def _marker(said: str) -> Marker:
+    from packaging.markers import Marker  # noqa: PLC0415 - the marker of a requirement has imported it
 
-    if any(name in str(marker) for name in _UNKNOWN):
+    return Marker(said)
+
+
+@cache
+def _holds(said: str, python: str, platform: str) -> bool | None:
+    """Evaluate a marker; ``None`` if it depends on the machine that the image will run on."""
+    from packaging.markers import UndefinedComparison  # noqa: PLC0415 - as above
+
+    if any(name in said for name in _UNKNOWN):
         return None
     full = f"{python}.{NEWEST_PATCH}"
     environment = {
@@ -69,6 +77,6 @@ def _holds(marker: Marker, python: str, platform: str) -> bool | None:
         "extra": "",
     }
     try:
-        return marker.evaluate(environment)
+        return _marker(said).evaluate(environment)
     except UndefinedComparison:
         return None

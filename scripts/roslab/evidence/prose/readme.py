@@ -25,7 +25,7 @@ from roslab.evidence.prose.own_scripts import called, checked
 from roslab.evidence.prose.preformatted import as_markdown
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.shells import leads_elsewhere
-from roslab.evidence.prose.telling import telling
+from roslab.evidence.prose.telling import Signs, signs_in, telling
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 from roslab.values.prompt import PROMPT
@@ -75,8 +75,8 @@ _NAMED_PYTHON = pattern(
     re.IGNORECASE,
 )
 """A sentence that runs a file of Python; what is used *as* something is read by another program."""
-_IN_SENTENCES = ((_NAMED, "`"), (_NAMED_PYTHON, ".py"), (_GO_INTO, "`"), (_CLONED, "://"))
-"""What a sentence tells to do, each with a part of it."""
+_IN_SENTENCES: Signs = (("`", _NAMED), (".py", _NAMED_PYTHON), ("`", _GO_INTO), ("://", _CLONED))
+"""What a sentence tells to do, each after a part of it."""
 _SAID_LAUNCH = pattern(
     r"(?<![`\w/-])(?:roslaunch|ros2 launch) +[a-z]\w+ +[\w./-]+(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.py)"
     r"(?: +\w+:=[^\s\"'\u201d`,;)]+)*(?![\w`])"
@@ -218,6 +218,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     only the lines of fenced blocks in which it is found.
     """
     lines = text.split("\n")
+    signs = signs_in(text)
     titles: dict[int, str] = {}
     elsewhere = index = 0
     fenced = False
@@ -239,24 +240,23 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
                     heading[0]: heading[1]
                 }
         drawn = fenced and index < len(lines) and _BRANCH.match(lines[index][:MAX_LINE])
-        tells = (fenced and not drawn and also.search(line)) if also else _tells(line, fenced=fenced)
+        tells = (fenced and not drawn and also.search(line)) if also else _tells(line, signs, fenced=fenced)
         if elsewhere or len(line) > MAX_LINE or not tells:
             continue
         first = index
         while line.rstrip().endswith("\\") and index < len(lines) and len(line) < 4 * MAX_LINE:
             line = line.rstrip() + "\n" + lines[index].lstrip()
             index += 1
-        for shell in _shell(line, fenced=fenced):
+        for shell in _shell(line, signs, fenced=fenced):
             yield first, shell, " / ".join(titles.values())
 
 
-def _tells(line: str, *, fenced: bool) -> bool:
-    """Tell whether a line may hold a command."""
-    said = _IN_SENTENCES if not fenced else ()
-    return telling(line) or any(sign in line and each.search(line) for each, sign in said)
+def _tells(line: str, signs: Signs, *, fenced: bool) -> bool:
+    """Tell whether a line may hold a command; ``signs`` are those of its page."""
+    return telling(line, signs) or (not fenced and telling(line, _IN_SENTENCES))
 
 
-def _shell(line: str, *, fenced: bool) -> Iterator[str]:
+def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
     line = _typed(line)
     if match := _START.match(line.replace("\\\n", "\\\x01")):
         shell = re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n")
@@ -266,7 +266,7 @@ def _shell(line: str, *, fenced: bool) -> Iterator[str]:
         yield line
     else:
         spans = (_typed(span[2]) for span in _SPAN.finditer(line))
-        yield from (_alone(span) for span in spans if telling(span) and " " in span)
+        yield from (_alone(span) for span in spans if telling(span, signs) and " " in span)
         yield from (said[0] for said in (_SAID_LAUNCH.finditer(line) if "launch " in line else ()))
         yield from (f"git clone {named[1]}" for named in (_CLONED.finditer(line) if "://" in line else ()))
         yield from (f"cd {named[1]}" for named in _GO_INTO.finditer(line))

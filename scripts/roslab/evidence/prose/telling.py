@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 from roslab.values.pattern import pattern
 
-_TELLING = tuple(
+Signs = tuple[tuple[str, re.Pattern[str]], ...]
+"""Signs of a command, each after a word without which it need not be looked for, which takes much less time."""
+SIGNS: Signs = tuple(
     (word, pattern(telling))
     for word, telling in (
         ("install", r"\binstall\b"),
@@ -42,12 +46,16 @@ _TELLING = tuple(
         ("bin/", r"(?:^|[\s`$])bin/\w"),
     )
 )
-"""Signs of a command, each after a word without which it need not be looked for, which takes much less time."""
 
 
-def telling(text: str) -> bool:
+def signs_in(page: str) -> Signs:
+    """Return the signs whose word stands in a page: no line of it has another one."""
+    return tuple(each for each in SIGNS if each[0] in page)
+
+
+def telling(text: str, signs: Signs = SIGNS) -> bool:
     """Tell whether a text may hold a command that tells what to install or to run: nothing else is read."""
-    for word, sign in _TELLING:  # noqa: SIM110 - of each line of each page: `any` takes longer
+    for word, sign in signs:  # noqa: SIM110 - of each line of each page: `any` takes longer
         if word in text and sign.search(text):
             return True
     return False

@@ -7,12 +7,15 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
+from roslab.evidence.lex.lines import matching_lines
 from roslab.evidence.python.modules import Module, modules, setup_scripts
 from roslab.knowledge.compiled import programs
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _CALLS = frozenset({"system", "popen", "subprocess"})
+_BY_MODULE = ("os.system", "os.popen", "subprocess.", "sp.")
+_BARE = frozenset({"check_output", "check_call", "Popen", "call", "run"})
 _LINE = pattern(
     r"^[^#\n]{0,200}?\b(?:os\.(?:system|popen)|(?:subprocess|sp)\.\w{1,20}|"
     r"(?<![\w.])(?P<bare>check_output|check_call|Popen|call|run))\(\s{0,40}(?:args\s?=\s?)?(?P<list>[\[(]\s{0,40})?"
@@ -41,8 +44,9 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 
 def _called(module: Module) -> Iterator[Dependency]:
     text = module.text
-    imported = {name for line in _IMPORTED.findall(text) for name in _WORD.findall(line)}
-    for match in _LINE.finditer(text):
+    lines = _IMPORTED.findall(text) if "from subprocess import" in text else ()
+    imported = {name for line in lines for name in _WORD.findall(line)}
+    for match in matching_lines(_LINE, text, *_BY_MODULE, *(f"{name}(" for name in _BARE & imported)):
         if match["bare"] and match["bare"] not in imported:
             continue
         parts = [match["said"]] if match["list"] else _NEXT.split(match["said"])
