@@ -80,3 +80,8 @@ def usual(python: str, day: str) -> bool:
 def existed(python: str, day: str) -> bool:
     """Tell whether a Python (``3.8``) had been released on a day; one that is not in the table counts as new."""
     return any(row["python"] == python and row["released"] <= day for row in rows("pythons"))
+
+
+def ended(python: str, day: str) -> bool:
+    """Tell whether a Python had no support any more on a day; of most the table does not tell it."""
+    return any(row["python"] == python and "" < row["ended"] <= day for row in rows("pythons"))

@@ -149,3 +149,19 @@ def test_the_pip_of_conda_reads_old_metadata_too(tmp_path: Path) -> None:
     planned = committed(tmp_path, PYTHON | {"README.md": "Needs Python 3.7.\n", "k.cu": "int x;\n"}, "2021-01-10")
     assert planned.plan.python.manager == "conda"
     assert "python=3.7 'pip<24.1'" in dockerfile(planned.plan)
+
+
+@pytest.mark.parametrize(
+    ("day", "code", "python"),
+    [
+        ("2024-05-01", "print(1)\n", "3.10"),
+        ("2018-05-01", "print(1)\n", "2.7"),
+        ("2024-05-01", "print 'a'\n", "2.7"),
+    ],
+)
+def test_classifiers_of_an_ended_python_are_the_oldest_that_works(
+    tmp_path: Path, day: str, code: str, python: str
+) -> None:
+    setup = "from setuptools import setup\nsetup(name='a', classifiers=['Programming Language :: Python :: 2.7'])\n"
+    files = {"setup.py": setup, "a.py": code, "b.py": code, "c.py": code}
+    assert committed(tmp_path, files, day).plan.python.version == python

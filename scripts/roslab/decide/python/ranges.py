@@ -16,6 +16,7 @@ from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import Placed, because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.days import ended
 from roslab.knowledge.ended_packages import ended_packages
 from roslab.knowledge.frameworks import Framework, framework, last_below
 from roslab.values.pattern import pattern
@@ -112,10 +113,18 @@ def _declared(evidence: Evidence) -> Iterator[Range]:
         elif numbers := sorted(Version(m[1]) for line in project.classifiers if (m := _CLASSIFIER.search(line))):
             first, last = numbers[0], numbers[-1]
             lowest = Version("0") if first >= Version("3") else first
-            three = last < Version("3") and any(_THREE.search(line) for line in project.classifiers)
+            three = any(_THREE.search(line) for line in project.classifiers) or _outlived(evidence, str(last))
+            three = three and last < Version("3")
             highest = _ANY if three else Version(f"{last.major}.{last.minor + _AFTER}")
             reason = because("python", f"≥ {first}", "its classifiers name them", project, weight=Weight.CLASSIFIERS)
             yield Range(_between(lowest, highest), reason)
+
+
+def _outlived(evidence: Evidence, python: str) -> bool:
+    """Tell whether code was worked on after a Python had ended, and is not in the syntax of Python 2 alone."""
+    last = next((each for each in evidence.worked_on if each.source == "commit"), None)
+    old = any(each.topic == "python" and each.source == "code" for each in evidence.mentions)
+    return last is not None and not old and ended(python, last.value)
 
 
 def _pinned(pin: Pin) -> Iterator[Range]:
