@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from roslab.config.model import Config, Kind
-from roslab.decide.chains import Local, local_bases
+from roslab.decide.chains import Local, local_bases, wanted
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.mended_bases import nearest
 from roslab.decide.reasons import because, configured
@@ -87,7 +87,8 @@ def decide_dockerfile(
             reasons.append(_about(authored, against, Weight.DOUBTED))
     if not believed:
         return Choice(answer=None, reasons=tuple(reasons[:MOST_REASONS]))
-    best = min(believed, key=lambda authored: _rank(authored, kind, ros_distro))
+    named = _named(evidence)
+    best = min(believed, key=lambda authored: _rank(authored, kind, ros_distro, named))
     why = f"the author's Dockerfile: it copies the repository and starts from {best.base}"
     return Choice(
         answer=Dockerfile(file=best.file, context=best.context or ""),
@@ -192,14 +193,23 @@ def _gone(base: str) -> str | None:
     return ended(base)
 
 
+def _named(evidence: Evidence) -> frozenset[str]:
+    """Return the Dockerfiles that the pages at the root have built: ``docker build -f docker/gpu.Dockerfile .``."""
+    files = {authored.file for authored in evidence.dockerfiles}
+    built = (m for m in evidence.mentions if m.topic == "image_built" and m.source == "readme" and "/" not in m.file)
+    said = {wanted(mention.text.split()) for mention in built}
+    below = {file for file in files for name in said - files if file.endswith(f"/{name}")}  # the page went there before
+    return frozenset(said & files | below)
+
+
 def _rank(
-    authored: AuthorDockerfile, kind: Kind, ros_distro: str | None
-) -> tuple[bool, bool, bool, bool, int, bool, int, int, str]:
+    authored: AuthorDockerfile, kind: Kind, ros_distro: str | None, named: frozenset[str]
+) -> tuple[bool, bool, bool, bool, bool, int, bool, int, int, str]:
     """Return the sort key of usable Dockerfiles; the smallest is the best.
 
     In this order: no other distribution in the path, and no other purpose (``Dockerfile.submission``); a base that
-    anybody can pull; a base that suits the kind; few folders deep; the repository's distribution, or none, in the name;
-    the newer Ubuntu.
+    anybody can pull; one that a page has built (``named``); a base that suits the kind; few folders deep; the
+    repository's distribution, or none, in the name; the newer Ubuntu.
     """
     path, base = authored.file.lower(), (authored.base or "").lower()
     mine = bool(ros_distro and ros_distro in path)
@@ -211,4 +221,6 @@ def _rank(
     below = 0 if mine else max(0, path.count("/") - 1)  # docker/Dockerfile counts as one at the root
     release = _UBUNTU_TAG.search(base) if kind not in {"ros1", "ros2"} else None
     newest = -int(release[1]) if release else 0
-    return (other, aside, private, unlike, below, not (mine or plain), path.count("/"), newest, authored.file)
+    said = authored.file in named
+    depth = path.count("/")
+    return (other, aside, private, not said, unlike, below, not (mine or plain), depth, newest, authored.file)

@@ -51,16 +51,16 @@ def local(image: str, authored: AuthorDockerfile, evidence: Evidence) -> Local |
     said = next(built, None)
     if said is None:
         return None
-    wanted = _wanted(said.text.split())
+    file = wanted(said.text.split())
     others = [each for each in evidence.dockerfiles if each is not authored]
-    ending = [each for each in others if f"/{each.file}".endswith(f"/{wanted}")]
-    found = [each for each in others if each.file == wanted] or ending
+    ending = [each for each in others if f"/{each.file}".endswith(f"/{file}")]
+    found = [each for each in others if each.file == file] or ending
     if len(found) != 1:
-        return Local(said=said, problem=f"from {wanted}, which is not one file of the tree")
+        return Local(said=said, problem=f"from {file}, which is not one file of the tree")
     return Local(said=said, problem=_problem(found[0], said), dockerfile=found[0])
 
 
-def _wanted(words: Sequence[str]) -> str:
+def wanted(words: Sequence[str]) -> str:
     """Return the path of the Dockerfile that a ``docker build`` reads, as it is written."""
     for index, word in enumerate(words[:-1]):
         if word in {"-f", "--file"}:

@@ -33,6 +33,24 @@ def test_one_for_another_purpose_yields() -> None:
 
 
 @pytest.mark.parametrize(
+    ("page", "file"),
+    [
+        ("", "Dockerfile"),
+        ("docker build -t demo -f docker/full.dockerfile .", "docker/full.dockerfile"),
+        ("cd docker\ndocker build -t demo --file=full.dockerfile ..", "docker/full.dockerfile"),
+        ("docker build -t demo .", "Dockerfile"),
+    ],
+)
+def test_of_several_the_one_that_a_page_builds(tmp_path: Path, page: str, file: str) -> None:
+    (tmp_path / "docker").mkdir()
+    for path in ("Dockerfile", "docker/full.dockerfile"):
+        (tmp_path / path).write_text("FROM python:3.12\nCOPY . /app\nWORKDIR /app\nCMD python3 main.py\n")
+    (tmp_path / "main.py").write_text("import numpy\n\nif __name__ == '__main__':\n    print(numpy.pi)\n")
+    (tmp_path / "README.md").write_text(f"# Demo\n```\n{page}\n```\n")
+    assert decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo").dockerfile == file
+
+
+@pytest.mark.parametrize(
     ("change", "why"),
     [
         ({"purpose": "documentation"}, "documentation"),
