@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import shlex
+from collections.abc import Sequence
 
 from roslab.values.dataclass import dataclass
 
@@ -42,9 +43,14 @@ def there(candidate: Candidate) -> str:
     return f"cd {shlex.quote(folder)} && exec {shlex.join(words)}"
 
 
+def is_component(argv: Sequence[str]) -> bool:
+    """Tell whether a command starts a component of ROS 2, whose package and class are two words more."""
+    return tuple(argv[:3]) == ("ros2", "component", "standalone")
+
+
 def program_of(argv: tuple[str, ...]) -> tuple[str, ...]:
     """Return the words of a command that name the program, without its arguments; any Python counts as ``python3``."""
-    words = {"ros2": 4, "roslaunch": 3, "rosrun": 3}.get(argv[0], 1)
+    words = {"ros2": 4, "roslaunch": 3, "rosrun": 3}.get(argv[0], 1) + is_component(argv)
     if argv[0] in {"bash", "sh"}:
         return argv[:2]
     if argv[0].startswith("python"):

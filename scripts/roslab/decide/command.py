@@ -7,7 +7,7 @@ import shlex
 
 from roslab.config.model import Config, Kind
 from roslab.decide.author_command import entry_point, startable, started
-from roslab.decide.candidate import Candidate, program_of, there
+from roslab.decide.candidate import Candidate, is_component, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.first_command import first_of, serves, upkeep
@@ -160,7 +160,8 @@ def _found(candidate: Candidate) -> Reason:
 
 def _own(argv: tuple[str, ...], evidence: Evidence) -> bool:
     """Tell whether a command starts something that the repository contains, not just a viewer."""
-    package = argv[2:3] if argv[0] == "ros2" else argv[1:2] if argv[0] in {"roslaunch", "rosrun"} else ()
+    at = {"roslaunch": 1, "rosrun": 1, "ros2": 2 + is_component(argv)}.get(argv[0], len(argv))
+    package = argv[at : at + 1]
     names = {manifest.name for manifest in evidence.manifests}
     return (
         not package or not names or package[0] in names or any(launch.file == package[0] for launch in evidence.launch)

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from roslab.config.model import Kind
 from roslab.decide.blank_launches import LAUNCH, with_a_launch_file
-from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.candidate import Candidate, is_component, program_of
 from roslab.decide.launch_calls import launch_calls
 from roslab.decide.outputs import written_below
 from roslab.decide.programs import compiled as programs_of
@@ -178,7 +178,8 @@ def _named(words: list[str]) -> bool:
     """Tell whether the first words of a command name its program."""
     if words and words[0].startswith("python"):
         return any(word.endswith(".py") for word in words) or "-m" in words[:-1]
-    return len(words) >= {"roslaunch": 3, "rosrun": 3, "ros2": 4, "bash": 2, "sh": 2}.get((words or [""])[0], 1)
+    fewest = {"roslaunch": 3, "rosrun": 3, "ros2": 4, "bash": 2, "sh": 2}.get((words or [""])[0], 1)
+    return len(words) >= fewest + is_component(words)
 
 
 def _runnable(
@@ -188,7 +189,7 @@ def _runnable(
     argv = with_a_launch_file(_task(words, tree), tree.launched)
     if not argv or any(map(_PLACEHOLDER.search, program_of(argv))) or any(p.rpartition("/")[2] in TOOLS for p in argv):
         return None
-    if len(argv) < _WORDS.get(argv[0], 1):
+    if len(argv) < _WORDS.get(argv[0], 1) + is_component(argv):
         return None  # a sentence about the command
     if argv[0] in _WORDS:
         return _of_ros(argv, tree) if ros else None

@@ -112,6 +112,30 @@ def test_an_unknown_key_that_a_submodule_or_a_slip_explains(tmp_path: Path) -> N
     assert any("is tf_conversions meant?" in w.message for w in found.warnings)
 
 
+@pytest.mark.parametrize(
+    ("line", "started"),
+    [
+        ("ros2 component standalone demo demo::Talker", True),
+        ("Run `ros2 component standalone demo demo::Talker -p rate:=2` to start.", True),
+        ("ros2 component standalone demo", False),  # of which class
+        ("ros2 component standalone image_tools image_tools::ShowImage", False),  # another package's
+        ("ros2 component load /Container demo demo::Talker", False),  # into what runs already
+    ],
+)
+def test_a_component_that_a_page_starts(tmp_path: Path, line: str, started: bool) -> None:
+    page = line if "`" in line else f"```\n{line}\n```"
+    files = {**ament(), "README.md": f"# Demo\n## Usage\n{page}\n"}
+    command = (
+        "ros2",
+        "component",
+        "standalone",
+        "demo",
+        "demo::Talker",
+        *(("-p", "rate:=2") if "rate" in line else ()),
+    )
+    assert decided(tmp_path, files).command == (command if started else ("bash",))
+
+
 def test_a_viewer_beside_the_packages_is_no_default(tmp_path: Path) -> None:
     pages = {"README.md": "```\nros2 run rviz2 rviz2\n```\n"}
     assert decided(tmp_path, {**ament(), **pages}).command == ("bash",)

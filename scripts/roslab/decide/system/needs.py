@@ -20,7 +20,9 @@ from roslab.values.pattern import pattern
 _TOOLKIT = "nvidia-cuda-toolkit"
 _OF_CODE = frozenset({"called", "fetch", "linked", "typelib"})
 """Roles of packages that the code itself shows."""
-_STARTED = pattern(r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch))\s+(?:--?\S+\s+)*([a-z][a-z0-9_]+)\s")
+_STARTED = pattern(
+    r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch|component\s+standalone))\s+(?:--?\S+\s+)*([a-z][a-z0-9_]+)\s"
+)
 
 
 def needs(

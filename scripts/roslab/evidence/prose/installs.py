@@ -13,7 +13,7 @@ from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at
 from roslab.evidence.prose.configured import options_of, source_of
-from roslab.evidence.prose.runners import started
+from roslab.evidence.prose.runners import by_ros, started
 from roslab.evidence.prose.telling import telling
 from roslab.evidence.prose.workspaces import below_sources, beside, end_of, folder_after, longer, of_packages
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks, setup_asks
@@ -281,7 +281,7 @@ class Collector:
             self._mention("build_tool", "catkin_tools", command)
         elif program in {"cmake", "make", "ninja", "wget", "curl"}:
             self._by_hand(program, command)
-        elif program in {"roslaunch", "rosrun"} or (program == "ros2" and words[1:2] in {("launch",), ("run",)}):
+        elif by_ros(program, words):
             self._run(command)
         elif (python := _PYTHON.match(program)) and len(words) > 1:
             if python[1] and "." in python[1]:

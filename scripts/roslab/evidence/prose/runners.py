@@ -7,6 +7,8 @@ from roslab.values.pattern import pattern
 
 _PYTHON = pattern(r"^i?python\d?(?:\.\d+)?$")
 _MANAGERS = frozenset({"uv", "poetry", "pipenv", "pdm", "rye", "hatch", "conda", "mamba", "micromamba"})
+_VERBS = frozenset({("launch",), ("run",), ("standalone",)})
+"""Verbs of ``ros2`` that start something; the last is one of ``ros2 component``."""
 _RUNNERS = _MANAGERS | {"pixi"}
 """Managers of environments: the image is the environment. What pixi runs may be the name of a task."""
 _OF_TORCH = frozenset({"torch.distributed.launch", "torch.distributed.run", "accelerate.commands.launch"})
@@ -47,6 +49,12 @@ def started(command: Command) -> Command:
         return command._replace(words=(*words[:2], *rest), lines=(*lines[:2], *lines[start:]))
     known = _PYTHON.match(rest[0]) or program in _MANAGERS
     return command._replace(words=rest, lines=lines[start:]) if known else command
+
+
+def by_ros(program: str, words: tuple[str, ...]) -> bool:
+    """Tell whether a tool of ROS starts something: a launch file, a program, or a component in a process of its own."""
+    verbs = words[1:3] if words[1:2] == ("component",) else words[1:2]
+    return program in {"roslaunch", "rosrun"} or (program == "ros2" and verbs[-1:] in _VERBS)
 
 
 def _begins(word: str) -> bool:

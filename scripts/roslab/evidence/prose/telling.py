@@ -17,7 +17,7 @@ SIGNS: Signs = tuple(
         ("switch", r"\bgit\s+switch\s"),
         ("roslaunch", r"\broslaunch\b"),
         ("rosrun", r"\brosrun\b"),
-        ("ros2", r"\bros2\s+(?:launch|run)\b"),
+        ("ros2", r"\bros2\s+(?:launch|run|component\s+standalone)\b"),
         ("catkin", r"\bcatkin(?:_make|\s+build|\s+init)"),
         ("run", r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s"),
         ("pixi", r"\bpixi\s+shell\b"),
