@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from roslab.evidence.facts import CondaEnvironment
+from roslab.evidence.python.pixi_lock import pinned, releases
 from roslab.evidence.python.poetry import lines as of_poetry
 from roslab.repository.checkout import File, Repository
 from roslab.values import toml
@@ -40,7 +41,8 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
     data = data if file.name == "pixi.toml" else _table(_table(data, "tool"), "pixi")
     about = _table(data, "workspace") or _table(data, "project")
     tables = [data, *(_table(_table(data, "target"), name) for name in _HERE)]
-    specs = tuple(spec for table in tables for spec in _specs(_table(table, "dependencies")))
+    locked = releases(repository, file.folder)
+    specs = tuple(spec for table in tables for spec in _specs(_table(table, "dependencies"), locked))
     if not about or not specs:
         return None
     lines = text.split("\n")
@@ -59,14 +61,12 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
     )
 
 
-def _specs(dependencies: dict[str, Any]) -> Iterator[str]:
-    """Yield conda's way of writing what pixi asks for."""
+def _specs(dependencies: dict[str, Any], locked: dict[str, str]) -> Iterator[str]:
+    """Yield conda's way of writing what pixi asks for, at the versions of its lock."""
     for name, said in dependencies.items():
         version = said.get("version", "*") if isinstance(said, dict) else said
         if isinstance(version, str) and not (isinstance(said, dict) and "path" in said):
-            version = version.strip().replace(" ", "")
-            sign = "=" if version[:1].isdigit() else ""
-            yield name if version in {"*", ""} else f"{name}{sign}{version}"
+            yield pinned(name, version.strip().replace(" ", ""), locked)
 
 
 def _pip(dependencies: dict[str, Any], file: str, lines: list[str]) -> Iterator[Requirement]:
