@@ -497,3 +497,38 @@ def test_a_library_that_a_page_clones_and_does_not_install_is_built_at_its_ref(
     made = "project(demo)\nfind_package(grasplib REQUIRED)\nadd_executable(demo demo.cpp)\n"
     decision = tree({"CMakeLists.txt": made, "demo.cpp": "int main() {}\n", "README.md": page})
     assert [(source.name, source.ref) for source in decision.source] == [("grasplib", ref)]
+
+
+BY_SCRIPT = """\
+git clone https://github.com/lab/acmelib.git
+cd acmelib
+git checkout 0123456789abcdef0123456789abcdef01234567
+mkdir build
+cd build
+cmake -G Ninja -DPIC=ON -DCMAKE_INSTALL_PREFIX=/usr/local/stow/acmelib ..
+ninja
+sudo ninja install
+"""
+SUBMODULE = '[submodule "mapping"]\n\tpath = mapping\n\turl = https://github.com/lab/mapping.git\n'
+
+
+@pytest.mark.parametrize(
+    ("more", "built"),
+    [
+        ({".gitmodules": SUBMODULE}, [("acmelib", "-DPIC=ON")]),
+        ({".gitmodules": SUBMODULE, "mapping/CMakeLists.txt": "project(mapping)\n"}, []),  # read: it asks for nothing
+        ({}, []),
+    ],
+)
+def test_what_a_submodule_that_is_not_there_may_ask_for_is_built_as_the_script_builds_it(
+    tree: Tree, more: dict[str, str], built: list[tuple[str, str]]
+) -> None:
+    decision = tree(ros1("", "") | {"install_acmelib.sh": BY_SCRIPT} | more)
+    found = [(each.name, each.cmake_options) for each in decision.source if each.build == "cmake"]
+    assert found == built
+
+
+def test_what_apt_has_is_not_built_for_a_submodule_that_is_not_there(tree: Tree) -> None:
+    script = BY_SCRIPT.replace("lab/acmelib", "google/glog").replace("acmelib", "glog")
+    decision = tree(ros1("", "") | {"install_glog.sh": script, ".gitmodules": SUBMODULE})
+    assert [each.name for each in decision.source if each.build == "cmake"] == []

@@ -72,8 +72,9 @@ def by_hand(
 ) -> tuple[tuple[Source, Dependency], ...]:
     """Return the libraries that no table knows, that CMake asks for by name, and that a page or a list names.
 
-    ``taken``: names that come from elsewhere. What a page installs above one of them is built before it. Each is built
-    as it was at the time of the repository's last commit.
+    ``taken``: names that come from elsewhere. What a page installs above one of them is built before it, and what is
+    installed at a ref where submodules that may ask for it are not checked out. Each is built as it was at the time of
+    the repository's last commit.
     """
     if config.compatible or kind == "python":
         return ()
@@ -87,10 +88,12 @@ def by_hand(
         if plain(asked.name) not in taken:
             found.setdefault(free[name], asked)
     last = {git.file: git.line for git in sorted(found, key=lambda git: git.line) if git.installed}
+    unread = any(git.absent for git in evidence.sources)
     for git in free.values():
         asked = Dependency(namespace="cmake", name=git.name, strength="declared", file=git.file, line=git.line)
-        above = git.installed and git.line < last.get(git.file, 0)  # what is below it may need it
-        if above and _unknown(asked, target, pinned=False):
+        above = git.line < last.get(git.file, 0)  # what is below it may need it
+        may_be = git.installed and (above or (unread and git.kind == "clone" and bool(fixed(git.ref))))
+        if may_be and _unknown(asked, target, pinned=False):
             found.setdefault(git, asked)
     files = [git.file for git in found]
     in_order = sorted(found, key=lambda git: (files.index(git.file), git.line))

@@ -10,7 +10,8 @@ from roslab.evidence.facts import Mention
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
-_OPTION = pattern(r"-D[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
+_OPTION = pattern(r"-D(?!CMAKE_INSTALL_PREFIX=/usr/local/stow/)[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
+"""Not the folder from which stow links all to /usr/local. https://www.gnu.org/software/stow/manual/stow.html"""
 _SEPARATE = pattern(r" -D +(?=[A-Za-z_])")
 _BUILD_FOLDER = pattern(r"(?:^|/)build[\w-]*(?:/.*)?$")
 
