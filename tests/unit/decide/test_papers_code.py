@@ -244,7 +244,7 @@ def test_a_project_that_asks_for_what_is_on_no_index(tmp_path: Path) -> None:
         "requirements.txt": "sklearn\ntensorflow-gpu==2.5.0\ndataclasses; python_version < '3.7'\n",
     }
     decision = decided(tmp_path, files)
-    assert decision.python.projects == ("gym", "rl")
+    assert decision.python.projects == ("rl", "gym"), "what another one needs comes first"
     assert decision.python.alone == ("gym",)
     assert set(lines(decision.python.pip)) == {
         "scikit-learn", "tensorflow-gpu==2.5.0", 'dataclasses; python_version < "3.7"', "scipy",

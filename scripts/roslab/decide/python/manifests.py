@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from roslab.config.model import Config, Kind
 from roslab.decide.python.machine_lists import of_machines
@@ -136,7 +136,29 @@ def projects(
         ]
         depth = min((folder.count("/") for folder in own), default=0)
         chosen = {folder: usable[folder] for folder in own if folder.count("/") == depth and depth <= 1}
-    return tuple(chosen[folder] for folder in list(chosen)[:MAX_PROJECTS])
+    return tuple(_with_needed(list(chosen.values()), usable, manifests)[:MAX_PROJECTS])
+
+
+def _with_needed(
+    chosen: Sequence[PythonProject], usable: Mapping[str, PythonProject], manifests: set[str]
+) -> list[PythonProject]:
+    """Return the projects after those of the tree that they need by name, which pip would look for on its index."""
+    named = {canonicalize_name(p.name): p for p in usable.values() if p.name and p.folder not in manifests}
+    found: dict[str, PythonProject] = {}
+    seen: set[str] = set()
+
+    def add(project: PythonProject) -> None:
+        if project.folder in seen:
+            return
+        seen.add(project.folder)
+        for asked in project.requirements:
+            if asked.role == "" and not asked.url and asked.key in named:
+                add(named[asked.key])
+        found[project.folder] = project
+
+    for project in chosen:
+        add(project)
+    return list(found.values())
 
 
 def _inside(folder: str, packages: set[str]) -> bool:

@@ -1,0 +1,38 @@
+"""Of several Python projects in one tree, those that the installed ones need by name are installed too, before them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+BUILD = "[build-system]\nrequires = ['setuptools']\n"
+APP = "[project]\nname = 'app'\nversion = '1'\ndependencies = [{needs}]\n" + BUILD
+CORE = "[project]\nname = 'Robot_Core'\nversion = '1'\ndependencies = ['numpy']\n" + BUILD
+PAGE = "```\npip install -e app\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("folder", "needs", "page", "projects"),
+    [
+        ("app", "'robot-core'", "", ("libs/core", "app")),
+        ("app", "'robot-core>=1'", PAGE, ("libs/core", "app")),
+        ("", "'robot-core'", "", ("libs/core", ".")),
+        ("app", "'scipy'", PAGE, ("app",)),
+        ("app", "'robot-core @ git+https://example.org/core.git'", PAGE, ("app",)),
+        ("app", "'robot-core'", "```\npip install -e app\npip install -e libs/core\n```\n", ("libs/core", "app")),
+    ],
+)
+def test_projects_that_others_need(tree: Tree, folder: str, needs: str, page: str, projects: tuple[str, ...]) -> None:
+    app = f"{folder}/pyproject.toml".lstrip("/")
+    files = {app: APP.format(needs=needs), "libs/core/pyproject.toml": CORE, "run.py": "import numpy\n"}
+    assert tree({**files, "README.md": page}).python.projects == projects
+
+
+def test_projects_that_need_each_other(tree: Tree) -> None:
+    core = CORE.replace("'numpy'", "'app'")
+    files = {"app/pyproject.toml": APP.format(needs="'robot-core'"), "libs/core/pyproject.toml": core}
+    assert set(tree({**files, "run.py": "import numpy\n"}).python.projects) == {"app", "libs/core"}
