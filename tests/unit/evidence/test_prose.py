@@ -227,6 +227,20 @@ def test_travis_lists(tmp_path: Path) -> None:
     assert {(m.topic, m.value) for m in prose.mentions} == {("ubuntu", "xenial"), ("build_tool", "catkin_make")}
 
 
+@pytest.mark.parametrize(
+    ("path", "dockerfile"),
+    [
+        ("tools/get_things.sh", "FROM ros:noetic\nCOPY tools /tmp/tools\nRUN bash /tmp/tools/get_things.sh --all\n"),
+        ("start.sh", 'FROM ros:noetic\nCOPY start.sh /\nENTRYPOINT ["/start.sh"]\n'),
+        ("start.sh", "FROM ros:noetic\nCOPY start.sh /\nCMD /start.sh\n"),
+    ],
+)
+def test_a_script_of_any_name_that_an_image_runs_is_read(tmp_path: Path, path: str, dockerfile: str) -> None:
+    files = {path: "#!/bin/bash\napt-get install -y libzmq3-dev\n", "tools/other.sh": "apt-get install -y libodd-dev\n"}
+    assert named(read(scripts, tmp_path, files)) == []
+    assert named(read(scripts, tmp_path, {**files, "docker/Dockerfile": dockerfile})) == [("libzmq3-dev", 2)]
+
+
 def test_install_scripts_and_lists(tmp_path: Path) -> None:
     files = {
         "scripts/install_deps.sh": 'SUDO=""\nDEPS="liba ros-$ROS_DISTRO-b"\n$SUDO apt-get install -y $DEPS sudo libc\n',

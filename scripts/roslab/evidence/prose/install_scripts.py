@@ -9,8 +9,9 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.branches import branches
+from roslab.evidence.lex.dockerfile import instructions
 from roslab.evidence.lex.shell import fill_placeholders
-from roslab.evidence.prose import only_on
+from roslab.evidence.prose import author_dockerfile, only_on
 from roslab.evidence.prose.cloners import spelled_out
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import merge
@@ -30,6 +31,8 @@ _LIST = pattern(
     r"^(?:apt|debian|ubuntu|system|os)?[-_]?(?:additional[-_]?)?(?:apt|debs?|packages|"
     r"dependencies)(?:[-_]?(?:packages|requirements|dependencies|list|deps))?\.txt$"
 )
+_SCRIPT = pattern(r"([\w+.-]+\.(?:sh|bash))\b")
+_RUNNING = frozenset({"RUN", "ENTRYPOINT", "CMD"})
 _KEPT = frozenset({"build_tool", "compiled", "step", "image_built", "image_pulled"})
 """What is believed of a script that nobody may run."""
 _ASSIGNED = pattern(
@@ -45,11 +48,12 @@ _NAMES = pattern(r"[a-z0-9][a-z0-9+.-]+")
 def read(repository: Repository) -> Prose:
     """Return the install lines of shell scripts and of plain lists of system packages, and what scripts compile."""
     parts: list[Prose] = []
+    by_images = _run_by_images(repository)
     shells = [
         file
         for file in repository.suffixed(".sh", ".bash", "")
         if (file.name.endswith(("sh",)) or "install" in file.name.lower())
-        and _NAME.search(file.path.lower())
+        and (file.name in by_images or _NAME.search(file.path.lower()))
         and not _ROBOT.search(file.path.lower())
         and not places.vendored(file.path)
         and file.size < MAX_SIZE
@@ -76,6 +80,13 @@ def read(repository: Repository) -> Prose:
     )
     parts += (_listed(repository.read(file), file.path) for file in lists)
     return merge(parts)
+
+
+def _run_by_images(repository: Repository) -> frozenset[str]:
+    """Return the names of the shell scripts that a Dockerfile runs, or starts its containers with."""
+    authored = (file for file in author_dockerfile.files(repository) if not places.vendored(file.path))
+    found = (each for file in authored for each in instructions(repository.read(file, limit=MAX_SIZE)))
+    return frozenset(name for each in found if each.name in _RUNNING for name in _SCRIPT.findall(each.text))
 
 
 def _distros(asked: tuple[Dependency, ...]) -> Iterator[Mention]:
