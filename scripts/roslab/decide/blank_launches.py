@@ -1,10 +1,14 @@
-"""Launch files whose name has a blank on a page, ``mapping_XXX.launch``: any of those that fit is meant."""
+"""Launch files whose name has a blank on a page, ``mapping_XXX.launch``: any of those that fit is meant.
+
+Where the whole name is a blank, ``[launch-file]``, it is the first that the section names above: in a table, for one.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
+from roslab.evidence.facts import Evidence, Mention
 from roslab.values.pattern import pattern
 
 _BLANK = pattern(r"[xX]{2,}|(?<![A-Za-z])[A-Z]{3,}(?:_[A-Z]+)*(?![A-Za-z])")
@@ -12,12 +16,41 @@ LAUNCH = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
 """How the name of a launch file ends."""
 
 
+BLANK = "<>"
+"""What stands for a blank of a page in brackets, which the reader fills in."""
+_BLANKS = frozenset({BLANK, "…"})
+
+
+def pointed_launches(evidence: Evidence) -> tuple[tuple[Mention, str, str], ...]:
+    """Return the launch files that pages name in their sentences, each with its package and its name."""
+    packages = {launch.file: launch.package for launch in evidence.launch if launch.package}
+    said = [mention for mention in evidence.mentions if mention.topic == "pointed" and mention.value in packages]
+    return tuple((mention, packages[mention.value] or "", mention.value.rpartition("/")[2]) for mention in said)
+
+
+def with_the_one_named(
+    argv: tuple[str, ...], said: Mention, pointed: Iterable[tuple[Mention, str, str]]
+) -> tuple[str, ...]:
+    """Return a command whose launch file is a blank with the first of its package that its section names above it.
+
+    ``pointed`` are launch files that pages name, as ``pointed_launches`` returns them.
+    """
+    at = _place(argv)
+    if not at or len(argv) <= at or argv[at] not in _BLANKS:
+        return argv
+    for mention, package, name in sorted(pointed, key=lambda each: each[0].line):
+        here = mention.file == said.file and mention.line < said.line and mention.heading == said.heading
+        if here and package == argv[at - 1]:
+            return (*argv[:at], name, *argv[at + 1 :])
+    return argv
+
+
 def with_a_launch_file(argv: tuple[str, ...], launched: Mapping[str, frozenset[str]]) -> tuple[str, ...]:
     """Return a command with the first launch file, by its name, that fits the blank in it; others as they are.
 
     ``launched`` are the launch files of each package. What is left of the name without the blank has to tell something.
     """
-    at = 2 if argv[:1] == ("roslaunch",) else 3 if argv[:2] == ("ros2", "launch") else 0
+    at = _place(argv)
     if not at or len(argv) <= at or argv[at] in (names := launched.get(argv[at - 1], frozenset())):
         return argv
     said = LAUNCH.sub("", argv[at])
@@ -27,3 +60,8 @@ def with_a_launch_file(argv: tuple[str, ...], launched: Mapping[str, frozenset[s
     meant = re.compile(r"\w+".join(map(re.escape, parts)) + re.escape(argv[at][len(said) :]))
     fitting = sorted(name for name in names if meant.fullmatch(name))
     return (*argv[:at], fitting[0], *argv[at + 1 :]) if fitting else argv
+
+
+def _place(argv: tuple[str, ...]) -> int:
+    """Return which word of a command is the launch file of a package, 0 for none."""
+    return 2 if argv[:1] == ("roslaunch",) else 3 if argv[:2] == ("ros2", "launch") else 0

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from roslab.config.model import Kind
-from roslab.decide.blank_launches import LAUNCH, with_a_launch_file
+from roslab.decide.blank_launches import BLANK, LAUNCH, pointed_launches, with_a_launch_file, with_the_one_named
 from roslab.decide.candidate import Candidate, is_component, program_of
 from roslab.decide.launch_calls import launch_calls
 from roslab.decide.outputs import written_below
@@ -81,9 +81,11 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
     said = [m for m in said if not (places.vendored(m.file) or about_trouble(m.heading))]
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
+    pointed = pointed_launches(evidence)
     nearest = min((mention.file.count("/") for mention in said), default=0)
     for mention in said:
         whole, cut, blanks = _filled(mention.value, mention.files)
+        whole = with_the_one_named(whole, mention, pointed)
         argv = _runnable(whole, mention, tree, ros=ros, compiled=compiled)
         if argv is not None and not fetching & {*argv[:2]}:
             strong = not compiled or not any(places.example(part) for part in argv[:2])
@@ -171,7 +173,7 @@ def _blank(match: re.Match[str]) -> str:
     """Return a blank without its words, nothing for an argument that may be left out: ``[rviz:=true]``."""
     if _NUMBERS.fullmatch(match[0]) or _PATHS.match(match.string, match.start()):
         return match[0]
-    return "" if _OPTIONAL.match(match[0]) else "<>"
+    return "" if _OPTIONAL.match(match[0]) else BLANK
 
 
 def _named(words: list[str]) -> bool:

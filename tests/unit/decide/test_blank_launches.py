@@ -34,3 +34,26 @@ def test_the_first_that_fits_is_started(tree: Tree, said: str, file: str) -> Non
     command = tree({**FILES, "README.md": page}).command
     assert command[:3] == ("roslaunch", "demo", file)
     assert ("rviz:=false" in command) == ("rviz" in said)
+
+
+@pytest.mark.parametrize(
+    ("blank", "above", "file"),
+    [
+        ("[launch-file]", "# Use\n| Desk | [a](launch/mapping_velodyne.launch) |", "mapping_velodyne.launch"),
+        (
+            "<launch file>",
+            "# Use\nOf launch/mapping_ouster.launch and mapping_velodyne.launch.",
+            "mapping_ouster.launch",
+        ),
+        ("[launch-file]", "# Build\nSee launch/mapping_velodyne.launch.\n# Use", "show.launch"),
+        ("[launch-file]", "# Use\nNothing is named here.", "show.launch"),
+    ],
+)
+def test_a_launch_file_that_is_a_blank_is_the_first_that_its_section_names(
+    tree: Tree, blank: str, above: str, file: str
+) -> None:
+    run = f"```\nroslaunch demo {blank} auto:=true\n```\n"
+    page = f"Of ROS Noetic\n\n{above}\n\n{run}\nLive:\n```\nroslaunch demo show.launch\n```\n"
+    command = tree({**FILES, "README.md": page}).command
+    assert command[:3] == ("roslaunch", "demo", file)
+    assert ("auto:=true" in command) == (file != "show.launch")
