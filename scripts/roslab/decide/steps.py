@@ -24,11 +24,19 @@ MOST = 8
 
 
 def decide_steps(
-    evidence: Evidence, config: Config, kind: Kind, *, taken: Iterable[str], addresses: Iterable[str], itself: set[str]
+    evidence: Evidence,
+    config: Config,
+    kind: Kind,
+    *,
+    taken: Iterable[str],
+    addresses: Iterable[str],
+    itself: set[str],
+    added: Iterable[str] = (),
 ) -> Choice[None]:
     """Return warnings about what pages and scripts install by other means than apt, pip, conda and known sources.
 
-    ``taken`` are names and ``addresses`` are addresses of what the image has, ``itself`` are the repository's names.
+    ``taken`` are names and ``addresses`` are addresses of what the image has, ``itself`` are the repository's names,
+    and ``added`` the package sources that the image gets.
     """
     if config.compatible or config.custom:
         return Choice(answer=None)
@@ -36,17 +44,17 @@ def decide_steps(
     there = {address(each) for each in addresses}
     lists = _lists(evidence) if config.vcs is None else ()
     cloned = _cloned(evidence, kind, names, there, itself)
-    return Choice(answer=None, warnings=(*_fetched(evidence, names), *lists, *cloned))
+    return Choice(answer=None, warnings=(*_fetched(evidence, names, {*added}), *lists, *cloned))
 
 
-def _fetched(evidence: Evidence, names: set[str]) -> Iterator[Warning_]:
+def _fetched(evidence: Evidence, names: set[str], added: set[str]) -> Iterator[Warning_]:
     told: dict[str, Warning_] = {}
     for mention in evidence.mentions:
         if (
             mention.topic == "step"
             and mention.source in {"readme", "script"}
             and not places.vendored(mention.file)
-            and not _answered(mention.value, names)
+            and not (_answered(mention.value, names) or added & {*mention.value.split()})
         ):
             message = f"not part of the image: `{mention.value}`; put what it brings under `apt`, `source` or `custom`"
             told.setdefault(mention.value.partition(" | ")[0], warn(f"{message} in roslab.yaml", mention))

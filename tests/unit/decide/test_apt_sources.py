@@ -74,6 +74,28 @@ def test_a_source_is_added_with_its_key(tree: Tree, commands: tuple[str, ...], a
     assert [r.line for r in decision.reasons if "installs libacme-dev from it" in r.reason]
 
 
+@pytest.mark.parametrize(
+    ("file", "after", "added"),
+    [
+        ("README.md", INSTALL, ("ppa:acme/stable",)),
+        ("install.sh", INSTALL, ("ppa:acme/stable",)),
+        ("README.md", "sudo apt-get install nvidia-driver-470 ros-noetic-tf\n", ()),
+        ("README.md", "", ()),
+        (".github/workflows/ci.yml", INSTALL, ()),
+    ],
+)
+def test_a_ppa_is_added_where_what_adds_it_installs_from_it(
+    tree: Tree, file: str, after: str, added: tuple[str, ...]
+) -> None:
+    text = f"sudo add-apt-repository -y ppa:acme/stable\n{after}"
+    said = f"## Install\n```\n{text}```\n" if file.endswith(".md") else text
+    said = f"run: |\n  {text.replace(chr(10), chr(10) + '  ')}" if file.endswith(".yml") else said
+    decision = tree(CODE | {file: said})
+    assert decision.repositories == added
+    told = [w for w in decision.warnings if "ppa:" in w.message]
+    assert bool(told) == (not added and not file.endswith(".yml"))
+
+
 def test_a_known_key_takes_the_place_of_one_without_https(tree: Tree) -> None:
     source = "deb http://packages.osrfoundation.org/gazebo/ubuntu-stable jammy main"
     add = f"sh -c 'echo \"{source}\" > /etc/apt/sources.list.d/g.list'\n"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from urllib.parse import urlsplit
 
 from roslab.config.model import Config
@@ -19,12 +19,13 @@ WEIGHT = 40
 NEAR = 60
 """Most lines between a source and what is installed from it."""
 _OF_ROS = "ros-"
+PPA = "ppa:"
 
 
 def decide_apt_sources(
     evidence: Evidence, config: Config, installed: Collection[str], ubuntu: str | None
 ) -> Choice[tuple[str, ...]]:
-    """Return the sources to add, as lines of apt in which ``signed-by`` is the address of the key.
+    """Return the sources to add: ``ppa:OWNER/NAME``, or lines of apt in which ``signed-by`` is the address of the key.
 
     ``installed``: the packages of the image. One whose key cannot be trusted, or that is for another release of Ubuntu,
     is told.
@@ -33,7 +34,7 @@ def decide_apt_sources(
         return Choice(answer=())
     added: dict[str, Reason] = {}
     told: list[Warning_] = []
-    for source in evidence.apt_sources:
+    for source in (*evidence.apt_sources, *_ppas(evidence)):
         asked = _asked(source, evidence, installed)
         host = urlsplit(source.url).hostname or ""
         if not asked or places.vendored(source.file) or host in known_sources():
@@ -50,10 +51,21 @@ def decide_apt_sources(
             )
             told.append(warn(message, source))
             continue
-        line = " ".join((f"deb [signed-by={key}]", source.url, suite, *source.components))
+        ppa = source.url.startswith(PPA)  # its key comes from Launchpad
+        line = source.url if ppa else " ".join((f"deb [signed-by={key}]", source.url, suite, *source.components))
         why = f"{_who(source)} installs {asked} from it"
         added.setdefault(line, because("dependencies", source.url, why, source, weight=WEIGHT))
     return Choice(answer=tuple(added), reasons=tuple(added.values()), warnings=tuple(told))
+
+
+def _ppas(evidence: Evidence) -> Iterator[AptSource]:
+    """Yield the PPAs that pages and scripts add."""
+    for mention in evidence.mentions:
+        said = mention.value.split() if mention.topic == "step" and mention.source in {"readme", "script"} else []
+        for name in [word for word in said if word.startswith(PPA)]:
+            yield AptSource(
+                url=name, suite="", components=(), key=None, refused=None, file=mention.file, line=mention.line
+            )
 
 
 def _who(source: AptSource) -> str:
