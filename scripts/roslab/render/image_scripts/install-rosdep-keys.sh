@@ -43,13 +43,18 @@ unknown_keys() {
     sed --quiet --regexp-extended 's/.*definition (for|of) \[([^]]+)\].*/\2/p' | sort --unique
 }
 
-apt-get update
+# What apt and rosdep download, at the same time
+lists=/tmp/apt-update
+apt-get update >"${lists}" 2>&1 &
+updating=$!
 if [ -n "${tag}" ]; then
   use_tables
 else
   if ! ls "${sources}"/*.list >/dev/null 2>&1; then rosdep init; fi
   update
 fi
+if ! wait "${updating}"; then cat "${lists}" >&2 && exit 1; fi
+cat "${lists}" && rm "${lists}"
 # Nothing is installed where rosdep does not know a key, and that is the time to ask which: it tells of one a package at
 # a time, so until there is none that was not told before
 said=/tmp/rosdep-install
