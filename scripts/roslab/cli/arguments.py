@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import os
+import sys
 from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
@@ -32,6 +34,27 @@ MOST_ROUNDS = 20
 Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 
+class _Help(argparse.RawDescriptionHelpFormatter):
+    """Help as wide as the terminal.
+
+    The parser makes one for each argument that it is given, and without a width ``shutil`` would be imported for it.
+    """
+
+    def __init__(self, prog: str, width: int | None = None) -> None:
+        super().__init__(prog, width=width or _columns() - 2)
+
+
+def _columns() -> int:
+    """Return the columns of the terminal as ``shutil.get_terminal_size`` does."""
+    said = os.environ.get("COLUMNS", "")
+    if said.isdecimal() and int(said):
+        return int(said)
+    try:
+        return os.get_terminal_size(sys.__stdout__.fileno()).columns or 80
+    except (AttributeError, ValueError, OSError):  # no output, one that was closed, or no terminal
+        return 80
+
+
 def parser(command: str | None = None) -> argparse.ArgumentParser:
     """Return the whole command line, or what ``command`` alone needs of it.
 
@@ -41,7 +64,7 @@ def parser(command: str | None = None) -> argparse.ArgumentParser:
         prog="roslab",
         description="Work out, build and run a container image for a robotics repository.",
         epilog=EXIT_CODES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_Help,
     )
     top.add_argument("--version", action="version", version=f"roslab {__version__}", help="print the version and exit")
     commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
@@ -203,7 +226,7 @@ def _command(commands: Commands, name: str, summary: str) -> argparse.ArgumentPa
         help=summary,
         description=summary,
         epilog=EXIT_CODES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_Help,
     )
     command.set_defaults(handler=name)
     return command
