@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from functools import cache
 
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.ros.vcs import https
@@ -45,6 +46,7 @@ def address(url: str) -> str:
     return https(url).removesuffix(".git").rstrip("/").lower()
 
 
+@cache
 def plain(name: str) -> str:
     """Return a name in the one spelling in which two are compared."""
     return re.sub(r"[-_.]+", "_", name.rpartition("/")[2]).lower()

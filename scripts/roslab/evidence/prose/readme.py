@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator
+from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
@@ -133,7 +134,12 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
 
 def text_of(repository: Repository, file: File) -> str:
     """Return what a page says to those who read it, not what it comments out, with all its blocks of code fenced."""
-    return as_markdown(without_comments(repository.read(file)))
+    return _shown(repository.read(file))
+
+
+@cache
+def _shown(text: str) -> str:
+    return as_markdown(without_comments(text))
 
 
 def of_page(repository: Repository, file: File) -> Prose:
@@ -156,8 +162,12 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         yield from fetched_by(told, repository)
 
 
-def pages(repository: Repository) -> list[File]:
+def pages(repository: Repository) -> tuple[File, ...]:
     """Return the pages that explain how to install or to start, those nearest to the root first."""
+    return repository.once(_pages)
+
+
+def _pages(repository: Repository) -> tuple[File, ...]:
     found = []
     for file in repository.suffixed(*_TEXTS):
         name = file.name.lower()
@@ -169,7 +179,7 @@ def pages(repository: Repository) -> list[File]:
         docs = places.documentation(file.path) and _DOCS_PAGE.search(name)
         if (page and file.path.count("/") <= 3) or docs:
             found.append(file)
-    return nearest(found)[:MAX_PAGES]
+    return tuple(nearest(found)[:MAX_PAGES])
 
 
 def _read(text: str, file: File) -> Prose:
