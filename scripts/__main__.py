@@ -1,8 +1,6 @@
 """Run roslab from a checkout: ``python -I scripts …``, as the action does."""
 
-import sys
-
-from roslab.cli.main import main
+from roslab.cli.main import run
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run()

@@ -1,8 +1,6 @@
 """``python -m roslab``."""
 
-import sys
-
-from roslab.cli.main import main
+from roslab.cli.main import run
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run()

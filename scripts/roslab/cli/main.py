@@ -10,6 +10,7 @@ import signal
 import sys
 from collections.abc import Callable, Sequence
 from importlib import import_module
+from typing import NoReturn
 
 from roslab.cli.arguments import completed, parser
 from roslab.errors import RoslabError
@@ -25,10 +26,21 @@ MODULES = {
 """Modules of the commands that are not in ``commands``."""
 
 
+def run() -> NoReturn:
+    """Run the command line and end the process, without giving back what it made: that takes long for many values."""
+    code = main()
+    try:
+        sys.stdout.flush()
+        sys.stderr.flush()
+    except (AttributeError, OSError, ValueError):  # closed, or full: Python says so when it ends itself
+        sys.exit(code)
+    atexit._run_exitfuncs()
+    os._exit(code)
+
+
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line and return the exit code; no traceback reaches a user."""
-    gc.set_threshold(1_000_000)  # nearly all that a command makes stays until it ends: to look for what does not
-    atexit.register(gc.freeze)  # is lost, as it would be while the interpreter ends
+    gc.set_threshold(1_000_000)  # nearly all that a command makes stays until it ends: to look for the rest is lost
     arguments = list(sys.argv[1:] if argv is None else argv)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that `finally` runs and nothing half-built remains
     debug = os.environ.get("ROSLAB_DEBUG") == "1"
