@@ -46,7 +46,8 @@ def decide_variables(
         because("workspace", f"{name}={value}", f"a page sets it, and {_reader(name)} reads it", place, weight=SET)
         for name, (value, place) in found.items()
     ]
-    for name, value in (each.split("=", 1) for each in (command.variables if command else ())):
+    before = _before(command, evidence) if command else ()
+    for name, value in (each.split("=", 1) for each in before):
         if command and name not in pairs and not of_one_machine(name) and _VALUE.fullmatch(value):
             pairs[name] = given.get(name, value)
             why = "a page starts the default command with it"
@@ -56,6 +57,18 @@ def decide_variables(
         why = f"CMake 4 may be in the image, and refuses code for {old.version}"
         reasons.append(because("workspace", f"{POLICY}={KEPT_BY_NEW}", why, old, weight=SET))
     return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons))
+
+
+def _before(command: Candidate, evidence: Evidence) -> tuple[str, ...]:
+    """Return what a page sets before it starts a command: on its line, else above it in its section."""
+    above = (
+        mention.value
+        for mention in evidence.mentions
+        if mention.topic == "exported"
+        and (mention.file, mention.heading) == (command.file, command.heading)
+        and (mention.line or 0) < command.line
+    )
+    return (*command.variables, *above)
 
 
 def _reader(name: str) -> str:

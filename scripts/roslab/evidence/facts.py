@@ -173,8 +173,8 @@ class Mention:
 
     topic: Literal[
         "distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command", "date",
-        "vcs_file", "compiled", "step", "build_script", "python_path", "variable", "image_built", "image_pulled",
-        "pointed", "included", "reference", "libtorch", "fetched", "unpacked",
+        "vcs_file", "compiled", "step", "build_script", "python_path", "variable", "exported",
+        "image_built", "image_pulled", "pointed", "included", "reference", "libtorch", "fetched", "unpacked",
     ]  # fmt: skip
     value: str
     source: Literal[

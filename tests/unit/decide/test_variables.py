@@ -93,6 +93,14 @@ PROGRAM = {"train.py": "import mujoco\nif __name__ == '__main__':\n    print(1)\
         ("$ MUJOCO_GL='egl' python train.py\nMUJOCO_GL=osmesa python train.py", (("MUJOCO_GL", "egl"),)),
         ("HYDRA_FULL_ERROR=1 OMP_NUM_THREADS=4 torchrun --nproc_per_node=1 train.py", (("HYDRA_FULL_ERROR", "1"),)),
         ("LOCAL_RANK=0 WANDB_API_KEY=abc LD_PRELOAD=a.so PYTHONPATH=. python train.py", ()),
+        ("export MUJOCO_GL=egl\npython train.py", (("MUJOCO_GL", "egl"),)),
+        ("export MUJOCO_GL=egl\nMUJOCO_GL=osmesa python train.py", (("MUJOCO_GL", "osmesa"),)),
+        ("export NETS=$PWD/nets/\n```\nand\n```\npython train.py", (("NETS", "./nets"),)),
+        ("export DEMO_ROOT=`pwd`\npython train.py", (("DEMO_ROOT", "./"),)),
+        ("export NETS=$PWD/others\nexport LANG=C\nexport CUDA_VISIBLE_DEVICES=0\npython train.py", ()),
+        ("export NETS=/home/me/nets\nexport OLD=$NETS\nexport RMW_IMPLEMENTATION=a\npython train.py", ()),
+        ("python train.py\nexport MUJOCO_GL=egl", ()),
+        ("export MUJOCO_GL=egl\n```\n# Train\n```\npython train.py", ()),
         ("DATA=/home/me/data CACHE=<path> MODE=$1 python train.py", ()),
         ("python train.py\nDEBUG=1 python train.py --more", ()),
     ],
@@ -100,7 +108,8 @@ PROGRAM = {"train.py": "import mujoco\nif __name__ == '__main__':\n    print(1)\
 def test_the_default_command_has_the_variables_before_it(
     tree: Tree, page: str, found: tuple[tuple[str, str], ...]
 ) -> None:
-    assert tree({**PROGRAM, "README.md": f"# Usage\n```\n{page}\n```\n"}).variables == found
+    files = {**PROGRAM, "nets/a.yaml": "", "README.md": f"# Usage\n```\n{page}\n```\n"}
+    assert tree(files).variables == found
 
 
 def test_another_command_on_the_page_sets_nothing(tree: Tree) -> None:

@@ -8,7 +8,9 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose import search_paths
+from roslab.evidence.prose.python_path import HERE, folder_of
 from roslab.repository.checkout import File, Repository, nearest
+from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
 
 DEEPEST = 1
@@ -18,6 +20,8 @@ MAX_READERS = 400
 _EXPORT = pattern(
     r"^[ \t>]*(?:[-*$][ \t]+|`{1,3})*export[ \t]+([A-Z][A-Z0-9_]{2,40})=([\"']?)([\w.+-]{1,60})\2[ \t`]*$", re.MULTILINE
 )
+ANY = pattern(r"^[ \t$>]*export[ \t]+([A-Z][A-Z0-9_]{2,40})=([\"']?)([^\s\"'#;&|<>]{1,100})\2[ \t]*(?:#.*)?$")
+"""A line of a block that exports one variable."""
 _OF_OTHERS = pattern(
     r"(?:ROS|RMW|AMENT|COLCON|CATKIN|LD|LC|CUDA|CMAKE|PYTHON|NVIDIA|QT|OMP|MAKE|PIP|CONDA)_\w+|\w*(?:PATH|_HOME|_KEY|TOKEN)|"
     r"CC|CXX|LANG|HOME|USER|DISPLAY|DISTRO|VERSION|MAKEFLAGS|MASTER_ADDR|\w*_(?:IP|HOST|PORT|URI)"
@@ -40,6 +44,27 @@ def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
             line = text.count("\n", 0, match.start(1)) + 1
             value = f"{match[1]}={match[3]}"
             yield Mention(topic="variable", value=value, source="readme", file=file.path, line=line, text=value)
+
+
+def of_line(repository: Repository, file: File, line: int, code: str, heading: str) -> Iterator[Mention]:
+    """Yield what a line of a block exports, for the commands that follow it in the same section.
+
+    A folder of the tree that is named from where the page is, or below the repository's own name, stands for it.
+    """
+    match = ANY.match(code)
+    if match is None or _OF_OTHERS.fullmatch(match[1]):
+        return
+    value = match[3].replace("`pwd`", "$(pwd)")
+    parts = value.split("/")
+    ours = HERE.match(parts[0]) or any(bare_name(part) == bare_name(repository.name) for part in parts[:-1])
+    if ours and ("/" in value or parts[0] != "."):
+        folder = folder_of(value, repository)
+        value = (search_paths.HERE if folder == "." else f"{search_paths.HERE}{folder}") if folder else ""
+    if value and "$" not in value:
+        said = f"{match[1]}={value}"
+        yield Mention(
+            topic="exported", value=said, source="readme", file=file.path, line=line, text=said, heading=heading
+        )
 
 
 def _is_read(name: str, repository: Repository) -> bool:

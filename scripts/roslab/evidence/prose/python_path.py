@@ -16,7 +16,7 @@ _SET = pattern(r"\bPYTHONPATH=([^\n#`]{1,300})")
 _END = pattern(r"[\"'\s]")
 _TO = pattern(r"^(?:path[_-]?to|your)[_-]", re.IGNORECASE)
 """What a page writes before the name of the folder: ``PATH_TO_DEMO``."""
-_HERE = pattern(r"^(?:\.|\./|\$\(pwd\)|\$\{?PWD\}?)$")
+HERE = pattern(r"^(?:\.|\./|\$\(pwd\)|\$\{?PWD\}?)$")
 
 
 def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
@@ -38,7 +38,7 @@ def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
 
 def folder_of(path: str, repository: Repository) -> str:
     """Return the folder of the tree that a path ends with, ``.`` for the root, ``""`` for none."""
-    if _HERE.match(path):
+    if HERE.match(path):
         return "."
     parts = [part for part in path.rstrip("/").split("/") if part not in {"", "."}]
     tails = ("/".join(parts[start:]) for start in range(len(parts)))
@@ -53,5 +53,5 @@ def _clone(parts: list[str], repository: Repository) -> bool:
     It is where a reader's own folders stand before it, not its name again, and where the folder is a package: its
     modules are imported by its name, and on the path itself they would hide Python's own.
     """
-    elsewhere = len(parts) > 1 and not _HERE.match(parts[0]) and parts[-2] != parts[-1]
+    elsewhere = len(parts) > 1 and not HERE.match(parts[0]) and parts[-2] != parts[-1]
     return elsewhere or repository.has(f"{parts[-1]}/__init__.py")

@@ -98,9 +98,15 @@ def read(repository: Repository) -> Prose:
     texts = [(file, text_of(repository, file)) for file in found]
     paths = (mention for file, text in texts for mention in python_path.read(repository, file, text))
     exported = (mention for file, text in texts for mention in exports.read(repository, file, text))
+    above = (mention for file, text in texts for mention in _exported(repository, file, text))
     made = (mention for file, text in texts for mention in generated.read(repository, file, text))
     read = merge(of_page(repository, file) for file in found)
-    return read._replace(mentions=(*read.mentions, *paths, *exported, *made))
+    return read._replace(mentions=(*read.mentions, *paths, *exported, *above, *made))
+
+
+def _exported(repository: Repository, file: File, text: str) -> Iterator[Mention]:
+    for line, code, heading in _code(text, exports.ANY) if "export " in text else ():
+        yield from exports.of_line(repository, file, line, code, heading)
 
 
 def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, ...]:
