@@ -19,7 +19,7 @@ from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.locked import locked_releases
 from roslab.decide.python.lost import lost
 from roslab.decide.python.machine_lists import machine_lists
-from roslab.decide.python.manifests import beside, with_includes
+from roslab.decide.python.manifests import beside, left_to_parts, with_includes
 from roslab.decide.python.named_frameworks import named_frameworks
 from roslab.decide.python.older_torch import older_torch, without_release
 from roslab.decide.python.own import OwnPython, manager_of, of_ubuntu, outvoted
@@ -159,6 +159,7 @@ def decide_python(
             *lost(evidence, kind, chosen),
             *ignored_environments(evidence, kind, chosen),
             *machine_lists(evidence, chosen.files),
+            *left_to_parts(evidence, chosen.files),
         ),
     )
 

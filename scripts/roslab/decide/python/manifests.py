@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from roslab.config.model import Config, Kind
+from roslab.decide.decision import Warning_
 from roslab.decide.python.machine_lists import of_machines
 from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
+from roslab.decide.reasons import warn
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence, PythonProject, RequirementFile
 from roslab.values.name import canonicalize_name
@@ -38,12 +40,44 @@ def _installs(evidence: Evidence, page: str) -> bool:
     return any(each.file == page and each.name and not each.role for each in evidence.prose_pip)
 
 
+def of_pages_below(evidence: Evidence) -> frozenset[str]:
+    """Return the lists at the root that only pages of folders ask for, where a page at the root installs the project.
+
+    The project says itself what it needs; each of the pages is about a part. One of the documentation is about all.
+    """
+    usable = {project.folder: project for project in evidence.python if project.installable}
+    lists = {file.file for file in evidence.requirements if "/" not in file.file}
+    if "" not in usable or not any(asked.role not in {"extra", "test"} for asked in usable[""].requirements):
+        return frozenset()
+    pages = [asked for asked in evidence.prose_pip if asked.file.endswith((".md", ".rst"))]
+    below = {asked for asked in pages if "/" in asked.file and not places.documentation(asked.file)}
+    others = [asked for asked in evidence.prose_pip if asked not in below]
+    others += [asked for authored in evidence.dockerfiles for asked in authored.requirements]
+    parts = {folder for folder in usable if folder}
+    whole = (asked for asked in pages if "/" not in asked.file and asked.role == "project")
+    if all(resolve(asked, parts) for asked in whole):
+        return frozenset()
+    asked_below, asked_above = (
+        {resolve(asked, lists) for asked in found if asked.role in {"file", "environment"}} for found in (below, others)
+    )
+    return frozenset(path for path in asked_below - asked_above if path)
+
+
+def left_to_parts(evidence: Evidence, chosen: Collection[RequirementFile]) -> Iterator[Warning_]:
+    """Yield a warning for each of these lists that is not among the chosen files."""
+    lists = of_pages_below(evidence)
+    for file in evidence.requirements:
+        if file.file in lists and file not in chosen:
+            why = "only pages of folders ask for it, and the page at the root has pip install the project alone"
+            yield warn(f"{file.file} is not installed: {why}; `requirements` in roslab.yaml installs it", file)
+
+
 def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str | None) -> tuple[RequirementFile, ...]:
     """Return the files to install: roslab.yaml's, else what the README installs and the root's, else the nearest."""
     if config.requirements is not None:
         wanted = {posixpath.normpath(path) for path in config.requirements}
         return tuple(file for file in evidence.requirements if file.file in wanted)
-    aside = for_reference(evidence) | of_parts(evidence) | of_machines(evidence)
+    aside = for_reference(evidence) | of_parts(evidence) | of_machines(evidence) | of_pages_below(evidence)
     run = {
         file.file: file
         for file in evidence.requirements
