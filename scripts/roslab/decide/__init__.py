@@ -33,7 +33,7 @@ from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.layout import decide_layout
-from roslab.decide.ros.named import named
+from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.workspace import names_of, of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
@@ -246,7 +246,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         downloads=() if own.answer else downloads.answer,
         packages=tuple(m.file for m in packages.built if m.name not in left_out) if kind.answer in _ROS else (),
         package_names=names_of(packages, kind.answer, left_out, build_tool.answer),
-        named=named(
+        by_pages=by_pages(
             evidence,
             config,
             build_tool.answer,

@@ -64,6 +64,16 @@ class MendedBase:
     """The text of the author's Dockerfile that makes it, which needs no build context."""
 
 
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ByPages:
+    """What pages tell the build tool of a workspace."""
+
+    packages: tuple[str, ...] = ()
+    """Packages that it builds, with what they need; ``()`` for all of the workspace."""
+    jobs: int | None = None
+    """Most compilers that may run at once."""
+
+
 Manager = Literal["system", "venv", "conda"]
 """``system``: the base's own interpreter (ROS); ``venv``: /opt/venv over it; ``conda``: by micromamba."""
 
@@ -189,8 +199,7 @@ class Decision:
     """Paths of the package.xml files that are built (neither ignored nor an asset)."""
     package_names: tuple[str, ...] = ()
     """Names of those packages, sorted; without metapackages of ROS 1."""
-    named: tuple[str, ...] = ()
-    """Packages that catkin is told to build, with what they need; ``()`` for all of the workspace."""
+    by_pages: ByPages = ByPages()
     left_out: tuple[str, ...] = ()
     """Packages that are not built, because nothing brings what they require and no other one needs them."""
     cmake_options: tuple[str, ...] = ()

@@ -43,6 +43,8 @@ class RosBuild:
     """Folders of the repository that the tool must not look into."""
     named: tuple[str, ...] = ()
     """Packages that are built with what they need; all of the workspace where none is named."""
+    jobs: int | None = None
+    """Most compilers that may run at once, where the author says so."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -170,7 +172,8 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
         ),
         setup=f"{WORKSPACE}/{_SETUP[tool]}",
         ignored=decision.ignored if own else (),
-        named=decision.named if own else (),
+        named=decision.by_pages.packages if own else (),
+        jobs=decision.by_pages.jobs if own else None,
     )
 
 

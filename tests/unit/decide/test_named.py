@@ -41,19 +41,19 @@ def page(command: str) -> str:
     ],
 )
 def test_the_packages_that_the_page_builds(tree: Tree, command: str, names: tuple[str, ...]) -> None:
-    assert tree(FILES | {"README.md": page(command)}).named == names
+    assert tree(FILES | {"README.md": page(command)}).by_pages.packages == names
 
 
 def test_all_is_built_where_a_launch_file_starts_what_no_manifest_names(tree: Tree) -> None:
     launch = '<launch><node pkg="{}" type="a" name="a"/></launch>'
     files = FILES | {"README.md": page("catkin build demo")}
-    assert tree(files | {"demo/launch/a.launch": launch.format("maps_core")}).named == ("demo", "demo_msgs")
-    assert tree(files | {"demo/launch/a.launch": launch.format("maps_viewer")}).named == ()
+    assert tree(files | {"demo/launch/a.launch": launch.format("maps_core")}).by_pages.packages == ("demo", "demo_msgs")
+    assert tree(files | {"demo/launch/a.launch": launch.format("maps_viewer")}).by_pages.packages == ()
 
 
 def test_all_is_built_where_nothing_is_cloned(tree: Tree) -> None:
     files = {name: text.replace(NEEDS, "") for name, text in FILES.items() if name != "deps.rosinstall"}
-    assert tree(files | {"README.md": page("catkin build demo")}).named == ()
+    assert tree(files | {"README.md": page("catkin build demo")}).by_pages.packages == ()
 
 
 def test_the_names_come_before_the_arguments_of_cmake(tmp_path: Path) -> None:
@@ -88,7 +88,7 @@ def test_what_colcon_builds_where_a_page_builds_up_to_a_package(
     tree: Tree, command: str, names: tuple[str, ...]
 ) -> None:
     page = f"ROS 2 Humble\n```\nvcs import src < deps.repos\n{command}\n```\n"
-    assert tree(COLCON | {"README.md": page}).named == names
+    assert tree(COLCON | {"README.md": page}).by_pages.packages == names
 
 
 def test_the_packages_that_colcon_builds_come_before_the_arguments_of_cmake(tmp_path: Path) -> None:
@@ -98,3 +98,25 @@ def test_the_packages_that_colcon_builds_come_before_the_arguments_of_cmake(tmp_
         (tmp_path / path).write_text(text, encoding="utf-8")
     text = dockerfile(plan_repository(tmp_path).plan)
     assert "      --packages-up-to demo demo_msgs \\\n      --cmake-args" in text
+
+
+@pytest.mark.parametrize(
+    ("commands", "jobs"),
+    [
+        ("catkin_make -j1", 1),
+        ("catkin_make -DCMAKE_BUILD_TYPE=Release -j 2", 2),
+        ("catkin_make_isolated --install -j3", 3),
+        ("catkin init\ncatkin config --extend /opt/ros/noetic\ncatkin build -j4 demo\ncatkin build --jobs=1", 4),
+        ("catkin_make\ncatkin_make -j1", None),
+        ("catkin_make -j$(nproc)", None),
+        ("catkin_make -j", None),
+        ("catkin_make", None),
+    ],
+)
+def test_the_most_jobs_of_the_page(tmp_path: Path, commands: str, jobs: int | None) -> None:
+    for path, text in (FILES | {"README.md": f"ROS Noetic\n```\n{commands}\n```\n"}).items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert (f'"$(compile-jobs {jobs})"' in text) == (jobs is not None)
+    assert ('"$(compile-jobs)"' in text) == (jobs is None)

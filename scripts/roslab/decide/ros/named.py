@@ -1,21 +1,26 @@
-"""The packages that catkin_tools or colcon is told to build by a page: what else a clone holds stays out."""
+"""What pages tell the build tool: the packages to build (what else a clone holds stays out), the number of jobs."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import takewhile
 
 from roslab.config.model import BuildTool, Config, Source
+from roslab.decide.decision import ByPages
+from roslab.decide.ros.build_tool import OF_ROS1
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages, names_of
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.released import released, rosdep_keys
+from roslab.values.pattern import pattern
 
+_LIMIT = pattern(r"\s(?:-j|--jobs)[ =]?([1-9]\d?)(?=\s|$)")
+_NO_BUILD = pattern(r"catkin\s+(?:init|config)\b")
 UP_TO = "--packages-up-to"
 """https://colcon.readthedocs.io/en/released/reference/package-selection-arguments.html"""
 
 
-def named(
+def by_pages(
     evidence: Evidence,
     config: Config,
     build_tool: BuildTool,
@@ -24,6 +29,37 @@ def named(
     left_out: Collection[str],
     sources: Iterable[Source],
     ros_distro: str | None,
+) -> ByPages:
+    """Return what the pages at the root tell; roslab.yaml's ``build_args`` are told in their place."""
+    if config.compatible or config.build_args:
+        return ByPages()
+    own = names_of(packages, "ros2" if build_tool == "colcon" else "ros1", left_out, build_tool)
+    cloned = {plain(source.name): source.name for source in sources if source.build == build_tool}
+    named = _named(evidence, build_tool, packages, own=own, cloned=cloned, ros_distro=ros_distro) if cloned else ()
+    return ByPages(packages=named, jobs=_jobs(evidence, build_tool))
+
+
+def _jobs(evidence: Evidence, build_tool: BuildTool) -> int | None:
+    """Return the most jobs that a page gives a tool of catkin, which takes all cores by itself: code may need fewer.
+
+    ``None`` where a page builds without a limit too.
+    """
+    if build_tool not in OF_ROS1:
+        return None
+    said = (m for m in evidence.mentions if m.topic == "build_tool" and m.value == build_tool)
+    lines = [m.text for m in said if m.source == "readme" and "/" not in m.file and not _NO_BUILD.match(m.text)]
+    limits = [_LIMIT.search(line) for line in lines]
+    return max((int(limit[1]) for limit in limits if limit), default=None) if all(limits) else None
+
+
+def _named(
+    evidence: Evidence,
+    build_tool: BuildTool,
+    packages: Packages,
+    *,
+    own: tuple[str, ...],
+    cloned: Mapping[str, str],
+    ros_distro: str | None,
 ) -> tuple[str, ...]:
     """Return the repository's packages, and the clones that a page at the root has built; ``()`` for all.
 
@@ -31,10 +67,8 @@ def named(
     packages that nobody asked for. All is built where a launch file starts a package of a clone that no package.xml
     names.
     """
-    own = names_of(packages, "ros2" if build_tool == "colcon" else "ros1", left_out, build_tool)
-    cloned = {plain(source.name): source.name for source in sources if source.build == build_tool}
-    said = tuple(_said(evidence, build_tool)) if cloned else ()
-    if config.compatible or config.build_args or not {*said} & {*own}:
+    said = tuple(_said(evidence, build_tool))
+    if not {*said} & {*own}:
         return ()
     sisters = tuple(dict.fromkeys(name for name in said if name not in own and cloned.get(plain(name)) == name))
     known = {*own, *sisters, *packages.names} | released(ros_distro or "") | rosdep_keys()

@@ -40,6 +40,11 @@ class Around:
 NOTHING = Around()
 
 
+def jobs(most: int | None) -> str:
+    """Return the number of compilers, which the author may have limited."""
+    return JOBS.replace("compile-jobs", f"compile-jobs {most}") if most else JOBS
+
+
 def run(*commands: str, comment: str = "", secrets: Secrets = NONE, around: Around = NOTHING) -> str:
     """Return one RUN in which each command must succeed before the next, with the secrets that it may read."""
     body = "".join(f"{mount} \\\n    " for mount in secrets.mounts)

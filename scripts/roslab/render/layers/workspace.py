@@ -220,14 +220,15 @@ def _ignoring(plan: Plan, build: RosBuild) -> list[str]:
 def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
     options, arguments = _words(build.cmake_options), _words(build.arguments)
     cmake = f" \\\n      --cmake-args{options}" if options else ""
+    jobs = shell.jobs(build.jobs)
     match build.tool:
         case "catkin_make":
-            return [f"{again}catkin_make -j{shell.JOBS}{options}{arguments}"]
+            return [f"{again}catkin_make -j{jobs}{options}{arguments}"]
         case "catkin_make_isolated":
-            return [f"{again}catkin_make_isolated -j{shell.JOBS}{arguments}{cmake}"]
+            return [f"{again}catkin_make_isolated -j{jobs}{arguments}{cmake}"]
         case "catkin_tools":
             catkin = f'{again}catkin build --no-status --jobs "${{jobs}}" --parallel-packages "${{jobs}}"'
-            return [shell.SET_JOBS, f"{catkin}{_words(build.named)}{cmake}{arguments}"]
+            return [f"jobs={jobs}", f"{catkin}{_words(build.named)}{cmake}{arguments}"]
         case "rosmake":
             return [f"{ROSMAKE}{arguments}"]
         case "colcon":
