@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import math
 import os
 import resource
 import shutil
 import subprocess
 import sys
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping
+from functools import cache
 from pathlib import Path
+from typing import Any
 
 import pytest
+
+from lab import durations
 
 ROOT = Path(__file__).resolve().parent.parent
 KINDS = ("unit", "golden", "bad_input", "lab", "lint")
@@ -20,9 +25,9 @@ LONGEST = (
     *("test_same_bits.py", "test_workflows.py", "test_ladder.py", "test_repair.py", "test_screenshots.py"),
     *("test_private.py", "test_action.py", "test_lock.py", "test_canary.py", "test_mended_bases.py"),
     *("test_examples.py", "test_cache.py", "test_date.py", "test_run_script.py", "test_slim.py", "test_order.py"),
-    *("test_trust.py", "test_hostile.py"),
+    *("test_cases.py", "test_drift.py", "test_notebook.py", "test_trust.py", "test_hostile.py"),
 )
-"""Files of the lab that take longest, for whom others wait unless they begin first."""
+"""Files of the lab that take longest, for whom others wait unless they begin first: the order where none was timed."""
 Roslab = Callable[..., "subprocess.CompletedProcess[str]"]
 
 
@@ -110,27 +115,58 @@ def _kind(nodeid: str) -> str | None:
     return parts[1] if parts[0] == "tests" and len(parts) > 2 and parts[1] in KINDS else None
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+@cache
+def _seconds() -> dict[str, float]:
+    return durations.known()
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node: Any) -> None:
+    """Have every process of pytest-xdist sort by the same durations, whatever another run writes meanwhile."""
+    node.workerinput["durations"] = _seconds()
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Give every test the marker of its folder, so that `-m unit` needs no line in any file."""
     for item in items:
         if kind := _kind(item.nodeid):
             item.add_marker(kind)
-    items.sort(key=lambda item: _turn(item.nodeid))
+    took: dict[str, float] = defaultdict(float)
+    known = config.workerinput["durations"] if hasattr(config, "workerinput") else _seconds()
+    for item in items:
+        took[_file(item.nodeid)] += known.get(item.nodeid, 0.0)
+    items.sort(key=lambda item: _turn(item.nodeid, took))
 
 
-def _turn(nodeid: str) -> int:
+def _turn(nodeid: str, took: Mapping[str, float]) -> tuple[int, float, int]:
     """Return when a test has its turn: what takes milliseconds first, of the lab's files the longest first.
 
     A wrong word is then told before the engine has warmed up, and no process is left alone with a long file at the end.
+    ``took`` are the seconds that each file took the last time; one that was not timed yet may be the longest.
     """
     if _kind(nodeid) != "lab":
-        return 0
-    file = nodeid.partition("::")[0].rpartition("/")[2]
-    return 1 + (LONGEST.index(file) if file in LONGEST else len(LONGEST))
+        return (0, 0.0, 0)
+    file = _file(nodeid)
+    name = file.rpartition("/")[2]
+    return (1, -took[file] or -math.inf, LONGEST.index(name) if name in LONGEST else len(LONGEST))
+
+
+def _file(nodeid: str) -> str:
+    return nodeid.partition("::")[0]
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Name the number of tests of each kind that passed, as the last word on a run."""
+    """Name the number of tests of each kind that passed, as the last word on a run; keep how long the lab's took."""
+    _keep_durations(terminalreporter)
     passed = Counter(_kind(report.nodeid) for report in terminalreporter.getreports("passed"))
     counts = ", ".join(f"{passed[kind]} {kind.replace('_', '-')}" for kind in KINDS)
     terminalreporter.write_sep("=", f"passed: {counts} tests")
+
+
+def _keep_durations(reporter: pytest.TerminalReporter) -> None:
+    took: dict[str, float] = defaultdict(float)
+    passed = {report.nodeid for report in reporter.getreports("passed") if _kind(report.nodeid) == "lab"}
+    for report in (*reporter.getreports("passed"), *reporter.getreports("")):  # "": set-up and what comes after
+        if report.nodeid in passed:
+            took[report.nodeid] += report.duration
+    durations.keep(took)
