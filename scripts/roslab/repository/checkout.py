@@ -80,6 +80,8 @@ class Repository:
 
     def leaving_out(self, paths: Collection[str]) -> Repository:
         """Return the same folder without some of its files: no reader sees them."""
+        if not paths:
+            return self
         other = Repository(self.root, self.branch_hint, self.top)
         kept = tuple(file for file in self.listing.files if file.path not in paths)
         other.__dict__["listing"] = replace(self.listing, files=kept)  # fills the cached property

@@ -11,6 +11,7 @@ from roslab.decide.reasons import because
 from roslab.decide.ros.distro_dates import dated, of_its_time
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.distros import Distro, distro, distros, ever, successor
+from roslab.values.pattern import pattern
 
 _ADORNED = r"(?:\]\([^)\n]{1,150}\))?[*_`\"')]{0,4}"
 _ON = (
@@ -32,7 +33,7 @@ def _said(name: str) -> re.Pattern[str]:
     others = "|".join(sorted(ever()))
     more = rf"(?:\s{{0,2}}(?:[/,]|\bor\b|\band\b)\s{{0,2}}(?:ros\s)?(?:{others})\b{_ADORNED}){{0,5}}"
     second = r"(?:\s+(?!or\b|and\b|with\b|on\b)[a-z]+[)*_`]{0,3})?"
-    return re.compile(rf"\b{name}\b{_ADORNED}{more}{second}{_ON}|{_LEAST}{name}\b", re.IGNORECASE)
+    return pattern(rf"\b{name}\b{_ADORNED}{more}{second}{_ON}|{_LEAST}{name}\b", re.IGNORECASE)
 
 
 def least(evidence: Evidence, named: Iterable[Reason], ros: int, weights: dict[Mention, int]) -> Iterator[Reason]:

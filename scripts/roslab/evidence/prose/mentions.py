@@ -71,8 +71,8 @@ def _goes_on() -> dict[str, tuple[re.Pattern[str], re.Pattern[str]]]:
     released = r"(?:1\d|2\d)\.(?:04|10)"  # those between two long-term releases may stand in a list of them
     more = rf"(?:[\s,/|&~-]{{0,4}}(?:or|and|to)?\s{{0,3}}(?:ubuntu)?\s{{0,2}}{released}(?![\d.]\d)){{1,5}}"
     return {
-        "python": (_MORE, re.compile(r"\d\.\d{1,2}")),
-        "ubuntu": (re.compile(more, re.IGNORECASE), re.compile(number)),  # 18.04~20.04
+        "python": (_MORE, pattern(r"\d\.\d{1,2}")),
+        "ubuntu": (pattern(more, re.IGNORECASE), pattern(number)),  # 18.04~20.04
     }
 
 

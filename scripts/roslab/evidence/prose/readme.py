@@ -234,7 +234,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     only the lines of fenced blocks in which it is found.
     """
     lines = text.split("\n")
-    signs = signs_in(text)
+    signs = signs_in(text) if not also else ()
     titles: dict[int, str] = {}
     elsewhere = index = 0
     fenced = False

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 
+from roslab.evidence.lex.lines import matches_at
 from roslab.evidence.python.modules import Module
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -18,9 +19,9 @@ def own_folder(repository: Repository, module: Module) -> str:
     (https://docs.python.org/3/library/sys.html#sys.path, read 2026-11-23).
     """
     folder = module.file.folder
-    if not folder or "sys" not in module.text:
+    if not folder:
         return ""
-    for match in _ADDED.finditer(module.text):
+    for match in matches_at(_ADDED, module.text, "sys.path."):
         here, root = (posixpath.normpath(posixpath.join(base, match[1])) for base in (folder, ""))
         if here in repository.folders and root not in repository.folders:
             return folder
