@@ -117,6 +117,8 @@ class Python:
     """The version of pip that the conda file pins and that is not taken: it knows no wheels of today."""
     conda_pip_below: str = ""
     """The first pip that is too new for the conda file, which names it in any version."""
+    setuptools: Requirement | None = None
+    """The setuptools of the environment, where a package is too old for newer ones."""
     first: tuple[Requirement, ...] = ()
     """What must be installed before the others are built (numpy, torch, Cython)."""
     bounds: tuple[Requirement, ...] = ()

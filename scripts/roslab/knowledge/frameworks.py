@@ -190,6 +190,16 @@ def with_numpy_2() -> dict[str, str]:
 
 
 @cache
+def old_setuptools() -> tuple[tuple[str, str, str, str], ...]:
+    """Return pip packages that need an older setuptools before a release of theirs: that release, a line of pip, why.
+
+    The oldest release comes first.
+    """
+    found = ((row["pip"], row["before"], row["setuptools"], row["why"]) for row in rows("old_setuptools"))
+    return tuple(sorted(found, key=lambda row: (row[0], Version(row[1]))))
+
+
+@cache
 def unstated() -> dict[str, str]:
     """Return what a pip package needs and does not ask pip for, since people choose their build of it."""
     return {row["pip"]: row["needs"] for row in rows("unstated")}

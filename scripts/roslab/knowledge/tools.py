@@ -42,6 +42,12 @@ def for_old_packages(tools: PythonTools) -> PythonTools:
     return replace(tools, installers=tuple(map(_lenient, tools.installers)))
 
 
+def with_setuptools(tools: PythonTools, line: str) -> PythonTools:
+    """Return the tools with this line in place of those for setuptools."""
+    others = (each for each in tools.installers if not each.startswith("setuptools"))
+    return replace(tools, installers=(*others, line))
+
+
 def _lenient(line: str) -> str:
     asked, mark, marker = line.partition(";")
     name, _, below = asked.partition("<")

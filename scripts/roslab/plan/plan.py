@@ -21,7 +21,7 @@ from roslab.config.model import (
 )
 from roslab.decide.decision import Decision, Reason, Warning_
 from roslab.errors import ConfigurationError, Problem
-from roslab.knowledge.tools import PythonTools, for_old_packages, python_tools
+from roslab.knowledge.tools import PythonTools, for_old_packages, python_tools, with_setuptools
 from roslab.plan.as_of import AsOf, as_of, lacking, of_day
 from roslab.plan.author_bases import Base, author_bases
 from roslab.plan.locked import Lock
@@ -204,6 +204,8 @@ def make_plan(
     sources = package_sources(decision)
     tools = python_tools(decision.python.version, decision.ubuntu)
     tools = for_old_packages(tools) if decision.python.day else tools
+    older = decision.python.setuptools
+    tools = with_setuptools(tools, older.written) if older else tools
     return Plan(
         version=VERSION,
         name=name,

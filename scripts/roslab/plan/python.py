@@ -40,6 +40,7 @@ class PythonPlan:
     git_hosts: tuple[str, ...] = ()
     """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
     cloned_files: tuple[str, ...] = ()
+    setuptools: str = ""
     copied: tuple[str, ...] = ()
     """Own projects that are not installed editable."""
     cuda_architectures: str = ""
@@ -77,6 +78,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_pip_below=python.conda_pip_below,
         git_hosts=compiling.hosts,
         cloned_files=python.cloned_files,
+        setuptools=python.setuptools.written if python.setuptools else "",
         copied=compiling.copied,
         cuda_architectures=compiling.architectures,
         cuda_variables=compiling.gpus,

@@ -15,7 +15,7 @@ from roslab.knowledge.table import rows
 
 TABLES = (
     "amd64_only", "arm64_since", "arm64_wheels", "build_needs", "cuda_images", "framework_names", "frameworks",
-    "imports", "wheels", "with_numpy_2",
+    "imports", "old_setuptools", "wheels", "with_numpy_2",
 )  # fmt: skip
 NAME = re.compile(r"^[a-z0-9][a-z0-9+.-]+$")
 

@@ -21,10 +21,11 @@ from roslab.decide.python.lost import lost
 from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, left_to_parts, with_includes
 from roslab.decide.python.named_frameworks import named_frameworks
+from roslab.decide.python.old_setuptools import setuptools_of
 from roslab.decide.python.older_torch import older_torch, without_release
 from roslab.decide.python.own import OwnPython, manager_of, of_ubuntu, outvoted
 from roslab.decide.python.packages import Chosen, with_guess
-from roslab.decide.python.pins import Pin
+from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, repair, right, untold
@@ -81,8 +82,8 @@ def decide_python(
     kept = dict(_kept(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
     extended = kind == "cuda" and manager != "system" and extends_torch(evidence, chosen)
-    older = extended and older_torch((pin.requirement for pin in pins), cuda)
-    if older:
+    aged = extended and older_torch((pin.requirement for pin in pins), cuda)
+    if aged:
         chosen = replace(chosen, guessed=without_release(chosen.guessed))
     named = named_frameworks(chosen.guessed if manager != "system" else (), number)
     declared += named.answer.first
@@ -93,7 +94,7 @@ def decide_python(
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
     wheels = (*exact.answer, *everything) if kind == "cuda" and manager != "system" else ()
     compiled = bool(wheels) and extended
-    build = torch_build(wheels if compiled else (), cuda, number, evidence.pip_day, oldest=older)
+    build = torch_build(wheels if compiled else (), cuda, number, evidence.pip_day, oldest=aged)
     if not compiled and (on_page := beside_torch(evidence)):
         build = torch_build(wheels, on_page, number, evidence.pip_day, "conda is asked for CUDA {cuda} beside it")
     numpy = numpy_of(everything if manager != "system" else ())
@@ -107,6 +108,8 @@ def decide_python(
     whole = [file for file in chosen.files if file.file not in repaired.files]
     conda = chosen.conda if manager == "conda" else None
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
+    conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
+    older = setuptools_of((*everything, *conda_asked) if manager != "system" else ())
     answer = Python(
         version=number,
         manager=manager,
@@ -126,6 +129,7 @@ def decide_python(
         conda_pip=any(each.role != "project" for each in listed),
         conda_old_pip=old_pip(evidence, conda),
         conda_pip_below=pip_below(evidence, conda),
+        setuptools=older.answer,
         conda_defaults=not pixi and _default_channels(evidence, conda),
         first=first(everything, chosen.projects, cmake=manager != "system"),
         bounds=(*limits, *of_lock.answer),
@@ -149,6 +153,7 @@ def decide_python(
             *named.reasons,
             *build.reasons,
             *numpy.reasons,
+            *older.reasons,
             *of_lock.reasons,
         ),
         warnings=(

@@ -126,6 +126,7 @@ def _conda(plan: Plan) -> str:
     create = (
         f"{more}PIP_CACHE_DIR={DOWNLOADS} micromamba create --yes --quiet --prefix /opt/conda {source}",
         "micromamba clean --all --yes --quiet",
+        *([f"python -m pip install --no-cache-dir {quote.shell(python.setuptools)}"] if python.setuptools else []),
         f"rm -rf {DOWNLOADS}",
     )
     return (
