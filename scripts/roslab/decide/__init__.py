@@ -129,6 +129,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         installed=everything,
         base_packages=base.answer.ros_packages,
         sisters=sources.answer.names,
+        cloned=sources.answer.with_unknown_packages,
     )
     python, system, sources, layout = as_it_was(
         config, base_packages=base.answer.ros_packages, python=python, system=system, sources=sources, layout=layout
@@ -182,7 +183,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         keys=system.answer.rosdep,
         command=command.answer.command,
         switch=build_tool.answer == "cmake" and not config.compatible,
-        cloned=any(source.build != "cmake" for source in (*sources.answer.sources, *sources.answer.submodules)),
+        cloned=sources.answer.with_unknown_packages,
     )
     left_out = () if own.answer else missing.answer.packages
     steps = decide_steps(

@@ -43,3 +43,9 @@ def ros_sources(package: str, ros: int) -> tuple[RosSource, ...]:
         options=row["options"],
     )
     return (*first.values(), own)
+
+
+@cache
+def alone() -> frozenset[str]:
+    """Return the repositories whose root is the package, so that they hold no other."""
+    return frozenset(row["repo"] for row in rows("ros_sources") if row["alone"])

@@ -120,6 +120,17 @@ def test_what_a_cloned_repository_may_hold(tree: Tree) -> None:
     assert "one of the cloned repositories may hold it" in told[0].message
 
 
+@pytest.mark.parametrize(("known", "left_out"), [("kindr", ("driver",)), ("vikit_common", ())])
+def test_what_a_repository_of_the_table_that_is_a_single_package_cannot_hold(
+    tree: Tree, known: str, left_out: tuple[str, ...]
+) -> None:
+    decision = tree(catkin("driver", "acme_msgs") | catkin("planner", known, known))
+    assert decision.left_out == left_out
+    assert any(each.build == "catkin_make" for each in decision.source)
+    may_hold = any("one of the cloned repositories may hold it" in each.message for each in decision.warnings)
+    assert may_hold is not bool(left_out)
+
+
 def test_what_needs_a_package_that_is_left_out(tree: Tree) -> None:
     decision = tree(catkin("driver", "acme_msgs") | catkin("user", "driver", "driver") | catkin("planner"))
     assert decision.left_out == ("driver", "user")

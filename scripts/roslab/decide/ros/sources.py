@@ -21,7 +21,7 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.recipes import recipe_at
 from roslab.knowledge.released import released, rosdep_keys
-from roslab.knowledge.ros_sources import RosSource, ros_sources
+from roslab.knowledge.ros_sources import RosSource, alone, ros_sources
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.origin import Place
 from roslab.values.secret import SSH
@@ -39,6 +39,13 @@ class Sources:
     """Names of rows in the table of recipes that these sources link, with what asks for each."""
     names: frozenset[str] = frozenset()
     """Names that these sources provide: they need no rosdep key and no package."""
+
+    @property
+    def with_unknown_packages(self) -> bool:
+        """A clone may hold packages whose names are not known: it is no library, nor known to be a single package."""
+        single = {address(url) for url in alone()}
+        packages = (source for source in (*self.sources, *self.submodules) if source.build != "cmake")
+        return any(address(source.repo or "") not in single for source in packages)
 
 
 def decide_sources(

@@ -95,10 +95,12 @@ def decide_system(
     installed: tuple[Requirement, ...],
     base_packages: tuple[str, ...],
     sisters: frozenset[str],
+    cloned: bool,
 ) -> Choice[SystemPackages]:
     """Return the system packages.
 
-    ``installed`` is what pip installs, ``sisters`` are names that sources in the workspace provide.
+    ``installed`` is what pip installs, ``sisters`` are names that sources in the workspace provide;
+    ``cloned``: these may hold more packages, whose names are not known.
     """
     keys = declared_keys(packages, target, kind) if target.ros_distro else ()
     found = _Found(declared=dict.fromkeys((*config.apt, *base_packages)))
@@ -108,7 +110,7 @@ def decide_system(
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
     for key in keys:
         if key.name not in found.skip:
-            _translate(key, target, found, cloned=bool(sisters), submodules=submodules)
+            _translate(key, target, found, cloned=cloned, submodules=submodules)
     defined = ((each, False) for listed in own.values() for each in listed)
     needed = (*defined, *needs(evidence, packages, kind, target.ros_distro))
     in_apt = _named_in_apt(found, needed)
