@@ -81,6 +81,7 @@ def gather(repository: Repository) -> Evidence:
         *clones.read(own, prose.sources),
     )
     sources = (*sources, *native_clones.read(repository, sources, cmake_projects))
+    listed = any(source.kind == "vcs" for source in sources)  # a repository may hold no more than the list of others
     return Evidence(
         manifests=manifests,
         cmake=cmake_projects,
@@ -119,7 +120,7 @@ def gather(repository: Repository) -> Evidence:
             *for_reference.read(own),
             *(included.read(own) if manifests else ()),
             *print_statement.read(own),
-            *(commit_date.read(repository) if manifests or cmake_projects else ()),
+            *(commit_date.read(repository) if manifests or cmake_projects or listed else ()),
         ),
         worked_on=worked_on.read(repository),
         bounds=removed.read(own),

@@ -90,6 +90,23 @@ def test_clones_are_of_the_day(tmp_path: Path) -> None:
     assert "--before=2022-06-01T23:59:59Z" in text
 
 
+def commit(folder: Path) -> None:
+    """Commit a folder on 2020-07-09."""
+    when = {"GIT_AUTHOR_DATE": "2020-07-09T12:00:00Z", "GIT_COMMITTER_DATE": "2020-07-09T12:00:00Z", "PATH": "/usr/bin"}
+    identity = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
+    for words in (["init", "--quiet"], ["add", "."], [*identity, "commit", "--quiet", "--message", "x"]):
+        subprocess.run(["git", "-C", folder, *words], check=True, env={**when, "HOME": str(folder)})
+
+
+def test_what_a_list_alone_imports_is_of_the_time_of_its_commit(tmp_path: Path) -> None:
+    listed = "{type: git, url: 'https://github.com/lab/arm.git', version: master}"
+    (tmp_path / "all.repos").write_text(f"repositories:\n  arm: {listed}\n")
+    (tmp_path / "README.md").write_text("For ROS Melodic: `vcs import src < all.repos`\n")
+    commit(tmp_path)
+    (source,) = plan(tmp_path, {}, "").workspace.sources
+    assert (source.ref, source.before) == (None, "2020-07-09")
+
+
 def test_the_day_of_the_paper(tmp_path: Path) -> None:
     found = plan(tmp_path, ROS1, "date: paper\n")
     assert found.as_of is None
@@ -98,10 +115,7 @@ def test_the_day_of_the_paper(tmp_path: Path) -> None:
     found = plan(tmp_path, ROS1, "date: paper\n")
     assert found.as_of
     assert found.as_of.day == "2021-12-31"
-    when = {"GIT_AUTHOR_DATE": "2020-07-09T12:00:00Z", "GIT_COMMITTER_DATE": "2020-07-09T12:00:00Z", "PATH": "/usr/bin"}
-    identity = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
-    for words in (["init", "--quiet"], ["add", "."], [*identity, "commit", "--quiet", "--message", "x"]):
-        subprocess.run(["git", "-C", tmp_path, *words], check=True, env={**when, "HOME": str(tmp_path)})
+    commit(tmp_path)
     found = plan(tmp_path, ROS1, "date: paper\n")
     assert found.as_of
     assert found.as_of.day == "2020-07-09"
