@@ -843,3 +843,23 @@ def test_what_cmake_would_compile_beside_a_package_of_python_is_no_program_of_th
     files |= {"CMakeLists.txt": cmake, "main.cpp": "int main() {}\n", "points/__init__.py": "import numpy\n"}
     found = tree({**files, "README.md": "# Quickstart\n```\n>> import points\n```\n"})
     assert (found.kind, found.command) == ("python", ("bash",))
+
+
+@pytest.mark.parametrize(
+    ("place", "command"),
+    [
+        ("scripts", "cd scripts && exec bash run-demo.sh"),
+        ("install/scripts", "align -h"),
+        ("build/install", "align -h"),
+    ],
+)
+def test_a_script_of_what_is_installed_is_not_started_in_the_source(tree: Tree, place: str, command: str) -> None:
+    page = f"## Use\n```\nmake install\ncd {place}\n./run-demo.sh\n```\nThen\n```\n./align -h\n```\n"
+    files = {
+        "CMakeLists.txt": "project(demo CXX)\nadd_executable(align a.cpp)\nadd_executable(show a.cpp)\n",
+        "a.cpp": "int main() {}\n",
+        "scripts/run-demo.sh": "../bin/align a b\n",
+        "README.md": page,
+    }
+    found = tree(files).command
+    assert (found if isinstance(found, str) else " ".join(found)) == command

@@ -9,6 +9,8 @@ from roslab.evidence.facts import Mention
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
+INSTALLED = "install"
+"""Where a page has CMake install to, and a workspace of ROS."""
 MAX_FILES = 30
 MAX_SIZE = 128 * 1024
 _PATH = pattern(
@@ -44,7 +46,8 @@ def script_in(mention: Mention, repository: Repository) -> tuple[int, str, str] 
     """Return which word of a command is a script or launch file below where the page went, its path, that folder.
 
     A page may begin above the root, and may go to a folder again without having left it: the longest end of where it is
-    that has the script is meant. ``None`` where there is none: the script is at the root, or nowhere.
+    that has the script is meant. ``None`` where there is none: the script is at the root, or nowhere. One of a folder
+    right below ``install`` is what CMake installed, beside programs that the source does not have.
     """
     words = mention.value.split()
     position = min(_PLACES.get(words[0], 0), len(words) - 1)
@@ -55,7 +58,8 @@ def script_in(mention: Mention, repository: Repository) -> tuple[int, str, str] 
     for folder in ends(mention.inside):
         path = posixpath.normpath(posixpath.join(folder, word))
         if repository.has(path):
-            return (position, path, folder) if folder else None
+            installed = f"/{mention.inside}".endswith(f"/{INSTALLED}/{folder}") and INSTALLED not in repository.folders
+            return (position, path, folder) if folder and not installed else None
     return None
 
 
