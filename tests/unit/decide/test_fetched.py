@@ -147,3 +147,14 @@ def test_a_page_installs_the_requirement_file_of_a_submodule(tmp_path: Path, lin
     (tmp_path / "sub/knn").mkdir(parents=True)
     (tmp_path / "sub/knn/requirements.txt").write_text("munch\n", encoding="utf-8")
     assert plan_repository(tmp_path, folder_name="demo").plan.python.cloned_files == ()
+
+
+@pytest.mark.parametrize(("line", "cloned"), [("sub/knn/requirements.txt", True), ("parts/more.txt", False)])
+def test_a_requirement_file_includes_what_is_not_there(tree: Tree, line: str, cloned: bool) -> None:
+    files = {".gitmodules": MODULES, "requirements.txt": f"munch==2.0\n-r {line}\n", "run.py": "import munch\n"}
+    found = tree(files)
+    assert found.python.requirements == (), "pip would stop at it"
+    assert [each.written for each in found.python.pip] == ["munch==2.0"]
+    assert found.python.cloned_files == ((line,) if cloned else ())
+    told = [each for each in found.warnings if each.message.startswith(f"{line} is included")]
+    assert [(each.file, each.line) for each in told] == ([] if cloned else [("requirements.txt", 1)])

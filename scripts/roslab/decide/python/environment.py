@@ -118,7 +118,7 @@ def decide_python(
         pip=tuple(dict.fromkeys(declared)),
         pip_guessed=tuple(dict.fromkeys(one_build(right(chosen.guessed), cuda))),
         requirements=tuple(file.file for file in whole),
-        cloned_files=cloned_files(evidence),
+        cloned_files=cloned_files(evidence, chosen.files),
         manifests=beside(evidence, whole, conda),
         projects=tuple(project.folder or "." for project in chosen.projects),
         alone=repaired.alone,

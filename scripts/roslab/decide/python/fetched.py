@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from roslab.decide.cuda.signs import sign_of_cuda
+from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.pins import DEVELOPMENT
-from roslab.evidence.facts import Evidence, PythonProject
+from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
 
@@ -42,11 +43,23 @@ def with_fetched(evidence: Evidence) -> Evidence:
     return replace(evidence, python=(*evidence.python, *added.values())) if added else evidence
 
 
-def cloned_files(evidence: Evidence) -> tuple[str, ...]:
-    """Return the requirement files of missing submodules that pages at the root have pip install, in their order."""
+def cloned_files(evidence: Evidence, files: Iterable[RequirementFile] = ()) -> tuple[str, ...]:
+    """Return the requirement files of missing submodules that the installed ``files`` include, or pages at the root.
+
+    In the order in which they are named.
+    """
     absent = _absent(evidence)
-    named = (posixpath.normpath(asked.written) for asked in evidence.prose_pip if asked.role == "file" and _near(asked))
+    named = [path for _, path in lacking(evidence, files)]
+    named += [
+        posixpath.normpath(asked.written) for asked in evidence.prose_pip if asked.role == "file" and _near(asked)
+    ]
     return tuple(dict.fromkeys(path for name in named if (path := _inside(absent, name))))
+
+
+def lacking(evidence: Evidence, files: Iterable[RequirementFile]) -> list[tuple[RequirementFile, str]]:
+    """Return what the files, or those that they include, include and the tree does not have, each with its file."""
+    known = {file.file for file in evidence.requirements}
+    return [(file, path) for file in with_includes(evidence, files) for path in file.includes if path not in known]
 
 
 def _near(asked: Requirement) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from types import MappingProxyType
 
 from roslab.decide.decision import Warning_
+from roslab.decide.python.fetched import cloned_files, lacking
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.python.pythons import ANY
@@ -17,6 +18,7 @@ from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
+_GONE = "{path} is included and is not in the tree: what it names is not installed, and the rest one by one"
 NOTHING: Mapping[str, Requirement] = MappingProxyType({})
 
 
@@ -93,12 +95,15 @@ def repair(
         spelled = [asked for asked in found if asked.role == "repaired"]
         taken = [asked for asked in found if _from_page(asked, pages)]
         missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
-        if not (spelled or taken or missing or any(asked.role == "project" for asked in found)):
+        gone = [path for _, path in lacking(evidence, [file])]
+        if not (spelled or taken or missing or gone or any(asked.role == "project" for asked in found)):
             continue
         broken.add(file.file)
         kept += _kept((asked for asked in found if asked.role != "project"), names, pages)
         text = f"pip would refuse this line; the packages of {file.file} are installed one by one"
         warnings += [warn(text, asked) for asked in spelled[:1]]
+        cloned = cloned_files(evidence, [file])
+        warnings += [warn(_GONE.format(path=path), file) for path in gone if path not in cloned]
         warnings += [_warning(asked) for asked in missing if asked.key not in names]
     for project in projects:
         found = [asked for asked in project.requirements if asked.role in {"", "source", "member"}]
