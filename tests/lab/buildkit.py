@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import subprocess
+import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -14,6 +15,10 @@ from .command import LabError, run, succeeds
 from .home import folder, home, recipe
 
 NAME = "buildkitd"
+MEMORY = Path("/dev/shm")
+"""Where files lie in memory: https://docs.kernel.org/filesystems/tmpfs.html"""
+ROOM = 4 * 1024**3
+"""Bytes that must be free there for the store of a builder; those of the tests take 1 GB or less."""
 
 # The command cannot be had by `go install`: its module has replace directives. A module that imports it can build it.
 IMPORTER = """//go:build tools
@@ -70,14 +75,17 @@ def forget() -> None:
 
 
 @contextmanager
-def fresh(place: Path) -> Iterator[str]:
-    """Run one more buildkitd whose empty store lies in ``place``, as a runner of GitHub's has it; yield its address.
+def fresh(place: Path, *, on_disk: bool = False) -> Iterator[str]:
+    """Run one more buildkitd whose store is empty, as a runner of GitHub's has it; yield its address.
 
-    Raises LabError when it does not answer within half a minute.
+    The store lies in memory where that has room: a disk may take longer to remove it than a build takes. Else, or
+    ``on_disk``, it lies in ``place``. Raises LabError when the daemon does not answer within half a minute.
     """
     socket = place / "buildkitd.sock"
     place.mkdir(parents=True)
-    configuration = _configuration(root=place / "store", socket=socket, path=place / "buildkitd.toml")
+    roomy = not on_disk and MEMORY.is_dir() and shutil.disk_usage(MEMORY).free >= ROOM
+    store = Path(tempfile.mkdtemp(prefix="repro-lab-", dir=MEMORY if roomy else place))
+    configuration = _configuration(root=store, socket=socket, path=place / "buildkitd.toml")
     command = [str(program()), "--config", str(configuration)]
     with (place / "buildkitd.log").open("w") as log:
         daemon = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, cwd="/")
@@ -91,8 +99,8 @@ def fresh(place: Path) -> Iterator[str]:
     finally:
         daemon.terminate()
         daemon.wait(30)
-        engine.unmount_below(place)
-        shutil.rmtree(place / "store", ignore_errors=True)
+        engine.unmount_below(store)
+        shutil.rmtree(store, ignore_errors=True)
 
 
 def answers(where: str = "") -> bool:

@@ -33,7 +33,7 @@ def small_disk(lab: Laboratory, megabytes: int) -> Iterator[Laboratory]:
     run(["mount", "-o", "loop", image, disk])
     try:
         with ExitStack() as stack:
-            address = stack.enter_context(buildkit.fresh(disk / "buildkit"))
+            address = stack.enter_context(buildkit.fresh(disk / "buildkit", on_disk=True))
             host = stack.enter_context(_engine(disk / "engine", place / "run"))
             yield dataclasses.replace(lab, docker_host=host, buildkit=address)
     finally:
