@@ -113,13 +113,16 @@ def test_a_repository_that_asks_for_a_key(
 
 
 def test_a_key_through_the_action(lab: Laboratory, keyed: SshServer, tmp_path: Path) -> None:
-    config = f"format: 3\nkind: cpp\nsecrets: [ssh]\n{keyed_source(keyed, tmp_path)}test: cat /usr/local/share/told\n"
+    config = (
+        f"format: 3\nname: lab-keyed\nkind: cpp\nsecrets: [ssh]\n{keyed_source(keyed, tmp_path)}"
+        "test: cat /usr/local/share/told\n"
+    )
+    image = lab.fresh_repository(f"{doors.OWNER}/keyed").partition("/")[2]
     files = {"CMakeLists.txt": WORKSPACE["CMakeLists.txt"], "roslab.yaml": config}
-    caller = through("action", tmp_path / "caller", lab, files, "ssh=${{ secrets.SSH_KEY }}\n")
+    caller = through("action", tmp_path / "caller", lab, files, "ssh=${{ secrets.SSH_KEY }}\n", image=image)
     (caller / "Dockerfile").unlink()
     ran = run_workflow(
-        lab, caller, "push", doors.payload(lab.fresh_repository("lab/keyed").rpartition("/")[2]),
-        env=doors.builder(lab), secrets={"SSH_KEY": keyed.key},
+        lab, caller, "push", doors.payload("keyed"), env=doors.builder(lab), secrets={"SSH_KEY": keyed.key},
     )  # fmt: skip
     assert ran.exit_code == 0, ran.log
     assert "the sister was cloned" in ran.log
@@ -163,9 +166,9 @@ def test_docker_build_sh(roslab: Roslab, builder: dict[str, str], server: Server
     assert built.returncode == 0, built.stderr
 
 
-def through(door: str, folder: Path, lab: Laboratory, files: dict[str, str], secrets: str) -> Path:
+def through(door: str, folder: Path, lab: Laboratory, files: dict[str, str], secrets: str, *, image: str = "") -> Path:
     """Write a repository whose job hands these secrets over, by the action or by the workflow."""
-    given = {"registry": lab.registry, "platforms": "linux/amd64", "cache": "none"}
+    given = {"registry": lab.registry, "image": image, "platforms": "linux/amd64", "cache": "none"}
     if door == "action":
         return doors.through_action(folder, {**given, "secrets": secrets}, files)
     caller = doors.through_workflow(folder, given, files)
@@ -186,14 +189,14 @@ def test_an_index_and_a_base_image_that_ask_for_a_password(
     subprocess.run(copy, env=dict(lab.environment), check=True, capture_output=True)
     with faulty_registry(lab.registry, Faults(matches=lambda *_: False, times=0)) as base:
         config = (
-            f"format: 3\nkind: python\nbase: {{image: '{base}/lab/python:3.12-slim'}}\nsecrets: [pip_index]\n"
-            f"pip: [{server.package}]\ntest: python3 -c 'import {PACKAGE}'\n"
+            f"format: 3\nname: robot\nkind: python\nbase: {{image: '{base}/lab/python:3.12-slim'}}\n"
+            f"secrets: [pip_index]\npip: [{server.package}]\ntest: python3 -c 'import {PACKAGE}'\n"
         )
         files = {"roslab.yaml": config, "main.py": "print('hello')\n", "Dockerfile": "# none\n"}
         secrets = f"pip_index=${{{{ secrets.PIP_INDEX }}}}\nregistry:{base}={lab.username}:${{{{ secrets.BASE }}}}\n"
 
         def run(folder: str, secrets: str, **given: str) -> Result:
-            caller = through(door, tmp_path / folder, lab, files, secrets)
+            caller = through(door, tmp_path / folder, lab, files, secrets, image=f"{doors.OWNER}/{name}")
             event = doors.payload(name)
             return run_workflow(lab, caller, "push", event, env=doors.builder(lab), secrets=given)
 

@@ -15,14 +15,14 @@ FILES = {
     "install(TARGETS robot DESTINATION bin)\n",
     "main.cpp": '#include <cstdio>\nint main() { std::puts("it drives"); }\n',
 }
-RECIPE = "format: 3\nkind: cpp\nslim: true\ntest: {test}\ntags: {{suffix: -arm}}\n"
+RECIPE = "format: 3\nname: robot\nkind: cpp\nslim: true\ntest: {test}\ntags: {{suffix: -arm}}\n"
 
 
 def pushed(lab: Laboratory, folder: Path, door: Callable[..., Path], test: str) -> tuple[str, Result]:
     """Run a caller whose roslab.yaml asks for a slim image; return the repository in the registry, and the run."""
     name = lab.fresh_repository(f"{doors.OWNER}/robot").rpartition("/")[2]
     repository = f"{doors.OWNER}/{name}"
-    inputs = {"registry": lab.registry, "platforms": "linux/amd64", "cache": "none"}
+    inputs = {"registry": lab.registry, "image": repository, "platforms": "linux/amd64", "cache": "none"}
     caller = door(folder, inputs, {"roslab.yaml": RECIPE.format(test=test)}, base=FILES)
     return repository, run_workflow(lab, caller, "push", doors.payload(name), env=doors.builder(lab))
 
