@@ -86,8 +86,11 @@ class Planted:
     canaries: Mapping[str, str]
     places: tuple[Place, ...]
 
-    def findings(self) -> list[canary.Finding]:
-        return canary.find(self.places, self.canaries)
+    def findings(self, seen: str = "") -> tuple[list[canary.Finding], list[canary.Finding]]:
+        """Search once, and return where a harmless value stands, and where anything that was planted does."""
+        found = canary.find(self.places, {**self.canaries, **({"SEEN": seen} if seen else {})})
+        shown = [finding for finding in found if finding.canary == "SEEN"]
+        return shown, [finding for finding in found if finding not in shown]
 
     def kinds(self) -> set[str]:
         """Return what was looked into."""
@@ -185,15 +188,16 @@ def test_no_token_is_left_anywhere(
     left = plant(lab, caller, tmp_path / "run", repository, canaries)
     # Nothing was overlooked: there is something of every kind, and what the build saw is found
     assert left.kinds() == set(KINDS)
-    shown = canary.find(left.places, {"SEEN": seen})
+    shown, leaked = left.findings(seen)
     assert {kind for finding in shown for kind in kinds_of(finding.place)} >= BUILT
-    assert left.findings() == []
+    assert leaked == []
     if door is through_action:
         assert "left a token in .git" in left.ran.log
 
 
 PRIVATE = """\
 format: 3
+name: robot
 kind: python
 base: {{image: "{base}/lab/python:3.12-slim"}}
 secrets: [pip_index, netrc, ssh, map_key]
@@ -235,7 +239,8 @@ def test_no_secret_of_a_build_is_left_anywhere(
         config = PRIVATE.format(
             base=base, package=server.package, module=PACKAGE, repository=server.repository, seen=seen
         )
-        given = {"registry": lab.registry, "username": USER, "cache": "registry", "platforms": "linux/amd64"}
+        given = {"registry": lab.registry, "username": USER, "image": repository}
+        given |= {"cache": "registry", "platforms": "linux/amd64"}
         handed = HANDED.format(base=base)
         caller = door(
             tmp_path / "caller",
@@ -254,9 +259,9 @@ def test_no_secret_of_a_build_is_left_anywhere(
             "BASE_PASSWORD": canaries["BASE_PASSWORD"],
         }
         left = plant(lab, caller, tmp_path / "run", repository, canaries, secrets=secrets)
-    shown = canary.find(left.places, {"SEEN": seen})
+    shown, leaked = left.findings(seen)
     assert {kind for finding in shown for kind in kinds_of(finding.place)} >= BUILT
-    assert left.findings() == []
+    assert leaked == []
 
 
 def test_the_search_finds_what_an_author_leaks(
@@ -266,7 +271,7 @@ def test_the_search_finds_what_an_author_leaks(
     given = {"registry": lab.registry, "username": USER, "cache": "registry", "test": "cat /base64 /percent; ls /"}
     before = 'sed -i "s|@|$DEPLOY_KEY|" Dockerfile'
     caller = through_action(tmp_path / "caller", given, {"Dockerfile": LEAK}, before=before)
-    found = plant(lab, caller, tmp_path / "run", repository, canaries).findings()
+    _, found = plant(lab, caller, tmp_path / "run", repository, canaries).findings()
     assert {finding.canary for finding in found} == {"DEPLOY_KEY"}
     assert {finding.form for finding in found} == {"plain", "base64", "percent"}
     leaked = {kind for finding in found for kind in kinds_of(finding.place)}
