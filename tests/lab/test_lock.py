@@ -194,7 +194,7 @@ def test_an_authors_dockerfile_takes_the_same_images_and_files_again(
 
 DOORS = pytest.mark.parametrize("door", [doors.through_action, doors.through_workflow], ids=["action", "image"])
 GENERATED = {
-    "roslab.yaml": "format: 3\nkind: python\nlock: true\ntest: python3 main.py\n",
+    "roslab.yaml": "format: 3\nname: robot\nkind: python\nlock: true\ntest: python3 main.py\n",
     "requirements.txt": "",
     "main.py": "print('hello')\n",
 }
@@ -212,7 +212,8 @@ def test_a_run_keeps_the_lock_of_its_image_and_offers_it(
 
     def push(folder: str, files: Mapping[str, str]) -> tuple[Result, dict[str, bytes]]:
         given = {"files": {**OWN, **files}} if own else {"base": {**GENERATED, **files}}
-        caller = door(tmp_path / f"{folder}-caller", {"registry": lab.registry, "platforms": "linux/amd64"}, **given)
+        inputs = {"registry": lab.registry, "image": f"{doors.OWNER}/{name}", "platforms": "linux/amd64"}
+        caller = door(tmp_path / f"{folder}-caller", inputs, **given)
         environment = {**doors.builder(lab), "ACTIONS_ID_TOKEN_REQUEST_URL": "http://127.0.0.1:9/"}
         place = tmp_path / folder
         ran = run_workflow(lab, caller, "push", doors.payload(name), env=environment, place=place, github=github)
