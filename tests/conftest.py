@@ -134,7 +134,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     took: dict[str, float] = defaultdict(float)
     known = config.workerinput["durations"] if hasattr(config, "workerinput") else _seconds()
     for item in items:
-        took[_file(item.nodeid)] += known.get(item.nodeid, 0.0)
+        took[_file(item.nodeid)] += known.get(item.nodeid, math.inf)
     items.sort(key=lambda item: _turn(item.nodeid, took))
 
 
@@ -142,13 +142,13 @@ def _turn(nodeid: str, took: Mapping[str, float]) -> tuple[int, float, int]:
     """Return when a test has its turn: what takes milliseconds first, of the lab's files the longest first.
 
     A wrong word is then told before the engine has warmed up, and no process is left alone with a long file at the end.
-    ``took`` are the seconds that each file took the last time; one that was not timed yet may be the longest.
+    ``took`` are the seconds that each file took the last time: of one with a test that was not timed yet, infinite.
     """
     if _kind(nodeid) != "lab":
         return (0, 0.0, 0)
     file = _file(nodeid)
     name = file.rpartition("/")[2]
-    return (1, -took[file] or -math.inf, LONGEST.index(name) if name in LONGEST else len(LONGEST))
+    return (1, -took[file], LONGEST.index(name) if name in LONGEST else len(LONGEST))
 
 
 def _file(nodeid: str) -> str:
@@ -165,8 +165,9 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 def _keep_durations(reporter: pytest.TerminalReporter) -> None:
     took: dict[str, float] = defaultdict(float)
-    passed = {report.nodeid for report in reporter.getreports("passed") if _kind(report.nodeid) == "lab"}
-    for report in (*reporter.getreports("passed"), *reporter.getreports("")):  # "": set-up and what comes after
-        if report.nodeid in passed:
+    ended = [report for kind in ("passed", "skipped") for report in reporter.getreports(kind)]
+    lab = {report.nodeid for report in ended if _kind(report.nodeid) == "lab"}
+    for report in (*ended, *reporter.getreports("")):  # "": set-up and what comes after
+        if report.nodeid in lab:
             took[report.nodeid] += report.duration
     durations.keep(took)
