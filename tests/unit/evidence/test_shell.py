@@ -53,7 +53,7 @@ def test_apt_lines(text: str, expected: list[str]) -> None:
     "written",
     ["YOUR_DISTRO", "<distro>", "$ROS_DISTRO", "${ROS_DISTRO}", '"${ROS_DISTRO}"', "XXX", "xxx", "[distro]",
      "$(rosversion -d)",
-     "${{ matrix.ros_distro }}", "{distro}", "<your-ros-version>"],
+     "${{ matrix.ros_distro }}", "${{ needs.find-ros-distro.outputs.distro }}", "{distro}", "<your-ros-version>"],
 )  # fmt: skip
 def test_placeholders_of_a_distro(written: str) -> None:
     assert apt(f"sudo apt-get install ros-{written}-cv-bridge libx") == ["ros-{distro}-cv-bridge", "libx"]

@@ -22,7 +22,7 @@ MAX_VALUE = 4_000
 """Most characters of a variable's value: one that doubles itself in each line would fill the memory."""
 _PLACEHOLDER = pattern(
     r"""\bros-(?:
-        \$?\{\{\s*[\w.]*distro[\w.]*\s*\}\}                      # ${{ matrix.ros_distro }}
+        \$?\{\{\s*[\w.-]{0,60}?distro[\w.-]{0,60}\s*\}\}      # ${{ matrix.ros_distro }}, ${{ needs.ros-distro.x }}
       | "?'?\$\{?\(?\w*(?:distro|version|rosver)\w*\}?\)?'?"?    # $ROS_DISTRO, "${ROS_DISTRO}"
       | \$\(\s*rosversion\s+-d\s*\) | `\s*rosversion\s+-d\s*`
       | <[^<>\n]{1,40}> | \[[^\[\]\n]{1,30}\] | \{[\w\s-]{1,30}\} | %\w+% | \#+
