@@ -65,6 +65,14 @@ def page(*commands: str) -> dict[str, str]:
             ),
             f"deb [signed-by={SERVER}] https://apt.acme.org/x jammy main",
         ),
+        (
+            (
+                "wget https://apt.acme.org/keys/ACME-2019.PUB\n",
+                "sudo apt-key add ACME-2019.PUB\n",
+                "sudo sh -c 'echo deb https://apt.acme.org/x all main > /etc/apt/sources.list.d/acme.list'\n",
+            ),
+            "deb [signed-by=https://apt.acme.org/keys/ACME-2019.PUB] https://apt.acme.org/x all main",
+        ),
     ],
 )
 def test_a_source_is_added_with_its_key(tree: Tree, commands: tuple[str, ...], added: str) -> None:

@@ -274,6 +274,14 @@ def test_what_a_shell_prints_before_a_command_is_none_of_it(tmp_path: Path, prom
     ]
 
 
+def test_a_remark_behind_two_slashes_is_none_of_a_command(tmp_path: Path) -> None:
+    page = "```\nroslaunch robot go.launch map:=//old // load the map\n```\n"
+    prose = read(readme, tmp_path, {"README.md": page})
+    assert [mention.value for mention in prose.mentions if mention.topic == "command"] == [
+        "roslaunch robot go.launch map:=//old"
+    ]
+
+
 @pytest.mark.parametrize(
     ("page", "lines"),
     [

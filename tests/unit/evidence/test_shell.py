@@ -43,6 +43,7 @@ def pip(text: str) -> list[str]:
         ("apt-get install liba sudo apt-get install libb", ["liba"]),
         ("apt-get install ros-humble-gazebo-* ./local.deb libA", ["ros-humble-gazebo-*"]),
         ("X=libfoo apt-get install $X", []),
+        ("if a; then apt install -y liba libb . /opt/a.sh fi", ["liba", "libb"]),
     ],
 )
 def test_apt_lines(text: str, expected: list[str]) -> None:

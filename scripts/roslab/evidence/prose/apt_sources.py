@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import NamedTuple
 from urllib.parse import urlsplit
@@ -21,7 +22,7 @@ _AROUND = 300
 """Most characters between the line and the command that adds it."""
 _FETCH = pattern(r"\b(?:curl|wget)[ \t][^\n|]{0,200}?(https?://[^\s\"'|>;)]{3,300})[^\n]*")
 _AS_KEY = pattern(r"apt-key[ \t]+add|--dearmor|keyrings?[/.]|trusted\.gpg")
-_KEY_FILE = pattern(r"\.(?:asc|gpg|key|pub|pgp)$")
+_KEY_FILE = pattern(r"\.(?:asc|gpg|key|pub|pgp)$", re.IGNORECASE)
 _PLACE = pattern(r"/(?:usr/share|etc/apt)/(?:keyrings|trusted\.gpg\.d)/[\w.+-]+")
 _SERVER = pattern(
     r"--keyserver[ \t=]+[\"']?(\S+?)[\"']?[ \t][^\n]*?--recv(?:-keys?)?[ \t]+(?:0x)?([0-9A-Fa-f]{8,40})(?!\w)"

@@ -291,9 +291,9 @@ def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
 
 
 def _typed(line: str) -> str:
-    """Return what follows a shell's prompt, else the line."""
+    """Return what follows a shell's prompt, else the line, without the remark that a page writes behind ``//``."""
     match = PROMPT.match(line)
-    return line[match.end() :] if match else line
+    return (line[match.end() :] if match else line).partition(" // ")[0]
 
 
 def _alone(span: str) -> str:

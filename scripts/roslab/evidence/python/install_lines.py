@@ -18,7 +18,7 @@ STOP = frozenset(
     [
         "and", "or", "the", "to", "for", "if", "on", "with", "then", "is", "as", "in", "it", "a", "an", "from",
         "via", "by", "into", "version", "you", "your", "this", "that", "sudo", "apt", "apt-get", "pip", "pip3",
-        "will", "should", "can", "which", "using", "command", "following",
+        "will", "should", "can", "which", "using", "command", "following", "fi", "done", "esac",
     ]
 )  # fmt: skip
 PIP = pattern(r"^pip(?:x|[23](?:\.\d+)?)?$")
