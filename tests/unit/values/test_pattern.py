@@ -77,7 +77,7 @@ def _read_again(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(kept_patterns, "_kept", None)
 
 
-@pytest.mark.skipif(sys.version_info < (3, 11), reason="this Python keeps no patterns")
+@pytest.mark.skipif(sys.version_info[:2] not in kept_patterns.SEEN, reason="this Python keeps no patterns")
 def test_a_kept_pattern_is_what_re_compiles(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     given = [each._given for each in _patterns()]  # type: ignore[attr-defined]
     for source, flags in given:
@@ -90,7 +90,7 @@ def test_a_kept_pattern_is_what_re_compiles(file: Path, monkeypatch: pytest.Monk
         assert (found.flags, found.groups, found.groupindex) == (expected.flags, expected.groups, expected.groupindex)
 
 
-@pytest.mark.skipif(sys.version_info < (3, 11), reason="this Python keeps no patterns")
+@pytest.mark.skipif(sys.version_info[:2] not in kept_patterns.SEEN, reason="this Python keeps no patterns")
 @pytest.mark.parametrize(
     "text", [b"", b"no form", b"i\x01\x00\x00\x00", marshal.dumps(("another release", {("a", 0): 1}))]
 )
@@ -115,3 +115,10 @@ def test_a_folder_that_cannot_be_written_is_no_error(file: Path, monkeypatch: py
     monkeypatch.setattr(kept_patterns, "_file", lambda: str(file / "absent" / "kept"))
     assert kept_patterns.compiled("a", 0).match("a")
     kept_patterns._write()
+
+
+def test_a_python_whose_halves_nobody_saw_compiles_anew(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kept_patterns, "_KEEPS", False)
+    assert kept_patterns.compiled("(a)b", 0) == re.compile("(a)b")
+    kept_patterns._write()
+    assert kept_patterns._kept is None
