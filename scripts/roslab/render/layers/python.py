@@ -43,19 +43,13 @@ def environment(plan: Plan) -> str:
         return "\n".join((*lines, _both_pips(plan)))
     if installs and plan.python_tools.pinned:
         # An old distribution's pip knows no wheels of today, and today's pip does not run on its Python
-        lines.append(
-            shell.run(
-                secrets.REPEATABLE,
-                f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}",
-                around=locks.constraints(plan),
-            )
-        )
+        lines.append(shell.run(secrets.REPEATABLE, *_upgrades(plan), around=locks.constraints(plan)))
     return "\n".join(lines)
 
 
 def _upgrades(plan: Plan) -> tuple[str, ...]:
     """Return the commands that bring pip and what it builds with; where only packages are of a day, pip is not."""
-    upgrade, tools = "python3 -m pip install --no-cache-dir --upgrade", _tools(plan)
+    upgrade, tools = f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade", _tools(plan)
     if plan.python.day:
         own = tuple(line for line in tools if line.startswith("pip"))
         others = tuple(line for line in tools if line not in own)
