@@ -167,10 +167,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else NO_CUDA
     compiling = decide_compiling(
-        projects,
-        (*everything, *python.answer.first),
-        cuda.answer.version,
-        evidence.unsafe_hosts,
+        projects, (*everything, *python.answer.first), cuda.answer.version, evidence.unsafe_hosts
     )
     missing = decide_missing(
         evidence,

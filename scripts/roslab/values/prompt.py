@@ -14,3 +14,9 @@ PROMPT = pattern(
     r"(?:\s+(?=\S)|\s*$)"
 )
 """To be matched at the start of a line; what follows the match is the command."""
+
+
+def typed(line: str) -> str:
+    """Return what follows a shell's prompt, else the line, without the remark that a page writes behind ``//``."""
+    match = PROMPT.match(line)
+    return (line[match.end() :] if match else line).partition(" // ")[0]

@@ -29,7 +29,7 @@ from roslab.evidence.prose.shells import leads_elsewhere
 from roslab.evidence.prose.telling import Signs, signs_in, telling
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
-from roslab.values.prompt import PROMPT
+from roslab.values.prompt import typed
 from roslab.values.words import joined
 
 MAX_SIZE = 256 * 1024
@@ -273,7 +273,7 @@ def _tells(line: str, signs: Signs, *, fenced: bool) -> bool:
 
 
 def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
-    line = _typed(line)
+    line = typed(line)
     if match := _START.match(line.replace("\\\n", "\\\x01")):
         shell = re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n")
         # In a block they are the shell's, else Markdown's, but for the distribution in ros-`rosversion -d`-tf
@@ -281,19 +281,13 @@ def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
     elif fenced:
         yield line
     else:
-        spans = (_typed(span[2]) for span in _SPAN.finditer(line))
+        spans = (typed(span[2]) for span in _SPAN.finditer(line))
         yield from (_alone(span) for span in spans if telling(span, signs) and " " in span)
         yield from (said[0] for said in (_SAID_LAUNCH.finditer(line) if "launch " in line else ()))
         yield from (f"git clone {named[1]}" for named in (_CLONED.finditer(line) if "://" in line else ()))
         yield from (f"cd {named[1]}" for named in _GO_INTO.finditer(line))
         yield from (f"./{named[1]}" for named in _NAMED.finditer(line))
         yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
-
-
-def _typed(line: str) -> str:
-    """Return what follows a shell's prompt, else the line, without the remark that a page writes behind ``//``."""
-    match = PROMPT.match(line)
-    return (line[match.end() :] if match else line).partition(" // ")[0]
 
 
 def _alone(span: str) -> str:
