@@ -13,6 +13,8 @@ GUARD = "if __name__ == '__main__':\n    main()\n"
 GUARDED = "try:\n    import rospy\nexcept ImportError:\n    pass\n"
 NODE = "import rospy\nimport tf\n"
 DOCKERFILE = "FROM ros:noetic-ros-base\nCOPY . /bags\nRUN pip install -e /bags\n"
+CATKIN = "project(bags)\nfind_package(catkin)\ncatkin_package()\n"
+MANIFEST = "package.xml"
 SETUP = {"setup.py": "from setuptools import setup\nsetup(name='bags', install_requires=['tqdm'])\n"}
 
 
@@ -54,3 +56,16 @@ def test_a_script_that_gives_all_arguments_to_one_program(tree: Tree, last: str,
     }
     decision = tree({**SETUP, **files})
     assert (decision.dockerfile, decision.command) == ("Dockerfile", command)
+
+
+@pytest.mark.parametrize(
+    ("more", "packages", "projects"),
+    [({}, (), (".",)), ({"CMakeLists.txt": CATKIN}, (MANIFEST,), ())],
+)
+def test_a_project_of_setup_py_that_catkin_cannot_build_is_pips(
+    tree: Tree, more: dict[str, str], packages: tuple[str, ...], projects: tuple[str, ...]
+) -> None:
+    package = "<package><name>bags</name><version>1.0.0</version><buildtool_depend>catkin</buildtool_depend></package>"
+    decision = tree({**SETUP, MANIFEST: package, "bags/convert.py": f"import numpy\nimport rospy\n{GUARD}", **more})
+    assert decision.kind == "ros1"
+    assert (decision.packages, decision.python.projects) == (packages, projects)

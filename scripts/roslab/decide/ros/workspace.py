@@ -33,7 +33,7 @@ class Packages:
 
     built: tuple[PackageManifest, ...]
     assets: tuple[PackageManifest, ...]
-    """Robot descriptions that programs read: in a folder of assets, or without CMakeLists.txt and setup.py."""
+    """Robot descriptions that programs read: in a folder of assets, or without what their tool builds a package by."""
     left_out: tuple[PackageManifest, ...]
     """Ignored by a marker, copied in, nested in another package, or unreadable."""
 
@@ -88,7 +88,8 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
     built: list[PackageManifest] = []
     assets: list[PackageManifest] = []
     left_out: list[PackageManifest] = []
-    buildable = {file.rpartition("/")[0] for file in cmake} | set(python)
+    by_tool = {file.rpartition("/")[0] for file in cmake}
+    by_tool |= {m.file.rpartition("/")[0] for m in manifests if not _only_catkin(m)} & set(python)
     seen: set[str] = set()
     doubles = _other_workspaces(manifests)
     kept = set(doubles)
@@ -99,7 +100,7 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
         elif manifest.name in seen:
             left_out.append(manifest)
             doubles.add(folder)
-        elif (folder not in buildable and not manifest.metapackage) or (_ASSET.search(folder) and len(manifests) > 1):
+        elif (folder not in by_tool and not manifest.metapackage) or (_ASSET.search(folder) and len(manifests) > 1):
             assets.append(manifest)
         else:
             built.append(manifest)
@@ -199,6 +200,11 @@ def _for_catkin(manifest: PackageManifest, macros: tuple[str, ...]) -> bool:
     if manifest.build_types != (("catkin", None),) or _built_with(manifest, 1) & _CATKIN:
         return True
     return "catkin" in macros  # the file names no build type, and catkin is only the default of the standard
+
+
+def _only_catkin(manifest: PackageManifest) -> bool:
+    """Tell whether catkin builds a package, which takes none without a CMakeLists.txt, and nothing else does."""
+    return _for_catkin(manifest, ()) and not _for_ament(manifest)
 
 
 def _for_ament(manifest: PackageManifest) -> bool:
