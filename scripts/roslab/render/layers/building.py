@@ -56,3 +56,14 @@ def installs(plan: Plan) -> bool:
     python = plan.python
     named = python.pip or python.pip_guessed or python.first
     return bool(named or python.requirements or python.cloned_files or python.projects)
+
+
+def also_with_what_is_there(plan: Plan, pip: str, words: str) -> str:
+    """Return a call of pip, and one more where it fails and some package builds with others that are there already.
+
+    In an environment of its own such a package does not find them: its setup.py imports torch or NumPy, which no list
+    of what it builds with names.
+    """
+    whole = f"{pip}{words}"
+    again = f"{pip} --no-build-isolation{words}"
+    return f"{{ {whole} \\\n      || {again}; }}" if plan.python.first else whole

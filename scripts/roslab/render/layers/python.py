@@ -174,13 +174,14 @@ def packages(plan: Plan) -> str:
     pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{pip_options(python.options)}"
     commands = [f"{pip}{shell.words(python.first)}"] if python.first else []
     if python.pip:
-        commands.append(f"{pip}{pip_options(python.pip_options)}{shell.words(_arguments(python.pip))}")
+        words = f"{pip_options(python.pip_options)}{shell.words(_arguments(python.pip))}"
+        commands.append(building.also_with_what_is_there(plan, pip, words))
     if commands:
         blocks.append(shell.run(*commands, comment="Python packages that are declared", secrets=secrets.for_pip(plan)))
     if python.requirements:
         files = "".join(f" --requirement {quote.shell(f'{manifests.FOLDER}/{name}')}" for name in python.requirements)
         copy = manifests.copy(plan, manifests.of_pip(plan))
-        run = shell.run(f"{pip}{files}", secrets=secrets.for_pip(plan))
+        run = shell.run(building.also_with_what_is_there(plan, pip, files), secrets=secrets.for_pip(plan))
         blocks.append(f"# Requirement files\n{copy}{run}")
     if python.python2:
         options = pip_options(python.python2_options)
