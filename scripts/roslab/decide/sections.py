@@ -31,6 +31,8 @@ _TRIED = pattern(
     r"\b(?:sanity|quick|smoke|simple|first)[ -]+(?:tests?|check)\b|\btest[ -](?:run|drive|it)\b", re.IGNORECASE
 )
 """A section that has the reader run it once, to see whether it works."""
+_AND_TEST = pattern(r"\b(train\w*)\s*(?:and|&|/|,|\+)\s*(?:tests?|testing|evaluat\w*|validat\w*)\b", re.IGNORECASE)
+"""A section that trains first, and then looks at what came of it."""
 _TO_TEST = pattern(r"(?<!\w)(start|run|launch)\b(.{1,80}?)\bto test\b", re.IGNORECASE)
 """What a section starts to see whether it works: ``Start the simulation to test your setup``."""
 
@@ -40,7 +42,7 @@ def about_running(heading: str) -> int:
     for title in reversed(heading.split(" / ")):
         if _TRIED.search(title):
             return 1
-        if _ASIDE.search(_TO_TEST.sub(r"\1\2", title)):
+        if _ASIDE.search(_AND_TEST.sub(r"\1", _TO_TEST.sub(r"\1\2", title))):
             return -1
         if _USAGE.search(title):
             return 1

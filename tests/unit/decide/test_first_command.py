@@ -550,6 +550,13 @@ def test_what_is_named_like_a_test_is_run_where_a_section_about_running_has_noth
     assert (found[-1] if command else found[0]) == (command or "bash")
 
 
+@pytest.mark.parametrize("title", ["Train and Test", "Training & Evaluation", "2. Training/testing"])
+def test_a_section_that_trains_and_tests_is_about_what_the_code_does(tree: Tree, title: str) -> None:
+    page = f"## {title}\n```\npython train.py a.py\n```\n## With half precision\n```\npython half.py a.py\n```\n"
+    code = dict.fromkeys(("train.py", "half.py", "a.py"), "import numpy\n")
+    assert tree({**code, "README.md": page}).command == ("python", "train.py", "a.py")
+
+
 def test_an_argument_that_a_shell_works_out_is_left_out_whole(tree: Tree) -> None:
     page = "# Run\nros2 launch demo map.launch.py file:='$(find-pkg-share demo)/a.yaml' robot:=a\n"
     assert tree({**ROS2, "README.md": page}).command == ("ros2", "launch", "demo", "map.launch.py", "robot:=a")

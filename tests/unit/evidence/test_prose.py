@@ -274,6 +274,21 @@ def test_what_a_shell_prints_before_a_command_is_none_of_it(tmp_path: Path, prom
     ]
 
 
+@pytest.mark.parametrize(
+    ("typed", "read_as"),
+    [
+        ("python go.py --scene (packed/a | pile) --view 1", "python go.py --scene packed/a --view 1"),
+        ("python go.py --scene \uff08packed \uff5c pile)", "python go.py --scene packed"),
+        ("python go.py (slow)", "python go.py"),
+    ],
+)
+def test_of_the_values_that_a_page_offers_for_an_option_the_first_is_taken(
+    tmp_path: Path, typed: str, read_as: str
+) -> None:
+    prose = read(readme, tmp_path, {"README.md": f"```\n{typed}\n```\n"})
+    assert [mention.value for mention in prose.mentions if mention.topic == "command"][:1] == [read_as]
+
+
 def test_a_remark_behind_two_slashes_is_none_of_a_command(tmp_path: Path) -> None:
     page = "```\nroslaunch robot go.launch map:=//old // load the map\n```\n"
     prose = read(readme, tmp_path, {"README.md": page})

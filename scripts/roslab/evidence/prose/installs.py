@@ -9,6 +9,7 @@ from typing import Literal
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
+from roslab.evidence.prose import blanks
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at
@@ -24,12 +25,6 @@ from roslab.values.requirement import Requirement
 from roslab.values.words import joined
 
 MentionSource = Literal["dockerfile", "ci", "readme", "script"]
-_RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
-BLANK = pattern(r"<[A-Za-z][^<>|&;\n]{0,60}>|<[\w.-]{1,30}(?:\s?\|\s?[\w.-]{1,30}){1,12}>")
-"""A placeholder for the reader of a page to fill in, or to choose: ``<small | large>``."""
-_BRACED = pattern(r"(?<![$\w{=-])\{[A-Za-z][\w -]{0,40}\}(?=[/\s]|$)")
-_CHOICE = pattern(r"(?<==)\{\s*([\w.-]+)\s*(?:[,|/]\s*[\w.-]+\s*){1,12}\}")
-"""Values of which the reader chooses one: ``rviz:={true, false}``."""
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
 _APT_NAME = pattern(
@@ -84,10 +79,7 @@ class Collector:
     def logical(self, text: str, line: int) -> None:
         """Read one logical line."""
         if telling(text):
-            if "<" in text and (self.source == "readme" or _RUN.search(text)):
-                text = BLANK.sub("$UNKNOWN", text)  # otherwise `<sensor name>` would be read as a redirection
-            text = _BRACED.sub("$UNKNOWN", text) if "{" in text and self.source == "readme" else text
-            text = _CHOICE.sub(r"\1", text) if "={" in text else text
+            text = blanks.filled(text, of_page=self.source == "readme")
             for command in commands(text, line, self.variables):
                 for topic, value in steps(command, self.heading, self.folder):
                     self._mention(topic, value.replace(UNKNOWN, "…"), command)

@@ -15,11 +15,12 @@ from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logical_lines
 from roslab.evidence.prose import apt_scripts, downloads, exports, generated, libtorch, mentions, python_path
+from roslab.evidence.prose.blanks import BLANK
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of
-from roslab.evidence.prose.installs import BLANK, Collector
+from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import merge
 from roslab.evidence.prose.own_files import with_files
 from roslab.evidence.prose.own_scripts import called, checked
