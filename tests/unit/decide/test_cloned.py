@@ -41,6 +41,8 @@ API = "git clone https://github.com/lab/graspAPI.git\n"
 def test_a_clone_that_pip_installs(tree: Tree, page: str, urls: list[str]) -> None:
     found = tree({**CODE, "README.md": f"```\n{page}```\n"}).python
     assert [each.url for each in found.pip_guessed] == urls
+    texts = [each.text for each in found.pip_guessed]
+    assert texts == urls, "pip refuses a package that has another name than its repository"
 
 
 SAID = "- Clone https://github.com/lab/rsl_lib\n- `cd rsl_lib && git checkout v1.0.2 && pip install -e .`\n"

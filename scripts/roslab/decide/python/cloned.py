@@ -41,4 +41,4 @@ def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
         if below and any(project.folder == below for project in evidence.python):
             continue  # a page may go into the repository itself after it
         url = f"git+{https(git.url)}" + (f"@{git.ref}" if git.ref else "") + (f"#subdirectory={below}" if below else "")
-        yield stated(f"{git.name} @ {url}", "prose", asked.file, asked.line or 1)
+        yield stated(url, "prose", asked.file, asked.line or 1)
