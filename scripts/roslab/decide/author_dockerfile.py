@@ -38,7 +38,9 @@ _PUBLISHED = (
     "mcr.",
 )
 _ACCELERATED = pattern(r"nvidia|nvcr\.io|cuda|pytorch|tensorflow|-gpu|rocm")
-_ASIDE = pattern(r"(?:^|[/._-])(?:submi(?:t|ssion)|challenge|leaderboard|evaluat\w*|tests?|testing|debug)(?:[/._-]|$)")
+_ASIDE = pattern(
+    r"(?:^|[/._-])(?:submi(?:t|ssion)|challenge|leaderboard|evaluat\w*|tests?|testing|debug|examples?|tutorials?)(?:[/._-]|$)"
+)
 """A part of the path of a Dockerfile for something else than the program itself."""
 _UBUNTU_TAG = pattern(r"ubuntu[:_-]?(\d\d)\.\d\d")
 

@@ -25,11 +25,12 @@ def test_a_good_one_is_believed() -> None:
     assert choice.answer == Dockerfile(file="docker/Dockerfile", context="")
 
 
-def test_one_for_another_purpose_yields() -> None:
-    plain = replace(GOOD, file="Dockerfile", base="ubuntu:20.04")
-    submitted = replace(GOOD, file="Dockerfile.submission", base="nvidia/cuda:11.8.0-runtime-ubuntu22.04")
-    choice = decide_dockerfile(Evidence(dockerfiles=(submitted, plain)), Config(), "cuda", None)
-    assert choice.answer == Dockerfile(file="Dockerfile", context="")
+@pytest.mark.parametrize("other", ["Dockerfile.submission", "examples/learning/Dockerfile"])
+def test_one_for_another_purpose_yields(other: str) -> None:
+    plain = replace(GOOD, file="utils/docker/Dockerfile", base="ubuntu:20.04")
+    aside = replace(GOOD, file=other, base="nvidia/cuda:11.8.0-runtime-ubuntu22.04")
+    choice = decide_dockerfile(Evidence(dockerfiles=(aside, plain)), Config(), "cuda", None)
+    assert choice.answer == Dockerfile(file="utils/docker/Dockerfile", context="")
 
 
 @pytest.mark.parametrize(
