@@ -7,9 +7,10 @@ from collections.abc import Iterable, Sequence
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
+from roslab.decide.ros.source_names import address
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
-from roslab.evidence.dependency import Dependency
+from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.apt_scripts import adds_a_source
 from roslab.evidence.ros.conditions import holds
@@ -68,11 +69,19 @@ def own_packages(keys: Iterable[Dependency], evidence: Evidence, target: Target)
     return found
 
 
-def translate(key: Dependency, target: Target, *, cloned: bool, submodules: tuple[str, ...] = ()) -> Translated:
+def translate(
+    key: Dependency,
+    target: Target,
+    *,
+    cloned: bool,
+    submodules: tuple[str, ...] = (),
+    linked: GitSource | None = None,
+) -> Translated:
     """Return what to do about a key that rosdep cannot resolve: a library's packages or recipe, else a warning.
 
     ``cloned``: there are sister repositories, whose packages are not known before they are cloned. ``submodules``: the
-    folders of submodules; one that is named like the key and has no package.xml is not checked out.
+    folders of submodules; one that is named like the key and has no package.xml is not checked out. ``linked``: the
+    only other repository that the pages link to.
     """
     name = key.name
     if name in rosdep_keys() or name in released(target.ros_distro or ""):
@@ -85,7 +94,7 @@ def translate(key: Dependency, target: Target, *, cloned: bool, submodules: tupl
             return Translated(skip=True, warning=warn(f"{message}: {hint}", key))
         message = f"rosdep has no key {name} for ROS {target.ros_distro}"
         folder = next((path for path in submodules if path.rpartition("/")[2] == name), None)
-        hint = _hint(name, target, cloned=cloned, folder=folder)
+        hint = _hint(name, target, cloned=cloned, folder=folder, linked=linked)
         return Translated(warning=warn(f"{message}: {hint}", key), unknown=not (cloned or folder))
     instead = " ".join(found.apt) or f"{found.recipe}, built from source,"
     message = f"{name} is the name of a library, not a key of rosdep: {instead} is installed for it"
@@ -108,11 +117,19 @@ def of_an_apt_source(keys: Sequence[str], target: Target, evidence: Evidence) ->
     return warn(f"{message}: {hint}, or give their repositories under `source`", step)
 
 
-def _hint(name: str, target: Target, *, cloned: bool, folder: str | None) -> str:
+def the_one_linked(evidence: Evidence) -> GitSource | None:
+    """Return the repository that the pages at the root link to, ``None`` if they link to several or to none."""
+    found = {address(git.url): git for git in evidence.sources if git.kind == "link" and "/" not in git.file}
+    return next(iter(found.values())) if len(found) == 1 else None
+
+
+def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, linked: GitSource | None) -> str:
     if folder:
         return f"the submodule {folder} may hold it, but is not checked out: git submodule update --init --recursive"
     near = _nearest(name, rosdep_keys() | released(target.ros_distro or ""))
     where = "one of the cloned repositories may hold it" if cloned else "nothing here says where it comes from"
+    if linked:
+        where = f"{linked.url}, which {linked.file}:{linked.line} links to, may hold it"
     meant = f"correct the name (is {near} meant?)" if near else "correct the name"
     return f"{where}; else {meant}, or give its repository under source in roslab.yaml"
 

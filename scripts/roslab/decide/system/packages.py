@@ -8,7 +8,14 @@ from collections.abc import Iterator
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Python, Reason, Warning_
 from roslab.decide.reasons import because, configured
-from roslab.decide.ros.keys import declared_keys, of_an_apt_source, own_packages, translate
+from roslab.decide.ros.keys import (
+    Translated,
+    declared_keys,
+    of_an_apt_source,
+    own_packages,
+    the_one_linked,
+    translate,
+)
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.carried import brought, held
@@ -108,9 +115,10 @@ def decide_system(
     own = own_packages((key for key in keys if key.name not in found.skip), evidence, target)
     found.skip |= dict.fromkeys(own)
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
+    sister = the_one_linked(evidence)
     for key in keys:
         if key.name not in found.skip:
-            _translate(key, target, found, cloned=cloned, submodules=submodules)
+            _keep(key, translate(key, target, cloned=cloned, submodules=submodules, linked=sister), found)
     defined = ((each, False) for listed in own.values() for each in listed)
     needed = (*defined, *needs(evidence, packages, kind, target.ros_distro))
     in_apt = _named_in_apt(found, needed)
@@ -189,8 +197,7 @@ def _requested(config: Config, ubuntu: str | None) -> Iterator[str]:
         yield from on_request(key, ubuntu)
 
 
-def _translate(key: Dependency, target: Target, found: _Found, *, cloned: bool, submodules: tuple[str, ...]) -> None:
-    meant = translate(key, target, cloned=cloned, submodules=submodules)
+def _keep(key: Dependency, meant: Translated, found: _Found) -> None:
     for apt in meant.apt:
         found.declared.setdefault(apt, key)
     if meant.recipe:
