@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 import resource
 import shutil
@@ -21,13 +20,6 @@ from lab import durations
 ROOT = Path(__file__).resolve().parent.parent
 KINDS = ("unit", "golden", "bad_input", "lab", "lint")
 """Folders of tests; each is a marker of the same name."""
-LONGEST = (
-    *("test_same_bits.py", "test_workflows.py", "test_ladder.py", "test_repair.py", "test_screenshots.py"),
-    *("test_private.py", "test_action.py", "test_lock.py", "test_canary.py", "test_mended_bases.py"),
-    *("test_examples.py", "test_cache.py", "test_date.py", "test_run_script.py", "test_slim.py", "test_order.py"),
-    *("test_cases.py", "test_drift.py", "test_notebook.py", "test_trust.py", "test_hostile.py"),
-)
-"""Files of the lab that take longest, for whom others wait unless they begin first: the order where none was timed."""
 Roslab = Callable[..., "subprocess.CompletedProcess[str]"]
 
 
@@ -131,24 +123,18 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for item in items:
         if kind := _kind(item.nodeid):
             item.add_marker(kind)
-    took: dict[str, float] = defaultdict(float)
     known = config.workerinput["durations"] if hasattr(config, "workerinput") else _seconds()
-    for item in items:
-        took[_file(item.nodeid)] += known.get(item.nodeid, math.inf)
+    took = durations.of_files((item.nodeid for item in items if _kind(item.nodeid) == "lab"), known)
     items.sort(key=lambda item: _turn(item.nodeid, took))
 
 
-def _turn(nodeid: str, took: Mapping[str, float]) -> tuple[int, float, int]:
+def _turn(nodeid: str, took: Mapping[str, float]) -> tuple[int, float]:
     """Return when a test has its turn: what takes milliseconds first, of the lab's files the longest first.
 
     A wrong word is then told before the engine has warmed up, and no process is left alone with a long file at the end.
-    ``took`` are the seconds that each file took the last time: of one with a test that was not timed yet, infinite.
+    ``took`` are the seconds of each file.
     """
-    if _kind(nodeid) != "lab":
-        return (0, 0.0, 0)
-    file = _file(nodeid)
-    name = file.rpartition("/")[2]
-    return (1, -took[file], LONGEST.index(name) if name in LONGEST else len(LONGEST))
+    return (1, -took[_file(nodeid)]) if _kind(nodeid) == "lab" else (0, 0.0)
 
 
 def _file(nodeid: str) -> str:

@@ -45,7 +45,7 @@ def test_an_authors_dockerfile_is_asked_the_same_and_nothing_depends_on_it(tmp_p
     found = rung_0(tmp_path, **asked)
     assert [proof.name for proof in found] == [FOUND, "declared Python packages import", LIBRARIES]
     assert not any(proof.required or proof.entrypoint for proof in found)
-    assert all("/devel/setup.bash" in proof.command[2] for proof in (found[0], found[2]))
+    assert all("(devel|install)(_isolated)?/setup.bash" in proof.command[2] for proof in (found[0], found[2]))
 
 
 @pytest.mark.parametrize(
