@@ -12,7 +12,7 @@ from roslab.decide.python.machine_lists import of_machines
 from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.reasons import warn
-from roslab.decide.ros.workspace import packages_of
+from roslab.decide.ros.workspace import of_catkin_alone
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence, PythonProject, RequirementFile
 from roslab.values.name import canonicalize_name
@@ -144,9 +144,10 @@ def projects(
 ) -> tuple[PythonProject, ...]:
     """Return the folders to install: the root, what a README or the given files install, else the nearest."""
     ros = kind in {"ros1", "ros2"}
-    assets = packages_of(evidence).assets  # a project of setup.py alone is none that catkin builds
-    there = (m for m in evidence.manifests if ros and not m.ignored and m not in assets)
-    manifests = {manifest.file.rpartition("/")[0] for manifest in there}
+    by_cmake = {project.file.rpartition("/")[0] for project in evidence.cmake}
+    there = [m for m in evidence.manifests if ros and not m.ignored]
+    manifests = {m.file.rpartition("/")[0] for m in there if not of_catkin_alone(m)}
+    manifests |= {m.file.rpartition("/")[0] for m in there} & by_cmake  # catkin builds nothing without one
     usable = {p.folder: p for p in evidence.python if p.installable}
     chosen: dict[str, PythonProject] = {}
     if "" in usable and "" not in manifests:

@@ -89,7 +89,7 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
     assets: list[PackageManifest] = []
     left_out: list[PackageManifest] = []
     by_tool = {file.rpartition("/")[0] for file in cmake}
-    by_tool |= {m.file.rpartition("/")[0] for m in manifests if not _only_catkin(m)} & set(python)
+    by_tool |= {m.file.rpartition("/")[0] for m in manifests if not of_catkin_alone(m)} & set(python)
     seen: set[str] = set()
     doubles = _other_workspaces(manifests)
     kept = set(doubles)
@@ -202,7 +202,7 @@ def _for_catkin(manifest: PackageManifest, macros: tuple[str, ...]) -> bool:
     return "catkin" in macros  # the file names no build type, and catkin is only the default of the standard
 
 
-def _only_catkin(manifest: PackageManifest) -> bool:
+def of_catkin_alone(manifest: PackageManifest) -> bool:
     """Tell whether catkin builds a package, which takes none without a CMakeLists.txt, and nothing else does."""
     return _for_catkin(manifest, ()) and not _for_ament(manifest)
 
