@@ -25,8 +25,14 @@ def of_machines(evidence: Evidence) -> frozenset[str]:
 
 def machine_lists(evidence: Evidence, chosen: Collection[RequirementFile]) -> Iterator[Warning_]:
     """Yield a warning for each of the lists that is not among the chosen files."""
-    lists = of_machines(evidence)
+    why = "it lists what a machine with ROS had installed, ROS's own packages too, which pip cannot install"
+    return not_installed(evidence, of_machines(evidence), chosen, why)
+
+
+def not_installed(
+    evidence: Evidence, lists: Collection[str], chosen: Collection[RequirementFile], why: str
+) -> Iterator[Warning_]:
+    """Yield a warning for each of these lists that is not among the chosen files."""
     for file in evidence.requirements:
         if file.file in lists and file not in chosen:
-            why = "it lists what a machine with ROS had installed, ROS's own packages too, which pip cannot install"
             yield warn(f"{file.file} is not installed: {why}; `requirements` in roslab.yaml installs it", file)

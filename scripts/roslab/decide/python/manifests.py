@@ -8,11 +8,10 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Warning_
-from roslab.decide.python.machine_lists import of_machines
+from roslab.decide.python.machine_lists import not_installed, of_machines
 from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
-from roslab.decide.reasons import warn
-from roslab.decide.ros.workspace import of_catkin_alone
+from roslab.decide.ros.workspace import nothing_builds
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence, PythonProject, RequirementFile
 from roslab.values.name import canonicalize_name
@@ -66,11 +65,8 @@ def of_pages_below(evidence: Evidence) -> frozenset[str]:
 
 def left_to_parts(evidence: Evidence, chosen: Collection[RequirementFile]) -> Iterator[Warning_]:
     """Yield a warning for each of these lists that is not among the chosen files."""
-    lists = of_pages_below(evidence)
-    for file in evidence.requirements:
-        if file.file in lists and file not in chosen:
-            why = "only pages of folders ask for it, and the page at the root has pip install the project alone"
-            yield warn(f"{file.file} is not installed: {why}; `requirements` in roslab.yaml installs it", file)
+    why = "only pages of folders ask for it, and the page at the root has pip install the project alone"
+    return not_installed(evidence, of_pages_below(evidence), chosen, why)
 
 
 def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str | None) -> tuple[RequirementFile, ...]:
@@ -145,9 +141,8 @@ def projects(
     """Return the folders to install: the root, what a README or the given files install, else the nearest."""
     ros = kind in {"ros1", "ros2"}
     by_cmake = {project.file.rpartition("/")[0] for project in evidence.cmake}
-    there = [m for m in evidence.manifests if ros and not m.ignored]
-    manifests = {m.file.rpartition("/")[0] for m in there if not of_catkin_alone(m)}
-    manifests |= {m.file.rpartition("/")[0] for m in there} & by_cmake  # catkin builds nothing without one
+    there = (m for m in evidence.manifests if ros and not m.ignored and not nothing_builds(m, by_cmake))
+    manifests = {manifest.file.rpartition("/")[0] for manifest in there}
     usable = {p.folder: p for p in evidence.python if p.installable}
     chosen: dict[str, PythonProject] = {}
     if "" in usable and "" not in manifests:

@@ -88,8 +88,8 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
     built: list[PackageManifest] = []
     assets: list[PackageManifest] = []
     left_out: list[PackageManifest] = []
-    by_tool = {file.rpartition("/")[0] for file in cmake}
-    by_tool |= {m.file.rpartition("/")[0] for m in manifests if not of_catkin_alone(m)} & set(python)
+    by_cmake = frozenset(file.rpartition("/")[0] for file in cmake)
+    buildable = by_cmake | set(python)
     seen: set[str] = set()
     doubles = _other_workspaces(manifests)
     kept = set(doubles)
@@ -100,7 +100,11 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
         elif manifest.name in seen:
             left_out.append(manifest)
             doubles.add(folder)
-        elif (folder not in by_tool and not manifest.metapackage) or (_ASSET.search(folder) and len(manifests) > 1):
+        elif (
+            not (folder in buildable or manifest.metapackage)
+            or nothing_builds(manifest, by_cmake)
+            or (_ASSET.search(folder) and len(manifests) > 1)
+        ):
             assets.append(manifest)
         else:
             built.append(manifest)
@@ -202,8 +206,13 @@ def _for_catkin(manifest: PackageManifest, macros: tuple[str, ...]) -> bool:
     return "catkin" in macros  # the file names no build type, and catkin is only the default of the standard
 
 
-def of_catkin_alone(manifest: PackageManifest) -> bool:
-    """Tell whether catkin builds a package, which takes none without a CMakeLists.txt, and nothing else does."""
+def nothing_builds(manifest: PackageManifest, by_cmake: Collection[str]) -> bool:
+    """Tell whether a package is for catkin alone, which takes none without a CMakeLists.txt, and has none.
+
+    ``by_cmake`` are the folders that have one; a metapackage may do without.
+    """
+    if manifest.metapackage or manifest.file.rpartition("/")[0] in by_cmake:
+        return False
     return _for_catkin(manifest, ()) and not _for_ament(manifest)
 
 
