@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -179,3 +180,17 @@ def test_both_pages_say_what_was_below_the_names_and_run_nothing_of_a_log(tmp_pa
     for outcome in ("runs", "unbuilt"):
         assert OUTCOMES[outcome] in browser
     assert OUTCOMES["base missing"] not in browser
+
+
+def test_each_reading_is_of_a_list_and_of_what_its_columns_may_say() -> None:
+    folder = Path(page.__file__).parent
+    with (folder / "readings.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert {row["builds"] for row in rows} == {"yes", "no", "unsure"}
+    assert {row["reading"] for row in rows} == {"first", "second"}
+    notes = (folder / "readings.md").read_text(encoding="utf-8")
+    for name, half, reading in {(row["list"], row["half"], row["reading"]) for row in rows}:
+        assert (folder / f"{name}.csv").is_file()
+        assert f"| {name} | {half} | {reading} |" in notes
+    places = [(row["list"], row["half"], row["reading"], row["repository"]) for row in rows]
+    assert len(set(places)) == len(places)
