@@ -21,6 +21,17 @@ def architectures() -> tuple[tuple[str, str], ...]:
     return tuple((row["cuda"], row["architectures"]) for row in rows("cuda_architectures"))
 
 
+def newest_gpu_of_torch(release: str) -> Version | None:
+    """Return the newest GPU that a release of torch compiles extensions for: it stops at a newer one by name."""
+    of = [(first, gpu) for first, gpu in _newest_gpus() if first <= Version(release)]
+    return max(of)[1] if of else None
+
+
+@cache
+def _newest_gpus() -> tuple[tuple[Version, Version], ...]:
+    return tuple((Version(row["torch"]), Version(row["newest"])) for row in rows("torch_architectures"))
+
+
 @cache
 def gpu_variables() -> dict[str, tuple[str, Version]]:
     """Return by package the variable of its own in which it is told the GPUs to compile for, and the lowest of them."""

@@ -125,6 +125,16 @@ def test_a_dockerfile_in_a_copy_of_another_project_is_not_the_authors(tmp_path: 
     assert (found.ros_distro, found.build_tool) == ("noetic", "catkin_make")
 
 
+@pytest.mark.parametrize(("licence", "purpose"), [("detector/LICENSE", "vendored"), ("detector/NOTES", "project")])
+def test_a_dockerfile_deep_in_a_copy_of_another_project(tmp_path: Path, licence: str, purpose: str) -> None:
+    deep = "FROM python:3.12\nCOPY . /app\n"
+    files = {"LICENSE": "MIT\n", "README.md": "# Own\n", "detector/README.md": "# Other\n", licence: "GPL\n"}
+    for path, text in {**files, "detector/tools/app/Dockerfile": deep, "main.py": "print(1)\n"}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    assert gather(Repository.open(tmp_path)).dockerfiles[0].purpose == purpose
+
+
 @pytest.mark.parametrize(
     ("text", "lacks"),
     [

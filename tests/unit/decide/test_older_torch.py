@@ -7,6 +7,8 @@ from collections.abc import Callable
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.decide.python.torch_build import torch_build
+from roslab.values.requirement_line import stated
 
 Tree = Callable[[dict[str, str]], Decision]
 SETUP = (
@@ -50,3 +52,10 @@ def test_a_manifest_that_leaves_it_free(tree: Tree) -> None:
 def test_where_nothing_is_compiled_it_stays(tree: Tree) -> None:
     page = PAGE.format(torch="PyTorch 1.1.0", install="pip install numpy")
     assert torch_of(tree({"train.py": "import torch\n", "README.md": page})) == {"torch==1.1.0"}
+
+
+@pytest.mark.parametrize("asked", ["torch", "torch>=1.0"])
+def test_of_a_day_before_any_torch_for_the_cuda_of_the_image(asked: str) -> None:
+    limits, options = torch_build([stated(asked)], "11.0", "3.7", "2020-04-15").answer
+    assert [each.written for each in limits] == ["torch==1.7.*"]
+    assert options == ("--find-links https://download.pytorch.org/whl/cu110/torch_stable.html",)

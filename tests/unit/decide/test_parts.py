@@ -48,3 +48,31 @@ def test_what_the_root_lists_leaves_all_as_it_is(tree: Tree) -> None:
     page = PAGE.format("pip install numpy ruamel.yaml", "python arm/train.py")
     found = tree({**FILES, "environment.yml": "dependencies: [python=3.9, numpy]\n", "README.md": page}).python
     assert found.conda_file == "environment.yml"
+
+
+SETUP = "from setuptools import setup\nsetup(name='demo', packages=['net'], install_requires=[{}])\n"
+VIEWER = {"net/__init__.py": "", "net/viewer/requirements.txt": "sshconf==0.2.5\n", "README.md": "# Demo\n"}
+
+
+@pytest.mark.parametrize(
+    ("needs", "page", "installed"),
+    [
+        ("'numpy'", "# Demo\n", ()),
+        ("'numpy'", "# Demo\n```\npip install -r net/viewer/requirements.txt\n```\n", ("net/viewer/requirements.txt",)),
+        ("", "# Demo\n", ("net/viewer/requirements.txt",)),  # nothing else says what it needs
+    ],
+)
+def test_a_list_below_a_project_that_says_what_it_needs(
+    tree: Tree, needs: str, page: str, installed: tuple[str, ...]
+) -> None:
+    found = tree({**VIEWER, "setup.py": SETUP.format(needs), "README.md": page})
+    assert found.python.requirements == installed
+
+
+@pytest.mark.parametrize(("listed", "said"), [("requirements.txt", False), ("notes.txt", True)])
+def test_what_the_dockerfile_of_an_example_installs(tree: Tree, listed: str, *, said: bool) -> None:
+    example = "FROM python:3.9\nRUN pip install torch==1.3.0\nCOPY model.py /app/\n"
+    files = {"main.py": "import numpy, torch\n", listed: "numpy\n", "examples/small/model.py": MAIN}
+    python = tree({**files, "examples/small/Dockerfile": example, "README.md": "# Demo\n"}).python
+    asked = (*python.pip, *python.pip_guessed, *python.bounds)
+    assert any(each.release == "1.3.0" for each in asked if each.key == "torch") is said

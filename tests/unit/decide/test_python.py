@@ -376,6 +376,8 @@ def test_extensions_of_torch_are_compiled_without_a_gpu(tmp_path: Path) -> None:
     )
     assert compiling_of(tmp_path, {"setup.py": setup}, "11.3").architectures == "6.1;7.0;7.5;8.0;8.6+PTX"
     assert compiling_of(tmp_path, {"setup.py": setup}, "11.0").architectures == "6.1;7.0;7.5;8.0+PTX"
+    older = {"setup.py": setup, "requirements.txt": "torch==1.5.1\n"}  # it stops at a name that it does not know
+    assert compiling_of(tmp_path / "older", older, "11.0").architectures == "6.1;7.0;7.5+PTX"
     assert not compiling_of(tmp_path / "plain", {"requirements.txt": "torch\n"}, "11.3").architectures
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from packaging.version import Version
 
 from roslab.evidence.facts import PythonProject
-from roslab.knowledge.compiled import architectures, gpu_variables, prebuilt, public_hosts
+from roslab.knowledge.compiled import architectures, gpu_variables, newest_gpu_of_torch, prebuilt, public_hosts
 from roslab.knowledge.frameworks import build_needs
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -62,7 +62,8 @@ def decide_compiling(
     rust = bool(build & _RUST)
     on_torch = "cuda" in extensions or any("torch" in build_needs().get(each.key, ()) for each in packages)
     closed = {match[1] or match[2] for each in packages if (match := _CLOSED.match(each.url))} | {*named}
-    torch_for = _architectures(cuda) if cuda and on_torch else ""
+    torch = next((each.release for each in packages if each.key == "torch" and each.release), None)
+    torch_for = _architectures(cuda, torch) if cuda and on_torch else ""
     return Compiling(
         compiler=bool(extensions) or rust or any(each.vcs or each.key not in prebuilt() for each in packages),
         rust=rust,
@@ -78,10 +79,15 @@ def decide_compiling(
     )
 
 
-def _architectures(cuda: str) -> str:
-    """Return the GPUs that the newest row not above this CUDA names."""
+def _architectures(cuda: str, torch: str | None) -> str:
+    """Return the GPUs that the newest row not above this CUDA names, without those that a pinned torch refuses."""
     known = [(Version(version), names) for version, names in architectures() if Version(version) <= Version(cuda)]
-    return max(known)[1] if known else ""
+    names = max(known)[1] if known else ""
+    newest = newest_gpu_of_torch(torch) if torch else None
+    if newest is None or not names:
+        return names
+    kept = [each for each in names.removesuffix("+PTX").split(";") if Version(each) <= newest]
+    return f"{';'.join(kept)}+PTX" if kept else ""
 
 
 def _told(package: str, architectures: str) -> tuple[str, str]:

@@ -45,9 +45,9 @@ def of_pages_below(evidence: Evidence) -> frozenset[str]:
 
     The project says itself what it needs; each of the pages is about a part. One of the documentation is about all.
     """
-    usable = {project.folder: project for project in evidence.python if project.installable}
+    usable = {project.folder for project in evidence.python if project.installable}
     lists = {file.file for file in evidence.requirements if "/" not in file.file}
-    if "" not in usable or not any(asked.role not in {"extra", "test"} for asked in usable[""].requirements):
+    if not declares(evidence):
         return frozenset()
     pages = [asked for asked in evidence.prose_pip if asked.file.endswith((".md", ".rst"))]
     below = {asked for asked in pages if "/" in asked.file and not places.documentation(asked.file)}
@@ -63,6 +63,15 @@ def of_pages_below(evidence: Evidence) -> frozenset[str]:
     return frozenset(path for path in asked_below - asked_above if path)
 
 
+def declares(evidence: Evidence) -> bool:
+    """Tell whether pip can install the project at the root, which then says what it needs.
+
+    A list in a folder is then a part's, unless a page has it installed.
+    """
+    own = (project for project in evidence.python if project.installable and not project.folder)
+    return any(asked.role not in {"extra", "test"} for project in own for asked in project.requirements)
+
+
 def left_to_parts(evidence: Evidence, chosen: Collection[RequirementFile]) -> Iterator[Warning_]:
     """Yield a warning for each of these lists that is not among the chosen files."""
     why = "only pages of folders ask for it, and the page at the root has pip install the project alone"
@@ -70,7 +79,10 @@ def left_to_parts(evidence: Evidence, chosen: Collection[RequirementFile]) -> It
 
 
 def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str | None) -> tuple[RequirementFile, ...]:
-    """Return the files to install: roslab.yaml's, else what the README installs and the root's, else the nearest."""
+    """Return the files to install: roslab.yaml's, else what the README installs and the root's, else the nearest.
+
+    None is nearest where the project at the root says what it needs.
+    """
     if config.requirements is not None:
         wanted = {posixpath.normpath(path) for path in config.requirements}
         return tuple(file for file in evidence.requirements if file.file in wanted)
@@ -95,7 +107,7 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
     standard = [file for file in plain if re.search(r"(?:^|/)requirements?\.(?:txt|in)$", file.file)]
     for file in standard or plain[:3] or ([] if chosen else root[:1]):
         chosen.setdefault(file.file, file)
-    if not chosen or kind in {"ros1", "ros2"}:
+    if kind in {"ros1", "ros2"} or not (chosen or declares(evidence)):
         nested = [
             file for path, file in run.items() if not VARIANT.search(path.rpartition(".")[0]) and path.count("/") <= 3
         ]

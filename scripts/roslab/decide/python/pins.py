@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
-from roslab.evidence.facts import CondaEnvironment, Evidence
+from roslab.evidence.facts import AuthorDockerfile, CondaEnvironment, Evidence
 from roslab.knowledge.frameworks import conda_names, framework_on_cuda, imports, released_together, tabled, unstated
 from roslab.knowledge.guesses import same_module
 from roslab.values.conda import CondaPackage
@@ -87,12 +87,20 @@ def _of_conda(evidence: Evidence) -> Iterator[Pin]:
 
 def _of_prose(evidence: Evidence) -> Iterator[Pin]:
     known = {canonicalize_name(package) for package, _ in imports().values() if package}
-    said = [asked for r in evidence.dockerfiles if r.purpose not in _NOT_OURS for asked in r.requirements]
+    said = [asked for r in _images(evidence) for asked in r.requirements]
     said += [asked for asked in evidence.prose_pip if not DEVELOPMENT.search(asked.file)]
     for asked in said:  # from "conda install" only packages that pip has too
         if not asked.role or (asked.role == "conda" and asked.key in known):
             yield Pin(asked, 1)
     yield from _of_lists(evidence)
+
+
+def _images(evidence: Evidence) -> Iterator[AuthorDockerfile]:
+    """Yield the Dockerfiles that may say what the project needs: one of an example only where nothing else says it."""
+    listed = bool(evidence.requirements or evidence.conda or evidence.python)
+    for authored in evidence.dockerfiles:
+        if authored.purpose not in _NOT_OURS and not (listed and places.example(authored.file)):
+            yield authored
 
 
 def _of_lock(evidence: Evidence) -> Iterator[Pin]:

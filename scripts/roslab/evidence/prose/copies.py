@@ -29,14 +29,17 @@ def below(path: str, folders: Sequence[str]) -> bool:
 
 
 def in_copy(repository: Repository, file: File) -> bool:
-    """Tell whether a Dockerfile lies in a copy of another project: a folder with a page and a licence of its own.
+    """Tell whether a Dockerfile lies in a copy of another project: below a folder with a page and a licence of its own.
 
     The repository has packages outside of it, or a page and a licence at its root, too.
     """
-    if not (part := _RECIPES.sub("", file.folder)):
+    names = _RECIPES.sub("", file.folder).split("/")
+    parts = ["/".join(names[:end]) for end in range(len(names), 0, -1)]
+    part = next((part for part in parts if part and _whole(repository, part)), None)
+    if part is None:
         return False
     outside = any(not manifest.path.startswith(f"{part}/") for manifest in repository.named("package.xml"))
-    return _whole(repository, part) and (outside or _whole(repository, ""))
+    return outside or _whole(repository, "")
 
 
 def _whole(repository: Repository, folder: str) -> bool:
