@@ -321,3 +321,24 @@ def test_a_release_whose_wheel_computes_on_the_cpu_alone_asks_for_no_cuda(
 def test_a_release_that_is_older_than_the_table_is_no_open_one() -> None:
     evidence = Evidence(requirements=(asked("tensorflow-gpu==0.12.0"),))
     assert [each.reason for each in decide_cuda(evidence, Config()).reasons] == []
+
+
+@pytest.mark.parametrize(
+    ("files", "kind"),
+    [
+        ({"requirements.txt": "torch==1.13.1+cpu\ntorchvision==0.14.1+cpu\n"}, "python"),
+        ({"requirements.txt": "torch==1.13.1+cpu\n", "README.md": "# Install\nIt needs CUDA 11.7.\n"}, "cuda"),
+        ({"requirements.txt": "torch==1.13.1+cpu\n", "eval/requirements.txt": "torch==1.13.1\n"}, "cuda"),
+        ({"requirements.txt": "torch==1.13.1+cu117\n"}, "cuda"),
+    ],
+)
+def test_a_build_of_torch_for_the_cpu_asks_for_no_cuda(
+    tree: Callable[[dict[str, str]], Decision], files: dict[str, str], kind: str
+) -> None:
+    decision = tree({**files, "train.py": "import torch\n"})
+    assert decision.kind == kind
+    assert ("nvidia/cuda" in decision.base_image) == (kind == "cuda")
+
+
+def test_a_build_of_torch_for_the_cpu_names_no_cuda() -> None:
+    assert decide_cuda(Evidence(requirements=(asked("torch==1.13.1+cpu"),)), Config()).answer.version is None

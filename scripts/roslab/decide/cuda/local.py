@@ -12,3 +12,8 @@ def cuda_of(text: str) -> str | None:
     match = _LOCAL.search(text)
     digits = next((group for group in match.groups() if group), "") if match else ""
     return f"{digits[:-1]}.{digits[-1]}" if digits else None
+
+
+def of_the_cpu(release: str) -> bool:
+    """Tell whether a release is a build for the CPU alone: ``1.13.1+cpu``."""
+    return release.lower().endswith("+cpu")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from roslab.decide.cuda.local import of_the_cpu
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
@@ -93,7 +94,8 @@ def _of_the_cpu(evidence: Evidence) -> frozenset[str]:
     found: dict[str, bool] = {}
     for asked in _pip(evidence, listed=False):
         if asked.key in accelerated() and ANY.may(asked):
-            found[asked.key] = found.get(asked.key, True) and without_gpu(asked.key, asked.release or "")
+            cpu = without_gpu(asked.key, asked.release or "") or of_the_cpu(asked.release or "")
+            found[asked.key] = found.get(asked.key, True) and cpu
     return frozenset(name for name, cpu in found.items() if cpu)
 
 

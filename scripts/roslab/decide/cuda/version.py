@@ -11,7 +11,7 @@ from packaging.version import Version
 from roslab.config.model import Config
 from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.cuda.gpus import gpu_limits, knows_gpus, nearest_that_knows, unknown_gpu
-from roslab.decide.cuda.local import cuda_of
+from roslab.decide.cuda.local import cuda_of, of_the_cpu
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import DEVELOPMENT, Pin
 from roslab.decide.python.version import python_version
@@ -176,7 +176,7 @@ def _of_pin(pin: Pin, day: str | None, python: str | None) -> Iterator[Candidate
     """Yield the CUDA that a wheel names, or the one of its release: the newest of ``day`` that ``python`` runs."""
     asked, table = pin.requirement, framework_on_cuda(pin.name)
     local = (cuda_of(asked.url) or cuda_of(pin.release or "")) if pin.name in _BUILT_FOR else None
-    row = framework(table, pin.release) if table and pin.release else None
+    row = framework(table, pin.release) if table and pin.release and not of_the_cpu(pin.release) else None
     if not pin.trust:  # from a lock, from an example, or deep in the tree
         weight = Weight.LOCKED if asked.origin == "lock" else Weight.ASIDE
         if answer := local or (row.cuda[0] if row else None):
