@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import gzip
+import hashlib
 import json
 import re
 import urllib.request
 from base64 import b64encode
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -139,16 +141,42 @@ def seconds(result: Result, step: str) -> float:
 
 def blobs(lab: Laboratory, reference: str) -> Iterator[bytes]:
     """Yield everything that the registry holds for an image: manifests, configurations, layers, attestations."""
+    for _, read in _parts(lab, reference):
+        yield read()
+
+
+def showing(lab: Laboratory, reference: str, text: str) -> list[str]:
+    """Return the digests of what the registry holds for an image and has a text in it.
+
+    Images of one base share its layers: what has the same digest is fetched once by each process.
+    """
+    found = []
+    for digest, read in _parts(lab, reference):
+        if (digest, text) not in _SHOWN:
+            _SHOWN[digest, text] = text.encode() in read()
+        found += [digest] if _SHOWN[digest, text] else []
+    return found
+
+
+_SHOWN: dict[tuple[str, str], bool] = {}
+"""Whether what has a digest has a text in it."""
+
+
+def _parts(lab: Laboratory, reference: str) -> Iterator[tuple[str, Callable[[], bytes]]]:
+    """Yield the digest of everything that the registry holds for an image, with what reads and unpacks it."""
     repository, _, name = reference.partition("/")[2].rpartition("@" if "@" in reference else ":")
-    manifest, media = _get(lab, f"{repository}/manifests/{name}")
-    yield manifest
+    manifest, _ = _get(lab, f"{repository}/manifests/{name}")
+    yield f"sha256:{hashlib.sha256(manifest).hexdigest()}", lambda: manifest
     found = json.loads(manifest)
     for child in found.get("manifests", []):
-        yield from blobs(lab, f"{lab.registry}/{repository}@{child['digest']}")
+        yield from _parts(lab, f"{lab.registry}/{repository}@{child['digest']}")
     for entry in [*([found["config"]] if "config" in found else []), *found.get("layers", [])]:
-        data, _ = _get(lab, f"{repository}/blobs/{entry['digest']}")
-        yield gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
-    del media
+        yield entry["digest"], partial(_blob, lab, repository, entry["digest"])
+
+
+def _blob(lab: Laboratory, repository: str, digest: str) -> bytes:
+    data, _ = _get(lab, f"{repository}/blobs/{digest}")
+    return gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
 
 
 def _get(lab: Laboratory, path: str) -> tuple[bytes, str]:
