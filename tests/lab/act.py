@@ -19,7 +19,7 @@ from typing import Any
 from . import caller, facts
 from .api_stub import api_stub
 from .artifact_door import artifact_door
-from .home import CHECKOUT, folder
+from .home import CHECKOUT, folder, memory
 from .laboratory import Laboratory
 
 # What pip, git, docker and certificates need on this machine; everything else of the environment stays outside.
@@ -149,7 +149,8 @@ def run_workflow(
 
 def _folder(place: Path | None) -> AbstractContextManager[str]:
     if place is None:
-        return tempfile.TemporaryDirectory(prefix="repro-act-", ignore_cleanup_errors=True)
+        # Every job copies the actions: on a disk, a thousand small files cost more than what the step then does
+        return tempfile.TemporaryDirectory(prefix="repro-act-", dir=memory(), ignore_cleanup_errors=True)
     place.mkdir(parents=True)
     return nullcontext(str(place))
 

@@ -12,13 +12,9 @@ from pathlib import Path
 
 from . import engine, facts, packages, processes, registry
 from .command import LabError, run, succeeds
-from .home import folder, home, recipe
+from .home import folder, home, memory, recipe
 
 NAME = "buildkitd"
-MEMORY = Path("/dev/shm")
-"""Where files lie in memory: https://docs.kernel.org/filesystems/tmpfs.html"""
-ROOM = 4 * 1024**3
-"""Bytes that must be free there for the store of a builder; those of the tests take 1 GB or less."""
 
 # The command cannot be had by `go install`: its module has replace directives. A module that imports it can build it.
 IMPORTER = """//go:build tools
@@ -83,8 +79,7 @@ def fresh(place: Path, *, on_disk: bool = False) -> Iterator[str]:
     """
     socket = place / "buildkitd.sock"
     place.mkdir(parents=True)
-    roomy = not on_disk and MEMORY.is_dir() and shutil.disk_usage(MEMORY).free >= ROOM
-    store = Path(tempfile.mkdtemp(prefix="repro-lab-", dir=MEMORY if roomy else place))
+    store = Path(tempfile.mkdtemp(prefix="repro-lab-", dir=(None if on_disk else memory()) or place))
     configuration = _configuration(root=store, socket=socket, path=place / "buildkitd.toml")
     command = [str(program()), "--config", str(configuration)]
     with (place / "buildkitd.log").open("w") as log:

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from .command import LabError, run
-from .home import CHECKOUT, HERE
+from .home import CHECKOUT, HERE, memory
 
 OURS = "org/repro-action"
 ACTIONS = HERE / "actions"
@@ -129,7 +129,7 @@ def program(checkout: Path) -> Path:
     answer = subprocess.run(command, capture_output=True, text=True, check=False)
     if answer.returncode:
         return checkout
-    place = Path(tempfile.mkdtemp(prefix="repro-action-"))
+    place = Path(tempfile.mkdtemp(prefix="repro-action-", dir=memory()))
     atexit.register(shutil.rmtree, place, ignore_errors=True)
     for name in filter(None, answer.stdout.split("\0")):
         if os.path.lexists(checkout / name):

@@ -6,6 +6,7 @@ import fcntl
 import hashlib
 import json
 import os
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,6 +14,10 @@ from typing import TextIO
 
 HERE = Path(__file__).resolve().parent
 CHECKOUT = HERE.parent.parent
+MEMORY = Path("/dev/shm")
+"""Where files lie in memory: https://docs.kernel.org/filesystems/tmpfs.html"""
+ROOM = 4 * 1024**3
+"""Bytes that must be free there; the store of a builder takes 1 GB or less, a run of act less than that."""
 
 
 def home() -> Path:
@@ -29,6 +34,13 @@ def folder(*names: str) -> Path:
     path = home().joinpath(*names)
     path.mkdir(parents=True, exist_ok=True)
     return path
+
+
+def memory() -> Path | None:
+    """Return the folder whose files lie in memory, ``None`` where it lacks the room or may not hold programs."""
+    if not MEMORY.is_dir() or os.statvfs(MEMORY).f_flag & os.ST_NOEXEC:
+        return None
+    return MEMORY if shutil.disk_usage(MEMORY).free >= ROOM else None
 
 
 def recipe(*parts: object) -> str:
