@@ -80,7 +80,7 @@ def _nodes(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     packages = in_packages(evidence)
     for project in evidence.cmake:
         for name, line in project.executables:
-            if (package := packages.get(name)) and not _TEST.search(name) and not _aside(project.file):
+            if (package := packages.get(name)) and not _TEST.search(name) and not places.aside(project.file):
                 why = "a program that its package compiles"
                 yield Candidate(argv=(*start, package, name), why=why, file=project.file, line=line, strong=False)
     folders = {manifest.file.rpartition("/")[0]: manifest.name for manifest in packages_of(evidence).built}
@@ -89,10 +89,6 @@ def _nodes(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
             why = "a program that its package installs"
             argv = (*start, str(folders[python.folder]), name)
             yield Candidate(argv=argv, why=why, file=python.file, line=line, strong=False)
-
-
-def _aside(path: str) -> bool:
-    return places.test(path) or places.example(path) or places.vendored(path)
 
 
 def _compiled(evidence: Evidence) -> Iterator[Candidate]:

@@ -206,8 +206,4 @@ def _gui(evidence: Evidence, command: str) -> bool:
         return True
     asked = (d for project in evidence.cmake if not places.vendored(project.file) for d in project.dependencies)
     found = (*evidence.code, *(d for d in asked if d.strength == "declared" and d.role != "test"))
-    return any(d.strength != "optional" and opens(d.namespace, d.name) for d in found if not _aside(d.file))
-
-
-def _aside(path: str) -> bool:
-    return places.test(path) or places.example(path) or places.vendored(path)
+    return any(d.strength != "optional" and opens(d.namespace, d.name) for d in found if not places.aside(d.file))

@@ -123,7 +123,7 @@ def build(job: Build, *, environment: Mapping[str, str] | None = None) -> tuple[
     return str(record.get("containerimage.digest", "")), log
 
 
-def materials(job: Build, *, environment: Mapping[str, str] | None = None) -> list[dict[str, object]]:
+def materials(job: Build) -> list[dict[str, object]]:
     """Build once more without a result and return what was taken from elsewhere, as BuildKit's provenance lists it.
 
     Steps that the cache has are not repeated. Raises ``FailedBuild``.
@@ -131,7 +131,7 @@ def materials(job: Build, *, environment: Mapping[str, str] | None = None) -> li
     with tempfile.TemporaryDirectory() as folder:
         metadata = Path(folder) / "metadata.json"
         extra = (*job.extra, "--provenance=mode=min", "--metadata-file", str(metadata))
-        build(replace(job, output="type=cacheonly", tags=(), extra=extra), environment=environment)
+        build(replace(job, output="type=cacheonly", tags=(), extra=extra))
         return materials_of(metadata.read_text(encoding="utf-8")) if metadata.exists() else []
 
 

@@ -6,8 +6,6 @@ import shutil
 
 from roslab.engine.docker import output
 
-TOOLKIT = "https://docs.nvidia.com/datacenter/cloud-native/container-toolkit/latest/install-guide.html"
-
 
 def users() -> frozenset[int]:
     """Return the processes of this machine that compute on a GPU, by their numbers outside of containers.

@@ -47,6 +47,16 @@ def example(path: str) -> bool:
     return not _EXAMPLE.isdisjoint(_folders(path.rpartition("/")[0]))
 
 
+def sample(path: str) -> bool:
+    """Tell whether a path belongs to an example or to tests."""
+    return example(path) or test(path)
+
+
+def aside(path: str) -> bool:
+    """Tell whether a path belongs to vendored code, an example or tests, and so is no part of the program itself."""
+    return vendored(path) or sample(path)
+
+
 @cache
 def _folders(folder: str) -> frozenset[str]:
     """Return the names in the path of a folder, which many files share, lower-cased."""

@@ -12,7 +12,6 @@ from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
 
 SECONDS = 3600.0
-NETWORK = "bridge"
 _SCRIPT = Path(__file__).with_name("online.sh")
 
 

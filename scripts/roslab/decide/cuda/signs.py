@@ -48,7 +48,7 @@ def includes_tensorrt(evidence: Evidence) -> bool:
     https://github.com/NVIDIA/TensorRT/blob/main/docker/ubuntu-20.04.Dockerfile, read 2026-11-23.
     """
     headers = (used for used in evidence.code if used.namespace == "include" and _TENSORRT.match(used.name))
-    return any(not (places.vendored(used.file) or _example(used.file)) for used in headers)
+    return any(not places.aside(used.file) for used in headers)
 
 
 def _named(evidence: Evidence) -> Iterator[Sign]:
@@ -65,7 +65,7 @@ def _named(evidence: Evidence) -> Iterator[Sign]:
             yield Sign(file=asked.file, line=asked.line, why=f"it needs {asked.key}")
     for used in evidence.code:
         name = canonicalize_name(used.name) if used.namespace == "import" and used.strength == "used" else ""
-        if name in names and not ((declares and _aside(used.file)) or (listed and _example(used.file))):
+        if name in names and not ((declares and _aside(used.file)) or (listed and places.sample(used.file))):
             yield Sign(file=used.file, line=used.line, why=f"it needs {name}")
     for environment in evidence.conda:
         for package in environment.packages:
@@ -104,11 +104,7 @@ def _declared(project: PythonProject) -> list[Requirement]:
 
 
 def _aside(path: str) -> bool:
-    return bool(_SCRIPTS.match(path)) or _example(path)
-
-
-def _example(path: str) -> bool:
-    return places.example(path) or places.test(path)
+    return bool(_SCRIPTS.match(path)) or places.sample(path)
 
 
 def _to_run(evidence: Evidence) -> Iterator[RequirementFile]:
@@ -120,7 +116,7 @@ def _pip(evidence: Evidence, *, listed: bool) -> Iterator[Requirement]:
         if not places.vendored(project.file):
             yield from _declared(project) or project.requirements
     for file in _to_run(evidence):
-        if not (listed and _example(file.file)):
+        if not (listed and places.sample(file.file)):
             yield from file.requirements
     for environment in evidence.conda:
         yield from environment.requirements

@@ -62,7 +62,7 @@ def guesses(
             continue
         package, apt = imports().get(dependency.name) or (None, None)
         linked = offered.get(canonicalize_name(dependency.name)) if dependency.strength == "used" else None
-        if linked and dependency.name not in imports() and not (ros or _aside(dependency.file)):
+        if linked and dependency.name not in imports() and not (ros or places.aside(dependency.file)):
             if not {canonicalize_name(dependency.name), linked.key} & {*known, *found}:
                 found[linked.key] = replace(linked, file=dependency.file, line=dependency.line)
             continue
@@ -91,10 +91,6 @@ def _linked(evidence: Evidence) -> dict[str, Requirement]:
             ref = f"@{git.ref}" if git.ref and re.fullmatch(r"[\w.-]+", git.ref) else ""
             found.setdefault(canonicalize_name(git.name), stated(f"git+{https(git.url)}{ref}", "import"))
     return found
-
-
-def _aside(path: str) -> bool:
-    return places.vendored(path) or places.example(path) or places.test(path)
 
 
 def _repository(url: str) -> str:

@@ -32,7 +32,7 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
     unknown: list[Dependency] = []
     for used in evidence.code if kind in {"cuda", "python"} else ():
         name = canonicalize_name(used.name)
-        aside = places.test(used.file) or places.example(used.file) or places.vendored(used.file)
+        aside = places.aside(used.file)
         if used.namespace != "import" or used.strength != "used" or aside or name in known:
             continue
         row = not_on_index().get(name)

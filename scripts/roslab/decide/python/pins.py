@@ -72,7 +72,7 @@ def _of_files(evidence: Evidence) -> Iterator[Pin]:
 
 def _of_projects(evidence: Evidence) -> Iterator[Pin]:
     for project in evidence.python:
-        if places.vendored(project.file) or places.example(project.file) or places.test(project.file):
+        if places.aside(project.file):
             continue
         trust = 1 if project.folder else 3
         yield from (Pin(asked, 0 if asked.role in {"extra", "test"} else trust) for asked in project.requirements)

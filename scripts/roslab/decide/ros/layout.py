@@ -58,7 +58,8 @@ def _alone(evidence: Evidence, top: CMakeProject) -> tuple[Warning_, ...]:
     """Warn where folders beside the one that is compiled hold CMake projects of their own, which nothing compiles."""
     folder = top.file.rpartition("/")[0]
     own = (project for project in evidence.cmake if project.top_level and project.name and not project.lacks)
-    paths = sorted({project.file.rpartition("/")[0] for project in own if not _aside(project.file)})
+    own = (project for project in own if not (places.aside(project.file) or places.documentation(project.file)))
+    paths = sorted({project.file.rpartition("/")[0] for project in own})
     done = {folder, *(project.file.rpartition("/")[0] for project in beside_top(evidence))}
     others = [path for path in paths if not any(path in done or path.startswith(f"{each}/") for each in paths)]
     if not folder or not others:
@@ -66,7 +67,3 @@ def _alone(evidence: Evidence, top: CMakeProject) -> tuple[Warning_, ...]:
     named = ", ".join(others[:MOST_NAMED]) + (" …" if len(others) > MOST_NAMED else "")
     message = f"of the folders with a CMake project of their own {folder} is compiled, not {named}"
     return (warn(f"{message}; compile the others under `custom` in roslab.yaml", top),)
-
-
-def _aside(path: str) -> bool:
-    return places.vendored(path) or places.test(path) or places.example(path) or places.documentation(path)

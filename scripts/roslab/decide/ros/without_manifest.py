@@ -18,13 +18,9 @@ def client_of(evidence: Evidence) -> Dependency | None:
     That is the module that imports, at its top, most of what the code takes from pip. What computes on CUDA is none:
     the image of a framework matters more to it.
     """
-    used = [d for d in evidence.code if d.namespace == "import" and d.strength == "used" and not _aside(d.file)]
+    used = [d for d in evidence.code if d.namespace == "import" and d.strength == "used" and not places.aside(d.file)]
     clients = [each for each in used if each.name in CLIENTS]
     if not clients or sign_of_cuda(evidence):
         return None
     of_pip = [each.file for each in used if each.name in imports()]
     return next((each for each in clients if 2 * of_pip.count(each.file) >= len(of_pip)), None)
-
-
-def _aside(path: str) -> bool:
-    return places.vendored(path) or places.test(path) or places.example(path)

@@ -32,7 +32,7 @@ def needed_cmake(evidence: Evidence) -> Dependency | None:
         for project in evidence.cmake
         if project.minimum
         and (project.file.rpartition("/")[0] in folders or (not folders and project.top_level))
-        and not (places.vendored(project.file) or places.example(project.file) or places.test(project.file))
+        and not places.aside(project.file)
     ]
     return max(demands, key=lambda demand: Version(demand.version or "0"), default=None)
 
@@ -60,11 +60,7 @@ def refused_by_new(evidence: Evidence, ubuntu: str | None, asked: Iterable[Requi
     ``asked``: what pip installs or builds with; a CMake or a backend without an upper bound is the newest there is.
     Copied code counts: it is configured with the rest. https://cmake.org/cmake/help/latest/release/4.0.html
     """
-    demands = [
-        project.minimum
-        for project in evidence.cmake
-        if project.minimum and not (places.example(project.file) or places.test(project.file))
-    ]
+    demands = [project.minimum for project in evidence.cmake if project.minimum and not places.sample(project.file)]
     oldest = min(demands, key=lambda demand: Version(demand.version or "0"), default=None)
     if oldest is None or Version(oldest.version or "0") >= KEPT_BY_NEW:
         return None

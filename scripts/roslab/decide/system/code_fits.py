@@ -106,7 +106,7 @@ def _built(evidence: Evidence) -> Iterator[CMakeProject]:
     folders = {manifest.file.rpartition("/")[0] for manifest in packages_of(evidence).built}
     top = top_of(evidence)
     for project in evidence.cmake:
-        aside = places.vendored(project.file) or places.test(project.file) or places.example(project.file)
+        aside = places.aside(project.file)
         if not aside and (project.file.rpartition("/")[0] in folders or (not folders and project is top)):
             yield project
 

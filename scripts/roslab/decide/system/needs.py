@@ -52,7 +52,7 @@ def compiler_of_cuda(evidence: Evidence, packages: Packages, kind: Kind, ubuntu:
     folders = frozenset(manifest.file.rpartition("/")[0] for manifest in packages.built)
     for project in evidence.cmake if kind in {"ros1", "ros2", "cpp"} else ():
         path = project.file
-        aside = places.vendored(path) or places.example(path) or places.test(path)
+        aside = places.aside(path)
         if "cuda" in project.macros and not aside and (not folders or "" in folders or _inside(path, folders)):
             asked = project.line
             for name in (_TOOLKIT, compiler) if compiler else (_TOOLKIT,):

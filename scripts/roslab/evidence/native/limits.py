@@ -95,7 +95,7 @@ class Signs:
         if self.guarded:
             self.found = {key: limit for key, limit in self.found.items() if key[0] == "GCC"}
         for file in repository.named("CMakeLists.txt"):
-            if not (places.vendored(file.path) or places.test(file.path) or places.example(file.path)):
+            if not places.aside(file.path):
                 text = repository.read(file)
                 for match in matching_lines(_STANDARD, text, "CXX_STANDARD", "-std=", "cxx_std_"):
                     for sign in _signs("standard", match[1]):

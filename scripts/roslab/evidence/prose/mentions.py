@@ -90,13 +90,11 @@ _STOOD_ON = pattern(r"\b(?:on|for|under)\s+(?:the\s+)?[`*_\"']{0,3}\Z", re.IGNOR
 _ENDS = pattern(r"[`*_\"']{0,3}\s*(?:[^\w\s]|(?:and|or)\b|\n|\Z)", re.IGNORECASE)
 
 
-def read(
-    text: str, file: str, source: Literal["dockerfile", "ci", "readme", "script"], first: int = 1
-) -> Iterator[Mention]:
-    """Yield the versions that a text names, with the line each stands on; ``first`` is the number of its first line."""
+def read(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "script"]) -> Iterator[Mention]:
+    """Yield the versions that a text names, with the line each stands on."""
     lowered = text.lower()
     for topic, words, each in _patterns():
-        position, line, found = 0, first, 0
+        position, line, found = 0, 1, 0
         named = _distros_in(lowered) if topic == "distro" else words
         for match in _matches(each, named, text, lowered):
             start = max(text.rfind("\n", max(0, match.start() - 200), match.start()) + 1, match.start() - 90)

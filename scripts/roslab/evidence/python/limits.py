@@ -33,7 +33,7 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
     found: dict[tuple[str, str], CodeLimit] = {}
     for module in modules(repository):
         file, text = module.file, module.text
-        if places.test(file.path) or places.example(file.path):
+        if places.sample(file.path):
             continue
         kind = "launch" if "LaunchDescription" in text else "node" if module.names_ros else "other"
         for sign in wanted[kind].possible(text, module.words):

@@ -42,9 +42,9 @@ class Secrets:
 NONE = Secrets()
 
 
-def for_pip(plan: Plan, user: User = "root") -> Secrets:
+def for_pip(plan: Plan) -> Secrets:
     """Return what pip needs: what it downloaded before, the private index, and logins for packages from git."""
-    return _of(plan, (PIP_INDEX, NETRC, SSH), user, first=before_pip(plan), mounted=caches.pip_downloads(plan))
+    return _of(plan, (PIP_INDEX, NETRC, SSH), "root", first=before_pip(plan), mounted=caches.pip_downloads(plan))
 
 
 def for_conda(plan: Plan) -> Secrets:

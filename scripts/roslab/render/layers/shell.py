@@ -87,10 +87,10 @@ def comment_lines(text: str) -> str:
     return "".join(f"# {line}\n" for line in text.splitlines())
 
 
-def words(items: Iterable[str], *, indent: int = 6) -> str:
+def words(items: Iterable[str]) -> str:
     """Return quoted words ready to end a command inside a RUN: one on the command's line, several on a line each."""
     quoted = [quote.shell(item) for item in items]
-    between = " " if len(quoted) == 1 else " \\\n" + " " * indent
+    between = " " if len(quoted) == 1 else " \\\n      "
     return "".join(between + word for word in quoted)
 
 
