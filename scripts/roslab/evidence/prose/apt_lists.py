@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Prose
 from roslab.evidence.prose import readme
-from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of
+from roslab.evidence.prose.headings import MAX_LINE, lines_of, title_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -34,24 +34,18 @@ def said(text: str, file: str) -> Iterator[Dependency]:
     """Yield each package of a page, once; sections for another system and optional ones are left out."""
     if "-dev" not in text:
         return
-    lines = text.split("\n")
-    title = title_of(lines)
-    elsewhere, fenced, told = 0, False, set[str]()
-    unasked: dict[int, bool] = {}
-    for number, line in enumerate(lines, 1):
-        if fence(line):
-            fenced = not fenced
+    whole = 1 if title_of(text.split("\n")) else 0
+    told = set[str]()
+    for line in lines_of(text):
+        words = line.text
+        if line.elsewhere or "-dev" not in words or len(words) > MAX_LINE or _UNASKED.search(words):
             continue
-        heading = None if fenced else heading_of(line, lines[number] if number < len(lines) else "")
-        elsewhere = section_of(heading, elsewhere) if number != title else 0
-        if heading:
-            unasked = {level: said for level, said in unasked.items() if level < heading[0]}
-            unasked[heading[0]] = number != title and bool(_UNASKED.search(heading[1]))
-        if elsewhere or any(unasked.values()) or "-dev" not in line or len(line) > MAX_LINE or _UNASKED.search(line):
+        if any(level > whole and _UNASKED.search(title) for level, title in line.titles.items()):
             continue
-        if fenced and not _NAMES_ALONE.fullmatch(line.strip()):
+        if line.fenced and not _NAMES_ALONE.fullmatch(words.strip()):
             continue
-        for name in dict.fromkeys(_NAME.findall(line)):
+        for name in dict.fromkeys(_NAME.findall(words)):
             if name not in told:
                 told.add(name)
-                yield Dependency(namespace="apt", name=name, strength="prose", file=file, line=number, role="named")
+                place = line.number
+                yield Dependency(namespace="apt", name=name, strength="prose", file=file, line=place, role="named")

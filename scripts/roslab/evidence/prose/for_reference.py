@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.headings import MAX_LINE, fence
+from roslab.evidence.prose.headings import MAX_LINE, lines_of
 from roslab.evidence.prose.readme import pages, text_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -19,13 +19,10 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     found: dict[str, Mention] = {}
     for page in pages(repository):
         text = text_of(repository, page) if "/" not in page.path else ""
-        fenced = False
-        for number, line in enumerate(text.split("\n"), 1) if _REFERENCE.search(text) else ():
-            if fence(line):
-                fenced = not fenced
-            if fenced or len(line) > MAX_LINE or not _REFERENCE.search(line):
+        for line in lines_of(text) if _REFERENCE.search(text) else ():
+            if line.fenced or len(line.text) > MAX_LINE or not _REFERENCE.search(line.text):
                 continue
-            for match in _LIST.finditer(line):
+            for match in _LIST.finditer(line.text):
                 if repository.has(match[0]):
                     found.setdefault(
                         match[0],
@@ -34,8 +31,8 @@ def read(repository: Repository) -> tuple[Mention, ...]:
                             value=match[0],
                             source="readme",
                             file=page.path,
-                            line=number,
-                            text=line.strip()[:200],
+                            line=line.number,
+                            text=line.text.strip()[:200],
                         ),
                     )
     return tuple(found.values())

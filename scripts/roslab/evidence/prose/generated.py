@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.headings import fence
+from roslab.evidence.prose.headings import lines_of
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -23,13 +23,10 @@ def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
     """
     if "make" not in text or file.path.count("/") > DEEPEST or not _missing(repository):
         return
-    fenced = False
-    for number, line in enumerate(text.split("\n"), 1):
-        if fence(line):
-            fenced = not fenced
-        elif fenced and (match := _MAKE.match(line)):
+    for line in lines_of(text):
+        if line.fenced and (match := _MAKE.match(line.text)):
             value = " ".join(match[1].split())
-            yield Mention(topic="step", value=value, source="readme", file=file.path, line=number, text=value)
+            yield Mention(topic="step", value=value, source="readme", file=file.path, line=line.number, text=value)
 
 
 def _missing(repository: Repository) -> bool:

@@ -1,9 +1,10 @@
-"""The titles of a page, and the sections that are for another system than this one."""
+"""The titles of a page, its blocks of code, and the sections that are for another system than this one."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 from roslab.values.pattern import pattern
 
@@ -25,6 +26,43 @@ DEEPEST = 7
 """Such a section ends at the next heading, whatever the level of that one."""
 _RST_LINE = pattern(r"^([=\-~^\"'`+#*])\1{3,}\s*$")
 _RST_BEGINS = frozenset(4 * mark for mark in "=-~^\"'`+#*")
+
+
+class Line(NamedTuple):
+    """A line of a page that is no fence."""
+
+    number: int
+    text: str
+    fenced: bool
+    heading: tuple[int, str] | None
+    """Its level and its title, if it is one."""
+    titles: Mapping[int, str]
+    """The titles that it stands under, its own too, by their levels."""
+    elsewhere: bool
+    """Its section is for another system."""
+
+
+def lines_of(text: str) -> Iterator[Line]:
+    """Yield the lines of a page."""
+    lines = text.split("\n")
+    whole = title_of(lines)
+    titles: dict[int, str] = {}
+    elsewhere, fenced = 0, False
+    for number, line in enumerate(lines, 1):
+        if fence(line):
+            fenced = not fenced
+            continue
+        heading = None if fenced else heading_of(line, lines[number] if number < len(lines) else "")
+        elsewhere = section_of(heading, elsewhere) if number != whole else 0
+        titles = under(titles, heading)
+        yield Line(number, line, fenced, heading, titles, bool(elsewhere))
+
+
+def under(titles: dict[int, str], heading: tuple[int, str] | None) -> dict[int, str]:
+    """Return the titles that hold from a line on, by their levels; ``heading`` is that of the line, if it is one."""
+    if heading is None:
+        return titles
+    return {level: title for level, title in titles.items() if level < heading[0]} | {heading[0]: heading[1]}
 
 
 def fence(line: str) -> bool:

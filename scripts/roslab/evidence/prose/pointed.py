@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of
+from roslab.evidence.prose.headings import MAX_LINE, lines_of
 from roslab.evidence.prose.readme import pages, text_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -48,21 +48,9 @@ def _path(written: str, repository: Repository) -> str | None:
 
 def _sentences(text: str) -> list[tuple[int, str, str]]:
     """Return the lines outside of blocks and of sections for other systems, each with the titles above it."""
-    lines = text.split("\n")
-    titles: dict[int, str] = {}
-    found: list[tuple[int, str, str]] = []
-    elsewhere, fenced, top = 0, False, title_of(lines)
-    for number, line in enumerate(lines, 1):
-        if fence(line):
-            fenced = not fenced
-            continue
-        below = lines[number] if number < len(lines) else ""
-        if fenced or len(line) > MAX_LINE:
-            continue
-        title = heading_of(line, below)
-        elsewhere = section_of(title, elsewhere) if number != top else 0
-        if title:
-            titles = {level: known for level, known in titles.items() if level < title[0]} | {title[0]: title[1]}
-        elif not elsewhere and not _COMMAND.search(line):
-            found.append((number, line, " / ".join(titles.values())))
-    return found
+    return [
+        (line.number, line.text, " / ".join(line.titles.values()))
+        for line in lines_of(text)
+        if not (line.fenced or line.heading or line.elsewhere or len(line.text) > MAX_LINE)
+        and not _COMMAND.search(line.text)
+    ]

@@ -19,7 +19,7 @@ from roslab.evidence.prose.blanks import BLANK
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
-from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of
+from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of, under
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import merge
 from roslab.evidence.prose.own_files import with_files
@@ -252,10 +252,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
             below = lines[index] if index < len(lines) else ""
             heading = heading_of(line, below)
             elsewhere = section_of(heading, elsewhere) if index != title else 0
-            if heading:
-                titles = {level: title for level, title in titles.items() if level < heading[0]} | {
-                    heading[0]: heading[1]
-                }
+            titles = under(titles, heading)
         drawn = fenced and index < len(lines) and _BRANCH.match(lines[index][:MAX_LINE])
         tells = (fenced and not drawn and also.search(line)) if also else _tells(line, signs, fenced=fenced)
         if elsewhere or len(line) > MAX_LINE or not tells:
