@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
@@ -150,3 +151,16 @@ def test_a_package_inside_another_that_is_called_like_a_known_one(
     files = dict.fromkeys(("demo/__init__.py", "demo/envs/__init__.py", "demo/envs/pygame/__init__.py"), "")
     repository = tree(tmp_path, {**files, **more, "demo/envs/pygame/walls.py": "from pygame import Color\n"})
     assert [d.name for d in imports.read(repository)] == outside
+
+
+def test_what_a_newer_python_dropped_is_pythons_own_whichever_python_makes_the_plan(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "main.py").write_text("import telnetlib\nimport Queue\nimport pipes\nimport tomllib\nimport scipy\n")
+    newer = {"telnetlib", "pipes"}  # as Python 3.13 has them no more
+    monkeypatch.setattr("sys.stdlib_module_names", frozenset(sys.stdlib_module_names) - newer)
+    imports._standard.cache_clear()
+    try:
+        assert [each.name for each in imports.read(Repository.open(tmp_path))] == ["scipy"]
+    finally:
+        imports._standard.cache_clear()

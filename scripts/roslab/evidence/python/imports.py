@@ -15,6 +15,7 @@ from roslab.evidence.python import notebooks
 from roslab.evidence.python.modules import Module, modules
 from roslab.evidence.python.own_folder import own_folder
 from roslab.knowledge.frameworks import imports as known_imports
+from roslab.knowledge.standard_modules import standard_modules
 from roslab.knowledge.typelibs import typelibs
 from roslab.knowledge.windows import shown
 from roslab.repository.checkout import File, Repository
@@ -32,18 +33,6 @@ _PLAIN_PYTHON = pattern(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python
 """A first line that starts `python`, which Ubuntu 20.04 and newer install only on demand."""
 _MAIN = pattern(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
 _NODE = pattern(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
-_STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
-    {
-        "__builtin__", "ConfigParser", "Queue", "StringIO", "cPickle", "commands", "copy_reg", "cStringIO",
-        "distutils", "httplib", "imp", "md5",
-        "sets", "thread", "Tkinter", "tkMessageBox", "tkFileDialog", "urllib2", "urlparse", "xmlrpclib",
-        "SimpleHTTPServer", "SocketServer",
-        "BaseHTTPServer", "cookielib", "HTMLParser", "dummy_thread", "asyncore", "asynchat", "smtpd",
-        "exceptions", "ttk", "typing", "tomllib",
-    }
-)  # fmt: skip
-
-
 _OF_NODES = frozenset({"torch", "tensorflow", "jax", "keras"})
 """Frameworks, which are too large to be installed for a helper script beside the nodes."""
 _ROS = pattern(r"^(?:import|from) r(?:os|cl)py\b", re.MULTILINE)
@@ -157,7 +146,8 @@ def _modules_of(match: re.Match[str], sorted_in: frozenset[str]) -> list[str]:
 @cache
 def _standard(module: str) -> bool:
     """Tell whether a module is in Python's library; Debian and Ubuntu have separate packages for parts of it."""
-    return module in _STANDARD and module not in known_imports()
+    own = module in sys.stdlib_module_names or module in standard_modules()
+    return own and module not in known_imports()
 
 
 def programs(repository: Repository) -> tuple[Program, ...]:
