@@ -29,6 +29,7 @@ from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, repair, right, untold
+from roslab.decide.python.too_new import loosened
 from roslab.decide.python.torch_build import ONE_PAGE_BEFORE, beside_torch, numpy_of, torch_build
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
@@ -71,10 +72,11 @@ def decide_python(
         chosen = with_guess(chosen, newer)
     alone = conda_alone(evidence, own.answer)
     manager = "conda" if alone.specs else manager_of(config, kind, own.answer, ubuntu)
-    interpreter = _interpreter(number or python_of_ubuntu().get(ubuntu or ""))
+    runs = number or python_of_ubuntu().get(ubuntu or "")
+    interpreter = _interpreter(runs)
     lists = pip_lists(config, ubuntu, number)
-    repaired = _repaired(evidence, chosen)
-    manifests = _of_manifests(evidence, chosen)
+    repaired = _repaired(evidence, chosen, runs)
+    manifests = [*loosened(_of_manifests(evidence, chosen), runs)]
     declared = [*lists.requirements, *repaired.requirements]
     pixi = next((each for each in evidence.conda if each.file == chosen.conda and each.specs), None)
     if chosen.conda and (manager != "conda" or pixi):
@@ -183,9 +185,9 @@ def _interpreter(version: str | None) -> Interpreter:
     return Interpreter(pythons=(minor_of(version) or version,)) if version else ANY
 
 
-def _repaired(evidence: Evidence, chosen: Chosen) -> Repaired:
+def _repaired(evidence: Evidence, chosen: Chosen, python: str | None) -> Repaired:
     names = {canonicalize_name(project.name) for project in chosen.projects if project.name}
-    return repair(evidence, chosen.files, chosen.projects, names)
+    return repair(evidence, chosen.files, chosen.projects, names, python)
 
 
 def _own_names(evidence: Evidence) -> set[str]:

@@ -10,6 +10,7 @@ from roslab.decide.python.fetched import cloned_files, lacking
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.python.pythons import ANY
+from roslab.decide.python.too_new import loosened, told, too_new
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.not_on_index import NotOnIndex, not_on_index
@@ -76,13 +77,18 @@ def _from_page(asked: Requirement, of_pages: Mapping[str, Requirement]) -> bool:
 
 
 def repair(
-    evidence: Evidence, files: Iterable[RequirementFile], projects: Iterable[PythonProject], own: Iterable[str]
+    evidence: Evidence,
+    files: Iterable[RequirementFile],
+    projects: Iterable[PythonProject],
+    own: Iterable[str],
+    python: str | None = None,
 ) -> Repaired:
     """Return how to install what is declared if pip would refuse some of its lines; ``own`` are names in the tree.
 
     What a page has pip take from git comes from there, too: the index may have another package of that name, or none.
     So it does with a folder (``-e .``): files are installed before the source is there, and pip looks for a folder
     from where it is started (https://pip.pypa.io/en/stable/reference/requirements-file-format/, read 2026-11-23).
+    A release that never was for the image's ``python`` gives way to one that was.
     """
     names = set(own)
     pages = of_pages(evidence, names)
@@ -96,24 +102,29 @@ def repair(
         taken = [asked for asked in found if _from_page(asked, pages)]
         missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
         gone = [path for _, path in lacking(evidence, [file])]
-        if not (spelled or taken or missing or gone or any(asked.role == "project" for asked in found)):
+        newer = [asked for asked in found if too_new(asked, python)]
+        if not (spelled or taken or missing or gone or newer or any(asked.role == "project" for asked in found)):
             continue
         broken.add(file.file)
-        kept += _kept((asked for asked in found if asked.role != "project"), names, pages)
+        kept += _kept((each for each in loosened(found, python) if each.role != "project"), names, pages)
         text = f"pip would refuse this line; the packages of {file.file} are installed one by one"
         warnings += [warn(text, asked) for asked in spelled[:1]]
         cloned = cloned_files(evidence, [file])
         warnings += [warn(_GONE.format(path=path), file) for path in gone if path not in cloned]
         warnings += [_warning(asked) for asked in missing if asked.key not in names]
+        warnings += [told(asked, python) for asked in newer]
     for project in projects:
         found = [asked for asked in project.requirements if asked.role in {"", "source", "member"}]
         taken = [asked for asked in found if _from_page(asked, pages)]
         missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
         missing = [asked for asked in missing if asked.key not in names]
-        if taken or missing or any(asked.role for asked in found):  # or pip would look for it in the wrong place
+        newer = [asked for asked in found if too_new(asked, python)]
+        if (
+            taken or missing or newer or any(asked.role for asked in found)
+        ):  # or pip would look for it in the wrong place
             alone.append(project.folder or ".")
-            kept += _kept(found, names, pages)
-            warnings += [_warning(asked) for asked in missing]
+            kept += _kept(loosened(found, python), names, pages)
+            warnings += [*map(_warning, missing), *(told(asked, python) for asked in newer)]
     return Repaired(
         requirements=tuple(kept),
         files=frozenset(broken),

@@ -1,0 +1,45 @@
+"""Pins to a release that never was for the image's Python: one line of a list, while the others need that Python."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from packaging.version import Version
+
+from roslab.decide.decision import Warning_
+from roslab.decide.reasons import warn
+from roslab.knowledge.frameworks import framework
+from roslab.values.dataclass import replace
+from roslab.values.interpreter import Interpreter
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+
+
+def too_new(asked: Requirement, python: str | None) -> bool:
+    """Tell whether a requirement is pinned to a release whose first Python is newer than this one.
+
+    Robots that raise single lines of old lists leave such pins: pip finds no release for them and stops.
+    """
+    release = None if asked.url or not asked.name else asked.release
+    if python is None or release is None or not Interpreter(pythons=(python,)).may(asked):
+        return False
+    row = framework(asked.key, release)
+    return row is not None and Version(python) < Version(row.python_min)
+
+
+def loosened(found: Iterable[Requirement], python: str | None) -> Iterator[Requirement]:
+    """Yield the requirements, those without their version that are too new for the Python."""
+    for asked in found:
+        if too_new(asked, python):
+            free = stated(asked.name or asked.key, asked.origin, asked.file, asked.line)
+            yield replace(free, marker=asked.marker, extras=asked.extras, role=asked.role)
+        else:
+            yield asked
+
+
+def told(asked: Requirement, python: str | None) -> Warning_:
+    """Return the warning about one of them."""
+    row = framework(asked.key, asked.release or "")
+    needs = row.python_min if row else "a newer one"
+    message = f"{asked.written} needs Python {needs}, and the image has {python}"
+    return warn(f"{message}: pip takes a release of {asked.name} that runs there", asked)

@@ -1,0 +1,37 @@
+"""A pin to a release that never was for the Python that all other pins need."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PAGE = "# Net\n```\nconda create -n net python={}\npip install -r requirements.txt\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("python", "others", "numpy", "loose"),
+    [
+        ("3.6", "scipy==1.2.1\ntorch==0.4.1\n", "numpy==1.22.0", ["numpy"]),
+        ("3.6", "scipy==1.2.1\ntorch==0.4.1\n", "numpy==1.22.0; python_version >= '3.8'", []),
+        ("3.6", "scipy==1.2.1\ntorch==0.4.1\n", "numpy==1.14.3", []),
+        ("3.8", "torch==1.10.0\n", "numpy==1.22.0", []),
+    ],
+)
+def test_one_pin_among_many(tree: Tree, python: str, others: str, numpy: str, loose: list[str]) -> None:
+    asked = {"requirements.txt": f"{others}{numpy}\n", "README.md": PAGE.format(python)}
+    found = tree({**asked, "main.py": "import numpy, torch\n"})
+    assert found.python.version == python
+    assert [each.written for each in found.python.pip if each.key == "numpy"] == loose
+    assert found.python.requirements == (() if loose else ("requirements.txt",))
+    assert any("numpy==1.22.0 needs Python 3.8" in told.message for told in found.warnings) == bool(loose)
+
+
+def test_one_that_a_project_asks_for(tree: Tree) -> None:
+    setup = "from setuptools import setup\nsetup(name='net', packages=['net'], install_requires=['torch==0.4.1', {}])\n"
+    page = "# Net\n```\nconda create -n net python=3.6\npip install -e .\n```\n"
+    found = tree({"setup.py": setup.format("'numpy==1.22.0'"), "net/__init__.py": "", "README.md": page}).python
+    assert (found.alone, {each.written for each in found.pip}) == ((".",), {"torch==0.4.1", "numpy"})
