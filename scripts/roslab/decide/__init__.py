@@ -9,7 +9,7 @@ from roslab.decide.base import decide_base
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.chains import decide_bases
 from roslab.decide.command import decide_command
-from roslab.decide.cuda.toolkit import decide_toolkit
+from roslab.decide.cuda.toolkit import by_script, decide_toolkit
 from roslab.decide.cuda.version import NO_CUDA, decide_cuda
 from roslab.decide.day import decide_days
 from roslab.decide.decision import Decision, Warning_
@@ -167,7 +167,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = cuda if on_cuda else NO_CUDA
     compiling = decide_compiling(
-        projects, (*everything, *python.answer.first), cuda.answer.version, evidence.unsafe_hosts
+        projects, (*everything, *python.answer.first), cuda.answer.version, evidence.unsafe_hosts, by_script(evidence)
     )
     missing = decide_missing(
         evidence,

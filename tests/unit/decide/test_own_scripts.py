@@ -12,6 +12,7 @@ Tree = Callable[[dict[str, str]], Decision]
 CODE = {"play.py": "import numpy\n"}
 MAKE = "cd src\nnvcc -c a.cu\npython setup.py build_ext --inplace\n"
 SETUP = "from setuptools import Extension, setup\nsetup(name='ops', ext_modules=[Extension('ops', ['a.cpp'])])\n"
+DEEP = {".gitmodules": '[submodule "DCN"]\n\tpath = src/lib/nets/DCN\n\turl = https://github.com/a/DCN.git\n'}
 MODULE = {".gitmodules": '[submodule "planner"]\n\tpath = planner\n\turl = https://github.com/a/planner.git\n'}
 
 
@@ -27,6 +28,12 @@ MODULE = {".gitmodules": '[submodule "planner"]\n\tpath = planner\n\turl = https
         (MODULE, "./planner/build.py\n", [("", "planner/build.py", "python3 planner/build.py")]),
         (MODULE, "cd demo/planner && ./build.sh\n", [("planner", "planner/build.sh", "bash build.sh")]),
         (MODULE, "./planner/install.sh\n", []),
+        (
+            DEEP,
+            "cd $DEMO_ROOT/src/lib/nets/\ncd DCN\n./make.sh\n",
+            [("src/lib/nets/DCN", "src/lib/nets/DCN/make.sh", "bash make.sh")],
+        ),
+        (DEEP, "cd other\n./make.sh\n", []),
         (
             {"net/ops/nms/setup.py": SETUP},
             "cd DEMO/net/ops/nms\npython setup.py build_ext --inplace\n",
@@ -107,3 +114,18 @@ def test_what_a_script_that_is_run_installs_is_not_installed_before(tree: Tree) 
     files = {"net/lib/ops/setup.py": SETUP, "build_and_install.sh": script, "requirements.txt": "numpy\n"}
     found = tree({**CODE, **files, "README.md": "```\nsh build_and_install.sh\n```\n"})
     assert (found.python.projects, [each.path for each in found.scripts]) == ((), ["build_and_install.sh"])
+
+
+@pytest.mark.parametrize(("extension", "gpus"), [("CUDAExtension", "6.1;7.0;7.5;8.0;8.6+PTX"), ("CppExtension", "")])
+def test_extensions_of_torch_that_a_script_compiles_see_no_gpu(tree: Tree, extension: str, gpus: str) -> None:
+    setup = f"from setuptools import setup\nfrom torch.utils.cpp_extension import {extension}\n"
+    files = {
+        "main.py": "import torch\n",
+        "requirements.txt": "torch==1.10.0+cu113\n",
+        "net/ops/nms/make.sh": "python setup.py build_ext --inplace\n",
+        "net/ops/nms/setup.py": setup + f"setup(name='ops', ext_modules=[{extension}('ops', ['a.cpp'])])\n",
+        "README.md": "```\npip install -r requirements.txt\ncd net/ops/nms\nsh make.sh\n```\n",
+    }
+    found = tree(files)
+    assert [each.path for each in found.scripts] == ["net/ops/nms/make.sh"]
+    assert found.compiling.architectures == gpus

@@ -38,6 +38,14 @@ def extends_torch(evidence: Evidence, chosen: Chosen) -> bool:
     return any("torch" in build_needs().get(each.key, ()) for each in _asked(evidence, chosen))
 
 
+def by_script(evidence: Evidence) -> tuple[str, ...]:
+    """Return ``cuda`` if a page runs a script to compile, and the tree has extensions of torch for the GPU."""
+    if not any(m.topic == "build_script" and m.source == "readme" for m in evidence.mentions):
+        return ()
+    own = (p for p in evidence.python if not (places.vendored(p.file) or places.example(p.file) or places.test(p.file)))
+    return ("cuda",) if any("cuda" in project.extensions for project in own) else ()
+
+
 def _compiled(evidence: Evidence, chosen: Chosen, asked: Iterable[Requirement]) -> bool:
     """Tell whether CUDA sources are in the tree, or may be in what pip fetches."""
     own = any("cuda" in p.macros and not places.vendored(p.file) and not places.example(p.file) for p in evidence.cmake)

@@ -51,14 +51,15 @@ def decide_compiling(
     installed: Iterable[Requirement],
     cuda: str | None,
     named: Iterable[str] = (),
+    by_script: Iterable[str] = (),
 ) -> Compiling:
     """Return what it takes to build the ``projects`` and what they ask for, on an image with that ``cuda``.
 
-    ``named``: hosts that other build files name by ``git://``.
+    ``named``: hosts that other build files name by ``git://``; ``by_script``: extensions that scripts compile.
     """
     packages = [each for each in installed if each.package]
     build = {each.key for project in projects for each in project.build_requires}
-    extensions = {extension for project in projects for extension in project.extensions}
+    extensions = {*by_script, *(extension for project in projects for extension in project.extensions)}
     rust = bool(build & _RUST)
     on_torch = "cuda" in extensions or any("torch" in build_needs().get(each.key, ()) for each in packages)
     closed = {match[1] or match[2] for each in packages if (match := _CLOSED.match(each.url))} | {*named}

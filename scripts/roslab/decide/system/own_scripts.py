@@ -120,10 +120,15 @@ def _script(mention: Mention, absent: tuple[str, ...]) -> OwnScript | None:
     else:
         path = posixpath.normpath(posixpath.join(folder, script))
         inside = next((name for name in absent if f"/{name}/" in f"/{path}"), None)
-        if inside is None or not _UNREAD.search(path):
+        if not _UNREAD.search(path):
             return None
-        above = f"/{path}".index(f"/{inside}/")  # a page may begin above the root
-        path, folder = path[above:], folder[above:] if inside in folder else ""
+        if inside is not None:
+            above = f"/{path}".index(f"/{inside}/")  # a page may begin above the root
+            path, folder = path[above:], folder[above:] if inside in folder else ""
+        elif folder and (ends := [name for name in absent if name.endswith(f"/{folder}")]) and len(ends) == 1:
+            path, folder = posixpath.normpath(posixpath.join(ends[0], script)), ends[0]  # or below it
+        else:
+            return None
     program = "bash" if script.endswith(".sh") else "python3"
     command = shlex.join((program, posixpath.relpath(path, folder or "."), *words))
     return OwnScript(folder=folder, path=path, command=command)
