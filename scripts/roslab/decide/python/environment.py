@@ -28,7 +28,7 @@ from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
-from roslab.decide.python.refused import Repaired, repair, right, untold
+from roslab.decide.python.refused import Repaired, in_full, repair, right, untold
 from roslab.decide.python.too_new import loosened
 from roslab.decide.python.torch_build import ONE_PAGE_BEFORE, beside_torch, numpy_of, torch_build
 from roslab.decide.python.weights import PackageWeight as Weight
@@ -80,7 +80,7 @@ def decide_python(
     declared = [*lists.requirements, *repaired.requirements]
     pixi = next((each for each in evidence.conda if each.file == chosen.conda and each.specs), None)
     if chosen.conda and (manager != "conda" or pixi):
-        declared += [asked for asked in _of_environment(evidence, chosen) if not asked.role]
+        declared += [in_full(asked) for asked in _of_environment(evidence, chosen) if not asked.role]
     kept = dict(_kept(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
     extended = kind == "cuda" and manager != "system" and extends_torch(evidence, chosen)

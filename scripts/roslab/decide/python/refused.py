@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from types import MappingProxyType
 
+from packaging.version import Version
+
 from roslab.decide.decision import Warning_
 from roslab.decide.python.fetched import cloned_files, lacking
 from roslab.decide.python.manifests import with_includes
@@ -14,12 +16,15 @@ from roslab.decide.python.too_new import loosened, told, too_new
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.knowledge.not_on_index import NotOnIndex, not_on_index
+from roslab.knowledge.short_pins import numbered
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.specifier import specifiers
 
 _GONE = "{path} is included and is not in the tree: what it names is not installed, and the rest one by one"
+_SHORT = "pip has no {asked}, for its versions have more numbers: {taken} is installed"
 NOTHING: Mapping[str, Requirement] = MappingProxyType({})
 
 
@@ -44,9 +49,21 @@ def refused(asked: Requirement) -> NotOnIndex | None:
     return None if asked.specifier and same else row
 
 
+def in_full(asked: Requirement) -> Requirement:
+    """Return what is pinned to the first numbers of a version with more of them as any version that begins so."""
+    row = numbered().get(asked.key)
+    pins = [each.version for each in asked.specifier if each.operator == "=="]
+    if row is None or len(pins) != 1 or pins[0].count(".") + 2 != row.numbers or pins != [asked.release]:
+        return asked
+    taken = specifiers(f"=={pins[0]}.*")
+    if Version(pins[0]) < row.since or taken is None:
+        return asked
+    return replace(asked, written=asked.written.replace(f"=={pins[0]}", f"=={pins[0]}.*"), specifier=taken)
+
+
 def right(requirements: Iterable[Requirement], of_pages: Mapping[str, Requirement] = NOTHING) -> Iterator[Requirement]:
     """Yield what pip can install, with wrong names corrected and with what pages take from git, by name."""
-    for asked in requirements:
+    for asked in map(in_full, requirements):
         row = refused(asked)
         if _from_page(asked, of_pages):
             page = of_pages[asked.key]
@@ -101,14 +118,16 @@ def repair(
         spelled = [asked for asked in found if asked.role == "repaired"]
         taken = [asked for asked in found if _from_page(asked, pages)]
         missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
+        short = [asked for asked in found if in_full(asked) is not asked]
         gone = [path for _, path in lacking(evidence, [file])]
         newer = [asked for asked in found if too_new(asked, python)]
-        if not (spelled or taken or missing or gone or newer or any(asked.role == "project" for asked in found)):
+        if not any((spelled, short, taken, missing, gone, newer, any(asked.role == "project" for asked in found))):
             continue
         broken.add(file.file)
         kept += _kept((each for each in loosened(found, python) if each.role != "project"), names, pages)
         text = f"pip would refuse this line; the packages of {file.file} are installed one by one"
         warnings += [warn(text, asked) for asked in spelled[:1]]
+        warnings += [warn(_SHORT.format(asked=asked.written, taken=in_full(asked).written), asked) for asked in short]
         cloned = cloned_files(evidence, [file])
         warnings += [warn(_GONE.format(path=path), file) for path in gone if path not in cloned]
         warnings += [_warning(asked) for asked in missing if asked.key not in names]
@@ -119,8 +138,9 @@ def repair(
         missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
         missing = [asked for asked in missing if asked.key not in names]
         newer = [asked for asked in found if too_new(asked, python)]
+        short = [asked for asked in found if in_full(asked) is not asked]
         if (
-            taken or missing or newer or any(asked.role for asked in found)
+            taken or missing or short or newer or any(asked.role for asked in found)
         ):  # or pip would look for it in the wrong place
             alone.append(project.folder or ".")
             kept += _kept(loosened(found, python), names, pages)
