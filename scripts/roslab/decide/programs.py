@@ -79,9 +79,10 @@ def compiled(evidence: Evidence) -> tuple[Compiled, ...]:
         return ()
     found: dict[str, Compiled] = {}
     for project in _inside(evidence, top):
-        folder = _folder(project, evidence, top)
+        usual, placed = _folder(project, evidence, top), dict(project.placed)
         for name, line in project.executables:
             if _NAME.fullmatch(name) and not _TEST.search(name):
+                folder = _whole(placed[name], top) if name in placed else usual
                 found.setdefault(name, Compiled(name=name, folder=folder, file=project.file, line=line))
     return tuple(found.values())
 
@@ -102,10 +103,16 @@ def _place(project: CMakeProject) -> str:
 
 def _folder(project: CMakeProject, evidence: Evidence, top: CMakeProject) -> str:
     """Return the folder of a project's programs: what the nearest file above sets, else its own in the build."""
-    root, here = _place(top), _place(project)
+    here = _place(project)
     above = [p for p in evidence.cmake if p.programs_in and f"{here}/".startswith(f"{_place(p)}/".lstrip("/"))]
     nearest = max(above, key=lambda p: p.file.count("/"), default=None)
     written = nearest.programs_in if nearest and nearest.programs_in else f"build/{here}".rstrip("/")
+    return _whole(written, top)
+
+
+def _whole(written: str, top: CMakeProject) -> str:
+    """Return a folder as ``Compiled`` has it, for one that a CMakeLists.txt gives its programs."""
+    root = _place(top)
     side, _, rest = written.partition("/")
     if not _FOLDER.fullmatch(written):
         return "build"

@@ -62,6 +62,8 @@ class CMakeProject:
     programs_in: str | None = None
     """The folder that programs are written to; ``None`` if the file names none. ``source/…`` is relative to the root of
     the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, ``build/…`` to the build folder."""
+    placed: tuple[tuple[str, str], ...] = ()
+    """Programs that are written to another folder than most, each with it."""
     linked: tuple[tuple[str, int], ...] = ()
     """Files of libraries below the source that it links and that are not there, as written, each with its line."""
     lacks: bool = False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -186,6 +187,24 @@ def test_a_project_whose_code_is_elsewhere_is_not_the_one_that_is_built(tree: Tr
 )
 def test_the_folders_of_compiled_programs(tree: Tree, more: str, folders: tuple[str, ...]) -> None:
     assert tree({**APPS, "CMakeLists.txt": CMAKE.format(more=more)}).program_folders == folders
+
+
+@pytest.mark.parametrize(
+    ("lines", "folders"),
+    [
+        (("set(EXECUTABLE_OUTPUT_PATH bin)", "RUN", "set(CMAKE_RUNTIME_OUTPUT_DIRECTORY tools)", "TOOL"), "bin tools"),
+        (("RUN", "set(EXECUTABLE_OUTPUT_PATH bin)", "set(CMAKE_RUNTIME_OUTPUT_DIRECTORY tools)", "TOOL"), "bin tools"),
+        (("set(CMAKE_RUNTIME_OUTPUT_DIRECTORY a)", "RUN", "set(CMAKE_RUNTIME_OUTPUT_DIRECTORY b)", "TOOL"), "a b"),
+        (("set(CMAKE_RUNTIME_OUTPUT_DIRECTORY a)", "RUN", "TOOL"), "a"),
+        (("set(EXECUTABLE_OUTPUT_PATH bin)", "RUN", "TOOL", "set(EXECUTABLE_OUTPUT_PATH apps)"), "apps"),
+    ],
+)
+def test_a_program_lies_where_it_is_added(tree: Tree, lines: tuple[str, ...], folders: str) -> None:
+    made = "project(x CXX)\n" + "\n".join(lines).replace("RUN\n", "add_executable(run a.cpp)\n")
+    made = re.sub(r"(DIRECTORY|PATH) (\w+)", r"\1 ${PROJECT_SOURCE_DIR}/\2", made)
+    made = made.replace("TOOL", "add_executable(tool a.cpp)") + "\n"
+    decision = tree({"CMakeLists.txt": made, "a.cpp": "int main() {}\n"})
+    assert decision.program_folders == tuple(f"source/{folder}" for folder in folders.split())
 
 
 @pytest.mark.parametrize(

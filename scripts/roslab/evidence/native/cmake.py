@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Iterator
 
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import CMakeProject
@@ -60,7 +61,9 @@ _FOUND = (
     ("ament", pattern(r"ament_|autoware_cmake$")),
 )
 _CUDA = pattern(r"(?:CUDA|CUDAToolkit|CUDNN|TensorRT)$")
-_PROGRAMS_IN = frozenset({"CMAKE_RUNTIME_OUTPUT_DIRECTORY", "EXECUTABLE_OUTPUT_PATH"})
+_AT_ONCE = "CMAKE_RUNTIME_OUTPUT_DIRECTORY"
+"""A program is written where this says when it is added; what the other says last is for all programs without it."""
+_PROGRAMS_IN = frozenset({_AT_ONCE, "EXECUTABLE_OUTPUT_PATH"})
 _OUTPUT = pattern(
     r"^(?:\$\{((?:CMAKE|PROJECT|CMAKE_CURRENT)_(?:SOURCE|BINARY)_DIR)\})?((?:/|(?<!\})(?=[\w.]))[\w./-]*|)$"
 )
@@ -86,6 +89,10 @@ class _Reading:
     """File names of targets that differ from the target's name."""
     tests: bool = False
     programs_in: str | None = None
+    at_once: str | None = None
+    at_last: str | None = None
+    placed: dict[str, str | None] = field(default_factory=dict)
+    """Programs with the folder that was set when they were added."""
     libraries: set[str] = field(default_factory=set)
     named: set[str] = field(default_factory=set)
     """Files of code that programs name, relative to this one's folder."""
@@ -146,6 +153,7 @@ def _project(repository: Repository, file: File, added: dict[str, dict[str, bool
         minimum=reading.minimum,
         tests=reading.tests,
         programs_in=reading.programs_in,
+        placed=tuple(_placed(reading)),
         linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
         guards=tuple((reading.outputs.get(name, name), package) for name, package in reading.guards),
         optional=tuple((reading.outputs.get(name, name), variable) for name, variable in reading.optional),
@@ -195,6 +203,7 @@ def _program(call: Call, reading: _Reading) -> None:
     """Note a program with its files, and the packages that its conditions ask for."""
     name, *files = call.words
     reading.executables.setdefault(name, call.line)
+    reading.placed.setdefault(name, reading.at_once)
     reading.named.update(word for word in files if _CODE.match(word))
     for condition in call.conditions:
         switch = condition.removeprefix("ON ")
@@ -217,7 +226,11 @@ def _place_programs(call: Call, folder: str, reading: _Reading) -> None:
     """Note the folder that ``set`` gives programs, and what ``set_target_properties(TARGETS… PROPERTIES …)`` does."""
     words = call.words
     if call.name == "set" and len(words) > 1 and words[0] in _PROGRAMS_IN:
-        reading.programs_in = _output(words[1], folder) or reading.programs_in
+        place = _output(words[1], folder)
+        reading.programs_in = place or reading.programs_in
+        reading.at_once, reading.at_last = (
+            (place, reading.at_last) if words[0] == _AT_ONCE else (reading.at_once, place)
+        )
     if call.name == "set" or "PROPERTIES" not in words:
         return
     split = words.index("PROPERTIES")
@@ -225,7 +238,17 @@ def _place_programs(call: Call, folder: str, reading: _Reading) -> None:
     if (output := values.get("OUTPUT_NAME")) and _TARGET.match(output):
         reading.outputs |= dict.fromkeys(words[:split], output)
     if (place := values.get("RUNTIME_OUTPUT_DIRECTORY")) and any(word in reading.executables for word in words[:split]):
-        reading.programs_in = _output(place, folder) or reading.programs_in
+        written = _output(place, folder)
+        reading.programs_in = written or reading.programs_in
+        reading.placed |= {word: written for word in words[:split] if word in reading.placed}
+
+
+def _placed(reading: _Reading) -> Iterator[tuple[str, str]]:
+    """Yield the programs that lie elsewhere than in the folder that the file names last."""
+    for name, place in reading.placed.items():
+        where = place or reading.at_last
+        if where and where != reading.programs_in:
+            yield reading.outputs.get(name, name), where
 
 
 def _output(written: str, folder: str) -> str | None:
