@@ -45,3 +45,12 @@ def test_what_a_page_installs_above_a_library_is_built_before_it(
     made = "project(demo)\n" + "".join(f"find_package({name} REQUIRED)\n" for name in asked)
     files = {"CMakeLists.txt": f"{made}add_executable(a a.cpp)\n", "a.cpp": "int main() {}\n", "README.md": page}
     assert [source.name for source in tree(files).source] == built
+
+
+@pytest.mark.parametrize(("ubuntu", "linked"), [("xenial", True), ("bionic", False)])
+def test_pcl_of_xenial_links_proj(tree: Tree, ubuntu: str, linked: bool) -> None:
+    made = "project(demo)\nfind_package(PCL 1.7 REQUIRED)\nadd_executable(a a.cpp)\n"
+    page = f"Tested on Ubuntu {'16.04' if ubuntu == 'xenial' else '18.04'}\n"
+    decision = tree({"CMakeLists.txt": made, "a.cpp": "int main() {}\n", "README.md": page})
+    assert decision.ubuntu == ubuntu
+    assert ("libproj-dev" in {*decision.apt, *decision.apt_guessed}) is linked
