@@ -90,7 +90,7 @@ class PythonProject:
     scripts: tuple[tuple[str, int], ...] = ()
     """Console scripts, with their lines."""
     extensions: tuple[str, ...] = ()
-    """What it compiles: ``c``, ``cuda``, ``cython``, ``cmake``."""
+    """What it compiles: ``c``, ``cuda``, ``cython``, ``cmake``; ``not editable`` if it then leaves something out."""
     classifiers: tuple[str, ...] = ()
     setup_imports: tuple[str, ...] = ()
     """Modules that its setup.py imports; ``.`` for the package that it installs."""

@@ -43,3 +43,13 @@ def test_the_cmake_of_a_base_of_ros_is_taken(tree: Tree) -> None:
     found = tree(files)
     assert (found.kind, found.python.projects) == ("ros1", ("demo",))
     assert all(each.key != "cmake" for each in found.python.first)
+
+
+@pytest.mark.parametrize(("given", "copied"), [(", disable_editable=True", (".",)), ("", ())])
+def test_what_is_not_compiled_for_an_editable_installation_is_copied(
+    tree: Tree, given: str, copied: tuple[str, ...]
+) -> None:
+    script = SETUP.replace('("demo")', f'("demo"{given})')
+    assert script != SETUP or not given
+    decision = tree({"setup.py": script, "demo/__init__.py": "import numpy\n"})
+    assert decision.compiling.copied == copied

@@ -36,7 +36,8 @@ class Compiling:
     hosts: tuple[str, ...] = ()
     """Public hosts that a line names by ``git://`` or ``ssh://``; all of them answer to https."""
     copied: tuple[str, ...] = ()
-    """Folders of projects that are not installed editable: they would compile themselves again when imported."""
+    """Folders of projects that are not installed editable: they would compile themselves again when imported, or what
+    they compile would be missing (https://github.com/diegoferigo/cmake-build-extension, ``disable_editable``)."""
     architectures: str = ""
     """``TORCH_CUDA_ARCH_LIST`` for extensions of torch: it asks the GPU otherwise, and a build sees none."""
     gpus: tuple[tuple[str, str], ...] = ()
@@ -70,7 +71,9 @@ def decide_compiling(
         rust=rust,
         git=any(each.vcs for each in packages),
         copied=tuple(
-            p.folder or "." for p in projects if {each.key for each in p.build_requires} & _COMPILED_ON_IMPORT
+            p.folder or "."
+            for p in projects
+            if {each.key for each in p.build_requires} & _COMPILED_ON_IMPORT or "not editable" in p.extensions
         ),
         hosts=tuple(sorted(closed & public_hosts())),
         architectures=torch_for,

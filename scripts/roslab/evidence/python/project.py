@@ -153,6 +153,8 @@ def _extensions(text: str) -> tuple[str, ...]:
         found.append("cython")
     if re.search(r"CMakeExtension|CMakeBuild|skbuild|scikit_build|['\"]cmake['\"]", text):
         found.append("cmake")
+    if re.search(r"\bdisable_editable\s*=\s*True\b", text):
+        found.append("not editable")
     return tuple(found)
 
 
