@@ -155,3 +155,19 @@ def test_a_script_that_starts_what_is_compiled(tree: Tree, lines: str, command: 
         **dict.fromkeys(("build.sh", "run_kitti.sh"), "./build/align $1\n"),
     }
     assert " ".join(tree({**files, "README.md": f"# Run\n```\n{lines}\n```\n"}).command) == command
+
+
+@pytest.mark.parametrize(
+    ("line", "files", "command"),
+    [
+        ("PYTHONPATH=$PWD python arm/ui", {"arm/ui/__main__.py": "print(1)\n"}, ("python", "arm/ui")),
+        ("python arm/ui/ --dark", {"arm/ui/__main__.py": "print(1)\n"}, ("python", "arm/ui", "--dark")),
+        ("python arm/ui", {"arm/ui/view.py": "print(1)\n"}, ("python", "run.py")),
+    ],
+)
+def test_a_folder_is_run_where_it_has_a_main(
+    tree: Tree, line: str, files: dict[str, str], command: tuple[str, ...]
+) -> None:
+    page = f"# Run\n```\n{line}\n```\nor\n```\npython run.py\n```\n"
+    main = "import numpy\nif __name__ == '__main__':\n    pass\n"
+    assert tree({"README.md": page, "run.py": main, "requirements.txt": "numpy\n", **files}).command == command

@@ -281,7 +281,7 @@ class Collector:
             if words[1].endswith("setup.py"):
                 here = self._here if self.source == "readme" else str  # a script that compiles is run as it is
                 self._python(setup_asks(command, self.file, here), command)
-            elif any(word.endswith(".py") for word in words[1:4]) or words[1] == "-m" or _BUILT.match(words[1]):
+            elif any(word.endswith(".py") for word in words[1:4]) or words[1] == "-m" or "/" in words[1]:
                 self._run(command)
         elif self.source == "readme" and _STARTS.match(" ".join(words[:2])):
             self._run(command)

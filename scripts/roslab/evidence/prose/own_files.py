@@ -41,7 +41,8 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
             path = f"{folder}/{path}"  # a page below the root starts what lies beside it
         if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):
             words[index] = path
-            found.append(path)
+            run = index == 1 and words[0].startswith("python") and not repository.has(path)
+            found += [path] if not run or repository.has(f"{path}/__main__.py") else []
         elif _of_package(word, repository):
             found.append(word)
     inside = script[2] if script else started_in(mention, words, repository)
