@@ -103,3 +103,18 @@ def test_the_oldest_distribution_that_works_is_not_what_it_was_made_on(tmp_path:
     evidence = gather(Repository.open(tmp_path))
     decided = decide(replace(evidence, mentions=(*evidence.mentions, date)), Config(), folder_name="a")
     assert decided.ros_distro == name
+
+
+@pytest.mark.parametrize(("more", "name"), [("<depend>rtcm_msgs</depend>", "noetic"), ("", "jade")])
+def test_an_address_of_a_distribution_without_a_declared_package_tells_less_than_the_date(
+    tmp_path: Path, more: str, name: str
+) -> None:
+    (tmp_path / "package.xml").write_text(
+        f"<package format='2'><name>a</name><buildtool_depend>catkin</buildtool_depend>{more}</package>"
+    )
+    (tmp_path / "CMakeLists.txt").write_text("project(a)\nfind_package(catkin REQUIRED)\n")
+    (tmp_path / "README.md").write_text("[Twist](http://docs.ros.org/jade/api/geometry_msgs/html/msg/Twist.html)\n")
+    date = Mention(topic="date", value="2022-12-06", source="commit", file=".git/HEAD", line=1, text="")
+    evidence = gather(Repository.open(tmp_path))
+    decided = decide(replace(evidence, mentions=(*evidence.mentions, date)), Config(), folder_name="a")
+    assert decided.ros_distro == name

@@ -51,7 +51,7 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     unknown = {name: missing | unlaunched.get(name, frozenset()) for name, missing in unknown.items()}
     unknown = {name: missing for name, missing in unknown.items() if existed(evidence, name)} or unknown
     named = [reason for reason in there(evidence, reasons_for(evidence, ros)) if not stale(reason, evidence.day)]
-    if dated(evidence) and all(reason.weight <= Weight.EXAMPLE for reason in named):
+    if dated(evidence) and all(_tells_nothing(reason, unknown) for reason in named):
         named = []
     reasons = [_compiling(_fitted(reason, unknown), lacking) for reason in named]
     if config.base.ubuntu and (fitting := distros_of(config.base.ubuntu, 1 if ros == 1 else 2)):
@@ -71,6 +71,11 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     chosen = distros()[best.answer]
     told = _too_new(chosen, lacking) if _moved(chosen.name, lacking) else ()
     return Choice(answer=chosen, reasons=ranked(reasons, chosen.name), warnings=told)
+
+
+def _tells_nothing(reason: Reason, unknown: dict[str, frozenset[str]]) -> bool:
+    """Tell whether the date of the last commit tells more: an example, or an address for what lacks a key."""
+    return reason.weight <= (Weight.ADDRESS if unknown.get(reason.answer) else Weight.EXAMPLE)
 
 
 def _too_new(rolling: Distro, lacking: dict[str, tuple[str, ...]]) -> tuple[Warning_, ...]:
