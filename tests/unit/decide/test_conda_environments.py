@@ -90,3 +90,12 @@ def test_an_environment_for_another_system_is_neither_taken_nor_told(tree: Tree)
     decision = tree({**CODE, "environment_mac.yml": FILE, "environment_linux.yml": FILE, "README.md": page})
     assert decision.python.conda_file == "environment_linux.yml"
     assert not any("is not made" in each.message for each in decision.warnings)
+
+
+@pytest.mark.parametrize(("torch", "limited"), [("1.10.0", True), ("2.3.0", False)])
+def test_what_conda_installed_before_numpy_2_keeps_it_out_of_what_pip_adds(
+    tree: Tree, torch: str, limited: bool
+) -> None:
+    environment = f"channels:\n- pytorch\ndependencies:\n- python=3.9\n- pytorch={torch}\n"
+    python = tree({"environment.yml": environment, "run.py": "import torch\n"}).python
+    assert ("numpy<2" in [bound.written for bound in python.bounds]) is limited

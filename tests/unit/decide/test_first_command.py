@@ -889,3 +889,9 @@ def test_a_script_of_what_is_installed_is_not_started_in_the_source(tree: Tree, 
     }
     found = tree(files).command
     assert (found if isinstance(found, str) else " ".join(found)) == command
+
+
+def test_a_script_that_gets_the_sister_packages_is_no_default(tree: Tree) -> None:
+    page = "```\n./get_repos.sh\nros2 launch demo map.launch.py\n```\n"
+    files = {**ROS2, "README.md": page, "get_repos.sh": "vcs import src < demo.repos\n"}
+    assert tree(files).command == ("ros2", "launch", "demo", "map.launch.py")

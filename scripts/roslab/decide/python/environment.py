@@ -99,7 +99,8 @@ def decide_python(
     build = torch_build(wheels if compiled else (), cuda, number, evidence.pip_day, oldest=aged)
     if not compiled and (on_page := beside_torch(evidence)):
         build = torch_build(wheels, on_page, number, evidence.pip_day, "conda is asked for CUDA {cuda} beside it")
-    numpy = numpy_of(everything if manager != "system" else ())
+    conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
+    numpy = numpy_of((*conda_asked, *everything) if manager != "system" else ())
     if any(bound.key == "numpy" for bound in bounds.answer):
         numpy = Choice(answer=())
     limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *numpy.answer)
@@ -110,7 +111,6 @@ def decide_python(
     whole = [file for file in chosen.files if file.file not in repaired.files]
     conda = chosen.conda if manager == "conda" else None
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
-    conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
     older = setuptools_of((*everything, *conda_asked) if manager != "system" else ())
     answer = Python(
         version=number,
