@@ -82,6 +82,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     said = [m for m in said if not (places.vendored(m.file) or about_trouble(m.heading))]
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
     pointed = pointed_launches(evidence)
+    beside = tree.compiled if kind == "cpp" else {}  # programs that a page starts in its build folder
     nearest = min((mention.file.count("/") for mention in said), default=0)
     for mention in said:
         whole, cut, blanks = _filled(mention.value, mention.files)
@@ -100,7 +101,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 strong=strong,
                 heading=mention.heading,
                 files=mention.files,
-                inside=mention.inside if argv[0].startswith(("python", "bash")) else "",
+                inside=mention.inside if argv[0].startswith(("python", "bash")) or argv[0] in beside else "",
                 cut=cut,
                 blanks=blanks,
                 variables=mention.variables,

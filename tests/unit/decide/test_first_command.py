@@ -165,6 +165,27 @@ def test_the_first_compiled_program_of_a_page(tree: Tree, page: str, command: st
     assert " ".join(tree(files).command) == command
 
 
+@pytest.mark.parametrize(
+    ("page", "settings", "command"),
+    [
+        ("./align ../maps/a.yaml ../a.cpp", "code: ../a.cpp\n", "cd maps && exec align a.yaml ../a.cpp"),
+        ("./align ../maps/a.yaml", "folder=../apps/\n", "cd maps && exec align a.yaml"),
+        ("./align ../maps/a.yaml", "code: ../elsewhere.cpp\n", ""),
+        ("./align ../maps/a.yaml ../data/b.bag", "code: ../a.cpp\n", ""),
+        ("./align ../maps/a.yaml --out=../a.txt", "code: ../a.cpp\n", ""),
+        ("./align maps/a.yaml", "code: ../a.cpp\n", ""),
+        ("./align ../maps/a.yaml", "code: a/../../a.cpp\n", ""),
+    ],
+)
+def test_a_program_whose_settings_name_what_is_above_its_build_folder_starts_right_below_the_root(
+    tree: Tree, page: str, settings: str, command: str
+) -> None:
+    files = {**APPS, "CMakeLists.txt": CMAKE.format(more=""), "maps/a.yaml": settings}
+    argv = tree({**files, "README.md": f"```\ncd build\n{page}\n```\n"}).command
+    found = argv if isinstance(argv, str) else " ".join(argv)
+    assert found == command if command else found.startswith("align maps/a.yaml")
+
+
 def test_a_project_whose_code_is_elsewhere_is_not_the_one_that_is_built(tree: Tree) -> None:
     files = {
         "align/CMakeLists.txt": "project(Align CXX)\nadd_executable(align align_main.cc ${MORE})\n",

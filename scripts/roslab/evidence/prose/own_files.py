@@ -7,7 +7,7 @@ import re
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.started_in import ends, script_in, started_in
+from roslab.evidence.prose.started_in import beside_build, ends, script_in, started_in
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -45,7 +45,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
             found += [path] if not run or repository.has(f"{path}/__main__.py") else []
         elif _of_package(word, repository):
             found.append(word)
-    inside = script[2] if script else started_in(mention, words, repository)
+    inside = script[2] if script else started_in(mention, words, repository) or beside_build(mention, words, repository)
     if words[0].startswith("python") and words[1:2] == ["-m"] and len(words) > 2:
         file, inside = _module(words[2], mention.inside, repository)
         found += [file] if file else []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator, Sequence
 
 from roslab.evidence.facts import Mention
@@ -17,6 +18,8 @@ _PATH = pattern(
     r"[\"\']((?:\.{1,2}/)*(?:[\w-]+/)+[\w.-]*|(?:\.{1,2}/)*[\w-]+\.(?:ya?ml|json|csv|txt|np[yz]|xml|urdf|pth?|pkl|png|jpe?g|dat|mat))"
 )
 """A file or a folder in a string, or what such a string begins with."""
+_ABOVE = pattern(r"(?:^|[\s=:,;(\"'])\.\./([\w-][\w./-]*)", re.MULTILINE)
+"""A path from the folder above, in a file of settings."""
 _PLACES = {"bash": 1, "sh": 1, "roslaunch": 1, "ros2": 2}
 """Where the words of a command name a script or a launch file, if not in the first."""
 
@@ -40,6 +43,30 @@ def started_in(mention: Mention, words: Sequence[str], repository: Repository) -
             return folder
         break
     return ""
+
+
+def beside_build(mention: Mention, words: Sequence[str], repository: Repository) -> str:
+    """Return a folder at the root for a program that a page starts in its build folder (``./align ../cfg/a.cfg``).
+
+    Only where all that is above is of the tree, and such a file names more of it from there: from any folder right
+    below the root these paths hold, from the root itself they do not.
+    """
+    said = mention.value.split()
+    above = [path for word, path in zip(said, words, strict=True) if word.startswith("../")]
+    outside = any("../" in word and not word.startswith("../") for word in said)
+    if not said[0].startswith("./") or outside or not all(_has(path, repository) for path in above):
+        return ""
+    for path in above:
+        folder = path.partition("/")[0] if "/" in path else ""
+        if folder and repository.has(path) and _names_above(path, repository):
+            return folder
+    return ""
+
+
+def _names_above(path: str, repository: Repository) -> bool:
+    """Tell whether a file names a file or folder of the tree from a folder right below the root."""
+    text = repository.read(path, limit=MAX_SIZE)
+    return any(_has(posixpath.normpath(match[1]), repository) for match in _ABOVE.finditer(text))
 
 
 def script_in(mention: Mention, repository: Repository) -> tuple[int, str, str] | None:
