@@ -22,6 +22,9 @@ FOCAL = blame.Base(
 REAL = replace(FOCAL, stand_in="", lacking=frozenset())
 BOOST = "/ws/src/a.cpp:8:30: error: '_1' was not declared in this scope"
 CERES = "/usr/include/ceres/internal/jet_traits.h:118:21: error: 'enable_if_t' is not a member of 'std'"
+INDEX = """\
+WARNING: Retrying (Retry(total=0)) after connection broken by 'NewConnectionError': /whl/cpu/torch/
+#9 2.0 ERROR: No matching distribution found for torch==1.13.1+cpu"""
 LOG = """\
 #9 [5/5] RUN catkin_make
 #9 1.0 {error}
@@ -59,6 +62,8 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         (CERES, replace(FOCAL, ubuntu="jammy", python="3.10"), "ours or the code's"),
         ("a.h:46:8: error: 'shared_ptr' in namespace 'std' does not name a template type", FOCAL, "stand-in"),
         ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", FOCAL, "stand-in"),
+        (INDEX, FOCAL, "stand-in"),
+        (INDEX, REAL, "ours or the code's"),
         ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", REAL,
          "ours or the code's"),
     ],
