@@ -71,6 +71,8 @@ class Source:
     """Without a ``ref``: the newest commit not after this date (``YYYY-MM-DD``) is taken, if there is one."""
     unread: bool = False
     """Nobody has read what its own CMakeLists.txt asks for: no table knows the library, and no author configures it."""
+    unasked: bool = False
+    """A page has everybody build it, and nothing that was read asks for it: where it fails, the image goes without."""
     place: Place | None = None
 
 

@@ -9,14 +9,13 @@ from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.source_names import address, itself_in, plain
+from roslab.decide.system.by_everybody import PAGES
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.libraries import library
 from roslab.values.pattern import pattern
 
-_PAGES = (".md", ".rst", ".txt", "README", "INSTALL")
-"""A script may clone for one robot or another; a page says what everybody needs."""
 _FETCHES = pattern(r"\b(?:wget|curl|vcs|wstool|rosinstall|rosws)\s")
 """Programs that fetch a list of repositories, or import one by its address."""
 MOST = 8
@@ -87,7 +86,7 @@ def _cloned(evidence: Evidence, kind: Kind, names: set[str], there: set[str], it
     told: dict[str, Warning_] = {}
     for git in evidence.sources if kind in {"ros1", "ros2", "cpp"} else ():
         aside = places.vendored(git.file) or places.documentation(git.file) or places.test(git.file)
-        aside = aside or not git.file.endswith(_PAGES)
+        aside = aside or not git.file.endswith(PAGES)
         if git.kind != "clone" or git.strength != "prose" or aside or itself_in(git, itself):
             continue
         if address(git.url) in there or plain(git.name) in names or _in_ubuntu(git):

@@ -51,6 +51,12 @@ class GitSource:
     installed: bool = False
     """The page compiles it by hand with CMake and installs it, with these options."""
     options: str = ""
+    configured: bool = False
+    """CMake is called there before it is installed."""
+    heading: str = ""
+    """The titles of the page that a clone line stands under."""
+    aside: bool = False
+    """Its section, or the sentence above it, says that not everybody needs it."""
     beside: bool = False
     """It is cloned into the ``src`` of a workspace, beside the repository itself."""
     absent: bool = False

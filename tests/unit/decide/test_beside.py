@@ -54,7 +54,34 @@ def test_a_page_clones_beside_it(tree: Tree) -> None:
 
 def test_nothing_unknown_is_needed(tree: Tree) -> None:
     known = SHOWN | {"launch/demo.launch": LAUNCH.replace("acme_control", "map_server")}
-    assert not cloned(tree(known | {"README.md": PAGE}))
+    alone = PAGE.replace("git clone https://github.com/me/demo.git\n", "")
+    assert not cloned(tree(known | {"README.md": alone}))
+    assert cloned(tree(SHOWN | {"README.md": alone})) == [("vehicles", None)]
+
+
+OWN = "git clone https://github.com/me/demo.git\n"
+FORK = "git clone https://github.com/me/navigation.git\n"
+BRANCH = "git clone -b for_demo https://github.com/lab/navigation.git\n"
+RELEASED = "git clone https://github.com/ros-planning/navigation.git\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "names"),
+    [
+        (OWN + FORK, ["navigation"]),
+        (OWN + BRANCH, ["navigation"]),
+        (OWN + RELEASED, []),
+        (OWN + "# Optional, a model to look at\ngit clone https://github.com/lab/things.git\n", []),
+        (OWN + "```\nIf you want to see more:\n```\ngit clone https://github.com/lab/things.git\n", []),
+        (OWN + "```\n## Simulation\n```\ngit clone https://github.com/lab/things.git\n", []),
+        (OWN + "git clone https://github.com/lab/things.git\n", ["things"]),
+    ],
+)
+def test_what_everybody_clones_where_the_repository_itself_is_cloned(tree: Tree, lines: str, names: list[str]) -> None:
+    """The title of the page is no section: it tells what the code is for."""
+    files = {"package.xml": PACKAGE, "CMakeLists.txt": MADE}
+    page = f"# Simulation of a demo\nROS Noetic\n```\ncd ~/catkin_ws/src\n{lines}```\n"
+    assert [name for name, _ in cloned(tree(files | {"README.md": page}))] == names
 
 
 @pytest.mark.parametrize("title", ["## Optional", "### Simulation", "## With Docker"])

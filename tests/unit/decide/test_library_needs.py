@@ -44,7 +44,7 @@ def test_what_a_page_installs_above_a_library_is_built_before_it(
 ) -> None:
     made = "project(demo)\n" + "".join(f"find_package({name} REQUIRED)\n" for name in asked)
     files = {"CMakeLists.txt": f"{made}add_executable(a a.cpp)\n", "a.cpp": "int main() {}\n", "README.md": page}
-    assert [source.name for source in tree(files).source] == built
+    assert [source.name for source in tree(files).source if not source.unasked] == built
 
 
 @pytest.mark.parametrize(("ubuntu", "linked"), [("xenial", True), ("bionic", False)])

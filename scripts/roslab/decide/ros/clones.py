@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from collections.abc import Set as AbstractSet
 
-from roslab.decide.ros.source_names import SHORTEST, plain
+from roslab.decide.ros.source_names import SHORTEST, address, itself_in, moves, plain
 from roslab.decide.ros.vcs_files import distros_in
 from roslab.decide.ros.workspace import of_one_ros, packages_of
 from roslab.evidence import places
@@ -39,6 +39,45 @@ def beside(evidence: Evidence, ros_distro: str | None) -> Iterator[GitSource]:
     for git in sorted((*found, *upstream), key=lambda git: ros_distro not in distros_in(git.ref or "")):
         if not (others := distros_in(git.ref or "")) or ros_distro in others:
             yield git
+
+
+def with_itself(
+    evidence: Evidence,
+    ros_distro: str | None,
+    itself: set[str],
+    own: AbstractSet[str],
+    known: AbstractSet[str],
+) -> Iterator[tuple[GitSource, str]]:
+    """Yield what the page at the root has everybody clone into the workspace where it clones the repository itself.
+
+    Each with the reason for it; ``own``: the repository's packages, ``known``: they and what the distribution released.
+    Of that nothing is cloned but a fork of the same owner, or a branch of its own.
+    """
+    for git in beside(evidence, ros_distro):
+        if git.kind != "clone" or git.aside or itself_in(git, itself) or plain(git.name) in own:
+            continue
+        here = [
+            each for each in evidence.sources if each.beside and (each.file, each.heading) == (git.file, git.heading)
+        ]
+        near = [each for each in here if itself_in(each, itself) and not each.aside]
+        changed = git.ref is not None and not distros_in(git.ref) and not moves(git.ref)
+        changed = changed or any(_owner(git) == _owner(each) for each in near)
+        if near and (changed or git.name not in known):
+            yield git, f"{git.file} has everybody clone it into the workspace, beside the repository itself"
+
+
+def for_unknown(
+    evidence: Evidence, ros_distro: str | None, itself: set[str], known: AbstractSet[str], unknown: Dependency
+) -> Iterator[tuple[GitSource, str]]:
+    """Yield what is cloned into the workspace, each with the reason: one of them may hold an unknown package."""
+    for git in beside(evidence, ros_distro):
+        if not itself_in(git, itself) and plain(git.name) not in known and git.name not in known:
+            why = f"{git.file} clones it into the workspace, and no distribution released {unknown.name}"
+            yield git, f"{why} ({unknown.file}:{unknown.line})"
+
+
+def _owner(git: GitSource) -> str:
+    return address(git.url).rpartition("/")[0]
 
 
 def unreleased(needed: Iterable[Dependency], known: AbstractSet[str]) -> Dependency | None:

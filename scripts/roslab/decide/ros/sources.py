@@ -8,12 +8,13 @@ from collections.abc import Iterable, Iterator
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind, Source
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
-from roslab.decide.ros.clones import beside, clones, linked, unreleased
+from roslab.decide.ros.clones import clones, for_unknown, linked, unreleased, with_itself
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.in_tree import in_tree
 from roslab.decide.ros.source_names import address, asked_for, drifts, fixed_at, itself_in, plain, wanted_names
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
+from roslab.decide.system.by_everybody import told
 from roslab.decide.system.switches import given, waits
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
@@ -90,11 +91,11 @@ def decide_sources(
         if asked is not None:
             answered.add(asked.name)
             chosen.clone(git, asked, known | rosdep_keys())
+    for git, why in with_itself(evidence, ros_distro, itself, own, known):
+        chosen.add(git, why)
     if unknown := unreleased(needed, known | rosdep_keys() | answered | {*chosen.sources}):
-        for git in beside(evidence, ros_distro):
-            if not itself_in(git, itself) and plain(git.name) not in own and git.name not in known:
-                why = f"{git.file} clones it into the workspace, and no distribution released {unknown.name}"
-                chosen.add(git, f"{why} ({unknown.file}:{unknown.line})")
+        for git, why in for_unknown(evidence, ros_distro, itself, own | known, unknown):
+            chosen.add(git, why)
     used = tuple(_used(evidence, needed))
     chosen.known(used, known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
     chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
@@ -273,14 +274,18 @@ def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Depend
     """Put libraries from the table of recipes before the sister packages that link them."""
     added: dict[str, Source] = {}
     reasons = list(choice.reasons)
+    warnings = list(choice.warnings)
     for source, asked in recipes:
         if source.name not in choice.answer.names and source.name not in added:
             added[source.name] = source
             why = f"{asked.name} is needed, and no package of this Ubuntu contains it"
+            if source.unasked:
+                why = f"{asked.file} has everybody build it"
+                warnings.append(told(source, asked))
             reasons.append(because("source", source.name, why, asked, weight=Weight.RECIPE))
     answer = replace(
         choice.answer,
         sources=(*added.values(), *choice.answer.sources),
         names=choice.answer.names | added.keys(),
     )
-    return replace(choice, answer=answer, reasons=tuple(reasons))
+    return replace(choice, answer=answer, reasons=tuple(reasons), warnings=tuple(warnings))

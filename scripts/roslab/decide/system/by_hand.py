@@ -10,6 +10,7 @@ from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import address, drifts, fixed, fixed_at, moves, plain
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.by_everybody import built_by_everybody, named_in
 from roslab.decide.system.lies_beside import with_beside
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
@@ -73,8 +74,8 @@ def by_hand(
     """Return the libraries that no table knows, that CMake asks for by name, and that a page or a list names.
 
     ``taken``: names that come from elsewhere. What a page installs above one of them is built before it, and what is
-    installed at a ref where submodules that may ask for it are not checked out. Each is built as it was at the time of
-    the repository's last commit.
+    installed at a ref where submodules that may ask for it are not checked out; and what a page has everybody install.
+    Each is built as it was at the time of the repository's last commit.
     """
     if config.compatible or kind == "python":
         return ()
@@ -89,15 +90,21 @@ def by_hand(
             found.setdefault(free[name], asked)
     last = {git.file: git.line for git in sorted(found, key=lambda git: git.line) if git.installed}
     unread = any(git.absent for git in evidence.sources)
+    unasked: set[GitSource] = set()
+    there = {*taken, *named_in(evidence.cmake)}
     for git in free.values():
         asked = Dependency(namespace="cmake", name=git.name, strength="declared", file=git.file, line=git.line)
         above = git.line < last.get(git.file, 0)  # what is below it may need it
         may_be = git.installed and (above or (unread and git.kind == "clone" and bool(fixed(git.ref))))
         if may_be and _unknown(asked, target, pinned=False):
             found.setdefault(git, asked)
+        if git not in found and built_by_everybody(git, kind, target, there):
+            found[git] = asked
+            unasked.add(git)
     files = [git.file for git in found]
     in_order = sorted(found, key=lambda git: (files.index(git.file), git.line))
-    return tuple((with_beside(_source(git, day), git, evidence), found[git]) for git in in_order)
+    built = ((git, replace(_source(git, day), unasked=git in unasked)) for git in in_order)
+    return tuple((with_beside(source, git, evidence), found[git]) for git, source in built)
 
 
 def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:

@@ -63,6 +63,8 @@ class Collector:
     """The sections that the text stands in."""
     options: str = ""
     """The options of the last ``cmake``."""
+    configured: bool = False
+    """``cmake`` was called since the last clone."""
     cloned: int | None = None
     """Index of the last clone."""
     fresh: set[int] = field(default_factory=set)
@@ -216,7 +218,7 @@ class Collector:
         branch = next((words[i + 1] for i, w in enumerate(words[:-1]) if w in {"-b", "--branch"}), None)
         into, url = folder_after(url, words, self.folder), url.rstrip(".,;)")
         name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
-        self.cloned, self.options = len(self.sources), ""
+        self.cloned, self.options, self.configured = len(self.sources), "", False
         self.fresh.add(self.cloned)
         branch = None if branch is None or UNKNOWN in branch else branch
         self.sources.append(
@@ -229,7 +231,8 @@ class Collector:
                 line=command.line,
                 kind="clone",
                 into="" if into == name else into,
-                beside=beside(words[-1] if words[-1] != url else "", self.heading, inside=self.inside),
+                heading=self.heading,
+                beside=beside(words[-1] if words[-1] != url else "", inside=self.inside),
             )
         )
 
@@ -242,13 +245,15 @@ class Collector:
         if program == "cmake":
             self._mention("build_tool", "cmake", command)
             if not {"--build", "--install"} & {*words}:
-                self.options = options_of(words)
+                self.options, self.configured = options_of(words), True
                 self._compiled(command)
         if not {"install", "--install"} & {*words}:
             return
         clone = clone_at(self.folder.split("/"), self.sources)
         if clone is not None:
-            self.sources[clone] = replace(self.sources[clone], installed=True, options=self.options)
+            said = self.sources[clone]
+            by_cmake = said.configured or self.configured
+            self.sources[clone] = replace(said, installed=True, options=self.options, configured=by_cmake)
 
     def _compiled(self, command: Command) -> None:
         """Note a folder in which CMake is run, ``.`` where the text begins, with its options: it may be a library's."""

@@ -14,7 +14,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logical_lines
-from roslab.evidence.prose import apt_scripts, downloads, exports, generated, libtorch, mentions, python_path
+from roslab.evidence.prose import apt_scripts, asides, downloads, exports, generated, libtorch, mentions, python_path
 from roslab.evidence.prose.blanks import BLANK
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
@@ -196,7 +196,7 @@ def _read(text: str, file: File) -> Prose:
     for line, code, heading in _code(text):
         collector.heading = heading
         collector.text(code, line)
-    collector.sources += _links(text, file, collector.sources)
+    collector.sources = [*asides.marked(collector.sources, text), *_links(text, file, collector.sources)]
     found = collector.prose()
     said = (
         *mentions.read(text, file.path, "readme"),

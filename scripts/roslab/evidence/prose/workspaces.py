@@ -10,8 +10,6 @@ from roslab.values.pattern import pattern
 
 _SOURCES = pattern(r"(?:^|/)[^/]*(?:ws|workspace|catkin|colcon|ros)[^/]*/src$", re.IGNORECASE)
 _NAME = pattern(r"\w[\w.+-]*")
-_ASIDE = pattern(r"option|troubl|docker|hardware|simulat|advanced|develop|faq|known issue|alternativ", re.IGNORECASE)
-"""Titles of sections that not everybody follows."""
 
 
 _IN_BUILD = pattern(r"[^/]/build[\w-]*/?$")
@@ -53,10 +51,10 @@ def folder_after(url: str, words: Sequence[str], here: str) -> str:
     return name if _NAME.fullmatch(name) else ""
 
 
-def beside(target: str, heading: str, *, inside: bool) -> bool:
+def beside(target: str, *, inside: bool) -> bool:
     """Tell whether a clone into ``target``, ``""`` for its own name, is one of the packages.
 
     ``inside``: the text is in such a folder.
     """
     there = inside and not target.startswith(("/", "~", "..", "$"))
-    return (there or bool(_SOURCES.search(target.rpartition("/")[0]))) and not _ASIDE.search(heading)
+    return there or bool(_SOURCES.search(target.rpartition("/")[0]))

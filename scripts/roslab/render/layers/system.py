@@ -116,20 +116,28 @@ def library_stages(plan: Plan) -> str:
         ]
         fetched, given = _fetch(plan, library), secrets.for_git(plan)
         if given.mounts:  # what is compiled has no part in them
-            lines.append(shell.run(*fetched, secrets=given))
+            lines.append(shell.run(*_tried(library, fetched), secrets=given))
             fetched = []
         if library.unread:
             lines.append(shell.copy_script(CONFIGURE).rstrip())
         lines.append(
             shell.run(
-                *fetched,
-                *_compile(plan, library, "export DESTDIR=/installed"),
+                *_tried(library, [*fetched, *_compile(plan, library, "export DESTDIR=/installed")]),
                 "mkdir --parents /installed",
                 secrets=secrets.for_pip(plan) if library.build == "pip" else secrets.NONE,
             )
         )
         stages.append("\n".join(lines))
     return "\n\n".join(stages)
+
+
+def _tried(library: Source, commands: list[str]) -> list[str]:
+    """Return the commands; for a library that nothing asks for, so that their failure is told and stops nothing."""
+    if not library.unasked or not commands:
+        return commands
+    left_out = quote.shell(f"roslab: left out: {library.name} cannot be built, which nothing that was read asks for")
+    tried = " \\\n && ".join(commands)
+    return [f"{{ ( {tried} ) || {{ rm -rf /installed; echo {left_out}; }}; }}"]
 
 
 def libraries(plan: Plan) -> str:

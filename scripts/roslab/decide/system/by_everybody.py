@@ -1,0 +1,71 @@
+"""Libraries that a page has every reader build and install, though nothing that was read asks for them by name.
+
+The code may include their headers alone, or name their folder by a variable. A library that is missing costs the image,
+and one that is not needed only minutes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslab.config.model import Kind, Source
+from roslab.decide.decision import Warning_
+from roslab.decide.reasons import warn
+from roslab.decide.ros.source_names import address, plain
+from roslab.decide.system.names import Target
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.facts import CMakeProject
+from roslab.knowledge.libraries import packaged
+from roslab.knowledge.recipes import recipe_at
+from roslab.knowledge.released import released
+from roslab.values.pattern import pattern
+
+PAGES = (".md", ".rst", ".txt", "README", "INSTALL")
+"""How the names of pages end. A script may clone for one robot or another; a page says what everybody needs."""
+_KINDS: frozenset[Kind] = frozenset({"ros1", "ros2", "cpp"})
+_TOOLS = ("cmake", "git")
+"""What the image compiles with, by names that are those of their repositories, too."""
+_AFFIXES = pattern(r"^lib(?=[a-z])|(?:-|_)dev$")
+_NUMBER = pattern(r"_?\d+$")
+
+
+def told(source: Source, asked: Dependency) -> Warning_:
+    """Return the warning about such a library, whose page ``asked`` is."""
+    message = f"{source.repo} is built because {asked.file} has everybody build it, though nothing that was read asks "
+    then = "for it by name: where that fails, the image is made without it; give it under `source` in roslab.yaml if it"
+    return warn(f"{message}{then} is needed", asked)
+
+
+def named_in(projects: Iterable[CMakeProject]) -> Iterator[str]:
+    """Yield what CMake names: it is in the tree, or what asks for it tells whether it is needed."""
+    for project in projects:
+        yield from (asked.name for asked in project.dependencies)
+        if project.name:
+            yield project.name
+
+
+def built_by_everybody(git: GitSource, kind: Kind, target: Target, taken: Iterable[str]) -> bool:
+    """Tell whether a page at the root has everybody compile and install a library that comes from nowhere else.
+
+    ``taken``: names of what the image has, and of what CMake names. What the Ubuntu or the distribution has a package
+    of is none of these: were it needed, the code would ask for it by a name that the tables know.
+    """
+    if kind not in _KINDS or git.kind != "clone" or git.aside or "/" in git.file or not git.file.endswith(PAGES):
+        return False
+    if not (git.installed and git.configured):
+        return False
+    there = {*taken, *packaged(target.ubuntu), *released(target.ros_distro or ""), *_TOOLS}
+    known = {_bare(name) for name in there}
+    names = {_bare(git.name), _bare(recipe_at(address(git.url)) or git.name)}
+    return not any(_same(name, each) for name in names for each in known)
+
+
+def _bare(name: str) -> str:
+    return plain(_AFFIXES.sub("", _AFFIXES.sub("", name.lower())))
+
+
+def _same(name: str, known: str) -> bool:
+    """Tell whether two names are of one library: ``ceres-solver``, ``libceres-dev``; ``eigen``, ``libeigen3-dev``."""
+    if name == known or _NUMBER.sub("", name) == _NUMBER.sub("", known):
+        return True
+    return name.startswith(f"{known}_") or known.endswith(f"_{name}")
