@@ -113,6 +113,8 @@ class Python:
     """Folders of the tree that the conda file installs, as it writes them; they are ``projects``."""
     conda_pip: bool = True
     """The conda file has pip install something else."""
+    conda_no_channels: tuple[str, ...] = ()
+    """What the conda file lists as channels and is none: the page or the file of a package."""
     conda_old_pip: str = ""
     """The version of pip that the conda file pins and that is not taken: it knows no wheels of today."""
     conda_pip_below: str = ""

@@ -35,6 +35,7 @@ class PythonPlan:
     conda_defaults: bool = False
     conda_local: tuple[str, ...] = ()
     conda_pip: bool = True
+    conda_no_channels: tuple[str, ...] = ()
     conda_old_pip: str = ""
     conda_pip_below: str = ""
     git_hosts: tuple[str, ...] = ()
@@ -74,6 +75,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_defaults=python.conda_defaults,
         conda_local=python.conda_local,
         conda_pip=python.conda_pip,
+        conda_no_channels=python.conda_no_channels,
         conda_old_pip=python.conda_old_pip,
         conda_pip_below=python.conda_pip_below,
         git_hosts=compiling.hosts,

@@ -11,6 +11,7 @@ from roslab.decide.cuda.toolkit import extends_torch
 from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.conda_alone import conda_alone
+from roslab.decide.python.conda_channels import no_channels, told
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
 from roslab.decide.python.fetched import cloned_files
 from roslab.decide.python.first import first
@@ -129,6 +130,7 @@ def decide_python(
         conda_channels=pixi.channels if pixi else alone.channels,
         conda_local=tuple(each.written for each in listed if each.role == "project"),
         conda_pip=any(each.role != "project" for each in listed),
+        conda_no_channels=no_channels(evidence, conda),
         conda_old_pip=old_pip(evidence, conda),
         conda_pip_below=pip_below(evidence, conda),
         setuptools=older.answer,
@@ -159,6 +161,7 @@ def decide_python(
             *of_lock.reasons,
         ),
         warnings=(
+            *told(answer),
             *outvoted(own, ubuntu, ros_distro),
             *repaired.warnings,
             *lists.warnings,

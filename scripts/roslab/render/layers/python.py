@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from roslab.knowledge.tools import OLD_METADATA, python2_installers, tool_image
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import building, caches, locks, manifests, secrets, shell
+from roslab.render.layers import building, caches, conda_lines, locks, manifests, secrets, shell
 
 GET_PIP = "https://bootstrap.pypa.io/pip/2.7/get-pip.py"
 DOWNLOADS = "/tmp/pip-downloads"  # noqa: S108 - a folder of the image while it is built
@@ -108,11 +107,7 @@ def _conda(plan: Plan) -> str:
     elif python.conda_file:
         copy = manifests.copy(plan, manifests.of_conda(plan))
         source = f"--file {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}"
-    without = _without(python.conda_local, f"{manifests.FOLDER}/{python.conda_file}", others=python.conda_pip)
-    if python.conda_old_pip:
-        without = (*without, _newer_pip(f"{manifests.FOLDER}/{python.conda_file}"))
-    if python.conda_pip_below:
-        without = (*without, _older_pip(f"{manifests.FOLDER}/{python.conda_file}", python.conda_pip_below))
+    without = conda_lines.changed(python, f"{manifests.FOLDER}/{python.conda_file}")
     more = "CONDA_CHANNELS=defaults " if python.conda_defaults else ""
     lists, file = locks.conda(plan)
     if file:
@@ -129,32 +124,6 @@ def _conda(plan: Plan) -> str:
         "ENV MAMBA_ROOT_PREFIX=/opt/mamba \\\n    CONDA_PREFIX=/opt/conda \\\n    PATH=/opt/conda/bin:${PATH}\n"
         + shell.run(*without, *create, secrets=secrets.for_conda(plan))
     )
-
-
-def _without(folders: Sequence[str], file: str, *, others: bool) -> tuple[str, ...]:
-    """Return the command that takes folders of the tree out of a conda file: pip installs them once they are there.
-
-    ``others``: pip installs more than them.
-    """
-    if not folders:
-        return ()
-    lines = "|".join(re.escape(folder) for folder in folders)
-    entry = f"^ *- *[\"']?(-e +|--editable +)?([.]/)?({lines})/?(\\[[^]]*\\])?[\"']? *$"
-    entry += "" if others else "|^ *- *pip: *$"
-    script = f"\\%{entry}%d"
-    return (f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}",)
-
-
-def _newer_pip(file: str) -> str:
-    """Return the command that takes the version off the pip of a conda file."""
-    script = "s/^( *- *[\"']?)pip *= *[^ \"'#]*/\\1pip/"
-    return f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}"
-
-
-def _older_pip(file: str, below: str) -> str:
-    """Return the command that limits a pip that a conda file names in any version."""
-    script = f's/^( *- *)(["\']?)pip\\2( *#.*)?$/\\1"pip<{below}"\\3/'
-    return f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}"
 
 
 def locked(plan: Plan) -> str:

@@ -1,0 +1,53 @@
+"""Lines of a conda file that are changed in the image before it is read."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from roslab.plan.python import PythonPlan
+from roslab.render import quote
+
+
+def changed(python: PythonPlan, file: str) -> tuple[str, ...]:
+    """Return the commands that take out of a conda file what it cannot install, and correct its pip."""
+    commands = [*_without(python.conda_local, file, others=python.conda_pip)]
+    if python.conda_no_channels:
+        commands.append(_fewer_channels(python.conda_no_channels, file))
+    if python.conda_old_pip:
+        commands.append(_newer_pip(file))
+    if python.conda_pip_below:
+        commands.append(_older_pip(file, python.conda_pip_below))
+    return tuple(commands)
+
+
+def _fewer_channels(addresses: Sequence[str], file: str) -> str:
+    """Return the command that takes addresses that are no channels out of a conda file."""
+    script = f"\\%^ *- *[\"']?({'|'.join(map(re.escape, addresses))})[\"']? *(#.*)?$%d"
+    return f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}"
+
+
+def _without(folders: Sequence[str], file: str, *, others: bool) -> tuple[str, ...]:
+    """Return the command that takes folders of the tree out of a conda file: pip installs them once they are there.
+
+    ``others``: pip installs more than them.
+    """
+    if not folders:
+        return ()
+    lines = "|".join(re.escape(folder) for folder in folders)
+    entry = f"^ *- *[\"']?(-e +|--editable +)?([.]/)?({lines})/?(\\[[^]]*\\])?[\"']? *$"
+    entry += "" if others else "|^ *- *pip: *$"
+    script = f"\\%{entry}%d"
+    return (f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}",)
+
+
+def _newer_pip(file: str) -> str:
+    """Return the command that takes the version off the pip of a conda file."""
+    script = "s/^( *- *[\"']?)pip *= *[^ \"'#]*/\\1pip/"
+    return f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}"
+
+
+def _older_pip(file: str, below: str) -> str:
+    """Return the command that limits a pip that a conda file names in any version."""
+    script = f's/^( *- *)(["\']?)pip\\2( *#.*)?$/\\1"pip<{below}"\\3/'
+    return f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}"
