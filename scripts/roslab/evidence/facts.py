@@ -262,6 +262,8 @@ class Evidence:
     listed: tuple[Requirement, ...] = ()
     """What the pages at the root of a repository without ROS packages list as needed, or name with a version."""
     sources: tuple[GitSource, ...] = ()
+    origin: str = ""
+    """Where the checkout was cloned from, as git's configuration has it."""
     own_keys: tuple[OwnKey, ...] = ()
     """Keys that the repository defines for rosdep, each once."""
     apt_sources: tuple[AptSource, ...] = ()

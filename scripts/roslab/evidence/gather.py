@@ -109,6 +109,7 @@ def gather(repository: Repository) -> Evidence:
         prose_pip=prose.requirements,
         listed=page_lists.read(own),
         sources=sources,
+        origin=repository.origin or "",
         own_keys=rosdep_lists.read(repository) if manifests else (),
         apt_sources=apt_sources.read(own),
         mentions=(

@@ -258,3 +258,30 @@ def test_the_only_repository_that_a_page_links_to_may_hold_an_unknown_key(tree: 
     files = {"package.xml": package, "CMakeLists.txt": cmake, "README.md": f"ROS Noetic.\n{page}"}
     told = next(each.message for each in tree(files).warnings if "rosdep has no key quad_x" in each.message)
     assert ("https://github.com/lab/quad_control, which README.md:2 links to, may hold it" in told) == said
+
+
+@pytest.mark.parametrize(
+    ("origin", "key", "address"),
+    [
+        ("git@github.com:lab/acme_nav.git", "acme_lib", "https://github.com/lab/acme_lib"),
+        ("https://gitlab.com/lab/acme_nav", "acme_lib", "https://gitlab.com/lab/acme_lib"),
+        ("https://github.com/lab/acme_nav.git", "other_lib", ""),
+        ("/home/somebody/acme_nav", "acme_lib", ""),
+        ("", "acme_lib", ""),
+    ],
+)
+def test_an_unknown_key_of_the_same_family_is_perhaps_the_owners(
+    tree: Tree, origin: str, key: str, address: str
+) -> None:
+    package = (
+        f"<package><name>acme_nav</name><buildtool_depend>catkin</buildtool_depend><depend>{key}</depend></package>"
+    )
+    cmake = "project(acme_nav)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    git = {
+        ".git/config": f'[remote "origin"]\n\turl = {origin}\n' if origin else "",
+        ".git/HEAD": "ref: refs/heads/a\n",
+    }
+    files = git | {"package.xml": package, "CMakeLists.txt": cmake, "README.md": "ROS Noetic.\n"}
+    told = next(each.message for each in tree(files).warnings if f"rosdep has no key {key}" in each.message)
+    assert (f"it is perhaps {address}, of the same owner" in told) == bool(address)
+    assert address or "nothing here says" in told

@@ -12,6 +12,7 @@ from roslab.decide.ros.keys import (
     Translated,
     declared_keys,
     of_an_apt_source,
+    of_the_owner,
     own_packages,
     the_one_linked,
     translate,
@@ -118,7 +119,9 @@ def decide_system(
     sister = the_one_linked(evidence)
     for key in keys:
         if key.name not in found.skip:
-            _keep(key, translate(key, target, cloned=cloned, submodules=submodules, linked=sister), found)
+            kin = of_the_owner(key, evidence, packages.names)
+            meant = translate(key, target, cloned=cloned, submodules=submodules, linked=sister, kin=kin)
+            _keep(key, meant, found)
     defined = ((each, False) for listed in own.values() for each in listed)
     needed = (*defined, *needs(evidence, packages, kind, target.ros_distro))
     in_apt = _named_in_apt(found, needed)
