@@ -93,9 +93,10 @@ def test_an_environment_for_another_system_is_neither_taken_nor_told(tree: Tree)
 
 
 @pytest.mark.parametrize(("torch", "limited"), [("1.10.0", True), ("2.3.0", False)])
+@pytest.mark.parametrize("numpy", ["", "- numpy=1.24.3\n"])
 def test_what_conda_installed_before_numpy_2_keeps_it_out_of_what_pip_adds(
-    tree: Tree, torch: str, limited: bool
+    tree: Tree, torch: str, limited: bool, numpy: str
 ) -> None:
-    environment = f"channels:\n- pytorch\ndependencies:\n- python=3.9\n- pytorch={torch}\n"
+    environment = f"channels:\n- pytorch\ndependencies:\n- python=3.9\n- pytorch={torch}\n{numpy}"
     python = tree({"environment.yml": environment, "run.py": "import torch\n"}).python
     assert ("numpy<2" in [bound.written for bound in python.bounds]) is limited

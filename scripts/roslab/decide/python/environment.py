@@ -101,7 +101,9 @@ def decide_python(
     if not compiled and (on_page := beside_torch(evidence)):
         build = torch_build(wheels, on_page, number, evidence.pip_day, "conda is asked for CUDA {cuda} beside it")
     conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
-    numpy = numpy_of((*conda_asked, *everything) if manager != "system" else ())
+    # NumPy 1 from conda is no limit for pip, which replaces it where a package asks for NumPy 2
+    before_pip = (each for each in conda_asked if each.key != "numpy" or each.specifier.contains("2.0.0"))
+    numpy = numpy_of((*before_pip, *everything) if manager != "system" else ())
     if any(bound.key == "numpy" for bound in bounds.answer):
         numpy = Choice(answer=())
     limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *numpy.answer)
