@@ -76,3 +76,9 @@ def test_another_spelling_of_a_list_gives_the_same(tmp_path: Path, name: str, te
 def test_a_lock_that_is_no_toml_tells_nothing(tmp_path: Path) -> None:
     (tmp_path / "uv.lock").write_text(UV.replace("version = 1", "version ="))
     assert locks.read(Repository.open(tmp_path)) == ()
+
+
+def test_a_quotation_mark_in_an_address_ends_no_text(tmp_path: Path) -> None:
+    (tmp_path / "uv.lock").write_text(UV.replace("example/a/", "example/it's/").replace("first-1.2-cp311", "1'2-cp311"))
+    [first, _] = locks.read(Repository.open(tmp_path))
+    assert [wheel[:5] for wheel in first.wheels] == ["first", "1'2-c"]
