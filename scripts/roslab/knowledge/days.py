@@ -18,16 +18,18 @@ class Sync:
 
 
 @cache
-def _syncs() -> dict[str, tuple[Sync, ...]]:
-    found: dict[str, list[Sync]] = {}
+def _syncs() -> dict[str, tuple[dict[str, str], ...]]:
+    """Return the rows of each distribution, the oldest day first."""
+    found: dict[str, list[dict[str, str]]] = {}
     for row in rows("ros_syncs"):
-        found.setdefault(row["distro"], []).append(Sync(day=row["day"], snapshot=row["snapshot"] == "yes"))
-    return {name: tuple(sorted(syncs, key=lambda sync: sync.day)) for name, syncs in found.items()}
+        found.setdefault(row["distro"], []).append(row)
+    return {name: tuple(sorted(syncs, key=lambda row: row["day"])) for name, syncs in found.items()}
 
 
 def last_sync(distro: str, day: str) -> Sync | None:
     """Return the last sync of a distribution not after a day (``YYYY-MM-DD``), ``None`` if none is known."""
-    return next((sync for sync in reversed(_syncs().get(distro, ())) if sync.day <= day), None)
+    row = next((row for row in reversed(_syncs().get(distro, ())) if row["day"] <= day), None)
+    return Sync(day=row["day"], snapshot=row["snapshot"] == "yes") if row else None
 
 
 def rosdistro_ref(distro: str, day: str) -> tuple[str, str]:
@@ -68,7 +70,7 @@ def long_ago() -> str:
 
     The program has no clock, so that a checkout has one plan; its tables are read again with each release.
     """
-    newest = max(syncs[-1].day for syncs in _syncs().values())
+    newest = max(syncs[-1]["day"] for syncs in _syncs().values())
     return f"{int(newest[:4]) - 1}{newest[4:]}"
 
 

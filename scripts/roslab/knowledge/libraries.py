@@ -51,7 +51,7 @@ def library(naming: Naming, name: str, ubuntu: str | None) -> Library | None:
     entries = _table(naming).get(name)
     if entries is None:
         return None
-    row = next((row for row in entries if not row["ubuntu"] or ubuntu in row["ubuntu"].split()), None)
+    row = _of_ubuntu(entries, ubuntu)
     if row is None:
         return Library()
     return Library(
@@ -60,6 +60,10 @@ def library(naming: Naming, name: str, ubuntu: str | None) -> Library | None:
         recipe=row.get("recipe", ""),
         beside=tuple(row.get("beside", "").split()),
     )
+
+
+def _of_ubuntu(entries: list[dict[str, str]], ubuntu: str | None) -> dict[str, str] | None:
+    return next((row for row in entries if not row["ubuntu"] or ubuntu in row["ubuntu"].split()), None)
 
 
 def header(path: str, ubuntu: str | None) -> Library | None:
@@ -75,6 +79,6 @@ def header(path: str, ubuntu: str | None) -> Library | None:
 @cache
 def packaged(ubuntu: str | None) -> frozenset[str]:
     """Return the packages of libraries that an Ubuntu is known to have."""
-    named = ((naming, name) for naming in _TABLES for name in _table(naming))
-    found = (library(naming, name, ubuntu) for naming, name in named)
-    return frozenset(apt for each in found if each for apt in each.apt)
+    entries = (entries for naming in _TABLES for entries in _table(naming).values())
+    found = (_of_ubuntu(each, ubuntu) for each in entries)
+    return frozenset(apt for row in found if row for apt in row["apt"].split())

@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
+from functools import cache
 
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import CMakeProject
@@ -212,10 +213,16 @@ def _program(call: Call, reading: _Reading) -> None:
         reading.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
 
 
+@cache
+def _families(name: str) -> dict[str, None]:
+    """Return the families that have a macro; a tree calls few of them, thousands of times."""
+    return dict.fromkeys(family for family, pattern in _FAMILIES if pattern.match(name))
+
+
 def _macros(call: Call, reading: _Reading) -> None:
     """Note the families of macros that a call belongs to or finds."""
     name, words = call.name, call.words
-    reading.macros |= dict.fromkeys(family for family, pattern in _FAMILIES if pattern.match(name))
+    reading.macros |= _families(name)
     if name == "find_package" and words and not call.conditions:
         reading.macros |= dict.fromkeys(family for family, pattern in _FOUND if pattern.match(words[0]))
         if _CUDA.match(words[0]) and "REQUIRED" in words:
