@@ -24,6 +24,7 @@ from roslab.decide.python.alternatives import named_by_wheels, one_way, without_
 from roslab.decide.python.cloned import with_cloned
 from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
+from roslab.decide.python.extension_code import with_bounds
 from roslab.decide.python.fetched import with_fetched
 from roslab.decide.python.installed import installed
 from roslab.decide.python.own import decide_version
@@ -67,7 +68,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     day, pip_day, evidence = decide_days(evidence, config)
     kind = decide_kind(evidence, config, folder_name)
     evidence = without_lists(with_cloned(with_fetched(evidence), kind.answer, folder_name), kind.answer)
-    evidence = named_by_wheels(evidence)
+    evidence = with_bounds(named_by_wheels(evidence), kind.answer)
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
     cuda = decide_cuda(evidence, config, pins(evidence))

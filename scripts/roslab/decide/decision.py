@@ -123,6 +123,8 @@ class Python:
     """The setuptools of the environment, where a package is too old for newer ones."""
     first: tuple[Requirement, ...] = ()
     """What must be installed before the others are built (numpy, torch, Cython)."""
+    defines: tuple[str, ...] = ()
+    """Macros with which the C++ of the own projects is compiled: ``AT_CHECK=TORCH_CHECK``."""
     bounds: tuple[Requirement, ...] = ()
     """pip constraints: newer versions lack what the code uses, or do not fit its compiled parts or the CUDA."""
     options: tuple[str, ...] = ()

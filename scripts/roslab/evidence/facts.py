@@ -9,6 +9,7 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.locked import Locked
 from roslab.evidence.makefile import Makefile
+from roslab.evidence.old_code import OldCode
 from roslab.evidence.own_key import OwnKey
 from roslab.evidence.removed_name import Removed
 from roslab.evidence.x86_only import X86Only
@@ -268,6 +269,7 @@ class Evidence:
     """Keys that the repository defines for rosdep, each once."""
     apt_sources: tuple[AptSource, ...] = ()
     mentions: tuple[Mention, ...] = ()
+    old_code: tuple[OldCode, ...] = ()
     bounds: tuple[Removed, ...] = ()
     """Upper bounds of Python packages, from removed names that the code uses."""
     limits: tuple[CodeLimit, ...] = ()

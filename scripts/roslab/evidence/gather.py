@@ -6,7 +6,18 @@ import re
 
 from roslab.evidence import places, submodules
 from roslab.evidence.facts import CMakeProject, Evidence, PackageManifest
-from roslab.evidence.native import authors_folders, cmake, cpp, cpu, fetching, gpus, makefiles, shared_objects, x86
+from roslab.evidence.native import (
+    authors_folders,
+    cmake,
+    cpp,
+    cpu,
+    extension_code,
+    fetching,
+    gpus,
+    makefiles,
+    shared_objects,
+    x86,
+)
 from roslab.evidence.native import clones as native_clones
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import (
@@ -124,6 +135,7 @@ def gather(repository: Repository) -> Evidence:
             *(commit_date.read(repository) if manifests or cmake_projects or listed else ()),
         ),
         worked_on=worked_on.read(repository),
+        old_code=extension_code.read(own, python_projects),
         bounds=removed.read(own),
         limits=(*signs.all(repository), *limits.read(repository), *gpus.read(repository)),
         cmake_modules=cmake.modules(repository),

@@ -83,20 +83,28 @@ def framework(package: str, release: str) -> Framework | None:
     return next((row for first, row in series if numbers and first <= numbers), None)
 
 
-def newest_framework(package: str, day: str | None = None, python: str | None = None) -> Framework | None:
-    """Return the row for the newest release (of a day), ``None`` for a package that is not in the table.
+def newest_framework(
+    package: str, day: str | None = None, python: str | None = None, below: str | None = None
+) -> Framework | None:
+    """Return the row for the newest release (of a day, ``below`` another), ``None`` for one that is not in the table.
 
     Of those with wheels for a ``python``, where there are any.
     """
-    series = [row for _, row in _frameworks().get(tabled(package), ()) if day is None or row.released <= day]
+    known = _frameworks().get(tabled(package), ())
+    series = [row for first, row in known if (day is None or row.released <= day) and _before(first, below)]
     fitting = (row for row in series if python is None or row.runs_with(python))
     return next(fitting, series[0] if series else None)
 
 
-def newest_on_cuda(package: str, cuda: str, python: str | None, day: str | None = None) -> Framework | None:
-    """Return the row of the newest release (of a day) with wheels for a CUDA and a Python, any if that is not known."""
-    for _, row in _frameworks().get(package, ()):
-        fits = python is None or row.runs_with(python)
+def newest_on_cuda(
+    package: str, cuda: str, python: str | None, day: str | None = None, below: str | None = None
+) -> Framework | None:
+    """Return the row of the newest release (of a day, ``below`` another) with wheels for a CUDA and a Python.
+
+    Any if these are not known.
+    """
+    for first, row in _frameworks().get(package, ()):
+        fits = (python is None or row.runs_with(python)) and _before(first, below)
         if cuda in row.cuda and fits and (day is None or row.released <= day):
             return row
     return None
@@ -116,6 +124,10 @@ def last_below(package: str, release: str) -> Framework | None:
     """Return the row of the newest release before this one, ``None`` if the table has none."""
     numbers = _numbers(release)
     return next((row for first, row in _frameworks().get(package, ()) if numbers and first < numbers), None)
+
+
+def _before(first: Version, below: str | None) -> bool:
+    return below is None or first < Version(below)
 
 
 def _numbers(release: str) -> Version | None:

@@ -47,6 +47,7 @@ class PythonPlan:
     cuda_architectures: str = ""
     cuda_variables: tuple[tuple[str, str], ...] = ()
     """Further variables that tell packages the GPUs to compile for, with their values."""
+    defines: tuple[str, ...] = ()
     day: str | None = None
     clones: bool = False
     """pip installs from repositories of git."""
@@ -84,6 +85,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         copied=compiling.copied,
         cuda_architectures=compiling.architectures,
         cuda_variables=compiling.gpus,
+        defines=python.defines,
         day=python.day,
         clones=compiling.git,
     )

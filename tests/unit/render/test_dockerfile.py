@@ -469,6 +469,16 @@ def test_how_pip_builds(plan: Callable[..., Plan]) -> None:
     assert "TORCH_CUDA_ARCH_LIST" not in dockerfile(plan())
 
 
+def test_old_extensions_are_compiled_with_the_macros_that_they_need(plan: Callable[..., Plan]) -> None:
+    flags = "CPPFLAGS=-DAT_CHECK=TORCH_CHECK NVCC_APPEND_FLAGS=-DAT_CHECK=TORCH_CHECK"
+    installed = dockerfile(plan(python_projects=("ops",), defines=("AT_CHECK=TORCH_CHECK",)))
+    assert f" && {flags} python3 -m pip install" in installed
+    assert "ENV CPPFLAGS" not in installed
+    by_script = dockerfile(plan(defines=("AT_CHECK=TORCH_CHECK",)))
+    assert "\nENV CPPFLAGS=-DAT_CHECK=TORCH_CHECK \\\n    NVCC_APPEND_FLAGS=-DAT_CHECK=TORCH_CHECK\n" in by_script
+    assert "CPPFLAGS" not in dockerfile(plan())
+
+
 def test_pip_compiles_with_what_the_base_lacks() -> None:
     def apt(**changes: Any) -> tuple[str, ...]:
         python = Python(version="3.10", manager=changes.pop("manager", "venv"), pip=(stated("mpi4py"),))

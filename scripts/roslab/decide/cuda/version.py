@@ -143,9 +143,11 @@ def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> It
     day, python = evidence.pip_day, python_version(evidence, config, pins).answer.version
     compiles = bool(evidence.cuda_files) or any("cuda" in project.extensions for project in evidence.python)
     compiles = compiles or any("torch" in build_needs().get(pin.name, ()) for pin in pins)
+    lowest = {use.bound.key: use.bound.below for use in evidence.bounds}
     for pin in pins:
         # The wheels of torch bring the CUDA of their day: the image needs it only where something is compiled for them
-        yield from _of_pin(pin, None if tabled(pin.name) == "torch" and not compiles else day, python)
+        of = None if tabled(pin.name) == "torch" and not compiles else day
+        yield from _of_pin(pin, of, python, lowest.get(tabled(pin.name)))
     yield from _of_indexes(evidence)
     for environment in evidence.conda:
         for package in environment.packages:
@@ -172,8 +174,11 @@ def _of_indexes(evidence: Evidence) -> Iterator[Candidate]:
             yield because("cuda", local, f"pip uses {asked.written}", asked, weight=weight), ()
 
 
-def _of_pin(pin: Pin, day: str | None, python: str | None) -> Iterator[Candidate]:
-    """Yield the CUDA that a wheel names, or the one of its release: the newest of ``day`` that ``python`` runs."""
+def _of_pin(pin: Pin, day: str | None, python: str | None, below: str | None) -> Iterator[Candidate]:
+    """Yield the CUDA that a wheel names, or the one of its release: the newest of ``day`` that ``python`` runs.
+
+    That is ``below`` the first release which lacks what the code uses.
+    """
     asked, table = pin.requirement, framework_on_cuda(pin.name)
     local = (cuda_of(asked.url) or cuda_of(pin.release or "")) if pin.name in _BUILT_FOR else None
     row = framework(table, pin.release) if table and pin.release and not of_the_cpu(pin.release) else None
@@ -192,7 +197,9 @@ def _of_pin(pin: Pin, day: str | None, python: str | None) -> Iterator[Candidate
         why = f"{pin.name} {pin.release} {_WHY[table]}"
         weight = Weight.RELEASE[table] + Weight.TRUST * pin.trust
         yield because("cuda", row.cuda[0], why, asked, weight=weight), row.cuda[1:]
-    elif table and not pin.release and asked.role != "listed" and (newest := newest_framework(table, day, python)):
+    elif (
+        table and not pin.release and asked.role != "listed" and (newest := newest_framework(table, day, python, below))
+    ):
         which = "".join((f" of {day}" if day else "", f" for Python {python}" if python else ""))
         why = f"{pin.name} is not pinned: its newest wheel{which} is for this CUDA"
         yield because("cuda", newest.cuda[0], why, asked, weight=Weight.UNPINNED), newest.cuda[1:]

@@ -7,12 +7,13 @@ from collections.abc import Iterator, Sequence
 from packaging.version import Version
 
 from roslab.config.model import Config, Kind
-from roslab.decide.cuda.toolkit import extends_torch
+from roslab.decide.cuda.toolkit import by_script, extends_torch
 from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.conda_alone import conda_alone
 from roslab.decide.python.conda_channels import no_channels, told
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
+from roslab.decide.python.extension_code import decide_defines
 from roslab.decide.python.fetched import cloned_files
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
@@ -84,7 +85,7 @@ def decide_python(
         declared += [in_full(asked) for asked in _of_environment(evidence, chosen) if not asked.role]
     kept = dict(_kept(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
-    extended = kind == "cuda" and manager != "system" and extends_torch(evidence, chosen)
+    extended = kind == "cuda" and manager != "system" and (extends_torch(evidence, chosen) or bool(by_script(evidence)))
     aged = extended and older_torch((pin.requirement for pin in pins), cuda)
     if aged:
         chosen = replace(chosen, guessed=without_release(chosen.guessed))
@@ -93,11 +94,14 @@ def decide_python(
     chosen = replace(chosen, guessed=tuple(each for each in chosen.guessed if each not in named.answer.first))
     everything = [asked for asked in (*declared, *chosen.guessed, *manifests) if interpreter.may(asked)]
     # The distribution's own packages are old enough: only what pip chooses needs a bound
-    bounds = decide_bounds(evidence.bounds if manager != "system" else (), everything)
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
+    bounds = decide_bounds(
+        evidence.bounds if manager != "system" else (), (*everything, *exact.answer, *named.answer.limits)
+    )
     wheels = (*exact.answer, *everything) if kind == "cuda" and manager != "system" else ()
     compiled = bool(wheels) and extended
-    build = torch_build(wheels if compiled else (), cuda, number, evidence.pip_day, oldest=aged)
+    below = next((bound.below for bound in bounds.answer if bound.key == "torch"), None)
+    build = torch_build(wheels if compiled else (), cuda, number, evidence.pip_day, oldest=aged, below=below)
     if not compiled and (on_page := beside_torch(evidence)):
         build = torch_build(wheels, on_page, number, evidence.pip_day, "conda is asked for CUDA {cuda} beside it")
     conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
@@ -107,6 +111,7 @@ def decide_python(
     if any(bound.key == "numpy" for bound in bounds.answer):
         numpy = Choice(answer=())
     limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *numpy.answer)
+    defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number)
     at_root = manager != "system" and any(not project.folder for project in chosen.projects)
     of_lock = locked_releases(evidence.locked if at_root else (), manifests, (*named.answer.first, *limits), number)
     indexes = [*_indexes([*declared, *chosen.guessed, *exact.answer])]
@@ -138,6 +143,7 @@ def decide_python(
         setuptools=older.answer,
         conda_defaults=not pixi and _default_channels(evidence, conda),
         first=first(everything, chosen.projects, cmake=manager != "system"),
+        defines=defines.answer,
         bounds=(*limits, *of_lock.answer),
         options=tuple(
             dict.fromkeys((*indexes, *build.answer[1], *_file_options(evidence, chosen, repaired), *chosen.options))
@@ -166,6 +172,7 @@ def decide_python(
             *told(answer),
             *outvoted(own, ubuntu, ros_distro),
             *repaired.warnings,
+            *defines.warnings,
             *lists.warnings,
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
             *lost(evidence, kind, chosen),

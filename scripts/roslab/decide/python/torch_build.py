@@ -41,10 +41,12 @@ def torch_build(
     why: str = "extensions are compiled with CUDA {cuda}",
     *,
     oldest: bool = False,
+    below: str | None = None,
 ) -> Choice[Build]:
     """Return a limit for a torch that nothing pins, and the index of its wheels for this CUDA, which knows no ``day``.
 
-    It is the newest of those wheels, the ``oldest`` where the code is older than all of them, or the day is.
+    It is the newest of those wheels, ``below`` a release; the ``oldest`` where the code is older than all of them, or
+    the day is.
 
     PyTorch refuses to compile with a toolkit of another major version than its own:
     https://github.com/pytorch/pytorch/blob/main/torch/utils/cpp_extension.py, ``_check_cuda_version``.
@@ -55,7 +57,7 @@ def torch_build(
     release = Version(torch.release) if torch.release else None
     if release is not None and release.local:
         return Choice(answer=((), ()))  # its own index is known
-    unpinned = None if oldest else newest_on_cuda("torch", cuda, python, day)
+    unpinned = None if oldest else newest_on_cuda("torch", cuda, python, day, below)
     oldest = unpinned is None
     unpinned = unpinned or oldest_on_cuda("torch", cuda, python)
     row = framework("torch", torch.release) if torch.release else unpinned

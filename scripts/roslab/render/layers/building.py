@@ -24,6 +24,9 @@ def settings(plan: Plan) -> str:
         lines.append("# No GPU is seen while an image is built: extensions are compiled for all of these")
         pairs = (("FORCE_CUDA", "1"), ("TORCH_CUDA_ARCH_LIST", python.cuda_architectures), *python.cuda_variables)
         lines.append("ENV " + " \\\n    ".join(f"{name}={quote.docker(value)}" for name, value in pairs))
+    if python.defines and not plan.workspace.python_projects:
+        lines.append("# A script compiles C++ that is written for an older release")
+        lines.append("ENV " + " \\\n    ".join(f"{name}={quote.docker(flags)}" for name, flags in macros(plan)))
     if python.git_hosts:
         # A build with a key uses the addresses of ssh as they are
         closed = [("git://", "/")] + ([] if SSH in plan.secrets else [("ssh://git@", "/"), ("git@", ":")])
@@ -34,6 +37,16 @@ def settings(plan: Plan) -> str:
         ]
         lines.append(shell.run(*commands, comment="Public repositories that are named by git:// or ssh://"))
     return "\n".join(lines)
+
+
+def macros(plan: Plan) -> tuple[tuple[str, str], ...]:
+    """Return the variables in which both compilers are told the macros that older C++ needs.
+
+    setuptools gives CPPFLAGS to the host's compiler only, whatever the language; nvcc reads its own.
+    https://docs.nvidia.com/cuda/cuda-compiler-driver-nvcc/#nvcc-environment-variables.
+    """
+    flags = " ".join(f"-D{name}" for name in plan.python.defines)
+    return (("CPPFLAGS", flags), ("NVCC_APPEND_FLAGS", flags)) if flags else ()
 
 
 def variables(plan: Plan) -> str:

@@ -213,6 +213,7 @@ def projects(plan: Plan) -> str:
         return ""
     isolation = " --no-build-isolation" if plan.python.first else ""
     pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{isolation}{pip_options(plan.python.options)}"
+    pip = "".join(f"{name}={quote.shell(flags)} " for name, flags in building.macros(plan)) + pip
     whole = [folder for folder in folders if folder not in plan.python.alone]
     alone = [folder for folder in folders if folder in plan.python.alone]
     copied = frozenset(plan.python.copied)
