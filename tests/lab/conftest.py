@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 from collections.abc import Iterator
 
 import pytest
 
-from . import laboratory, packages
+from . import laboratory
 from .laboratory import Laboratory
 
 
@@ -23,9 +22,6 @@ def lab() -> Iterator[Laboratory]:
 
 @pytest.fixture(scope="module")
 def x_server() -> None:
-    """Have Xvfb on this machine, as its owner would who read what to install."""
-    if shutil.which("Xvfb"):
-        return
-    if os.geteuid() != 0:
-        pytest.skip("Xvfb is not installed, and only root can install it")
-    packages.install(["xvfb"])
+    """Skip where no program with windows can be proved."""
+    if not shutil.which("Xvfb"):
+        pytest.skip("Xvfb is not installed: `python3 tests/lab up` does it, as root")

@@ -16,9 +16,11 @@ from . import (
     buildkit,
     emulation,
     engine,
+    facts,
     git_hosts,
     images,
     network,
+    packages,
     packages_folder,
     processes,
     registry,
@@ -76,6 +78,9 @@ def up(*, emulated: bool = True, everything: bool = False, bases: Sequence[str] 
         if emulated:
             with step("emulation of arm64") as told:
                 told.note = emulation.up()
+        if bases is None and os.geteuid() == 0:
+            with step("Xvfb") as told:
+                told.note = "installed" if packages.install(facts.texts("screen", "packages")) else "is there"
         with step("is the real docker.io in reach") as told:
             real = network.real_registry()
             _standins_marker().write_text("no" if real else "yes")

@@ -217,6 +217,7 @@ def test_ros_2(  # noqa: PLR0917 - a table of cases
     assert said in rung(ladder, number).said
 
 
+@pytest.mark.usefixtures("x_server")
 @pytest.mark.parametrize(
     ("command", "display", "states", "said"),
     [
