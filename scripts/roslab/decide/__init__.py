@@ -19,7 +19,7 @@ from roslab.decide.nothing import require_something
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.processor import decide_processor
-from roslab.decide.proof import compiled, decide_test, rostests
+from roslab.decide.proof import compiled, decide_test, rostests, runs_ctest
 from roslab.decide.python.alternatives import named_by_wheels, one_way, without_lists
 from roslab.decide.python.cloned import with_cloned
 from roslab.decide.python.compiling import decide_compiling
@@ -50,7 +50,6 @@ from roslab.decide.system.own_options import own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, with_libraries
 from roslab.decide.variables import decide_variables
-from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.cpu import told
 
@@ -280,7 +279,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         test=test.answer,
         rostests=() if own.answer else rostests(evidence, kind.answer, build_tool.answer),
         tests=() if own.answer else evidence.tests,
-        ctest=build_tool.answer == "cmake" and any(p.tests and not places.vendored(p.file) for p in evidence.cmake),
+        ctest=runs_ctest(evidence, build_tool.answer, missing.answer.options),
         compiles=bool(compiled(evidence)),
         without=platforms.answer.without,
         platforms=platforms.answer.built,

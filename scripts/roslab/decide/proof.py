@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import configured
@@ -23,6 +25,12 @@ def compiled(evidence: Evidence) -> frozenset[str]:
     apart = (places.test, places.vendored)
     projects = (project for project in evidence.cmake if not any(kind(project.file) for kind in apart))
     return frozenset(name for project in projects for name, _ in project.executables)
+
+
+def runs_ctest(evidence: Evidence, build_tool: BuildTool, options: Collection[str]) -> bool:
+    """Tell whether there are tests for ctest, which the options of CMake do not leave out."""
+    has_tests = any(project.tests and not places.vendored(project.file) for project in evidence.cmake)
+    return build_tool == "cmake" and has_tests and "-DBUILD_TESTING=OFF" not in options
 
 
 def rostests(evidence: Evidence, kind: Kind, build_tool: BuildTool) -> tuple[str, ...]:

@@ -44,6 +44,12 @@ _OFF = (
     "nothing is known that brings {}: it is built without it, with -D{}=OFF; give its repository under `source` in "
     "roslab.yaml to have it, and set the option in `cmake_options`"
 )
+_TESTS = (
+    "only the tests ask for {}, which is not installed: they are not compiled, with -DBUILD_TESTING=OFF; give "
+    "`cmake_options` in roslab.yaml to have them"
+)
+WITHOUT_TESTS = "-DBUILD_TESTING=OFF"
+"""CTest's own switch. https://cmake.org/cmake/help/latest/module/CTest.html"""
 ENDED = 300
 """Weight of the reasons for what is taken out of a manifest; nothing competes with them."""
 
@@ -100,6 +106,8 @@ def decide_missing(
     options = given(evidence) if switch else ""
     off = {switch_of(asked, options): asked for _, asked in unmet if switch and switch_of(asked, options)}
     lacking = {package: asked for package, asked in unmet if switch_of(asked, options) not in off}
+    unsaid = switch and "-DBUILD_TESTING" not in options
+    tests = _of_tests(evidence, target, packages, names) if unsaid else None
     keyed = {d.name for manifest in packages.built for d in manifest.dependencies}  # these are told as keys
     unsure_of = [
         asked
@@ -127,12 +135,14 @@ def decide_missing(
         warnings.append(warn(f"nothing is known that brings {asked.name}, which CMake requires: {then}; {hint}", asked))
     warnings += [warn(_PERHAPS.format(asked.name), asked) for asked in unsure_of]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
+    warnings += [warn(_TESTS.format(tests.name), tests)] if tests else []
     asks = _of_program_and_below if kind == "cpp" else _required
     names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - {plain(name) for name in built}
     warnings += _too_old(asks(evidence, packages), target, out.keys(), names, build_tool)
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
+    switches = (*(f"-D{name}=OFF" for name in off), *([WITHOUT_TESTS] if tests else []))
     return Choice(
-        answer=Missing(packages=tuple(sorted(out)), ended=tuple(ended), options=tuple(f"-D{name}=OFF" for name in off)),
+        answer=Missing(packages=tuple(sorted(out)), ended=tuple(ended), options=switches),
         warnings=tuple(warnings),
         reasons=(
             *(because("dependencies", name, why, asked, weight=ENDED) for name, asked in ended.items()),
@@ -219,6 +229,20 @@ def _of_program(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, D
     """Yield the program with what the CMakeLists.txt at its top requires and no file of the tree finds."""
     if top := top_of(evidence):
         yield from ((top.name or "the program", asked) for asked in _outside(top, evidence, packages))
+
+
+def _of_tests(evidence: Evidence, target: Target, packages: Packages, names: Collection[str]) -> Dependency | None:
+    """Return what CMake requires for the tests alone and nothing brings, the first; ``None`` where there is none."""
+    inside = packages.names | {each.name for each in evidence.cmake} | evidence.cmake_modules
+    for project in evidence.cmake:
+        for asked in project.dependencies if not places.vendored(project.file) else ():
+            of_tests = asked.strength == "declared" or "BUILD_TESTING" in (asked.condition or "")
+            required = asked.namespace == "cmake" and asked.role == "test" and of_tests and asked.name not in inside
+            found = resolve(asked, target)
+            of_cmake = found.known and not found.apt
+            if required and not of_cmake and not _similar(plain(asked.name), names):
+                return asked
+    return None
 
 
 def _of_program_and_below(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
