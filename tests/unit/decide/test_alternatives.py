@@ -87,3 +87,13 @@ def test_a_torch_that_is_pinned_elsewhere_is_not_named_by_wheels(tree: Tree) -> 
     line = "pip install torch-scatter -f https://data.pyg.org/whl/torch-1.9.0+cu111.html"
     decision = tree({**_page(_block(line)), "requirements.txt": "torch==1.10.0\n"})
     assert not any(each.key == "torch" for each in decision.python.pip_guessed)
+
+
+@pytest.mark.parametrize(
+    ("option", "given"),
+    [("", True), (f"--extra-index-url {WHEELS}/cu116\n", False)],
+    ids=["pip-would-not-find-it", "the-list-says-where"],
+)
+def test_the_wheels_of_a_build_that_a_list_pins_are_found(tree: Tree, option: str, given: bool) -> None:
+    decision = tree({"requirements.txt": f"{option}torch==1.12.1+cu116\n", "run.py": "import torch\n"})
+    assert (f"--extra-index-url {WHEELS}/cu116" in decision.python.options) is given

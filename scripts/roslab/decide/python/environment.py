@@ -37,7 +37,7 @@ from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import packages_of, ros_versions, types
 from roslab.decide.system.cmake_version import from_pip
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, RequirementFile
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.frameworks import kept_for_build_types
 from roslab.values.dataclass import replace
@@ -114,7 +114,7 @@ def decide_python(
     defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number)
     at_root = manager != "system" and any(not project.folder for project in chosen.projects)
     of_lock = locked_releases(evidence.locked if at_root else (), manifests, (*named.answer.first, *limits), number)
-    indexes = [*_indexes([*declared, *chosen.guessed, *exact.answer])]
+    indexes = [*_indexes([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files)]
     indexes = [*indexes, *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option")]
     whole = [file for file in chosen.files if file.file not in repaired.files]
     conda = chosen.conda if manager == "conda" else None
@@ -236,11 +236,12 @@ def _of_environment(evidence: Evidence, chosen: Chosen) -> Iterator[Requirement]
             yield from environment.requirements
 
 
-def _indexes(asked: Sequence[Requirement]) -> Iterator[str]:
-    """Yield the index or page with the wheels of a torch with a local version (``+cu113``)."""
+def _indexes(asked: Sequence[Requirement], files: Sequence[RequirementFile]) -> Iterator[str]:
+    """Yield the index or page with the wheels of a torch with a local version (``+cu113``), which no file names."""
+    in_files = " ".join(option for file in files for option in file.options)
     for each in asked:
         release = Version(each.release) if each.release and each.key in _WITH_LOCAL_VERSIONS and not each.url else None
-        if release is not None and release.local:
+        if release is not None and release.local and f"/whl/{release.local}" not in in_files:
             page = f"https://download.pytorch.org/whl/{release.local}"
             old = each.key == "torch" and release < ONE_PAGE_BEFORE
             yield f"--find-links {page}/torch_stable.html" if old else f"--extra-index-url {page}"
