@@ -7,6 +7,7 @@ from collections.abc import Collection
 from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import configured
+from roslab.decide.system.missing import WITHOUT_TESTS
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.values.words import line_of
@@ -30,7 +31,7 @@ def compiled(evidence: Evidence) -> frozenset[str]:
 def runs_ctest(evidence: Evidence, build_tool: BuildTool, options: Collection[str]) -> bool:
     """Tell whether there are tests for ctest, which the options of CMake do not leave out."""
     has_tests = any(project.tests and not places.vendored(project.file) for project in evidence.cmake)
-    return build_tool == "cmake" and has_tests and "-DBUILD_TESTING=OFF" not in options
+    return build_tool == "cmake" and has_tests and WITHOUT_TESTS not in options
 
 
 def rostests(evidence: Evidence, kind: Kind, build_tool: BuildTool) -> tuple[str, ...]:

@@ -42,7 +42,7 @@ def by_script(evidence: Evidence) -> tuple[str, ...]:
     """Return ``cuda`` if a page runs a script to compile, and the tree has extensions of torch for the GPU."""
     if not any(m.topic == "build_script" and m.source == "readme" for m in evidence.mentions):
         return ()
-    own = (p for p in evidence.python if not (places.vendored(p.file) or places.example(p.file) or places.test(p.file)))
+    own = (project for project in evidence.python if not places.aside(project.file))
     return ("cuda",) if any("cuda" in project.extensions for project in own) else ()
 
 

@@ -127,7 +127,7 @@ def repair(
         kept += _kept((each for each in loosened(found, python) if each.role != "project"), names, pages)
         text = f"pip would refuse this line; the packages of {file.file} are installed one by one"
         warnings += [warn(text, asked) for asked in spelled[:1]]
-        warnings += [warn(_SHORT.format(asked=asked.written, taken=in_full(asked).written), asked) for asked in short]
+        warnings += map(_in_full, short)
         cloned = cloned_files(evidence, [file])
         warnings += [warn(_GONE.format(path=path), file) for path in gone if path not in cloned]
         warnings += [_warning(asked) for asked in missing if asked.key not in names]
@@ -139,12 +139,11 @@ def repair(
         missing = [asked for asked in missing if asked.key not in names]
         newer = [asked for asked in found if too_new(asked, python)]
         short = [asked for asked in found if in_full(asked) is not asked]
-        if (
-            taken or missing or short or newer or any(asked.role for asked in found)
-        ):  # or pip would look for it in the wrong place
+        # A role: pip would look for it in the wrong place
+        if any((taken, missing, short, newer, any(asked.role for asked in found))):
             alone.append(project.folder or ".")
             kept += _kept(loosened(found, python), names, pages)
-            warnings += [*map(_warning, missing), *(told(asked, python) for asked in newer)]
+            warnings += [*map(_warning, missing), *map(_in_full, short), *(told(asked, python) for asked in newer)]
     return Repaired(
         requirements=tuple(kept),
         files=frozenset(broken),
@@ -163,6 +162,10 @@ def untold(guessed: Iterable[Requirement], brought: Collection[str]) -> Iterator
 def _kept(found: Iterable[Requirement], own: set[str], pages: Mapping[str, Requirement]) -> list[Requirement]:
     """Return the requirements without those for packages of the tree itself."""
     return [asked for asked in right(found, pages) if asked.key not in own]
+
+
+def _in_full(asked: Requirement) -> Warning_:
+    return warn(_SHORT.format(asked=asked.written, taken=in_full(asked).written), asked)
 
 
 def _warning(asked: Requirement) -> Warning_:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Set as AbstractSet
 
 from roslab.config.model import BuildTool, Kind
 from roslab.decide.decision import Choice, Warning_
@@ -233,7 +234,7 @@ def _of_program(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, D
 
 def _of_tests(evidence: Evidence, target: Target, packages: Packages, names: Collection[str]) -> Dependency | None:
     """Return what CMake requires for the tests alone and nothing brings, the first; ``None`` where there is none."""
-    inside = packages.names | {each.name for each in evidence.cmake} | evidence.cmake_modules
+    inside = _inside(evidence, packages)
     for project in evidence.cmake:
         for asked in project.dependencies if not places.vendored(project.file) else ():
             of_tests = asked.strength == "declared" or "BUILD_TESTING" in (asked.condition or "")
@@ -253,8 +254,12 @@ def _of_program_and_below(evidence: Evidence, packages: Packages) -> Iterator[tu
             yield from ((top.name or "the program", asked) for asked in _outside(project, evidence, packages) if top)
 
 
+def _inside(evidence: Evidence, packages: Packages) -> AbstractSet[str | None]:
+    return packages.names | {each.name for each in evidence.cmake} | evidence.cmake_modules
+
+
 def _outside(project: CMakeProject, evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
-    inside = packages.names | {each.name for each in evidence.cmake} | evidence.cmake_modules
+    inside = _inside(evidence, packages)
     for asked in project.dependencies:
         required = asked.namespace in {"cmake", "ros"} and asked.strength == "declared" and asked.role != "test"
         if required and asked.name not in inside:
