@@ -119,6 +119,8 @@ class Python:
     """The version of pip that the conda file pins and that is not taken: it knows no wheels of today."""
     conda_pip_below: str = ""
     """The first pip that is too new for the conda file, which names it in any version."""
+    conda_limits: tuple[str, ...] = ()
+    """What conda must not take, if it takes that package at all: ``mkl<2024.1`` beside an old torch."""
     setuptools: Requirement | None = None
     """The setuptools of the environment, where a package is too old for newer ones."""
     first: tuple[Requirement, ...] = ()

@@ -100,3 +100,29 @@ def test_what_conda_installed_before_numpy_2_keeps_it_out_of_what_pip_adds(
     environment = f"channels:\n- pytorch\ndependencies:\n- python=3.9\n- pytorch={torch}\n{numpy}"
     python = tree({"environment.yml": environment, "run.py": "import torch\n"}).python
     assert ("numpy<2" in [bound.written for bound in python.bounds]) is limited
+
+
+@pytest.mark.parametrize(
+    ("channels", "torch", "limited"),
+    [
+        ("[pytorch]", "pytorch=1.10.0", True),
+        ("[conda-forge]", "pytorch==2.2.1=py310_0", True),
+        ("[nvidia, pytorch, conda-forge]", "pytorch", True),
+        ("[conda-forge, 'https://conda.anaconda.org/pytorch']", "pytorch>=1.8", False),
+        ("[conda-forge]", "pytorch::pytorch", True),
+        ("[pytorch]", "pytorch=2.5.1", True),
+        ("[conda-forge]", "pytorch=2.4.0", False),
+        ("[pytorch, conda-forge]", "pytorch>=2.6", False),
+        ("[pytorch]", "pytorch=1.10.0\n- mkl=2024.2", False),
+        ("[pytorch]", "numpy=1.20", False),
+    ],
+)
+def test_a_torch_of_conda_from_before_mkl_2024_1_keeps_it_out(
+    tmp_path: Path, channels: str, torch: str, limited: bool
+) -> None:
+    files = {"environment.yml": f"channels: {channels}\ndependencies:\n- python=3.9\n- {torch}\n", **CODE}
+    for path, text in files.items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    plan = plan_repository(tmp_path).plan
+    assert plan.python.conda_limits == (("mkl<2024.1",) if limited else ())
+    assert ("MAMBA_PINNED_PACKAGES='mkl<2024.1' " in dockerfile(plan)) is limited

@@ -14,8 +14,8 @@ from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.table import rows
 
 TABLES = (
-    "amd64_only", "arm64_since", "arm64_wheels", "build_needs", "cuda_images", "framework_names", "frameworks",
-    "imports", "old_setuptools", "wheels", "with_numpy_2",
+    "amd64_only", "arm64_since", "arm64_wheels", "build_needs", "conda_limits", "cuda_images", "framework_names",
+    "frameworks", "imports", "old_setuptools", "wheels", "with_numpy_2",
 )  # fmt: skip
 NAME = re.compile(r"^[a-z0-9][a-z0-9+.-]+$")
 

@@ -12,6 +12,7 @@ from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.conda_alone import conda_alone
 from roslab.decide.python.conda_channels import no_channels, told
+from roslab.decide.python.conda_limits import limits_of
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
 from roslab.decide.python.extension_code import decide_defines
 from roslab.decide.python.fetched import cloned_files
@@ -119,7 +120,10 @@ def decide_python(
     whole = [file for file in chosen.files if file.file not in repaired.files]
     conda = chosen.conda if manager == "conda" else None
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
-    older = setuptools_of((*everything, *conda_asked) if manager != "system" else ())
+    older, in_conda = (
+        setuptools_of((*everything, *conda_asked) if manager != "system" else ()),
+        limits_of(evidence, conda),
+    )
     answer = Python(
         version=number,
         manager=manager,
@@ -140,6 +144,7 @@ def decide_python(
         conda_no_channels=no_channels(evidence, conda),
         conda_old_pip=old_pip(evidence, conda),
         conda_pip_below=pip_below(evidence, conda),
+        conda_limits=in_conda.answer,
         setuptools=older.answer,
         conda_defaults=not pixi and _default_channels(evidence, conda),
         first=first(everything, chosen.projects, cmake=manager != "system"),
@@ -166,6 +171,7 @@ def decide_python(
             *build.reasons,
             *numpy.reasons,
             *older.reasons,
+            *in_conda.reasons,
             *of_lock.reasons,
         ),
         warnings=(

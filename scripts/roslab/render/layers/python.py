@@ -109,6 +109,8 @@ def _conda(plan: Plan) -> str:
         source = f"--file {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}"
     without = conda_lines.changed(python, f"{manifests.FOLDER}/{python.conda_file}")
     more = "CONDA_CHANNELS=defaults " if python.conda_defaults else ""
+    if python.conda_limits:  # they hold only for what is taken: arm64 has no mkl
+        more += f"MAMBA_PINNED_PACKAGES={quote.shell(','.join(python.conda_limits))} "
     lists, file = locks.conda(plan)
     if file:
         copy, source, without = lists, f"--file {file}", ()
