@@ -6,7 +6,7 @@ import re
 import shlex
 from typing import Literal
 
-from roslab.decide.candidate import Candidate
+from roslab.decide.candidate import Candidate, program_of
 from roslab.evidence.facts import AuthorDockerfile
 from roslab.values.pattern import pattern
 
@@ -38,6 +38,7 @@ def startable(candidate: Candidate, authored: AuthorDockerfile) -> bool:
     if entry_point(authored.entrypoint) == "program" or started(authored):
         return False
     in_tree = candidate.argv[0].startswith("python") or candidate.argv[0] in _SHELLS
+    in_tree = in_tree or not {*candidate.files}.isdisjoint(candidate.argv[len(program_of(candidate.argv)) :])
     return not in_tree or (authored.starts_in_source and not authored.context)
 
 

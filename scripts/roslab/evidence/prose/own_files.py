@@ -13,6 +13,8 @@ from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.words import joined, written
 
+_ELSEWHERE = pattern(r"~/|/(?:home|root|path/to)/|\$\{?\w+\}?/|…/")
+"""What a path begins with that leads to the reader's own folders."""
 _SHEBANG = pattern(r"#![^\n]*?\b(python[23]?|bash|sh)\b")
 
 
@@ -29,6 +31,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
             continue
         named = any(sign in word for sign in "/._")
         path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", written(word))) if named else ""
+        path = _in_checkout(path, repository) or path
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = _only(path, repository) or path
@@ -73,6 +76,19 @@ def _by_its_shell(mention: Mention, repository: Repository) -> Mention:
         return mention
     named = _SHEBANG.match(repository.read(path, limit=200))
     return replace(mention, value=" ".join((named[1], joined((path,)), *rest))) if named else mention
+
+
+def _in_checkout(path: str, repository: Repository) -> str | None:
+    """Return the path from the root of what a page names where people clone to: ``~/catkin_ws/src/demo/cfg/a.yaml``.
+
+    Not of an argument of a launch file, whose nodes start in a folder of their own.
+    """
+    parts = path.split("/")
+    if not _ELSEWHERE.match(path) or ":=" in path:
+        return None
+    names = [place for place, part in enumerate(parts) if part.lower() == repository.name.lower()]
+    rests = ("/".join(parts[place + 1 :]) for place in reversed(names))
+    return next((rest for rest in rests if repository.has(rest) or rest in repository.folders), None)
 
 
 def _of_package(word: str, repository: Repository) -> bool:

@@ -1,0 +1,50 @@
+"""A page names files of the tree by where people clone it to: in the image they lie below the root."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
+
+PACKAGE = "<package><name>vins</name><buildtool_depend>catkin</buildtool_depend></package>"
+BUILD = "project(vins)\nfind_package(catkin REQUIRED)\nadd_executable(vins_node a.cpp)\nadd_executable(other b.cpp)\n"
+ROS = {"package.xml": PACKAGE, "CMakeLists.txt": BUILD, "config/a.yaml": "a: 1\n", "launch/a.launch": "<launch/>\n"}
+
+
+def decided(tmp_path: Path, files: dict[str, str]) -> Decision:
+    root = tmp_path / "Vins-Demo"
+    for path, text in files.items():
+        target = root / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    return decide(gather(Repository.open(root)), Config(), folder_name="Vins-Demo")
+
+
+@pytest.mark.parametrize(
+    ("said", "command"),
+    [
+        ("rosrun vins vins_node ~/catkin_ws/src/Vins-Demo/config/a.yaml", "rosrun vins vins_node config/a.yaml"),
+        ("rosrun vins vins_node /home/me/ws/src/vins-demo/config/a.yaml", "rosrun vins vins_node config/a.yaml"),
+        ("rosrun vins vins_node $HOME/Vins-Demo/config/a.yaml", "rosrun vins vins_node config/a.yaml"),
+        ("roslaunch ~/ws/src/Vins-Demo/launch/a.launch", "roslaunch vins a.launch"),
+        ("rosrun vins vins_node ~/catkin_ws/src/Vins-Demo/config/b.yaml", "rosrun vins other"),
+        ("rosrun vins vins_node ~/catkin_ws/src/another/config/a.yaml", "rosrun vins other"),
+        ("roslaunch vins a.launch file:=~/ws/src/Vins-Demo/config/a.yaml", "roslaunch vins a.launch"),
+    ],
+)
+def test_a_file_in_the_readers_checkout_is_the_trees(tmp_path: Path, said: str, command: str) -> None:
+    page = f"# Vins\nROS noetic\n\n## Run\n\n```\n{said}\nrosrun vins other\n```\n"
+    assert " ".join(decided(tmp_path, {**ROS, "README.md": page}).command) == command
+
+
+def test_a_container_that_starts_elsewhere_is_given_no_file_of_the_tree(tmp_path: Path) -> None:
+    page = "## Run\n\n```\nrosrun vins vins_node config/a.yaml\nrosrun vins other\n```\n"
+    dockerfile = 'FROM ros:noetic\nCOPY . /ws/src/demo\nWORKDIR /ws\nRUN catkin_make\nCMD ["bash"]\n'
+    found = decided(tmp_path, {**ROS, "README.md": page, "Dockerfile": dockerfile})
+    assert (found.dockerfile, found.command) == ("Dockerfile", ("rosrun", "vins", "other"))
