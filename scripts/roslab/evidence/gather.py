@@ -24,6 +24,7 @@ from roslab.evidence.prose import (
     apt_lists,
     apt_sources,
     author_dockerfile,
+    branch_tables,
     ci,
     copies,
     for_reference,
@@ -125,6 +126,7 @@ def gather(repository: Repository) -> Evidence:
         apt_sources=apt_sources.read(own),
         mentions=(
             *distro_names.read(repository),
+            *branch_tables.read(own),
             *prose.mentions,
             *linked.read(own, prose.mentions),
             *readme.named(own, programs),

@@ -65,6 +65,7 @@ class Weight:
     }
     COPIES = 20  # added for a Dockerfile that copies this source
     CI_IMAGE = 520  # of ROS's own; somebody's image for a tool may be older than what CI tests
+    TABLE = 480  # a page has a table of its branches: below what CI tests, above what sentences say
     CHANNEL = 510  # of conda's packages of ROS: it is what the author runs
     FAMILY = 440  # one of a family of images, one for each distribution
     PLACE: ClassVar = {
@@ -201,7 +202,9 @@ def _weighed(mention: Mention) -> tuple[str, int]:
     depth = mention.file.count("/") * (not mention.file.startswith("."))  # .github counts as the root
     deeper = Weight.DEEPER * depth
     if mention.source == "branch":
-        return f"the branch is {mention.text}", Weight.BRANCH
+        tabled = not mention.file.startswith(".git/")
+        what = f"a table has it for the branch {mention.text}" if tabled else f"the branch is {mention.text}"
+        return what, Weight.TABLE if tabled else Weight.BRANCH
     if places.vendored(mention.file):
         return "a file copied from another project names it", Weight.VENDORED
     if mention.source == "filename" and mention.file.endswith(_LIST):
