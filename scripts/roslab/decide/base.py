@@ -233,7 +233,8 @@ def _new_enough(reasons: list[Reason], demand: Dependency | None, lacking: dict[
     fitting = next((codename for codename in later if has_it(codename, demand) and not lacking.get(codename)), None)
     if demand is None or fitting is None:
         return reasons
-    why = f"the build asks for CMake {demand.version}"
+    asks = "the build asks for" if demand.name == "CMake" else f"{demand.name} is called, which needs"
+    why = f"{asks} CMake {demand.version}"
     return [*reasons, because("ubuntu", fitting, why, demand, weight=Weight.NEW_ENOUGH)]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal, NamedTuple
 
 from roslab.evidence.apt_source import AptSource
+from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.locked import Locked
@@ -58,6 +59,8 @@ class CMakeProject:
     sources: tuple[GitSource, ...] = ()
     minimum: Dependency | None = None
     """The CMake version that ``cmake_minimum_required`` asks for, as ``version``."""
+    newer: tuple[Dependency, ...] = ()
+    """What it always calls and only later releases of CMake have, each with the first of them as ``version``."""
     tests: bool = False
     """It has tests for ctest."""
     programs_in: str | None = None
@@ -221,18 +224,6 @@ class Program:
     kind: Literal["main", "console", "node"]
     inside: str = ""
     """The folder that it has to be started in, by what it puts on Python's path."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class CodeLimit:
-    """A sign in the code of the versions of a library, or of the compiler, that it compiles with."""
-
-    library: str
-    at_least: str | None
-    below: str | None
-    what: str
-    file: str
-    line: int
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

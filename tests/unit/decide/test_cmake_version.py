@@ -111,3 +111,51 @@ def test_a_cmake_that_refuses_old_code_is_told_to_take_it(
     assert dict(found.variables).get("CMAKE_POLICY_VERSION_MINIMUM") == least
     reasons = [r for r in found.reasons if r.answer == f"CMAKE_POLICY_VERSION_MINIMUM={least}"]
     assert [(r.file or "").endswith("CMakeLists.txt") for r in reasons] == ([True] if least else [])
+
+
+PLAIN = "cmake_minimum_required(VERSION 3.5)\nproject(thing)\n{}\nadd_executable(thing main.cpp)\n"
+BIONIC = "Tested on Ubuntu 18.04.\n"
+
+
+@pytest.mark.parametrize(
+    ("body", "asked"),
+    [
+        ("include(FetchContent)\nFetchContent_MakeAvailable(x)", "cmake>=3.14,<4"),
+        ("include(FetchContent)", "cmake>=3.11,<4"),
+        ("find_package(Python3 REQUIRED COMPONENTS Interpreter)", "cmake>=3.12,<4"),
+        ("find_package(Python3 COMPONENTS Interpreter)", None),
+        ("add_link_options(-s)", "cmake>=3.13,<4"),
+        ("if(CMAKE_VERSION VERSION_GREATER 3.13)\nadd_link_options(-s)\nendif()", None),
+        ("function(f)\nadd_link_options(-s)\nendfunction()", None),
+        ("MACRO(FetchContent_MakeAvailable name)\nendmacro()\nFetchContent_MakeAvailable(x)", None),
+        ("list(JOIN NAMES , joined)", "cmake>=3.12,<4"),
+        ("list(APPEND NAMES JOIN)", None),
+        ("set(CMAKE_CXX_STANDARD 17)", None),
+        ("target_link_libraries(thing SQLite::SQLite3)", "cmake>=3.14,<4"),
+        ("# include(FetchContent)", None),
+        ("include(cmake/fetch.cmake)", "cmake>=3.14,<4"),
+        ("add_subdirectory(lib)", "cmake>=3.16,<4"),
+    ],
+)
+def test_what_only_later_releases_have_asks_for_them(tmp_path: Path, body: str, asked: str | None) -> None:
+    files = {"CMakeLists.txt": PLAIN.format(body), "README.md": BIONIC}
+    if "fetch.cmake" in body:
+        files["cmake/fetch.cmake"] = "FetchContent_MakeAvailable(x)\n"
+    if "(lib)" in body:
+        files["lib/CMakeLists.txt"] = "add_library(lib lib.cpp)\ntarget_precompile_headers(lib PRIVATE lib.h)\n"
+    found = decided(tmp_path, files)
+    assert [each.text for each in found.python.pip_guessed] == ([asked] if asked else [])
+    reasons = [reason for reason in found.reasons if reason.answer == asked and asked]
+    assert [bool(reason.file and reason.line) for reason in reasons] == ([True] if asked else [])
+
+
+def test_a_module_of_the_tree_asks_for_no_newer_cmake(tmp_path: Path) -> None:
+    files = {"CMakeLists.txt": PLAIN.format("find_package(SQLite3 REQUIRED)"), "README.md": BIONIC}
+    assert [each.text for each in decided(tmp_path, files).python.pip_guessed] == ["cmake>=3.14,<4"]
+    assert not decided(tmp_path, {**files, "cmake/FindSQLite3.cmake": ""}).python.pip_guessed
+
+
+def test_a_newer_ubuntu_is_taken_where_none_is_named(tmp_path: Path) -> None:
+    found = decided(tmp_path, {"CMakeLists.txt": PLAIN.format("block(SCOPE_FOR VARIABLES)\nendblock()")})
+    assert found.base_image == "ubuntu:24.04"
+    assert any(reason.reason == "block is called, which needs CMake 3.25" for reason in found.reasons)

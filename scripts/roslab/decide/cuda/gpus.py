@@ -8,7 +8,8 @@ from packaging.version import Version
 
 from roslab.decide.decision import Reason, Warning_
 from roslab.decide.reasons import because, warn
-from roslab.evidence.facts import CodeLimit, Evidence
+from roslab.evidence.code_limit import CodeLimit
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.cuda_gpus import NAME
 from roslab.knowledge.frameworks import cuda_images
 

@@ -10,7 +10,7 @@ from roslab.config.model import Kind
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.knowledge.distros import cmake_of_ubuntu
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -25,16 +25,22 @@ BRINGS_CMAKE = frozenset({"cmake", "scikit-build-core"})
 
 
 def needed_cmake(evidence: Evidence) -> Dependency | None:
-    """Return the highest version that any CMakeLists.txt of the build requires, with the line that requires it."""
+    """Return the highest version that any CMakeLists.txt of the build requires, with the line that requires it.
+
+    One that calls what only later releases have requires those, whatever it says.
+    """
     folders = {manifest.file.rpartition("/")[0] for manifest in packages_of(evidence).built}
-    demands = [
-        project.minimum
-        for project in evidence.cmake
-        if project.minimum
-        and (project.file.rpartition("/")[0] in folders or (not folders and project.top_level))
-        and not places.aside(project.file)
-    ]
+    projects = [project for project in evidence.cmake if not places.aside(project.file)]
+    built = [p for p in projects if (p.file.rpartition("/")[0] in folders or (not folders and p.top_level))]
+    demands = [project.minimum for project in built if project.minimum]
+    demands += [each for project in (*built, *_below(built, projects)) for each in project.newer]
     return max(demands, key=lambda demand: Version(demand.version or "0"), default=None)
+
+
+def _below(built: Iterable[CMakeProject], projects: Iterable[CMakeProject]) -> list[CMakeProject]:
+    """Return what lies in folders of the projects that are built and is no project by itself."""
+    above = tuple(f"{project.file.rpartition('/')[0]}/".lstrip("/") for project in built)
+    return [p for p in projects if p.name is None and not p.top_level and p.file.startswith(above)]
 
 
 def has_it(ubuntu: str, demand: Dependency | None) -> bool:

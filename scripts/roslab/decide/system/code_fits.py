@@ -9,7 +9,8 @@ from packaging.version import Version
 from roslab.decide.programs import top_of
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
-from roslab.evidence.facts import CMakeProject, CodeLimit, Evidence
+from roslab.evidence.code_limit import CodeLimit
+from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.knowledge.code_limits import fits, satisfies
 from roslab.knowledge.cuda_gpus import NAME as CUDA
 from roslab.knowledge.distros import cmake_of_ubuntu, distro, distros, ubuntus

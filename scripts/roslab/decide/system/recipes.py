@@ -9,8 +9,9 @@ from packaging.version import Version
 from roslab.config.model import Source
 from roslab.decide.ros.source_names import itself_in, plain
 from roslab.decide.system.names import Target
+from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import CodeLimit, Evidence
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.code_limits import bounds_of, fits, satisfies
 from roslab.knowledge.libraries import library
 from roslab.knowledge.recipes import Bound, Recipe, recipe, releases

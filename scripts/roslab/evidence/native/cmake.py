@@ -10,7 +10,7 @@ from functools import cache
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
-from roslab.evidence.native import cmake_needs, included
+from roslab.evidence.native import cmake_needs, cmake_since, included
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
@@ -32,6 +32,7 @@ _NAMES = (
     cmake_needs.CALLS
     | _TESTS
     | cmake_needs.FETCHING
+    | cmake_since.NAMES
     | _EXECUTABLE
     | _LIBRARY
     | frozenset(
@@ -102,6 +103,7 @@ class _Reading:
     linked: dict[str, int] = field(default_factory=dict)
     included: set[str] = field(default_factory=set)
     """Files of the tree that it includes, and those that they include."""
+    newer: dict[str, Dependency] = field(default_factory=dict)
 
 
 def read(repository: Repository) -> tuple[CMakeProject, ...]:
@@ -109,8 +111,10 @@ def read(repository: Repository) -> tuple[CMakeProject, ...]:
     files = nearest(repository.named("CMakeLists.txt"))
     added: dict[str, dict[str, bool]] = {}
     found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
-    kept = (p for p in found if p.name or p.top_level or p.dependencies or p.executables or p.macros or p.linked)
-    return tuple(sorted(kept, key=lambda project: project.file))
+    kept = (
+        p for p in found if p.name or p.top_level or p.dependencies or p.executables or p.macros or p.linked or p.newer
+    )
+    return tuple(sorted(cmake_since.without_own(kept, repository, modules(repository)), key=lambda each: each.file))
 
 
 def modules(repository: Repository) -> frozenset[str]:
@@ -128,12 +132,14 @@ def _project(repository: Repository, file: File, added: dict[str, dict[str, bool
     adds = False
     options = dict(added.get(file.folder, {}))
     for call in calls(repository.read(file), _NAMES, options):
+        cmake_since.note(call, file.path, reading.newer)
         if call.name == "add_subdirectory" and call.words:
             adds = True
             added.setdefault(_joined(file.folder, call.words[0]), dict(options))
         elif call.name == "include":
             _include(call, repository, file, reading)
             for needing, path in included.needing(call, repository, file, reading.included, options):
+                cmake_since.note(needing, path, reading.newer)
                 _note(needing, path, reading)
         else:
             _note(call, file.path, reading)
@@ -152,6 +158,7 @@ def _project(repository: Repository, file: File, added: dict[str, dict[str, bool
         ),
         sources=tuple(reading.sources),
         minimum=reading.minimum,
+        newer=tuple(reading.newer.values()),
         tests=reading.tests,
         programs_in=reading.programs_in,
         placed=tuple(_placed(reading)),

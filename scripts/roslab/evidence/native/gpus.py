@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.evidence import places
-from roslab.evidence.facts import CodeLimit
+from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.lex.cmake import calls
 from roslab.evidence.lex.lines import end_of_line, lines_with
 from roslab.evidence.lex.truth import cmake_holds

@@ -8,7 +8,7 @@ from collections.abc import Set as AbstractSet
 from functools import cache
 
 from roslab.evidence import places
-from roslab.evidence.facts import CodeLimit
+from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.lex.lines import matching_lines
 from roslab.knowledge.code_limits import Limit, Sign, limits
 from roslab.knowledge.hints import Search

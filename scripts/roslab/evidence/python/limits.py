@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from packaging.version import Version
 
 from roslab.evidence import places
-from roslab.evidence.facts import CodeLimit
+from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.lex.lines import end_of_line, lines_with
 from roslab.evidence.python.modules import modules
 from roslab.knowledge.code_limits import Limit, limits

@@ -1,0 +1,86 @@
+"""What a CMakeLists.txt calls although the CMake that it asks for may not have it yet."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from packaging.version import Version
+
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import CMakeProject
+from roslab.evidence.lex.cmake import Call
+from roslab.evidence.lex.lines import matching_lines
+from roslab.knowledge.cmake_since import since
+from roslab.repository.checkout import Repository
+from roslab.values.dataclass import replace
+from roslab.values.pattern import pattern
+
+NAMES = frozenset(since())
+"""The calls that are looked at."""
+OF_INCLUDED = frozenset(name for name, each in since().items() if not each[0].words)
+"""Those that tell as much in a file that is included."""
+_DEFINED = pattern(r"^[ \t]*(?:function|macro|add_library)[ \t]*\([ \t\n]*([\w:]+)", re.IGNORECASE | re.MULTILINE)
+_DEFINING = ("function", "FUNCTION", "macro", "MACRO", "add_library", "ADD_LIBRARY")
+_MODULE = ("include", "find_package")
+MAX_SIZE = 256 * 1024
+MAX_FILES = 400
+
+
+def note(call: Call, path: str, into: dict[str, Dependency]) -> None:
+    """Note what a call needs that the first releases of CMake do not have; one that may not be made needs nothing."""
+    if call.name not in NAMES or call.conditions or call.in_function:
+        return
+    found = [each for each in since()[call.name] if _has(call, each.words)]
+    best = max(found, key=lambda each: Version(each.release), default=None)
+    if best is None or (call.name == "find_package" and "REQUIRED" not in call.words):
+        return
+    named = call.name in {*_MODULE, "target_link_libraries"}
+    name = best.words[0] if named else " ".join((call.name, *best.words))
+    into.setdefault(
+        name,
+        Dependency(
+            namespace="cmake",
+            name=name,
+            strength="declared",
+            file=path,
+            line=call.line,
+            role="build",
+            version=best.release,
+        ),
+    )
+
+
+def _has(call: Call, words: tuple[str, ...]) -> bool:
+    """Tell whether words stand in a call, of a module or of a subcommand at its beginning."""
+    if call.name in {*_MODULE, "list", "string", "file", "set"}:
+        return call.words[: len(words)] == words
+    return not words or words[0] in call.words
+
+
+def without_own(
+    projects: Iterable[CMakeProject], repository: Repository, modules: frozenset[str]
+) -> list[CMakeProject]:
+    """Return the projects without what the tree itself has: a function of this name, a module (``FindNAME.cmake``)."""
+    found = list(projects)
+    if not any(project.newer for project in found):
+        return found
+    own = {
+        *modules,
+        *(file.name.removesuffix(".cmake") for file in repository.suffixed(".cmake")),
+        *_defined(repository),
+    }
+    return [
+        replace(project, newer=tuple(each for each in project.newer if each.name not in own))
+        if project.newer
+        else project
+        for project in found
+    ]
+
+
+def _defined(repository: Repository) -> set[str]:
+    """Return the functions, macros and libraries that files of the tree define, functions in lower case."""
+    files = (*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake"))[:MAX_FILES]
+    texts = (repository.read(file) for file in files if file.size <= MAX_SIZE)
+    found = (match[1] for text in texts for match in matching_lines(_DEFINED, text, *_DEFINING))
+    return {name if "::" in name else name.lower() for name in found}
