@@ -12,6 +12,7 @@ from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
 from roslab.decide.ros.plain_workspace import built_together
 from roslab.decide.ros.without_manifest import CLIENTS, client_of
+from roslab.decide.ros.without_manifest import run_by_page as ros_by_page
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
 from roslab.decide.ros.wrappers import run_by_page, wraps
 from roslab.evidence import places
@@ -97,6 +98,9 @@ def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
     if not reasons and (client := client_of(evidence)):
         why = f"its program imports {client.name}, which ROS alone brings"
         reasons.append(because("kind", CLIENTS[client.name], why, client, weight=Weight.ROS_ALONE))
+    if not (reasons or evidence.manifests) and (run := ros_by_page(evidence)):
+        at, kind, why = run
+        reasons.append(because("kind", kind, why, at, weight=Weight.ROS_ALONE))
     for manifest in packages.assets[:1]:
         why = "a package.xml with nothing to build beside it: the description of a robot"
         reasons.append(because("kind", "ros1", why, manifest, weight=Weight.DESCRIPTION))

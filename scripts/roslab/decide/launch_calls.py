@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 from roslab.evidence.facts import Evidence
 
@@ -17,3 +17,13 @@ def launch_calls(evidence: Evidence) -> Mapping[str, tuple[str, ...]]:
     named = [(each.file, each.package, each.file.rpartition("/")[2]) for each in evidence.launch if each.package]
     often = Counter((package, name) for _, package, name in named)
     return {file: (file,) if often[package, name] > 1 else (package, name) for file, package, name in named}
+
+
+def call_of(written: str, calls: Mapping[str, tuple[str, ...]], alone: Collection[str]) -> tuple[str, ...]:
+    """Return what follows ``roslaunch`` for a launch file that a page names by its path, ``()`` for none of the tree.
+
+    ``alone``: those that belong to no package, which both start by their paths alone.
+    """
+    name = written.rpartition("/")[2]
+    named = [call for file, call in calls.items() if file.rpartition("/")[2] == name]
+    return calls.get(written) or (named[0] if len(named) == 1 else (written,) if written in alone else ())

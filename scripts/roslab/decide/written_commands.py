@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from roslab.config.model import Kind
 from roslab.decide.blank_launches import BLANK, LAUNCH, pointed_launches, with_a_launch_file, with_the_one_named
 from roslab.decide.candidate import Candidate, is_component, program_of
-from roslab.decide.launch_calls import launch_calls
+from roslab.decide.launch_calls import call_of, launch_calls
 from roslab.decide.outputs import written_below
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
@@ -72,6 +72,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
         compiled=in_packages(evidence) if ros else dict.fromkeys((p.name for p in programs_of(evidence)), ""),
         launched=_launch_files(evidence),
         calls=launch_calls(evidence),
+        alone=frozenset(each.file for each in evidence.launch if not each.package),
         packages=packages_of(evidence).names,
         installed=frozenset(name for project in evidence.python if project.installable for name, _ in project.scripts),
         projects=tuple(project.folder for project in evidence.python if project.installable),
@@ -121,6 +122,8 @@ class _Tree:
     """The launch files of each package, by their names."""
     calls: Mapping[str, tuple[str, ...]]
     """How each launch file of the tree is started, by its path."""
+    alone: frozenset[str]
+    """Launch files that belong to no package."""
     packages: frozenset[str]
     installed: frozenset[str]
     """Programs that pip installs with the repository."""
@@ -192,7 +195,8 @@ def _runnable(
     argv = with_a_launch_file(_task(words, tree), tree.launched)
     if not argv or any(map(_PLACEHOLDER.search, program_of(argv))) or any(p.rpartition("/")[2] in TOOLS for p in argv):
         return None
-    if len(argv) < _WORDS.get(argv[0], 1) + is_component(argv):
+    by_path = argv[:2] == ("ros2", "launch") and argv[2:3] and argv[2] in tree.alone
+    if len(argv) < _WORDS.get(argv[0], 1) + is_component(argv) - bool(by_path):
         return None  # a sentence about the command
     if argv[0] in _WORDS:
         return _of_ros(argv, tree) if ros else None
@@ -233,9 +237,7 @@ def _of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
         return argv
     package, *rest = argv[len(start) :]
     if LAUNCH.search(package):
-        name = package.rpartition("/")[2]
-        named = [call for file, call in tree.calls.items() if file.rpartition("/")[2] == name]
-        call = tree.calls.get(package) or (named[0] if len(named) == 1 else ())
+        call = call_of(package, tree.calls, tree.alone)
         return (*start, *call, *rest) if call else None
     if package not in tree.packages:
         return argv

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import posixpath
+from collections.abc import Iterator
+
 from roslab.decide.cuda.signs import sign_of_cuda
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.frameworks import imports
 
 CLIENTS = {"rospy": "ros1", "rclpy": "ros2"}
@@ -24,3 +27,38 @@ def client_of(evidence: Evidence) -> Dependency | None:
         return None
     of_pip = [each.file for each in used if each.name in imports()]
     return next((each for each in clients if 2 * of_pip.count(each.file) >= len(of_pip)), None)
+
+
+def run_by_page(evidence: Evidence) -> tuple[Mention, str, str] | None:
+    """Return where a page at the root starts what ROS alone runs, with the kind and why; ``None`` if it does not.
+
+    That is a launch file of the tree that belongs to no package, or a node: the first program of the tree that the
+    pages start, where no more than half of the others are none.
+    """
+    said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme" and "/" not in m.file]
+    alone = {launch.file: launch.ros for launch in evidence.launch if not launch.package}
+    for mention in said:
+        words = mention.value.split()
+        for start, ros in ((["roslaunch"], 1), (["ros2", "launch"], 2)):
+            file = next(iter(words[len(start) :]), "")
+            if words[: len(start)] == start and alone.get(file) == ros:
+                return mention, f"ros{ros}", f"the README starts {file}, which belongs to no package"
+    clients = {d.name for d in evidence.code if d.name in CLIENTS and d.strength == "used" and not places.aside(d.file)}
+    started = list(_started(evidence, said))
+    nodes = {program.file for program in evidence.programs if program.kind == "node"}
+    nodes &= {file for _, file in started}
+    if len(clients) != 1 or not started or started[0][1] not in nodes or sign_of_cuda(evidence):
+        return None
+    client, files = clients.pop(), {file for _, file in started}
+    return (started[0][0], CLIENTS[client], f"its program needs {client}") if 2 * len(nodes) >= len(files) else None
+
+
+def _started(evidence: Evidence, said: list[Mention]) -> Iterator[tuple[Mention, str]]:
+    """Yield the programs of the tree that pages start with Python, in their order."""
+    programs = [program.file for program in evidence.programs]
+    for mention in said:
+        words = mention.value.split() if mention.value.startswith("python") else []
+        for word in (posixpath.normpath(word) for word in words[1:] if word.endswith(".py")):
+            ends = [file for file in programs if f"/{file}".endswith(f"/{word}")]
+            if len(ends) == 1:
+                yield mention, ends[0]

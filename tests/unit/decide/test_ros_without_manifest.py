@@ -1,0 +1,67 @@
+"""What a page starts that ROS alone runs makes a repository without a package.xml one of ROS."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+GUARD = "if __name__ == '__main__':\n    main()\n"
+NODE = f"import rclpy\nfrom planner import plan\n{GUARD}"
+CODE = {"control/planner.py": "import numpy\nimport scipy\nimport cv2\n", "requirements.txt": "numpy\nscipy\n"}
+LAUNCH = "from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription([])\n"
+OLD = '<launch><node pkg="tf" type="static_transform_publisher" name="a"/></launch>\n'
+
+
+def page(*lines: str) -> str:
+    return "# Demo\n\nROS 2 Humble, or ROS Noetic\n\n## Run\n\n```\n" + "\n".join(lines) + "\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "said", "kind", "command"),
+    [
+        ({**CODE, "control/run.py": NODE}, "python3 control/run.py", "ros2", "python3 control/run.py"),
+        (
+            {**CODE, "control/run.py": NODE.replace("rclpy", "rospy")},
+            "python3 control/run.py",
+            "ros1",
+            "python3 control/run.py",
+        ),
+        ({"demo.launch.py": LAUNCH}, "ros2 launch demo.launch.py", "ros2", "ros2 launch demo.launch.py"),
+        (
+            {"launch/demo.launch.py": LAUNCH, "a.py": "import numpy\n"},
+            "ros2 launch launch/demo.launch.py use_sim_time:=true",
+            "ros2",
+            "ros2 launch launch/demo.launch.py use_sim_time:=true",
+        ),
+        (
+            {"launch/demo.launch": OLD, "a.py": "import numpy\n"},
+            "roslaunch launch/demo.launch",
+            "ros1",
+            "roslaunch launch/demo.launch",
+        ),
+        (
+            {**CODE, "ros/run.py": NODE, "train.py": f"import numpy\n{GUARD}"},
+            "python3 train.py",
+            "python",
+            "python3 train.py",
+        ),
+        (
+            {**CODE, "ros/run.py": NODE, "train.py": f"import numpy\n{GUARD}"},
+            "python3 train.py\npython3 ros/run.py",
+            "python",
+            "python3 train.py",
+        ),
+        ({**CODE, "control/run.py": f"import torch\n{NODE}"}, "python3 control/run.py", "cuda", None),
+        ({"demo.launch.py": LAUNCH, "a.py": f"import numpy\n{GUARD}"}, "python3 a.py", "python", "python3 a.py"),
+        ({"demo.launch.py": LAUNCH}, "ros2 launch other demo.launch.py", "python", None),
+    ],
+)
+def test_what_the_page_starts(tree: Tree, files: dict[str, str], said: str, kind: str, command: str | None) -> None:
+    found = tree({**files, "README.md": page(said)})
+    assert found.kind == kind
+    if command:
+        assert " ".join(found.command) == command
