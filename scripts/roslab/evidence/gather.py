@@ -26,6 +26,7 @@ from roslab.evidence.prose import (
     author_dockerfile,
     branch_tables,
     ci,
+    containers,
     copies,
     for_reference,
     included,
@@ -66,6 +67,7 @@ from roslab.repository.checkout import Repository
 
 PROSE = (
     author_dockerfile.prose,  # the author's own image: the most reliable
+    containers.read,  # what the author's containers run
     ci.read,  # another machine on which the build works
     readme.read,  # what people are told, perhaps years ago
     install_scripts.read,  # install scripts, called by any of the three
