@@ -14,6 +14,7 @@ from roslab.evidence.native import (
     extension_code,
     fetching,
     gpus,
+    made_elsewhere,
     makefiles,
     shared_objects,
     x86,
@@ -152,6 +153,7 @@ def gather(repository: Repository) -> Evidence:
             *vcs.absent(repository),
             *cpu.read(repository),
             *authors_folders.read(repository),
+            *made_elsewhere.read(repository),
         ),
     )
 

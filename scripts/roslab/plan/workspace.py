@@ -93,6 +93,8 @@ class Workspace:
     python_projects: tuple[str, ...]
     unread: tuple[str, ...] = ()
     """Names at the top of the repository that no build file names."""
+    made_elsewhere: tuple[str, ...] = ()
+    """Files and folders of the repository that CMake wrote on another machine: hidden from the build."""
     native: bool
     """What is compiled for the processor of the machine that builds is compiled for all processors of a platform."""
     without: tuple[str, ...]

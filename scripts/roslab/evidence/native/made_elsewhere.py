@@ -1,0 +1,45 @@
+"""Files that CMake wrote on another machine: it refuses to go on from them in another folder."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+CACHE = "CMakeCache.txt"
+FILES = "CMakeFiles"
+MOST = 200
+"""Each may be two lines of the ignore file; of more, the first."""
+_MADE_IN = pattern(r"^CMAKE_CACHEFILE_DIR:INTERNAL=(\S[^\n]{0,200})$")
+_PLAIN = pattern(r"[\w.][\w./+-]*\Z")
+"""A path that is one line of an ignore file."""
+
+
+def names(repository: Repository) -> tuple[str, ...]:
+    """Return each cache of CMake, and the folder of its other files beside it, sorted."""
+    folders = [path.removesuffix(CACHE) for path, _, _ in _caches(repository)]
+    return tuple(name for folder in folders for name in (f"{folder}{FILES}", f"{folder}{CACHE}"))
+
+
+def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
+    """Yield what the author should know of the first cache: the message, the file and the line.
+
+    Not of what was compiled here: that is no part of the repository, and is hidden all the same.
+    """
+    here = f"{repository.root}/"
+    found = [cache for cache in _caches(repository) if f"{cache[1]}/" != f"{here}{cache[0].removesuffix(CACHE)}"]
+    for path, folder, line in found[:1]:
+        more = f", and so are {len(found) - 1} more" if len(found) > 2 else ", and so is one more" if found[1:] else ""
+        why = "CMake refuses it in any other folder, so a generated Dockerfile leaves it out"
+        yield f"CMake wrote it in {folder}{more}: {why}", path, line
+
+
+def _caches(repository: Repository) -> Iterator[tuple[str, str, int]]:
+    """Yield each cache with the folder that it was made in and the line that names that."""
+    paths = sorted(file.path for file in repository.named(CACHE) if _PLAIN.match(file.path))
+    for path in paths[:MOST]:
+        for number, line in enumerate(repository.read(path).split("\n"), 1):
+            if line.startswith("CMAKE_CACHEFILE_DIR") and (match := _MADE_IN.match(line.rstrip())):
+                yield path, match[1], number
+                break

@@ -1,0 +1,54 @@
+"""A cache of CMake that was written on another machine is found, named and hidden from the build."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.evidence.native import made_elsewhere
+from roslab.pipeline import plan_repository
+from roslab.render.ignore import ignore, keeps_out
+from roslab.repository.checkout import Repository
+
+CACHE = "# This is the CMakeCache file.\n//Build\nCMAKE_BUILD_TYPE:STRING=\nCMAKE_CACHEFILE_DIR:INTERNAL={}\n"
+
+
+def tree(root: Path, folders: dict[str, str]) -> Repository:
+    (root / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.5)\nproject(a)\nadd_executable(a a.cpp)\n")
+    for folder, made_in in folders.items():
+        (root / folder / "CMakeFiles").mkdir(parents=True)
+        (root / folder / "CMakeFiles/a.o").write_text("")
+        (root / folder / "CMakeCache.txt").write_text(CACHE.format(made_in))
+    return Repository.open(root)
+
+
+def test_a_cache_is_named_with_the_folder_that_it_was_made_in(tmp_path: Path) -> None:
+    repository = tree(tmp_path, {"build": "/home/ann/a/build", "": "/home/ann/a"})
+    (message, file, line), *more = made_elsewhere.read(repository)
+    assert (file, line, more) == ("CMakeCache.txt", 4, [])
+    assert message.startswith("CMake wrote it in /home/ann/a, and so is one more: ")
+
+
+@pytest.mark.parametrize("folder", ["", "build"])
+def test_it_is_hidden_with_what_lies_beside_it(tmp_path: Path, folder: str) -> None:
+    tree(tmp_path, {folder: f"/home/ann/a/{folder}"})
+    planned = plan_repository(tmp_path)
+    lines = ignore(planned.plan, ()).splitlines()
+    below = f"{folder}/".lstrip("/")
+    assert keeps_out(lines, f"{below}CMakeCache.txt")
+    assert keeps_out(lines, f"{below}CMakeFiles/a.o")
+    assert not keeps_out(lines, f"{below}CMakeLists.txt")
+    assert any(warning.file == f"{below}CMakeCache.txt" for warning in planned.plan.warnings)
+
+
+def test_what_was_compiled_here_is_hidden_without_a_word(tmp_path: Path) -> None:
+    repository = tree(tmp_path, {"build": f"{tmp_path}/build"})
+    assert made_elsewhere.names(repository) == ("build/CMakeFiles", "build/CMakeCache.txt")
+    assert not list(made_elsewhere.read(repository))
+
+
+def test_a_file_of_that_name_alone_is_none(tmp_path: Path) -> None:
+    repository = tree(tmp_path, {})
+    (tmp_path / "CMakeCache.txt").write_text("What a cache of CMake holds\n")
+    assert made_elsewhere.names(Repository.open(tmp_path)) == made_elsewhere.names(repository) == ()
