@@ -59,3 +59,28 @@ def test_of_a_day_before_any_torch_for_the_cuda_of_the_image(asked: str) -> None
     limits, options = torch_build([stated(asked)], "11.0", "3.7", "2020-04-15").answer
     assert [each.written for each in limits] == ["torch==1.7.*"]
     assert options == ("--find-links https://download.pytorch.org/whl/cu110/torch_stable.html",)
+
+
+@pytest.mark.parametrize(
+    ("install", "found"),
+    [
+        ("conda create -n net python=2.7\nconda install pytorch=0.3 torchvision cuda80 -c soumith", {"torch==0.3.*"}),
+        ("pip install torch==0.3.1", {"torch==0.3.1"}),
+        ("pip install torch==0.4.1", {"torch==0.4.1"}),
+        ("pip install torch==1.0.1", {"torch==1.0.1"}),
+    ],
+)
+def test_one_that_pip_s_index_does_not_have_is_looked_for_at_pytorch_s_page(
+    tree: Tree, install: str, found: set[str]
+) -> None:
+    decision = tree({"train.py": "import torch\n", "README.md": f"# Net\n## Install\n```\n{install}\n```\n"})
+    assert torch_of(decision) == found
+    page = "--find-links https://download.pytorch.org/whl/cu90/torch_stable.html"
+    assert (page in decision.python.options) is ("torch==1.0.1" not in found)
+    assert decision.python.version in {"2.7", "3.6", "3.7"}
+
+
+@pytest.mark.parametrize("option", ["", "-f https://download.pytorch.org/whl/cu90/torch_stable.html\n"])
+def test_a_file_that_names_that_page_needs_no_other(tree: Tree, option: str) -> None:
+    python = tree({"train.py": "import torch\n", "requirements.txt": f"{option}torch==0.4.1\n"}).python
+    assert (python.version, python.requirements, bool(python.options)) == ("3.6", ("requirements.txt",), not option)

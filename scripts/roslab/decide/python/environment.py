@@ -33,7 +33,7 @@ from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, in_full, repair, right, untold
 from roslab.decide.python.too_new import loosened
-from roslab.decide.python.torch_build import ONE_PAGE_BEFORE, beside_torch, numpy_of, torch_build
+from roslab.decide.python.torch_build import OLDEST_PAGE, ON_INDEX, ONE_PAGE_BEFORE, beside_torch, numpy_of, torch_build
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import packages_of, ros_versions, types
@@ -243,12 +243,17 @@ def _of_environment(evidence: Evidence, chosen: Chosen) -> Iterator[Requirement]
 
 
 def _indexes(asked: Sequence[Requirement], files: Sequence[RequirementFile]) -> Iterator[str]:
-    """Yield the index or page with the wheels of a torch with a local version (``+cu113``), which no file names."""
+    """Yield the index or page with the wheels of a torch that pip's index lacks and whose page no file names.
+
+    That is one with a local version (``+cu113``), and each release before 1.0
+    (https://github.com/beholdergan/Beholder-GAN/issues/7, read 2026-11-24).
+    """
     in_files = " ".join(option for file in files for option in file.options)
     for each in asked:
         release = Version(each.release) if each.release and each.key in _WITH_LOCAL_VERSIONS and not each.url else None
-        if release is not None and release.local and f"/whl/{release.local}" not in in_files:
-            page = f"https://download.pytorch.org/whl/{release.local}"
+        build = release.local or (OLDEST_PAGE if each.key == "torch" and release < ON_INDEX else "") if release else ""
+        if release is not None and build and f"/whl/{build}" not in in_files:
+            page = f"https://download.pytorch.org/whl/{build}"
             old = each.key == "torch" and release < ONE_PAGE_BEFORE
             yield f"--find-links {page}/torch_stable.html" if old else f"--extra-index-url {page}"
 

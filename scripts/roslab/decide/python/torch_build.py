@@ -19,6 +19,9 @@ ONE_PAGE_BEFORE = Version("1.11")
 """Before this release torch's wheels for a CUDA were listed on a page, not in an index of their own.
 
 https://pytorch.org/get-started/previous-versions/, read 2026-08-22."""
+ON_INDEX = Version("1.0")
+"""The first release that pip's index has; PyTorch's pages have older ones: ``OLDEST_PAGE`` has all from 0.3.1 on."""
+OLDEST_PAGE = "cu90"
 _NEWEST = "the newest torch that was built with it"
 Build = tuple[tuple[Requirement, ...], tuple[str, ...]]
 """Constraints, and pip's options."""

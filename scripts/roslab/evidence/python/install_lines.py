@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 
 from roslab.evidence.lex.shell import UNKNOWN, Command
 from roslab.knowledge.frameworks import conda_names
-from roslab.values.conda import conda_package
+from roslab.values.conda import CondaPackage, conda_package
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement, Role
 from roslab.values.requirement_line import requirement, stated
@@ -161,6 +161,14 @@ def _packages(command: Command, file: str) -> Iterator[Requirement | Version]:
         elif _NAME.fullmatch(asked.name) and asked.name not in STOP | {"install", "create"}:
             package = conda_names().get(asked.name, asked.name)
             exact = f"=={asked.version}" if asked.release and _EXACT.fullmatch(asked.version) else ""
-            exact += ".*" if exact and asked.name == "opencv" else ""  # the version on pip's index has one more number
+            exact += ".*" if exact and _begins(package, asked) else ""
             if package:
                 yield stated(package + exact, "prose", file, line, role="conda")
+
+
+def _begins(package: str | None, asked: CondaPackage) -> bool:
+    """Tell whether the version that conda is given is the beginning of pip's one.
+
+    opencv has one more number on pip's index; of ``pytorch=0.3`` there is 0.3.1 alone, and conda means any 0.3.
+    """
+    return asked.name == "opencv" or (package == "torch" and asked.sign == "=" and asked.version.startswith("0."))
