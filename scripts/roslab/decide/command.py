@@ -18,6 +18,7 @@ from roslab.decide.scripts import NOTEBOOK, PORT
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence
+from roslab.evidence.prose.runners import SIMULATORS
 from roslab.knowledge.windows import opens
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
@@ -199,6 +200,8 @@ def _opened(evidence: Evidence, config: Config, command: str) -> bool:
 
 def _gui(evidence: Evidence, command: str) -> bool:
     """Tell whether a launch file starts a viewer, the code uses a library of windows, or the command's file has one."""
+    if command.partition(" ")[0] in SIMULATORS:
+        return True
     calls = (d for d in evidence.code if d.namespace == "call")
     if any(d.file in command or d.role == "build" for d in calls):  # a compiled program is not named like its file
         return True

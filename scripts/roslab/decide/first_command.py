@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.sections import about_running, starts
+from roslab.evidence.prose.runners import SIMULATORS
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
@@ -115,7 +116,7 @@ def _filled_in(first: Candidate, candidates: Iterable[Candidate]) -> Candidate:
 
 def _explains(candidate: Candidate) -> bool:
     """Tell whether a program only prints its arguments: no page means that where it runs the program otherwise too."""
-    return any(map(_HELP.match, candidate.argv))
+    return candidate.argv[0] not in SIMULATORS and any(map(_HELP.match, candidate.argv))
 
 
 def _order(candidate: Candidate, page: int, *, gap: bool) -> tuple[bool, bool, bool, bool, int, int, int, bool, int]:

@@ -1,9 +1,10 @@
-"""Scripts of the shell and notebooks that a page starts."""
+"""Scripts of the shell, notebooks and tasks of pixi that a page starts."""
 
 from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Mapping
 
 from roslab.evidence.facts import Mention
 from roslab.values.pattern import pattern
@@ -29,6 +30,17 @@ def script_of(argv: tuple[str, ...], mention: Mention, ros: bool, compiled: bool
     known = bool(script) and script[0] in mention.files and (script[0].endswith(".sh") or bare(script[0]))
     known = known and (not compiled or bool(RUNS.match(posixpath.basename(script[0]))))
     return ("bash", *script) if known else None
+
+
+def task_of(argv: tuple[str, ...], tasks: Mapping[str, str]) -> tuple[str, ...]:
+    """Return what ``pixi run TASK`` starts, by the tasks' names; other commands as they are."""
+    if argv[:2] != ("pixi", "run") or len(argv) < 3:
+        return argv
+    command = tasks.get(argv[2], "")
+    words = command.split() if not re.search(r"[&|;$]", command) else []
+    while words and re.fullmatch(r"\w+=\S*", words[0]):
+        words = words[1:]
+    return (*words, *argv[3:]) if words else argv
 
 
 def bare(path: str) -> bool:

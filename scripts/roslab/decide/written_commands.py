@@ -14,11 +14,13 @@ from roslab.decide.outputs import written_below
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
-from roslab.decide.scripts import bare, script_of
+from roslab.decide.scripts import bare, script_of, task_of
 from roslab.decide.sections import about_trouble
+from roslab.decide.simulators import simulators_of
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose import copies
+from roslab.evidence.prose.runners import SIMULATORS
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 from roslab.values.words import written as as_written
@@ -73,6 +75,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
         launched=_launch_files(evidence),
         calls=launch_calls(evidence),
         alone=frozenset(each.file for each in evidence.launch if not each.package),
+        simulators=simulators_of(evidence),
         packages=packages_of(evidence).names,
         installed=frozenset(name for project in evidence.python if project.installable for name, _ in project.scripts),
         projects=tuple(project.folder for project in evidence.python if project.installable),
@@ -124,6 +127,7 @@ class _Tree:
     """How each launch file of the tree is started, by its path."""
     alone: frozenset[str]
     """Launch files that belong to no package."""
+    simulators: frozenset[str]
     packages: frozenset[str]
     installed: frozenset[str]
     """Programs that pip installs with the repository."""
@@ -192,14 +196,14 @@ def _runnable(
     words: tuple[str, ...], mention: Mention, tree: _Tree, *, ros: bool, compiled: bool
 ) -> tuple[str, ...] | None:
     """Return the argv of a command as it can be run from the root; ``None`` if it starts nothing from the tree."""
-    argv = with_a_launch_file(_task(words, tree), tree.launched)
+    argv = with_a_launch_file(task_of(words, tree.tasks), tree.launched)
     if not argv or any(map(_PLACEHOLDER.search, program_of(argv))) or any(p.rpartition("/")[2] in TOOLS for p in argv):
         return None
     by_path = argv[:2] == ("ros2", "launch") and argv[2:3] and argv[2] in tree.alone
     if len(argv) < _WORDS.get(argv[0], 1) + is_component(argv) - bool(by_path):
         return None  # a sentence about the command
-    if argv[0] in _WORDS:
-        return _of_ros(argv, tree) if ros else None
+    if argv[0] in _WORDS or argv[0] in SIMULATORS:
+        return _of_ros(argv, mention, tree) if ros else None
     if not argv[0].startswith("python"):
         installed = argv if argv[0] in tree.installed and not ros else None
         return (_built(argv, tree) if ros or compiled else None) or installed or script_of(argv, mention, ros, compiled)
@@ -214,22 +218,13 @@ def _runnable(
     return ("python3" if ros else argv[0], *here)
 
 
-def _task(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...]:
-    """Return what ``pixi run TASK`` starts; other commands as they are."""
-    if argv[:2] != ("pixi", "run") or len(argv) < 3:
-        return argv
-    command = tree.tasks.get(argv[2], "")
-    words = command.split() if not re.search(r"[&|;$]", command) else []
-    while words and re.fullmatch(r"\w+=\S*", words[0]):
-        words = words[1:]
-    return (*words, *argv[3:]) if words else argv
-
-
-def _of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
+def _of_ros(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> tuple[str, ...] | None:
     """Return a command of the repository's ROS version; ``None`` if its launch file is not in the tree.
 
     ``roslaunch path/to/a.launch`` becomes ``roslaunch PACKAGE a.launch``, where the package has one of that name.
     """
+    if argv[0] in SIMULATORS:
+        return argv if argv[0] in tree.simulators and not {*mention.files}.isdisjoint(argv) else None
     if (argv[0] == "ros2") != (tree.kind == "ros2"):
         return None
     start = argv[:1] if argv[0] == "roslaunch" else argv[:2] if argv[1:2] == ("launch",) else ()

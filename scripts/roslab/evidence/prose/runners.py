@@ -7,6 +7,9 @@ from roslab.values.pattern import pattern
 
 _PYTHON = pattern(r"^i?python\d?(?:\.\d+)?$")
 _MANAGERS = frozenset({"uv", "poetry", "pipenv", "pdm", "rye", "hatch", "conda", "mamba", "micromamba"})
+SIMULATORS = {"gz": ("sim", "launch"), "ign": ("gazebo", "launch"), "gazebo": ()}
+"""Programs of Gazebo, each with the words of which one follows; the last is Gazebo classic."""
+_WORLD = pattern(r"\S+\.(?:world|sdf|ign|gzlaunch)")
 _VERBS = frozenset({("launch",), ("run",), ("standalone",)})
 """Verbs of ``ros2`` that start something; the last is one of ``ros2 component``."""
 _RUNNERS = _MANAGERS | {"pixi"}
@@ -52,8 +55,13 @@ def started(command: Command) -> Command:
 
 
 def by_ros(program: str, words: tuple[str, ...]) -> bool:
-    """Tell whether a tool of ROS starts something: a launch file, a program, or a component in a process of its own."""
+    """Tell whether a tool of ROS starts something: a launch file, a program, or a component in a process of its own.
+
+    So does Gazebo that is given a world.
+    """
     verbs = words[1:3] if words[1:2] == ("component",) else words[1:2]
+    if program in SIMULATORS and (not SIMULATORS[program] or (verbs[:1] and verbs[0] in SIMULATORS[program])):
+        return any(map(_WORLD.fullmatch, words))
     return program in {"roslaunch", "rosrun"} or (program == "ros2" and verbs[-1:] in _VERBS)
 
 
