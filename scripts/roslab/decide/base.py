@@ -13,10 +13,11 @@ from roslab.decide.decision import Choice, MendedBase, Reason
 from roslab.decide.python.base import base_for
 from roslab.decide.reasons import CONFIGURED, because, configured, ranked, strongest
 from roslab.decide.ros.distro_dates import ADOPTED, dated
+from roslab.decide.ros.lower_bounds import bounds
 from roslab.decide.system.cmake_version import has_it, needed_cmake
 from roslab.decide.system.code_fits import misfits
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import AuthorDockerfile, Evidence
+from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.knowledge.distros import Distro, distros, ubuntu_released, ubuntus, variants
 from roslab.values.dataclass import dataclass, replace
 
@@ -161,11 +162,7 @@ def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
         if codename and authored.purpose in {"project", "ci"}:
             why = f"the author's image starts from {authored.base}"
             reasons.append(because("ubuntu", codename, why, authored, weight=Weight.AUTHORS_IMAGE))
-    for mention in evidence.mentions:
-        codename = ubuntus().get(mention.value, mention.value)
-        if mention.topic == "ubuntu" and codename in ubuntus().values():
-            weight = Weight.SAID.get(mention.source, Weight.SAID_ELSEWHERE)
-            reasons.append(because("ubuntu", codename, mention.text[:120], mention, weight=weight))
+    reasons += _said(evidence, reasons)
     reasons = [_compiling(reason, misfits(evidence)) for reason in reasons]
     reasons = _fitting(_new_enough(reasons, needed_cmake(evidence), misfits(evidence)), misfits(evidence))
     reasons = [each for each in reasons if each.weight >= CONFIGURED or existed(evidence, each.answer)]
@@ -174,6 +171,31 @@ def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
     image = f"ubuntu:{version}"
     base = replace(best, question="base_image", answer=image, reason=f"plain C++ on Ubuntu {version}")
     return Choice(answer=BaseImage(image=image, ubuntu=best.answer), reasons=(base, *ranked(reasons, best.answer)))
+
+
+def _said(evidence: Evidence, known: list[Reason]) -> list[Reason]:
+    """Return the Ubuntus that are mentioned; ``known``: that of the last commit's time, then those of other reasons.
+
+    The oldest one on which the code works gives way to that of its time, unless a later one is named as well.
+    """
+    said = [m for m in evidence.mentions if m.topic == "ubuntu" and _release(m) in ubuntus().values()]
+    released = ubuntu_released()
+    firm = [_release(m) for m in said if not bounds(m)] + [reason.answer for reason in known[1:]]
+    reasons = []
+    for mention in said:
+        codename, text = _release(mention), mention.text[:120]
+        if bounds(mention):
+            if any(released[name] >= released[codename] for name in firm):
+                continue
+            codename = max(codename, known[0].answer, key=lambda name: released[name])
+            text += f": {codename} is of the last commit's time" if codename == known[0].answer else ""
+        weight = Weight.SAID.get(mention.source, Weight.SAID_ELSEWHERE)
+        reasons.append(because("ubuntu", codename, text, mention, weight=weight))
+    return reasons
+
+
+def _release(mention: Mention) -> str:
+    return ubuntus().get(mention.value, mention.value)
 
 
 def _named(evidence: Evidence, config: Config) -> Reason | None:

@@ -90,6 +90,11 @@ def test_rolling_is_what_it_was_at_the_last_commit(tmp_path: Path, date: str, na
         ("ROS Kinetic or newer on Ubuntu 14.04.", "kinetic"),
         ("Install ROS Indigo and later with catkin a workspace.", "indigo"),
         ("Install ROS Indigo + Gazebo.", "indigo"),
+        ("Ubuntu 14.04 or newer.", "kinetic"),
+        ("Ubuntu 18.04+.", "melodic"),
+        ("Ubuntu 14.04 + Gazebo.", "indigo"),
+        ("Ubuntu 14.04.", "indigo"),
+        ("Ubuntu 14.04 or newer with ROS Indigo.", "indigo"),
         ("Install ROS Indigo or Jade.", "indigo"),
     ],
 )
@@ -118,3 +123,29 @@ def test_an_address_of_a_distribution_without_a_declared_package_tells_less_than
     evidence = gather(Repository.open(tmp_path))
     decided = decide(replace(evidence, mentions=(*evidence.mentions, date)), Config(), folder_name="a")
     assert decided.ros_distro == name
+
+
+@pytest.mark.parametrize(
+    ("page", "name"),
+    [
+        ("Ubuntu 18.04+", "focal"),
+        ("Requires Ubuntu 18.04 or newer.", "focal"),
+        ("Ubuntu 18.04 LTS (or later)", "focal"),
+        ("Ubuntu 18.04 (Bionic) or above", "focal"),
+        ("Ubuntu >= 18.04", "focal"),
+        ("Ubuntu 16.04, 18.04 and above", "focal"),
+        ("Ubuntu 22.04+", "jammy"),
+        ("Ubuntu 18.04", "bionic"),
+        ("Ubuntu 18.04 + CUDA", "bionic"),
+        ("Ubuntu 18.04+CUDA", "bionic"),
+        ("Ubuntu 18.04 or newer. Tested on Ubuntu 22.04.", "jammy"),
+        ("Ubuntu 16.04 or newer. Tested on Ubuntu 18.04.", "bionic"),
+    ],
+)
+def test_the_oldest_ubuntu_that_works_is_not_what_it_was_made_on(tmp_path: Path, page: str, name: str) -> None:
+    (tmp_path / "CMakeLists.txt").write_text("project(a)\nadd_executable(a a.cpp)\n")
+    (tmp_path / "README.md").write_text(f"# A\n\n{page}\n")
+    date = Mention(topic="date", value="2021-10-12", source="commit", file=".git/HEAD", line=1, text="")
+    evidence = gather(Repository.open(tmp_path))
+    decided = decide(replace(evidence, mentions=(*evidence.mentions, date)), Config(), folder_name="a")
+    assert decided.ubuntu == name

@@ -102,7 +102,7 @@ def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
             continue
         if reason.answer not in found or reason.weight > found[reason.answer].weight:
             found[reason.answer] = reason
-    said = {m: _weighed(m)[1] for m in evidence.mentions if bounds(m)}
+    said = {m: _weighed(m)[1] if m.topic == "distro" else _of_ubuntu(m) for m in evidence.mentions if bounds(m)}
     firm = [reason for reason in found.values() if reason.weight > Weight.TELLS_TO_HAVE - Weight.AGAINST]
     for reason in least(evidence, firm, ros, said):
         found[reason.answer] = max(reason, found.get(reason.answer, reason), key=lambda each: each.weight)
@@ -192,9 +192,13 @@ def _ubuntu(mention: Mention, ros: int) -> Iterator[Reason]:
     codename = ubuntus().get(mention.value, mention.value)
     if codename == mention.value and mention.source == "readme" and "ubuntu" not in mention.text.lower():
         return  # "bionic" and "focal" are also ordinary words
-    weight = Weight.UBUNTU[mention.source] - Weight.DEEPER * mention.file.count("/")
+    weight = _of_ubuntu(mention)
     for name in distros_of(codename, 1 if ros == 1 else 2)[:1]:
         yield because("ros_distro", name, f"Ubuntu {mention.value}: {mention.text[:120]}", mention, weight=weight)
+
+
+def _of_ubuntu(mention: Mention) -> int:
+    return Weight.UBUNTU[mention.source] - Weight.DEEPER * mention.file.count("/")
 
 
 def _weighed(mention: Mention) -> tuple[str, int]:
