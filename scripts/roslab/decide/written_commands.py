@@ -44,6 +44,10 @@ _NAMED_VALUE = pattern(r"([\w-]+) \1[_-](?:name|id|path|dir|folder|file)", re.IG
 """An option and a value that only says what it is: ``--algo algo_name``."""
 _SAYS_WHAT = pattern(r"(?:^|=)[a-z]+(?:_[a-z]+)*_(?:path|dir|directory|folder|filename|file|name)$")
 """A value that only says what belongs there: ``log_file_path``, ``map:=map_name``."""
+_STANDS_FOR = pattern(
+    r"(?:^|=)(?:CONFIG|FILE|INPUT|OUTPUT|IMAGE|VIDEO|MODEL|CHECKPOINT|DATASET)(?:_(?:FILE|NAME))?\.\w{1,5}$"
+)
+"""A file of the reader's own, where the tree has none of that name: ``CONFIG.yaml``."""
 _KEY = pattern(r"[A-Z][A-Z0-9_]*(?:\.[A-Z][A-Z0-9_]*)+")
 """A key of yacs, whose value is the next word: ``MODEL.WEIGHTS a.pth``."""
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
@@ -162,7 +166,8 @@ def _filled(command: str, files: tuple[str, ...]) -> tuple[tuple[str, ...], bool
         blank = bool(_PLACEHOLDER.search(_PATHS.sub(r"\1", _NUMBERS.sub("", word)))) or word.endswith(":=")
         value = bool(kept) and kept[-1].startswith("-") and not word.startswith("-")
         blank = blank or (value and bool(_NAMED_VALUE.fullmatch(f"{kept[-1].lstrip('-')} {word}")))
-        blank = blank or (value and word in {"N", "X"}) or (bool(_SAYS_WHAT.search(word)) and word not in files)
+        unknown = word not in files and bool(_SAYS_WHAT.search(word) or _STANDS_FOR.search(word))
+        blank = blank or (value and word in {"N", "X"}) or unknown
         if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
             kept.append(word)
             continue

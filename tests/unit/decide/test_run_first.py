@@ -36,6 +36,9 @@ ROS = {
         ("```\npython train.py --task=walk --load_run log_file_path -n 3\n```\n", "python train.py --task=walk -n 3"),
         ("```\npython train.py --cfg=config_file --name demo\n```\n", "python train.py --name demo"),
         ("```\npython train.py map_file\n```\n", "python train.py map_file"),
+        ("```\npython train.py CONFIG.yaml\n```\n", "python train.py"),
+        ("```\npython train.py --model MODEL.pth -n 3\n```\n", "python train.py -n 3"),
+        ("```\npython train.py VIDEO.yaml -n 3\n```\n", "python train.py VIDEO.yaml -n 3"),
         ("# Run\nFor trouble: `sh reset_arms.sh`.\n```\npython train.py\n```\n", "python train.py"),
         ("# Start\n```\npython profile_net.py\n```\n# Example\n```\npython train.py\n```\n", "python train.py"),
         (
@@ -59,7 +62,7 @@ ROS = {
     ],
 )
 def test_the_first_program_of_python(tree: Tree, page: str, command: str) -> None:
-    assert " ".join(tree({**PYTHON, "map_file": "", "README.md": page}).command) == command
+    assert " ".join(tree({**PYTHON, "map_file": "", "VIDEO.yaml": "", "README.md": page}).command) == command
 
 
 def test_a_page_below_says_it_where_the_root_has_a_remedy_alone(tree: Tree) -> None:
