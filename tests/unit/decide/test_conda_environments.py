@@ -126,3 +126,9 @@ def test_a_torch_of_conda_from_before_mkl_2024_1_keeps_it_out(
     plan = plan_repository(tmp_path).plan
     assert plan.python.conda_limits == (("mkl<2024.1",) if limited else ())
     assert ("MAMBA_PINNED_PACKAGES='mkl<2024.1' " in dockerfile(plan)) is limited
+
+
+def test_condas_name_of_opencvs_module_is_what_the_code_imports(tree: Tree) -> None:
+    file = "name: a\ndependencies:\n  - python=3.9\n  - py-opencv=4.6.0\n"
+    python = tree({"train.py": "import cv2\n", "environment.yml": file}).python
+    assert not [each for each in python.pip_guessed if each.key == "opencv-python"]
