@@ -39,6 +39,12 @@ def gpu_variables() -> dict[str, tuple[str, Version]]:
 
 
 @cache
+def gpu_options() -> dict[str, str]:
+    """Return by package the option of its setup.py without which it is compiled for the CPU where no GPU is seen."""
+    return {row["pip"]: row["option"] for row in rows("gpu_options")}
+
+
+@cache
 def public_hosts() -> frozenset[str]:
     """Return the hosts of public code whose every repository can be cloned by https."""
     return frozenset(row["host"] for row in rows("git_hosts"))

@@ -48,6 +48,8 @@ class PythonPlan:
     cuda_architectures: str = ""
     cuda_variables: tuple[tuple[str, str], ...] = ()
     """Further variables that tell packages the GPUs to compile for, with their values."""
+    cuda_options: tuple[tuple[str, str], ...] = ()
+    """Lines of pip that are installed by themselves, each with the option of its setup.py that compiles for GPUs."""
     defines: tuple[str, ...] = ()
     day: str | None = None
     clones: bool = False
@@ -87,6 +89,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         copied=compiling.copied,
         cuda_architectures=compiling.architectures,
         cuda_variables=compiling.gpus,
+        cuda_options=compiling.options,
         defines=python.defines,
         day=python.day,
         clones=compiling.git,

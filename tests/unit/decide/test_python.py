@@ -388,6 +388,14 @@ def test_a_package_that_reads_a_variable_of_its_own_is_told_the_gpus(tmp_path: P
     assert decide(tmp_path, asked, "cuda").first == ("torch==1.10.1", "packaging", "ninja")
 
 
+def test_a_package_that_sees_no_gpu_is_told_by_an_option(tmp_path: Path) -> None:
+    asked = {"requirements.txt": "torch==1.10.1\nMinkowskiEngine==0.5.4\n"}
+    assert compiling_of(tmp_path, asked, "11.3").options == (("MinkowskiEngine==0.5.4", "--force_cuda"),)
+    assert not compiling_of(tmp_path, asked, None).options
+    cloned = {"requirements.txt": "torch==1.10.1\ngit+https://github.com/NVIDIA/MinkowskiEngine\n"}
+    assert not compiling_of(tmp_path / "cloned", cloned, "11.3").options  # pip compiles that again in the next call
+
+
 def test_the_environment_that_the_readme_creates_wins_over_a_project(tmp_path: Path) -> None:
     files = {
         "environment.yaml": "channels: [conda-forge]\ndependencies: [python=3.9, numpy]\n",

@@ -469,6 +469,16 @@ def test_how_pip_builds(plan: Callable[..., Plan]) -> None:
     assert "TORCH_CUDA_ARCH_LIST" not in dockerfile(plan())
 
 
+def test_a_package_that_sees_no_gpu_is_told_by_an_option_before_the_rest(plan: Callable[..., Plan]) -> None:
+    text = dockerfile(
+        plan(first=("torch",), cuda_options=(("MinkowskiEngine", "--force_cuda"),), requirements=("requirements.txt",))
+    )
+    told = text.index("--no-build-isolation --no-deps --global-option=--force_cuda MinkowskiEngine \\\n")
+    assert "--config-settings=--global-option=--force_cuda MinkowskiEngine \\\n" in text
+    assert "|| echo 'roslab: MinkowskiEngine cannot be compiled with --force_cuda'; }" in text
+    assert text.index(" torch \\\n") < told < text.index("--requirement /tmp/manifests")
+
+
 def test_old_extensions_are_compiled_with_the_macros_that_they_need(plan: Callable[..., Plan]) -> None:
     flags = "CPPFLAGS=-DAT_CHECK=TORCH_CHECK NVCC_APPEND_FLAGS=-DAT_CHECK=TORCH_CHECK"
     installed = dockerfile(plan(python_projects=("ops",), defines=("AT_CHECK=TORCH_CHECK",)))

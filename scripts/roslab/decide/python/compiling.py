@@ -7,7 +7,14 @@ from collections.abc import Iterable, Sequence
 from packaging.version import Version
 
 from roslab.evidence.facts import PythonProject
-from roslab.knowledge.compiled import architectures, gpu_variables, newest_gpu_of_torch, prebuilt, public_hosts
+from roslab.knowledge.compiled import (
+    architectures,
+    gpu_options,
+    gpu_variables,
+    newest_gpu_of_torch,
+    prebuilt,
+    public_hosts,
+)
 from roslab.knowledge.frameworks import build_needs
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -42,6 +49,8 @@ class Compiling:
     """``TORCH_CUDA_ARCH_LIST`` for extensions of torch: it asks the GPU otherwise, and a build sees none."""
     gpus: tuple[tuple[str, str], ...] = ()
     """Variables in which packages are told the same in a way of their own, with their values."""
+    options: tuple[tuple[str, str], ...] = ()
+    """Lines of pip that are installed by themselves, each with the option of its setup.py that compiles for GPUs."""
 
 
 NOTHING = Compiling()
@@ -80,7 +89,15 @@ def decide_compiling(
         gpus=tuple(dict.fromkeys(_told(each.key, torch_for) for each in packages if each.key in gpu_variables()))
         if torch_for
         else (),
+        options=tuple({each.key: (each.text, gpu_options()[each.key]) for each in packages if _optioned(each)}.values())
+        if torch_for
+        else (),
     )
+
+
+def _optioned(asked: Requirement) -> bool:
+    """Tell whether a package is compiled for GPUs by an option alone, and taken as installed by pip's later calls."""
+    return asked.key in gpu_options() and not asked.url and asked.role in {"", "listed"}
 
 
 def _architectures(cuda: str, torch: str | None) -> str:

@@ -80,3 +80,16 @@ def also_with_what_is_there(plan: Plan, pip: str, words: str) -> str:
     whole = f"{pip}{words}"
     again = f"{pip} --no-build-isolation{words}"
     return f"{{ {whole} \\\n      || {again}; }}" if plan.python.first else whole
+
+
+def with_option(pip: str, option: str, line: str) -> str:
+    """Return a call of pip that gives a package's setup.py an option, and one for a pip of 25.3 or newer.
+
+    Older ones read that spelling and do not heed it. What fails is tried without the option where the package is
+    asked for. https://pip.pypa.io/en/stable/news/#v25-3, 2026-11-23.
+    """
+    package = f"{pip} --no-build-isolation --no-deps"
+    older = f"{package} --global-option={quote.shell(option)} {quote.shell(line)}"
+    newer = f"{package} --config-settings=--global-option={quote.shell(option)} {quote.shell(line)}"
+    failed = quote.shell(f"roslab: {line} cannot be compiled with {option}")
+    return f"{{ {older} \\\n      || {newer} \\\n      || echo {failed}; }}"

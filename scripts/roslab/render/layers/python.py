@@ -144,6 +144,7 @@ def packages(plan: Plan) -> str:
     blocks = []
     pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{pip_options(python.options)}"
     commands = [f"{pip}{shell.words(python.first)}"] if python.first else []
+    commands += [building.with_option(pip, option, line) for line, option in python.cuda_options]
     if python.pip:
         words = f"{pip_options(python.pip_options)}{shell.words(_arguments(python.pip))}"
         commands.append(building.also_with_what_is_there(plan, pip, words))
