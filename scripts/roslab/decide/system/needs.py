@@ -90,9 +90,20 @@ def _cmake(evidence: Evidence, packages: Packages, *, compiled: bool) -> Iterato
     folders = frozenset(manifest.file.rpartition("/")[0] for manifest in packages.built)
     for dependency in code_needs(evidence, packages):
         path = dependency.file
-        aside = places.example(path) or places.test(path) or places.documentation(path)
+        below = _below(path, folders)  # a package in a folder of examples is built as the others
+        aside = places.example(below) or places.test(below) or places.documentation(below)
         if compiled or not aside:
             yield dependency, compiled and not aside and (not folders or _inside(path, folders))
+
+
+def _below(path: str, folders: frozenset[str]) -> str:
+    """Return a path from the innermost of the folders that it lies in, the whole path where it lies in none."""
+    folder = path
+    while folder:
+        folder = folder.rpartition("/")[0]
+        if folder and folder in folders:
+            return path[len(folder) + 1 :]
+    return path
 
 
 def _inside(path: str, folders: frozenset[str]) -> bool:
