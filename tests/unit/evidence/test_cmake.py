@@ -87,6 +87,17 @@ def test_a_foreach_over_a_list_is_unrolled(tmp_path: Path) -> None:
         ("if(WIN32)\nelse()\nfind_package(Ceres REQUIRED)\nendif()", "declared"),
         ("if(APPLE)\nfind_package(Ceres REQUIRED)\nendif()", "optional"),
         ("if(A)\nendif()\nfind_package(Ceres REQUIRED)", "declared"),
+        ("if(ANDROID)\nfind_package(Ceres REQUIRED)\nendif()", "optional"),
+        ("if(ANDROID)\nelse()\nfind_package(Ceres REQUIRED)\nendif()", "declared"),
+        ("if(ANDROID OR IOS)\nelse()\nfind_package(Ceres REQUIRED)\nendif()", "declared"),
+        ("if(WIN32)\nelseif(EMSCRIPTEN)\nelse()\nfind_package(Ceres REQUIRED)\nendif()", "declared"),
+        ("if(ANDROID OR WITH_A)\nelse()\nfind_package(Ceres REQUIRED)\nendif()", "optional"),
+        ('if(CMAKE_SYSTEM_NAME STREQUAL "Linux")\nfind_package(Ceres REQUIRED)\nendif()', "declared"),
+        ('if(${CMAKE_SYSTEM_NAME} MATCHES "Linux")\nfind_package(Ceres REQUIRED)\nendif()', "declared"),
+        ('if(CMAKE_SYSTEM_NAME STREQUAL "Darwin")\nfind_package(Ceres REQUIRED)\nendif()', "optional"),
+        ('if(CMAKE_SYSTEM_NAME STREQUAL "Darwin")\nelse()\nfind_package(Ceres REQUIRED)\nendif()', "declared"),
+        ("if(UNIX AND NOT APPLE)\nfind_package(Ceres REQUIRED)\nendif()", "declared"),
+        ("if(UNIX AND APPLE)\nfind_package(Ceres REQUIRED)\nendif()", "optional"),
     ],
 )
 def test_what_is_behind_a_condition_is_optional(tmp_path: Path, text: str, strength: str) -> None:

@@ -71,8 +71,13 @@ _ROS_FINDERS = frozenset(
 )
 """ROS packages whose components are packages themselves."""
 _TEST = pattern(r"CATKIN_ENABLE_TESTING|BUILD_TEST(?:S|ING)?|_TESTS?\b|GTEST", re.IGNORECASE)
-_ELSEWHERE = pattern(r"^(?:WIN32|MSVC|APPLE)\b")
-_HERE = pattern(r"^(?:ON \w|UNIX\b(?! AND (?:APPLE))|NOT \(?(?:WIN32|MSVC|APPLE)\)?$|NOT (?:WIN32|MSVC|APPLE)\b)")
+_OTHER = r"(?:WIN32|MSVC|APPLE|ANDROID|IOS|MINGW|CYGWIN|EMSCRIPTEN)"
+_SYSTEM = r"(?:\$\{)?CMAKE_SYSTEM_NAME\}? (?:STREQUAL|MATCHES)"
+_ELSEWHERE = pattern(rf"^(?:{_OTHER}\b|{_SYSTEM} (?!Linux))")
+_HERE = pattern(
+    rf"^(?:ON \w|LINUX$|UNIX\b(?! AND (?:{_OTHER}))|NOT \(?{_OTHER}(?: (?:OR|AND) {_OTHER}){{0,6}}\)?$|NOT {_OTHER}\b|"
+    rf"{_SYSTEM} Linux$|NOT \({_SYSTEM} (?:Windows|Darwin|Android|iOS|Emscripten)\)$)"
+)
 _NAME = pattern(r"^[A-Za-z][\w.+-]*$")
 _LINK = pattern(r"^(?:-l)?([A-Za-z_][\w.+-]*)$")
 _LOCAL = pattern(r"^/usr/local/lib/(?:[\w+-]+/)?lib([A-Za-z][\w+-]*)\.(?:so|a)$")
