@@ -43,6 +43,9 @@ unknown_keys() {
     sed --quiet --regexp-extended 's/.*definition (for|of) \[([^]]+)\].*/\2/p' | sort --unique
 }
 
+# rosdep calls apt several times, and each call would read all the lists anew: Docker's bases keep no cache of them
+caches=/etc/apt/apt.conf.d/zz-roslab-caches
+printf 'Dir::Cache::%s "/tmp/apt-%s.bin";\n' pkgcache pkgcache srcpkgcache srcpkgcache >"${caches}"
 # What apt and rosdep download, at the same time
 lists=/tmp/apt-update
 apt-get update >"${lists}" 2>&1 &
@@ -73,6 +76,7 @@ else
   sed 's/^/roslab: left out: /' "${left_out}"
   install_keys --default-yes
 fi
-rm "${said}"
+rm "${said}" "${caches}"
+rm -f /tmp/apt-*.bin
 rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
 find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
