@@ -436,3 +436,17 @@ def test_what_is_checked_out_is_of_the_clone_in_whose_folder_git_is_called(
     clones = "git clone https://github.com/lab/arm.git\ngit clone https://github.com/lab/hand.git"
     found = read(readme, tmp_path, {"README.md": f"```\n{clones}\n{lines}\n```\n"}).sources
     assert [git.ref for git in found if git.kind == "clone"] == refs
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        "> pip install einops \\\n> timm \\\n>   'yacs==0.1'\n",
+        "```\n$ pip install einops \\\n> timm \\\n> yacs==0.1\n```\n",
+        "    pip install einops \\\n      timm \\\n      yacs==0.1\n",
+        '```\npip install "einops" \\\n  timm "yacs==0.1" \\\n  > log.txt\n```\n',
+    ],
+)
+def test_a_command_that_goes_on_in_lines_with_a_mark(tmp_path: Path, page: str) -> None:
+    prose = read(readme, tmp_path, {"README.md": f"# Thing\n\n{page}"})
+    assert [asked.written for asked in prose.requirements] == ["einops", "timm", "yacs==0.1"]

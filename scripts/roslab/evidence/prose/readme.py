@@ -87,6 +87,9 @@ _SAID_LAUNCH = pattern(
 _SPAN = pattern(r"(`+)(.+?)\1")
 _THERE = pattern(r"cd\s+[^\s;&|()]+\s*(?:;|&&)\s*[^\s()][^()]*$")
 """Code that goes to a folder and goes on: ``cd lib; ./build.sh``."""
+_MARKED = pattern(r"\s{0,40}[>$]\s")
+"""A line of a quotation, or behind the prompt of a shell: the lines that it goes on in may begin with ``>``, too."""
+_MARK = pattern(r"^>\s{0,40}")
 _BRANCH = pattern(r"\s{0,40}(?:[├└]─|[|`+]--)")
 """A branch of a drawn tree: the line above the first one names its root and is no command."""
 _STRUCK = pattern(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
@@ -257,9 +260,10 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
         tells = (fenced and not drawn and also.search(line)) if also else _tells(line, signs, fenced=fenced)
         if elsewhere or len(line) > MAX_LINE or not tells:
             continue
-        first = index
+        first, marked = index, _MARKED.match(line)
         while line.rstrip().endswith("\\") and index < len(lines) and len(line) < 4 * MAX_LINE:
-            line = line.rstrip() + "\n" + lines[index].lstrip()
+            following = lines[index].lstrip()
+            line = line.rstrip() + "\n" + (_MARK.sub("", following) if marked else following)
             index += 1
         for shell in _shell(line, signs, fenced=fenced):
             yield first, shell, " / ".join(titles.values())
