@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator, Mapping
 
 from roslab.config.model import Kind
-from roslab.decide.blank_launches import BLANK, LAUNCH, pointed_launches, with_a_launch_file, with_the_one_named
+from roslab.decide.blank_launches import LAUNCH, pointed_launches, with_a_launch_file, with_the_one_named
 from roslab.decide.candidate import Candidate, is_component, program_of
+from roslab.decide.filled_in import PLACEHOLDER, filled
 from roslab.decide.launch_calls import call_of, launch_calls
-from roslab.decide.outputs import written_below
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
@@ -25,31 +24,6 @@ from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 from roslab.values.words import written as as_written
 
-_PLACEHOLDER = pattern(
-    r"YOUR|your[_-]|path[/_-]to|/path|/where/|\[|\]|\.\.\.|…|/home/|~|\$|<|>|\{[a-z]\w*\}|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
-    r"(?-i:(?<![A-Za-z])XX(?![A-Za-z])|/[A-Z_]{5,}(?:\.\w+)?$|(?:=|^)[A-Z_]+_(?:NAME|PATH|DIR|FILE|FOLDER|ID|IP|ROOT|LOCATION)$)|"
-    r"^-{0,2}(?:[\w-]+=)?\w*[_-]\*$",
-    re.IGNORECASE,
-)
-"""Also ``yyy-yy``, as a repeated letter stands for a value that the reader fills in, ``name:=PACKAGE_NAME``, and
-``--config-name=train_*``: what a shell would fill in has a folder or an ending, ``data/*.png``."""
-_BRACKETS = pattern(r"<[^<>]{1,80}>|\[[^\[\]]{1,80}\]|\$\([^()]{1,80}\)")
-"""A blank of several words: ``<path to the data>``, ``[--option VALUE]``, ``$(rospack find demo)``."""
-_OPTIONAL = pattern(r"\[\s*(?:-|\w+:=)")
-_NUMBERS = pattern(r"\[[.,\s-]*\d[\d.,\s-]*\]")
-"""A list of numbers: ``--hid [32,32]``."""
-_PATHS = pattern(r"(?<==)\[([\w.:-]*/[\w./:,-]+)\]")
-"""A list of paths that Hydra is given: ``models=[out/a.pth,out/b.pth]``."""
-_NAMED_VALUE = pattern(r"([\w-]+) \1[_-](?:name|id|path|dir|folder|file)", re.IGNORECASE)
-"""An option and a value that only says what it is: ``--algo algo_name``."""
-_SAYS_WHAT = pattern(r"(?:^|=)[a-z]+(?:_[a-z]+)*_(?:path|dir|directory|folder|filename|file|name)$")
-"""A value that only says what belongs there: ``log_file_path``, ``map:=map_name``."""
-_STANDS_FOR = pattern(
-    r"(?:^|=)(?:CONFIG|FILE|INPUT|OUTPUT|IMAGE|VIDEO|MODEL|CHECKPOINT|DATASET)(?:_(?:FILE|NAME))?\.\w{1,5}$"
-)
-"""A file of the reader's own, where the tree has none of that name: ``CONFIG.yaml``."""
-_KEY = pattern(r"[A-Z][A-Z0-9_]*(?:\.[A-Z][A-Z0-9_]*)+")
-"""A key of yacs, whose value is the next word: ``MODEL.WEIGHTS a.pth``."""
 _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
 """Fewest words of a command that starts something."""
 _BESIDE = pattern(r"\./[\w.+-]+")
@@ -93,7 +67,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     beside = tree.compiled if kind == "cpp" else {}  # programs that a page starts in its build folder
     nearest = min((mention.file.count("/") for mention in said), default=0)
     for mention in said:
-        whole, cut, blanks = _filled(mention.value, mention.files)
+        whole, cut, blanks = filled(mention.value, mention.files)
         whole = with_the_one_named(whole, mention, pointed)
         argv = _runnable(whole, mention, tree, ros=ros, compiled=compiled)
         if argv is not None and not fetching & {*argv[:2]}:
@@ -150,59 +124,12 @@ def _launch_files(evidence: Evidence) -> dict[str, frozenset[str]]:
     return {package: frozenset(names) for package, names in found.items()}
 
 
-def _filled(command: str, files: tuple[str, ...]) -> tuple[tuple[str, ...], bool, tuple[str, ...]]:
-    """Return the words of a command without the values that the reader fills in, whether that leaves a gap, and names.
-
-    ``map:=PATH`` is left out whole, as the launch file may have a default, and its name returned; an option goes with
-    its value, and what follows an argument that is left out, with it. Words that name the program stay, and so do
-    ``files``, which the tree has.
-    """
-    kept: list[str] = []
-    blanks: list[str] = []
-    gap = positional = False
-    words = _BRACKETS.sub(_blank, command).split()
-    for said in words[1:] if words[:1] == words[1:2] else words:  # ``roslaunch roslaunch``
-        word = written_below(kept[-1] if kept else "", said)
-        blank = bool(_PLACEHOLDER.search(_PATHS.sub(r"\1", _NUMBERS.sub("", word)))) or word.endswith(":=")
-        value = bool(kept) and kept[-1].startswith("-") and not word.startswith("-")
-        blank = blank or (value and bool(_NAMED_VALUE.fullmatch(f"{kept[-1].lstrip('-')} {word}")))
-        unknown = word not in files and bool(_SAYS_WHAT.search(word) or _STANDS_FOR.search(word))
-        blank = blank or (value and word in {"N", "X"}) or unknown
-        if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
-            kept.append(word)
-            continue
-        keyed = _named(kept[:-1]) and bool(_KEY.fullmatch(kept[-1])) and "=" not in word
-        if keyed or (value and (":=" not in word or kept[-1] in {"-p", "-r"})):
-            kept.pop()  # the option goes with it: ``-p map:=PATH``, and ``MODEL.WEIGHTS PATH``
-        if ":=" not in word:
-            gap = True
-            positional = positional or not (value or keyed or word.startswith("-"))
-        else:
-            blanks.append(word.partition(":=")[0])
-    return tuple(kept), gap, tuple(blanks)
-
-
-def _blank(match: re.Match[str]) -> str:
-    """Return a blank without its words, nothing for an argument that may be left out: ``[rviz:=true]``."""
-    if _NUMBERS.fullmatch(match[0]) or _PATHS.match(match.string, match.start()):
-        return match[0]
-    return "" if _OPTIONAL.match(match[0]) else BLANK
-
-
-def _named(words: list[str]) -> bool:
-    """Tell whether the first words of a command name its program."""
-    if words and words[0].startswith("python"):
-        return any(word.endswith(".py") for word in words) or "-m" in words[:-1]
-    fewest = {"roslaunch": 3, "rosrun": 3, "ros2": 4, "bash": 2, "sh": 2}.get((words or [""])[0], 1)
-    return len(words) >= fewest + is_component(words)
-
-
 def _runnable(
     words: tuple[str, ...], mention: Mention, tree: _Tree, *, ros: bool, compiled: bool
 ) -> tuple[str, ...] | None:
     """Return the argv of a command as it can be run from the root; ``None`` if it starts nothing from the tree."""
     argv = with_a_launch_file(task_of(words, tree.tasks), tree.launched)
-    if not argv or any(map(_PLACEHOLDER.search, program_of(argv))) or any(p.rpartition("/")[2] in TOOLS for p in argv):
+    if not argv or any(map(PLACEHOLDER.search, program_of(argv))) or any(p.rpartition("/")[2] in TOOLS for p in argv):
         return None
     by_path = argv[:2] == ("ros2", "launch") and argv[2:3] and argv[2] in tree.alone
     if len(argv) < _WORDS.get(argv[0], 1) + is_component(argv) - bool(by_path):

@@ -916,3 +916,19 @@ def test_a_script_that_gets_the_sister_packages_is_no_default(tree: Tree) -> Non
     page = "```\n./get_repos.sh\nros2 launch demo map.launch.py\n```\n"
     files = {**ROS2, "README.md": page, "get_repos.sh": "vcs import src < demo.repos\n"}
     assert tree(files).command == ("ros2", "launch", "demo", "map.launch.py")
+
+
+@pytest.mark.parametrize(
+    ("said", "left"),
+    [
+        ("--gpus NUM_GPUS", ()),
+        ("--nproc_per_node=NUM_GPUS --seed SEED", ()),
+        ("--batch BATCH_SIZE --epochs 2", ("--epochs", "2")),
+        ("train.seed=SEED", ()),
+        ("--cfg NUM_GPUS 8", ("--cfg", "NUM_GPUS", "8")),
+        ("--dataset CIFAR --model SAC_X", ("--dataset", "CIFAR", "--model", "SAC_X")),
+    ],
+)
+def test_a_name_in_capitals_for_what_an_option_is(tree: Tree, said: str, left: tuple[str, ...]) -> None:
+    files = {"README.md": f"```\npython train.py {said}\n```\n", "train.py": "import numpy\n"}
+    assert tree(files).command == ("python", "train.py", *left)

@@ -1,0 +1,106 @@
+"""Commands of pages without the values that the reader fills in."""
+
+from __future__ import annotations
+
+import itertools
+import re
+
+from roslab.decide.blank_launches import BLANK
+from roslab.decide.candidate import is_component
+from roslab.decide.outputs import written_below
+from roslab.values.pattern import pattern
+
+PLACEHOLDER = pattern(
+    r"YOUR|your[_-]|path[/_-]to|/path|/where/|\[|\]|\.\.\.|…|/home/|~|\$|<|>|\{[a-z]\w*\}|xxx|(?<![a-z])([a-z])\1{2,}(?![a-z])|"
+    r"(?-i:(?<![A-Za-z])XX(?![A-Za-z])|/[A-Z_]{5,}(?:\.\w+)?$|(?:=|^)[A-Z_]+_(?:NAME|PATH|DIR|FILE|FOLDER|ID|IP|ROOT|LOCATION)$)|"
+    r"^-{0,2}(?:[\w-]+=)?\w*[_-]\*$",
+    re.IGNORECASE,
+)
+"""Also ``yyy-yy``, as a repeated letter stands for a value that the reader fills in, ``name:=PACKAGE_NAME``, and
+``--config-name=train_*``: what a shell would fill in has a folder or an ending, ``data/*.png``."""
+_BRACKETS = pattern(r"<[^<>]{1,80}>|\[[^\[\]]{1,80}\]|\$\([^()]{1,80}\)")
+"""A blank of several words: ``<path to the data>``, ``[--option VALUE]``, ``$(rospack find demo)``."""
+_OPTIONAL = pattern(r"\[\s*(?:-|\w+:=)")
+_NUMBERS = pattern(r"\[[.,\s-]*\d[\d.,\s-]*\]")
+"""A list of numbers: ``--hid [32,32]``."""
+_PATHS = pattern(r"(?<==)\[([\w.:-]*/[\w./:,-]+)\]")
+"""A list of paths that Hydra is given: ``models=[out/a.pth,out/b.pth]``."""
+_NAMED_VALUE = pattern(r"([\w-]+) \1[_-](?:name|id|path|dir|folder|file)", re.IGNORECASE)
+"""An option and a value that only says what it is: ``--algo algo_name``."""
+_SAYS_WHAT = pattern(r"(?:^|=)[a-z]+(?:_[a-z]+)*_(?:path|dir|directory|folder|filename|file|name)$")
+"""A value that only says what belongs there: ``log_file_path``, ``map:=map_name``."""
+_STANDS_FOR = pattern(
+    r"(?:^|=)(?:CONFIG|FILE|INPUT|OUTPUT|IMAGE|VIDEO|MODEL|CHECKPOINT|DATASET)(?:_(?:FILE|NAME))?\.[a-z]\w{0,4}$"
+)
+"""A file of the reader's own, where the tree has none of that name: ``CONFIG.yaml``."""
+_KEY = pattern(r"[A-Z][A-Z0-9_]*(?:\.[A-Z][A-Z0-9_]*)+")
+"""A key of yacs, whose value is the next word: ``MODEL.WEIGHTS a.pth``."""
+
+_CAPITALS = pattern(r"[A-Z]{2,}(?:_[A-Z]+)*")
+_GIVEN = pattern(r"(?:-{0,2}|.*\.)([A-Za-z][\w-]*):?=(.*)")
+"""An argument with its value: ``--seed=SEED``, ``train.seed=SEED``, ``map:=MAP``."""
+_AMOUNTS = frozenset({"NUM", "NUMBER", "SIZE", "COUNT"})
+_MORE = frozenset({*_AMOUNTS, "OF", "THE", "YOUR", "NAME", "VALUE", "ID", "LIST"})
+"""Words that may stand beside the name of an option in a value that only says what belongs there."""
+
+
+def filled(command: str, files: tuple[str, ...]) -> tuple[tuple[str, ...], bool, tuple[str, ...]]:
+    """Return the words of a command without the values that the reader fills in, whether that leaves a gap, and names.
+
+    ``map:=PATH`` is left out whole, as the launch file may have a default, and its name returned; an option goes with
+    its value, and what follows an argument that is left out, with it. Words that name the program stay, and so do
+    ``files``, which the tree has.
+    """
+    kept: list[str] = []
+    blanks: list[str] = []
+    gap = positional = False
+    words = _BRACKETS.sub(_blank, command).split()
+    words = words[1:] if words[:1] == words[1:2] else words  # ``roslaunch roslaunch``
+    for said, following in itertools.zip_longest(words, words[1:], fillvalue=""):
+        word = written_below(kept[-1] if kept else "", said)
+        blank = bool(PLACEHOLDER.search(_PATHS.sub(r"\1", _NUMBERS.sub("", word)))) or word.endswith(":=")
+        value = bool(kept) and kept[-1].startswith("-") and not word.startswith("-")
+        blank = blank or (value and bool(_NAMED_VALUE.fullmatch(f"{kept[-1].lstrip('-')} {word}")))
+        unknown = word not in files and bool(_SAYS_WHAT.search(word) or _STANDS_FOR.search(word))
+        blank = blank or (value and word in {"N", "X"}) or unknown
+        keys = value and following[:1].isdigit()  # ``NUM_GPUS 8`` is a key of yacs with its value
+        blank = blank or (word not in files and not keys and _names_option(kept[-1] if value else "", word))
+        if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
+            kept.append(word)
+            continue
+        keyed = _named(kept[:-1]) and bool(_KEY.fullmatch(kept[-1])) and "=" not in word
+        if keyed or (value and (":=" not in word or kept[-1] in {"-p", "-r"})):
+            kept.pop()  # the option goes with it: ``-p map:=PATH``, and ``MODEL.WEIGHTS PATH``
+        if ":=" not in word:
+            gap = True
+            positional = positional or not (value or keyed or word.startswith("-"))
+        else:
+            blanks.append(word.partition(":=")[0])
+    return tuple(kept), gap, tuple(blanks)
+
+
+def _names_option(option: str, word: str) -> bool:
+    """Tell whether a value is a name in capitals for an amount or for what its option is: ``--gpus NUM_GPUS``."""
+    given = _GIVEN.fullmatch(word)
+    option, value = (given[1], given[2]) if given else (option, word)
+    if not option or not _CAPITALS.fullmatch(value):
+        return False
+    words = {each.removesuffix("S") for each in value.split("_")}
+    own = {each.removesuffix("S") for each in re.split(r"[-_]+", option.upper()) if each}
+    amount = len(words) > 1 and not _AMOUNTS.isdisjoint(words)
+    return amount or (not own.isdisjoint(words) and words <= own | _MORE)
+
+
+def _blank(match: re.Match[str]) -> str:
+    """Return a blank without its words, nothing for an argument that may be left out: ``[rviz:=true]``."""
+    if _NUMBERS.fullmatch(match[0]) or _PATHS.match(match.string, match.start()):
+        return match[0]
+    return "" if _OPTIONAL.match(match[0]) else BLANK
+
+
+def _named(words: list[str]) -> bool:
+    """Tell whether the first words of a command name its program."""
+    if words and words[0].startswith("python"):
+        return any(word.endswith(".py") for word in words) or "-m" in words[:-1]
+    fewest = {"roslaunch": 3, "rosrun": 3, "ros2": 4, "bash": 2, "sh": 2}.get((words or [""])[0], 1)
+    return len(words) >= fewest + is_component(words)
