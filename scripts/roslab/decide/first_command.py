@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from roslab.decide.candidate import Candidate, program_of
-from roslab.decide.sections import about_running, starts
+from roslab.decide.sections import about_running, shows, starts
 from roslab.evidence.prose.runners import SIMULATORS
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name
@@ -36,6 +36,7 @@ _AFTER = pattern(
     re.IGNORECASE,
 )
 """The name of a program that looks at what another one did; a README of Python may name its examples so."""
+_EVALUATION = pattern(r"(?:^|[_.-])(?:evaluat\w*|eval)(?:[_.-]|$)", re.IGNORECASE)
 _OF_RESULTS = pattern(r"(?:eval|evaluat\w*|metrics?)", re.IGNORECASE)
 """The name of a folder whose programs look at what another one made."""
 _EVALUATES = pattern(
@@ -67,7 +68,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     that the tree lacks comes after what needs none, except for Python, whose READMEs usually name data; another
     that is given with blanks to fill in comes last, one of Python after what other sections of its page run whole;
     programs that only serve others are never returned. What is named like a test is returned where a section about
-    running it has nothing else: the purpose may be to test.
+    running it has nothing else: the purpose may be to test. A quick start may evaluate.
     """
     written = [c for c in candidates if c.strong and not _helps(c) and not upkeep(c)]
     written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in _LAUNCHERS]
@@ -165,6 +166,8 @@ def _of_its_package(candidate: Candidate) -> bool:
 
 def _after(candidate: Candidate) -> bool:
     python = candidate.argv[0].startswith("python")
+    if python and shows(candidate.heading) and _named(candidate, _EVALUATION):
+        return False  # of a model that is trained already
     place = program_of(candidate.argv)[-1].rpartition("/")[0].rpartition("/")[2]
     of_results = bool(python and _OF_RESULTS.fullmatch(place))
     of_results = of_results or (python and any(map(_EVALUATES.fullmatch, candidate.argv)))

@@ -27,12 +27,15 @@ _TROUBLE = pattern(
     re.IGNORECASE,
 )
 """A section for those for whom something did not work."""
+_SHOWN = pattern(r"\b(?:quick[ -]?start|demos?|demonstrations?)\b", re.IGNORECASE)
 _TRIED = pattern(
     r"\b(?:sanity|quick|smoke|simple|first)[ -]+(?:tests?|check)\b|\btest[ -](?:run|drive|it)\b", re.IGNORECASE
 )
 """A section that has the reader run it once, to see whether it works."""
 _AND_TEST = pattern(r"\b(train\w*)\s*(?:and|&|/|,|\+)\s*(?:tests?|testing|evaluat\w*|validat\w*)\b", re.IGNORECASE)
 """A section that trains first, and then looks at what came of it."""
+_TEST_SET = pattern(r"\btest[ -]?(?:set|split)s?\b", re.IGNORECASE)
+"""The name of data: ``Inference on the test set``."""
 _TO_TEST = pattern(r"(?<!\w)(start|run|launch)\b(.{1,80}?)\bto test\b", re.IGNORECASE)
 """What a section starts to see whether it works: ``Start the simulation to test your setup``."""
 
@@ -42,11 +45,17 @@ def about_running(heading: str) -> int:
     for title in reversed(heading.split(" / ")):
         if _TRIED.search(title):
             return 1
-        if _ASIDE.search(_AND_TEST.sub(r"\1", _TO_TEST.sub(r"\1\2", title))):
+        if _ASIDE.search(_AND_TEST.sub(r"\1", _TO_TEST.sub(r"\1\2", _TEST_SET.sub("", title)))):
             return -1
         if _USAGE.search(title):
             return 1
     return 0
+
+
+def shows(heading: str) -> bool:
+    """Tell whether a section shows what the repository does: a quick start, a demonstration."""
+    title = heading.rpartition(" / ")[2]
+    return bool(_SHOWN.search(title)) and about_running(heading) > 0
 
 
 def about_trouble(heading: str) -> bool:

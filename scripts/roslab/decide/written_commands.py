@@ -56,7 +56,10 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
         simulators=simulators_of(evidence),
         packages=packages_of(evidence).names,
         installed=frozenset(name for project in evidence.python if project.installable for name, _ in project.scripts),
-        projects=tuple(project.folder for project in evidence.python if project.installable),
+        projects=(
+            *(project.folder for project in evidence.python if project.installable),
+            *(m.value for m in evidence.mentions if m.topic == "python_path" and m.value != "."),
+        ),
         made={name: each.folder for each in evidence.makefiles if compiled for name in each.programs},
         tasks={name: command for environment in evidence.conda for name, command, _ in environment.tasks},
     )
@@ -110,7 +113,7 @@ class _Tree:
     installed: frozenset[str]
     """Programs that pip installs with the repository."""
     projects: tuple[str, ...]
-    """Folders that pip installs."""
+    """Folders that pip installs, or a page puts on PYTHONPATH."""
     tasks: Mapping[str, str]
     """pixi's, by their names."""
     made: Mapping[str, str]

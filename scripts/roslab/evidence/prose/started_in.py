@@ -20,6 +20,8 @@ _PATH = pattern(
 """A file or a folder in a string, or what such a string begins with."""
 _ABOVE = pattern(r"(?:^|[\s=:,;(\"'])\.\./([\w-][\w./-]*)", re.MULTILINE)
 """A path from the folder above, in a file of settings."""
+_RELATIVE = pattern(r"(?:\.{1,2}/)*(?:(?:[\w-]+/)+[\w.-]*|[\w-]+\.[\w.-]+)")
+"""An argument that is a file's path, or a folder's."""
 _PLACES = {"bash": 1, "sh": 1, "roslaunch": 1, "ros2": 2}
 """Where the words of a command name a script or a launch file, if not in the first."""
 
@@ -29,7 +31,7 @@ def started_in(mention: Mention, words: Sequence[str], repository: Repository) -
 
     ``words``: the command with the paths of the tree from its root; ``mention.inside`` is the folder as written, which
     may begin with the repository's own name. Where a page goes nowhere, its command can only be meant where the program
-    lies by the path that it gives. The code beside the program names what is there from that folder only.
+    lies by the path that it gives. An argument, or the code beside it, names what is there from that folder only.
     """
     said = mention.value.split()
     for word, path in zip(said, words, strict=True):
@@ -39,7 +41,7 @@ def started_in(mention: Mention, words: Sequence[str], repository: Repository) -
         folder = path.removesuffix(name).rstrip("/")
         there = bool(folder) and posixpath.join(folder, name) == path
         goes = f"/{mention.inside}".endswith(f"/{folder}") if mention.inside else not repository.has(name)
-        if there and goes and _needs(posixpath.dirname(path), folder, repository):
+        if there and goes and (_given(said, folder, repository) or _needs(posixpath.dirname(path), folder, repository)):
             return folder
         break
     return ""
@@ -95,6 +97,18 @@ def ends(folder: str) -> Iterator[str]:
     parts = [part for part in folder.split("/") if part]
     for first in range(len(parts) + 1):
         yield "/".join(parts[first:])
+
+
+def _given(words: Sequence[str], folder: str, repository: Repository) -> bool:
+    """Tell whether an argument names a path that is in the tree from this folder alone: ``--cfg cfgs/a.yaml``."""
+    for word in words[1:]:
+        value = word.rpartition("=")[2]
+        if word.endswith(".py") or not _RELATIVE.fullmatch(value):
+            continue
+        here, root = (posixpath.normpath(posixpath.join(base, value)) for base in (folder, ""))
+        if _has(here, repository) and not _has(root, repository):
+            return True
+    return False
 
 
 def _needs(beside: str, folder: str, repository: Repository) -> bool:

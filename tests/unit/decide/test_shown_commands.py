@@ -1,0 +1,101 @@
+"""How pages show the program that is meant: where it starts, in which terminal, in what section."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PROGRAM = "import numpy\nif __name__ == '__main__':\n    pass\n"
+PYTHON = {"requirements.txt": "numpy\n"}
+
+
+@pytest.mark.parametrize(
+    ("argument", "started"),
+    [
+        ("--cfg cfgs/a.yaml", "cd tools && exec python run.py --cfg cfgs/a.yaml"),
+        ("--cfg=./cfgs/a.yaml", "cd tools && exec python run.py --cfg=./cfgs/a.yaml"),
+        ("cfg=cfgs/a.yaml", "cd tools && exec python run.py cfg=cfgs/a.yaml"),
+        ("--cfg ../own/b.yaml cfgs/", "cd tools && exec python run.py --cfg ../own/b.yaml cfgs/"),
+        ("--cfg=../own/b.yaml", "cd tools && exec python run.py --cfg=../own/b.yaml"),
+        ("--cfg ../own/b.yaml", "cd tools && exec python run.py --cfg ../own/b.yaml"),
+        ("--cfg gone/a.yaml --rate 0.5", ("python", "tools/run.py", "--cfg", "gone/a.yaml", "--rate", "0.5")),
+        ("--cfg both/a.yaml", ("python", "tools/run.py", "--cfg", "both/a.yaml")),
+    ],
+)
+def test_a_program_starts_where_its_arguments_are_found(tree: Tree, argument: str, started: object) -> None:
+    names = ("tools/cfgs/a.yaml", "own/b.yaml", "tools/both/a.yaml", "both/a.yaml")
+    files = {**PYTHON, "tools/run.py": PROGRAM, **dict.fromkeys(names, "rate: 1\n")}
+    page = f"# Usage\n```\ncd tools\npython run.py {argument}\n```\n"
+    assert tree({**files, "README.md": page}).command == started
+
+
+@pytest.mark.parametrize(
+    ("path", "command"),
+    [
+        ("export PYTHONPATH=src\n", ("python", "-m", "points.align", "--fast")),
+        ("export PYTHONPATH=$PWD/src:$PYTHONPATH\n", ("python", "-m", "points.align", "--fast")),
+        ("export PYTHONPATH=other\n", ("bash",)),
+        ("", ("bash",)),
+    ],
+)
+def test_a_module_in_a_folder_that_the_page_puts_on_the_path_is_started(
+    tree: Tree, path: str, command: tuple[str, ...]
+) -> None:
+    files = {**PYTHON, "src/points/__init__.py": "", "src/points/align.py": PROGRAM, "src/points/show.py": PROGRAM}
+    page = f"# Usage\n```\n{path}python -m points.align --fast\n```\n"
+    assert tree({**files, "other/a.txt": "", "README.md": page}).command == command
+
+
+@pytest.mark.parametrize(
+    ("shown", "command"),
+    [
+        ("[terminal 1]$ {}", "launch"),
+        ("[Terminal 2]$ {}", "launch"),
+        ("Terminal 1: {}", "launch"),
+        ("(shell #2) $ {}", "launch"),
+        ("terminals 1: {}", ""),
+        ("terminal one: {}", ""),
+    ],
+)
+def test_the_name_of_a_terminal_before_a_command_is_a_prompt(tree: Tree, shown: str, command: str) -> None:
+    files = {
+        "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+        "launch/map.launch": "<launch/>",
+        "launch/drive.launch": "<launch/>",
+    }
+    page = f"# Usage\n```\n[terminal 1]$ roscore\n{shown.format('roslaunch demo map.launch')}\n```\n"
+    found = tree({**files, "README.md": page}).command
+    assert found == (("roslaunch", "demo", "map.launch") if command else ("bash",))
+
+
+@pytest.mark.parametrize(
+    ("title", "config"),
+    [("Inference on the test-set", "a"), ("Results on test splits", "a"), ("Testing", "b"), ("Unit tests", "b")],
+)
+def test_a_set_of_data_for_tests_is_no_test(tree: Tree, title: str, config: str) -> None:
+    page = f"# Usage\n## {title}\n`python main.py --rate a`\n## Training\n`python main.py --rate b`\n"
+    assert tree({**PYTHON, "main.py": PROGRAM, "README.md": page}).command == ("python", "main.py", "--rate", config)
+
+
+@pytest.mark.parametrize(
+    ("title", "program"),
+    [
+        ("Quick start", "eval"),
+        ("Quickstart", "eval"),
+        ("Demo", "eval"),
+        ("Quick start / Evaluation", "train"),
+        ("Results", "train"),
+        ("Benchmark demo", "train"),
+    ],
+)
+def test_a_quick_start_may_evaluate_what_is_trained_already(tree: Tree, title: str, program: str) -> None:
+    first, _, second = title.partition(" / ")
+    page = f"# {first}\n" + (f"## {second}\n" if second else "") + "`python eval.py --fast`\n"
+    page += "# Training\n`python train.py --rate 1`\n"
+    found = tree({**PYTHON, "eval.py": PROGRAM, "train.py": PROGRAM, "README.md": page}).command
+    assert found[1] == f"{program}.py"
