@@ -64,3 +64,34 @@ def test_pip_compiles_what_setup_py_does(tree: Tree) -> None:
     page = f"```\npip install ./ranges\ncd ranges\n{BUILD}```\n"
     files = {"ranges/CMakeLists.txt": CMAKE.format(""), "ranges/setup.py": setup, "README.md": page}
     assert compiled(tree({**FILES, **files})) == []
+
+
+ROOT = {
+    "CMakeLists.txt": CMAKE.format("find_package(Eigen3 REQUIRED)\n"),
+    "ranges.cpp": "#include <Eigen/Core>\nint main() {}\n",
+    "scripts/train.py": "import numpy\n\nif __name__ == '__main__':\n    print(numpy.pi)\n",
+    "environment.yml": "name: ranges\ndependencies:\n  - python=3.9\n  - numpy\n",
+}
+RUN = "```\npython scripts/train.py\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("more", "page", "folders"),
+    [
+        ({}, f"```\nconda env create -f environment.yml\n{BUILD}```\n", [""]),
+        ({}, f"```\ngit clone https://github.com/lab/ranges.git\ncd ranges\n{BUILD}```\n", [""]),
+        ({}, "```\nconda env create -f environment.yml\n```\n", []),
+        ({}, f"## Optional: C++\n```\n{BUILD}```\n", []),
+        ({}, f"```\ngit clone https://github.com/lab/other.git\ncd other\n{BUILD}```\n", []),
+        ({"setup.py": "from setuptools import setup\nsetup(name='ranges')\n"}, f"```\n{BUILD}```\n", []),
+        ({"CMakeLists.txt": CMAKE.format("find_package(NobodyKnows REQUIRED)\n")}, f"```\n{BUILD}```\n", []),
+        ({"thirdparty/x/CMakeLists.txt": "find_package(NobodyKnows REQUIRED)\n"}, f"```\n{BUILD}```\n", [""]),
+    ],
+)
+def test_the_project_at_the_root_beside_an_environment(
+    tree: Tree, more: dict[str, str], page: str, folders: list[str]
+) -> None:
+    decision = tree({**ROOT, **more, "README.md": f"# Ranges\n\n{page}\n{RUN}"})
+    assert decision.kind == "python"
+    assert compiled(decision) == folders
+    assert not folders or "libeigen3-dev" in decision.apt_guessed

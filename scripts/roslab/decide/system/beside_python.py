@@ -1,9 +1,10 @@
-"""Folders of C++ in a repository of Python that a page has CMake compile: the image compiles them where they lie."""
+"""C++ in a repository of Python that a page has CMake compile: the image compiles it where it lies."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslab.decide.ros.source_names import plain
 from roslab.decide.system.inside import meant
 from roslab.decide.system.names import Target, resolve
 from roslab.evidence import places
@@ -16,21 +17,28 @@ _OF_ROS = frozenset({"catkin", "ament", "rosbuild"})
 def compiled_beside(evidence: Evidence, target: Target) -> Iterator[tuple[CMakeProject, Mention]]:
     """Yield each project with the line that compiles it: of the page at the root, or of the page in its own folder.
 
-    What setup.py compiles by CMake is left to pip, and what needs a library that no package has to its author.
+    What setup.py compiles by CMake is left to pip, and what needs a library that no package has to its author. At the
+    root lies a project beside an environment or a list of packages, where pip installs nothing.
     """
     by_pip = {project.folder for project in evidence.python if "cmake" in project.extensions}
+    own = any(project.installable and project.folder in {"", "."} for project in evidence.python)
     projects = {
         folder: project
         for project in evidence.cmake
-        if (folder := project.file.rpartition("/")[0]) and project.top_level and not project.lacks
+        if project.top_level and not project.lacks and ((folder := project.file.rpartition("/")[0]) or not own)
         if folder not in by_pip and not any(aside(project.file) for aside in _ASIDE)
     }
+    root = projects.get("")
+    itself = {plain(root.name or ""), plain(evidence.origin.rpartition("/")[2].removesuffix(".git"))} if root else {""}
+    itself -= {""}
     found: dict[str, Mention] = {}
     for mention in evidence.mentions:
         if mention.topic == "compiled" and mention.source == "readme":
             page = mention.file.rpartition("/")[0]
-            named = (page if mention.value == "." else meant(mention.value, projects.keys())) or ""
-            if named in projects and page in {"", named}:
+            named = page if mention.value == "." else meant(mention.value, projects.keys() - {""})
+            if named is None and plain(mention.value.rpartition("/")[2]) in itself:
+                named = ""
+            if named is not None and named in projects and page in {"", named}:
                 found.setdefault(named, mention)
     for folder, mention in found.items():
         if _compiles(folder, evidence, target):
@@ -41,7 +49,7 @@ def _compiles(folder: str, evidence: Evidence, target: Target) -> bool:
     """Tell whether the image has all that CMake requires in a folder and below."""
     own = {project.name for project in evidence.cmake} | evidence.cmake_modules
     for project in evidence.cmake:
-        if project.file.startswith(f"{folder}/"):
+        if project.file.startswith(f"{folder}/".lstrip("/")) and not (not folder and places.aside(project.file)):
             if _OF_ROS & {*project.macros} or ("cuda" in project.macros and not target.cuda):
                 return False
             for asked in project.dependencies:
