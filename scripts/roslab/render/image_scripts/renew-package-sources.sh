@@ -58,7 +58,8 @@ use_ros() {
 
 # Prints URL and SUITE of what apt refused for a reason that lasts; a server that cannot be reached is none
 refused() {
-  LC_ALL=C apt-get update >"${log}" 2>&1 || true
+  # Without the cache of all packages that apt would make of the lists: nothing is installed here
+  LC_ALL=C apt-get update --option pkgCacheFile::Generate=false >"${log}" 2>&1 || true
   awk '
     function tell(url, suite) { sub(/\/$/, "", url); sub(/\/$/, "", suite); print url, suite }
     /^Err/ { at = $2; of = $3 ~ /^(In)?Release/ ? "" : $3; next }
