@@ -42,6 +42,7 @@ from roslab.evidence.prose.merged import merge
 from roslab.evidence.python import (
     called,
     clones,
+    commented,
     conda,
     imports,
     limits,
@@ -96,13 +97,14 @@ def gather(repository: Repository) -> Evidence:
         *clones.read(own, prose.sources),
     )
     sources = (*sources, *native_clones.read(repository, sources, cmake_projects))
+    lists = submodules.named(requirements.read(repository), own, prose.requirements)
     listed = any(source.kind == "vcs" for source in sources)  # a repository may hold no more than the list of others
     return Evidence(
         manifests=manifests,
         cmake=cmake_projects,
         makefiles=makefiles.read(own),
         python=python_projects,
-        requirements=submodules.named(requirements.read(repository), own, prose.requirements),
+        requirements=lists,
         conda=(*conda.read(own, prose.requirements), *pixi.read(own)),
         locked=locks.read(own),
         unsafe_hosts=fetched.hosts,
@@ -137,6 +139,7 @@ def gather(repository: Repository) -> Evidence:
             *for_reference.read(own),
             *(included.read(own) if manifests else ()),
             *print_statement.read(own),
+            *commented.read(own, lists),
             *(commit_date.read(repository) if manifests or cmake_projects or listed else ()),
         ),
         worked_on=worked_on.read(repository),
