@@ -19,6 +19,7 @@ from roslab.decide.simulators import simulators_of
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose import copies
+from roslab.evidence.prose.in_containers import CONTAINER
 from roslab.evidence.prose.runners import SIMULATORS
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
@@ -68,7 +69,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
     pointed = pointed_launches(evidence)
     beside = tree.compiled if kind == "cpp" else {}  # programs that a page starts in its build folder
-    nearest = min((mention.file.count("/") for mention in said), default=0)
+    nearest = min((m.file.count("/") for m in said if not m.heading.endswith(CONTAINER)), default=0)
     for mention in said:
         whole, cut, blanks = filled(mention.value, mention.files)
         whole = with_the_one_named(whole, mention, pointed)

@@ -99,3 +99,31 @@ def test_a_quick_start_may_evaluate_what_is_trained_already(tree: Tree, title: s
     page += "# Training\n`python train.py --rate 1`\n"
     found = tree({**PYTHON, "eval.py": PROGRAM, "train.py": PROGRAM, "README.md": page}).command
     assert found[1] == f"{program}.py"
+
+
+RUN = "docker run --rm -it --gpus all -v $PWD:/data"
+
+
+@pytest.mark.parametrize(
+    ("lines", "command"),
+    [
+        (f"{RUN} lab/demo python align.py --fast", ("python", "align.py", "--fast")),
+        (f"{RUN} <image> python3 align.py --fast", ("python3", "align.py", "--fast")),
+        (f'{RUN} lab/demo:1 bash -c "cd /app && python align.py --fast"', ("python", "align.py", "--fast")),
+        ("sudo docker exec -it demo python align.py --fast", ("python", "align.py", "--fast")),
+        ("docker compose run --rm demo python align.py --fast", ("python", "align.py", "--fast")),
+        (f"{RUN} --name python lab/demo", ("bash",)),
+        (f"{RUN} lab/demo python gone.py", ("bash",)),
+        (f"{RUN} lab/demo bash", ("bash",)),
+        (f"{RUN} lab/demo python show.py\n```\n# Results\n```\npython align.py", ("python", "align.py")),
+    ],
+)
+def test_what_a_page_starts_only_in_a_container_is_started(tree: Tree, lines: str, command: tuple[str, ...]) -> None:
+    files = {**PYTHON, "align.py": PROGRAM, "show.py": PROGRAM}
+    assert tree({**files, "README.md": f"# Run\n```\n{lines}\n```\n"}).command == command
+
+
+def test_what_a_page_starts_in_a_container_leaves_pages_below_theirs(tree: Tree) -> None:
+    files = {**PYTHON, "align.py": PROGRAM, "show.py": PROGRAM, "points/README.md": "# Run\n`python align.py --fast`\n"}
+    page = f"# Run\n```\n{RUN} lab/demo python show.py\n```\n"
+    assert tree({**files, "README.md": page}).command == ("python", "align.py", "--fast")

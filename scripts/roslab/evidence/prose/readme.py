@@ -20,6 +20,7 @@ from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of, under
+from roslab.evidence.prose.in_containers import started_in
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import merge
 from roslab.evidence.prose.own_files import with_files
@@ -194,11 +195,13 @@ def _pages(repository: Repository) -> tuple[File, ...]:
 
 def _read(text: str, file: File) -> Prose:
     collector = Collector(file.path, "readme")
+    contained: list[Mention] = []
     if "~~" in text and "~~~" not in text:
         text = _STRUCK.sub(lambda match: "\n" * match[0].count("\n"), text)
     for line, code, heading in _code(text):
         collector.heading = heading
         collector.text(code, line)
+        contained += started_in(code, line, heading, file.path) if "docker" in code or "podman" in code else ()
     collector.sources = [*asides.marked(collector.sources, text), *_links(text, file, collector.sources)]
     found = collector.prose()
     said = (
@@ -206,7 +209,7 @@ def _read(text: str, file: File) -> Prose:
         *apt_scripts.read(file.path, text),
         *libtorch.read(file.path, text),
     )
-    return found._replace(mentions=(*found.mentions, *said))
+    return found._replace(mentions=(*found.mentions, *contained, *said))
 
 
 def _links(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:

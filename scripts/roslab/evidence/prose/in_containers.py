@@ -1,0 +1,54 @@
+"""What a page starts in a container of its own image: ``docker run --rm demo python run.py``."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Iterator
+
+from roslab.evidence.facts import Mention
+from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
+from roslab.evidence.prose import blanks
+from roslab.evidence.prose.installs import Collector
+from roslab.evidence.prose.runners import by_ros
+from roslab.values.pattern import pattern
+
+CONTAINER = "Docker container image"
+"""The title below which such a command is kept: what a page starts without a container comes before it."""
+_ENGINES = frozenset({"docker", "podman", "nvidia-docker", "docker-compose"})
+_VERBS = frozenset({"run", "exec"})
+_PYTHON = pattern(r"python[23]?(?:\.\d+)?")
+_SHELL = pattern(r"(?:/bin/|/usr/bin/)?(?:ba)?sh")
+_NAME = pattern(r"[\w$][\w./:${}@-]*")
+"""The name of an image, a container or a service."""
+
+
+def started_in(code: str, line: int, heading: str, file: str) -> tuple[Mention, ...]:
+    """Return the programs that lines of a page start in containers, below a title that says so."""
+    collector = Collector(file, "readme", heading=f"{heading} / {CONTAINER}")
+    for start, logical in logical_lines(code, line):
+        for command in commands(blanks.filled(logical, of_page=True), start):
+            for inner in _inner(command):
+                collector.command(inner)
+    return tuple(mention for mention in collector.mentions if mention.topic == "command")
+
+
+def _inner(command: Command) -> Iterator[Command]:
+    """Yield what ``docker run``, ``docker exec`` or ``docker compose run`` starts, as far as it is Python or ROS."""
+    words = command.words
+    verb = next((n for n, word in enumerate(words[:4]) if word in _VERBS), 0)
+    if words[0].rpartition("/")[2] not in _ENGINES or not verb:
+        return
+    for index in range(verb + 2, len(words) - 1):
+        before, word = words[index - 1], words[index]
+        if before.startswith("-") or not (UNKNOWN in before or _NAME.fullmatch(before)):
+            continue
+        if _SHELL.fullmatch(word):
+            yield from (inner for inner in commands(shlex.join(words[index:]), command.line) if _program(inner.words))
+            return
+        if _program(words[index:]):
+            yield command._replace(words=words[index:], lines=command.lines[index:])
+            return
+
+
+def _program(words: tuple[str, ...]) -> bool:
+    return bool(_PYTHON.fullmatch(words[0])) or by_ros(words[0], words)
