@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from roslab.decide.decision import Decision
-from roslab.evidence.prose.page_lists import said
+from roslab.evidence.prose.page_lists import blocks, said
 
 Tree = Callable[[dict[str, str]], Decision]
 
@@ -39,6 +39,25 @@ Tree = Callable[[dict[str, str]], Decision]
 )
 def test_what_is_read(text: str, found: list[str]) -> None:
     assert [asked.written for asked in said(text, "README.md")] == found
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        (
+            "Install the following (with `pip install`):\n\n    plyfile\n    'networkx>=2.2,<2.3'\n\nMore\n",
+            ["plyfile", "networkx>=2.2,<2.3"],
+        ),
+        ("Please install these with pip:\n```\ntqdm\nscipy == 1.4\n```\n    numpy\n", ["tqdm", "scipy==1.4"]),
+        ("Install the following with pip:\n\n    pip install numpy\n", []),
+        ("Install it with pip:\n\n    tqdm\n    then run it\n", []),
+        ("Install everything, with pip:\n\n- tqdm\n", []),
+        ("You can install it with pip. The folders:\n\n    data\n", []),
+        ("To run it with pip packages:\n\n    demo\n", []),
+    ],
+)
+def test_a_block_that_pip_is_to_be_given(text: str, found: list[str]) -> None:
+    assert [asked.written for asked in blocks(text, "README.md")] == found
 
 
 def test_a_list_gives_versions_and_what_nothing_imports(tree: Tree) -> None:

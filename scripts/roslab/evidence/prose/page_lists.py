@@ -38,6 +38,13 @@ _NOT = pattern(
     r"\b(?:not|n't|instead|other|another|older|old|previous|before|branch|port|convert\w*|newer versions?)\b",
     re.IGNORECASE,
 )
+_BY_PIP = pattern(
+    r"^(?![\s>|#]).*\binstall\b.*\b(?:with|using|by|via|through)\s+[`*_(\"]*pip3?\b[^.]*:\s*$", re.IGNORECASE
+)
+"""A line above a block of requirements: "Install the following (with `pip install`):"."""
+_LINE = pattern(
+    r"^(['\"]?)[A-Za-z][\w.-]*(?:\[[\w,-]+\])?(?:\s?(?:[<>=!~]=|[<>])\s?[\d.*]+(?:,\s?(?:[<>=!~]=|[<>])\s?[\d.*]+)*)?\1$"
+)
 _AT_LEAST = frozenset({">=", "≥", ">"})
 MAX_LINE = 400
 MAX_PARAGRAPH = 4000
@@ -46,7 +53,31 @@ MAX_PARAGRAPH = 4000
 def read(repository: Repository) -> tuple[Requirement, ...]:
     """Return what the pages at the root list or name with a version, each once."""
     pages = (file for file in readme.pages(repository) if "/" not in file.path)
-    return tuple(dict.fromkeys(asked for file in pages for asked in said(readme.text_of(repository, file), file.path)))
+    texts = tuple((readme.text_of(repository, file), file.path) for file in pages)
+    return tuple(dict.fromkeys(asked for page in texts for asked in (*blocks(*page), *said(*page))))
+
+
+def blocks(text: str, file: str) -> Iterator[Requirement]:
+    """Yield the lines of a block that pip is to be given, where each of them is a requirement and nothing else."""
+    lines = text.split("\n")
+    for number, line in enumerate(lines, start=1):
+        if len(line) > MAX_LINE or not _BY_PIP.match(line):
+            continue
+        block = list(_block(lines, number))
+        if block and all(len(words) <= MAX_LINE and _LINE.match(words) for _, words in block):
+            yield from (stated(words.strip("'\""), "prose", file, at) for at, words in block)
+
+
+def _block(lines: list[str], number: int) -> Iterator[tuple[int, str]]:
+    """Yield the lines of the code block that begins below a line, with their numbers."""
+    while number < len(lines) and not lines[number].strip():
+        number += 1
+    fenced = number < len(lines) and lines[number].lstrip()[:3] in {"```", "~~~"}
+    for at, line in enumerate(lines[number + fenced :], start=number + fenced + 1):
+        if line.lstrip()[:3] in {"```", "~~~"} or not (fenced or not line.strip() or line.startswith(("    ", "\t"))):
+            return
+        if line.strip():
+            yield at, line.strip()
 
 
 def said(text: str, file: str) -> Iterator[Requirement]:
