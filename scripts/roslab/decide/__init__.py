@@ -260,7 +260,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cmake_folder=layout.answer.cmake_folder,
         program_folders=layout.answer.program_folders,
         cmake_options=(
-            *(own_options(evidence, config, folder_name) if build_tool.answer == "cmake" else ()),
+            *own_options(evidence, config, folder_name, build_tool.answer),
             *missing.answer.options,
         ),
         cuda_options=host_options(system.answer.apt_guessed, base.answer.ubuntu),

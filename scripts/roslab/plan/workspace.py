@@ -169,7 +169,11 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
         tool=tool,
         arguments=(*_of_rosmake(decision), *config.build_args, *skipping(tool, decision.left_out)) if own else (),
         cmake_options=(
-            *((*_cmake_options(config), *_unset(decision.cuda_options, config)) if own else ()),
+            *(
+                (*_cmake_options(config), *_unset((*decision.cmake_options, *decision.cuda_options), config))
+                if own
+                else ()
+            ),
             *of_sisters,
         ),
         setup=f"{WORKSPACE}/{_SETUP[tool]}",

@@ -127,3 +127,28 @@ def test_the_documentation_is_no_program(tree: Tree) -> None:
         "src/planner/main.cpp": "#include <vector>\nint main() {}\n",
     }
     assert tree(files).cmake_folder == "src/planner"
+
+
+ROBOT = "<package format='3'><name>a</name><buildtool_depend>{0}</buildtool_depend></package>"
+
+
+@pytest.mark.parametrize(
+    ("tool", "page", "options"),
+    [
+        ("ament_cmake", "colcon build --symlink-install --cmake-args -DA_VIEW=OFF", ("-DA_VIEW=OFF",)),
+        ("ament_cmake", "colcon build --cmake-args -DCMAKE_BUILD_TYPE=Debug -D A_FAST=ON", ("-DA_FAST=ON",)),
+        ("ament_cmake", "colcon test --cmake-args -DA_VIEW=OFF\ncolcon build", ()),
+        ("ament_cmake", "colcon build\n```\nWith a view:\n```\ncolcon build --cmake-args -DA_VIEW=ON", ()),
+        ("ament_cmake", "colcon build --cmake-args -DA_CUDA=ON -DB_DIR=/opt/b -DC=<yours>", ()),
+        ("ament_cmake", "colcon build --cmake-args -DA_CUDA=OFF", ("-DA_CUDA=OFF",)),
+        ("catkin", "catkin_make -DA_VIEW=OFF", ("-DA_VIEW=OFF",)),
+    ],
+)
+def test_the_options_of_a_workspace(tmp_path: Path, tool: str, page: str, options: tuple[str, ...]) -> None:
+    kind = "\n".join((f"find_package({tool} REQUIRED)", f"{tool}_package()"))
+    (tmp_path / "package.xml").write_text(ROBOT.format(tool))
+    (tmp_path / "CMakeLists.txt").write_text(f"cmake_minimum_required(VERSION 3.5)\nproject(a)\n{kind}\n")
+    (tmp_path / "README.md").write_text(f"# A\n```\n{page}\n```\n")
+    planned = plan_repository(tmp_path)
+    assert planned.plan.workspace.ros is not None
+    assert planned.plan.workspace.ros.cmake_options == ("-DCMAKE_BUILD_TYPE=Release", *options)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from roslab.config.model import Config
+import re
+
+from roslab.config.model import BuildTool, Config
 from roslab.decide.ros.source_names import plain
 from roslab.evidence.facts import Evidence
 from roslab.values.pattern import pattern
@@ -15,12 +17,31 @@ _COMPILER = pattern(r"-DCMAKE_(C|CXX)_COMPILER(?::[A-Z]+)?=(?:/usr/bin/)?((?:gcc
 _VARIABLES = {"C": "CC", "CXX": "CXX"}
 
 
-def own_options(evidence: Evidence, config: Config, folder_name: str) -> tuple[str, ...]:
+_OF_ROS: frozenset[BuildTool] = frozenset({"catkin_make", "catkin_make_isolated", "catkin_tools", "colcon"})
+_NO_BUILD = pattern(r"catkin\s+(?:init|config)\b|colcon\s+(?!build\b)")
+_GPU = pattern(r"-D\w*(?:CUDA|GPU|TENSORRT|TRT)\w*(?::[A-Z]+)?=(?!OFF|0|FALSE|NO)", re.IGNORECASE)
+"""An option that a page has for machines with a GPU."""
+
+
+def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool: BuildTool) -> tuple[str, ...]:
     """Return the options of the first ``cmake`` that a page at the root runs for the repository, not for a library.
 
-    ``folder_name`` is the repository's name, into whose folder the page may go.
+    ``folder_name`` is the repository's name, into whose folder the page may go. Of a workspace of ROS, what the first
+    call of its build tool on such a page gives CMake.
     """
-    return tuple(word for word in _said(evidence, config, folder_name) if _OWN.fullmatch(word))
+    if build_tool in _OF_ROS:
+        return _of_workspace(evidence, config, build_tool)
+    said = _said(evidence, config, folder_name) if build_tool == "cmake" else []
+    return tuple(word for word in said if _OWN.fullmatch(word))
+
+
+def _of_workspace(evidence: Evidence, config: Config, build_tool: BuildTool) -> tuple[str, ...]:
+    for said in evidence.mentions:
+        of_page = said.topic == "build_tool" and said.source == "readme" and "/" not in said.file
+        if of_page and said.value == build_tool and not _NO_BUILD.match(said.text) and not config.compatible:
+            words = said.text.replace(" -D ", " -D").split()
+            return tuple(word for word in words if _OWN.fullmatch(word) and not _GPU.match(word))
+    return ()
 
 
 def own_compilers(evidence: Evidence, config: Config, folder_name: str) -> tuple[tuple[str, str], ...]:
