@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterator
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
+from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.values.origin import Place
@@ -50,6 +51,12 @@ def compiled_inside(evidence: Evidence, config: Config, kind: Kind) -> Choice[tu
             reasons.append(
                 because("source", folder, f"{path} is linked, which is compiled there", place, weight=WEIGHT)
             )
+    for folder, path, place in _of_packages(evidence) if kind in {"ros1", "ros2"} else ():
+        if folder not in answer:
+            own = (m for m in scripts if m.value == "." and m.file in run and m.file.rpartition("/")[0] == folder)
+            answer[folder] = next((mention.text for mention in own), "")
+            why = f"a package links {path}, which is compiled there"
+            reasons.append(because("source", folder or ".", why, place, weight=WEIGHT))
     return Choice(answer=tuple(answer.items()), reasons=tuple(reasons))
 
 
@@ -61,6 +68,24 @@ def _linked(evidence: Evidence, folders: Collection[str]) -> Iterator[tuple[str,
             holding = [folder for folder in alone if path.startswith(f"{folder}/")]
             if holding:
                 yield max(holding, key=len), path, Place(file=project.file, line=line)
+
+
+def _of_packages(evidence: Evidence) -> Iterator[tuple[str, str, Place]]:
+    """Yield the folder of plain CMake, ``""`` for the root, around a package of ROS that links its library by its file.
+
+    The library has the name of its project; a tool of ROS builds the package, and nothing of what is around it.
+    """
+    packages = {manifest.file.rpartition("/")[0] for manifest in packages_of(evidence).built}
+    plain = [p for p in evidence.cmake if p.top_level and p.name and p.file.rpartition("/")[0] not in packages]
+    for project in evidence.cmake:
+        if project.file.rpartition("/")[0] not in packages:
+            continue
+        for path, line in project.linked:
+            name = path.rpartition("/")[2].rpartition(".")[0].removeprefix("lib")
+            around = [p.file.rpartition("/")[0] for p in plain if p.name == name and not places.vendored(p.file)]
+            around = [folder for folder in around if not folder or project.file.startswith(f"{folder}/")]
+            if around:
+                yield max(around, key=len), path, Place(file=project.file, line=line)
 
 
 def meant(path: str, folders: Collection[str]) -> str | None:

@@ -151,7 +151,7 @@ def compile_inside(plan: Plan) -> str:
         return ""
     runs = []
     for folder, options in plan.workspace.inside:
-        build = quote.shell_with_user(f"{source_folder(plan)}/{folder}/build")
+        build = quote.shell_with_user("/".join(filter(None, (source_folder(plan), folder, "build"))))
         cmake = f"cmake{_words(('-DCMAKE_BUILD_TYPE=Release', *options.split()))} .."
         runs.append(shell.run(f"mkdir --parents {build}", f"cd {build}", cmake, f"make --jobs={shell.JOBS}", TIDY))
     return "\n".join(["# Libraries inside the repository", "USER ${NB_USER}", *runs])
