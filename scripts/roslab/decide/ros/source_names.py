@@ -52,6 +52,11 @@ def plain(name: str) -> str:
     return re.sub(r"[-_.]+", "_", name.rpartition("/")[2]).lower()
 
 
+def telling_words(name: str) -> set[str]:
+    """Return the words of a repository's name that can identify a family of packages."""
+    return {word for word in plain(name).split("_") if len(word) >= SHORTEST} - _COMMON
+
+
 def wraps(name: str) -> bool:
     """Tell whether a package wraps a library for catkin, which it fetches and compiles: ``yaml_cpp_catkin``."""
     return name.endswith("_catkin")
@@ -89,6 +94,6 @@ def asked_for(git: GitSource, wanted: dict[str, Dependency], known: frozenset[st
     name = plain(git.name)
     unknown = [(each, d) for each, d in wanted.items() if d.name not in known]
     family = (d for each, d in unknown if each.startswith(f"{name}_") and d.namespace in {"rosdep", "ros"})
-    words = {word for word in name.split("_") if len(word) >= SHORTEST} - _COMMON
+    words = telling_words(name)
     related = (d for each, d in unknown if d.namespace == "rosdep" and each.partition("_")[0] in words)
     return next(family, None) or next((d for d in related if d.name not in rosdep_keys()), None)
