@@ -36,3 +36,11 @@ def test_projects_that_need_each_other(tree: Tree) -> None:
     core = CORE.replace("'numpy'", "'app'")
     files = {"app/pyproject.toml": APP.format(needs="'robot-core'"), "libs/core/pyproject.toml": core}
     assert set(tree({**files, "run.py": "import numpy\n"}).python.projects) == {"app", "libs/core"}
+
+
+def test_all_that_a_page_installs_is_installed(tree: Tree) -> None:
+    names = [f"part{number}" for number in range(9)]
+    files = {f"lib/{name}/setup.py": f"from setuptools import setup\nsetup(name='{name}')\n" for name in names}
+    page = "".join(f"pip install -e lib/{name}\n" for name in names)
+    found = tree({**files, "run.py": "import numpy\n", "README.md": f"```\n{page}```\n"})
+    assert found.python.projects == tuple(f"lib/{name}" for name in names)

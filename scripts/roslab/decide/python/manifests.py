@@ -27,6 +27,8 @@ VARIANT = pattern(
 )
 """A file for one use of several, or of one machine."""
 MAX_PROJECTS = 6
+"""Of those that nothing names."""
+MAX_NAMED = 30
 
 
 def for_reference(evidence: Evidence) -> frozenset[str]:
@@ -180,8 +182,9 @@ def projects(
             and not places.documentation(folder + "/")
         ]
         depth = min((folder.count("/") for folder in own), default=0)
-        chosen = {folder: usable[folder] for folder in own if folder.count("/") == depth and depth <= 1}
-    return tuple(_with_needed(list(chosen.values()), usable, manifests)[:MAX_PROJECTS])
+        near = [folder for folder in own if folder.count("/") == depth and depth <= 1]
+        chosen = {folder: usable[folder] for folder in near[:MAX_PROJECTS]}
+    return tuple(_with_needed(list(chosen.values()), usable, manifests)[:MAX_NAMED])
 
 
 def _with_needed(
