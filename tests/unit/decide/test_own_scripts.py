@@ -40,6 +40,16 @@ MODULE = {".gitmodules": '[submodule "planner"]\n\tpath = planner\n\turl = https
             [("net/ops/nms", "net/ops/nms/setup.py", "python3 setup.py build_ext --inplace")],
         ),
         (
+            {"net/ops/nms/setup.py": SETUP},
+            "cd $ROOT/net/ops/nms\npython setup.py build_ext --inplace\n",
+            [("net/ops/nms", "net/ops/nms/setup.py", "python3 setup.py build_ext --inplace")],
+        ),
+        (
+            {"net/ops/nms/setup.py": SETUP, "net/old/nms/setup.py": SETUP},
+            "cd $ROOT/net/ops/nms\npython setup.py build_ext --inplace\n",
+            [],
+        ),
+        (
             {"tools/mesh_setup.py": "from Cython.Build import cythonize\n"},
             "python tools/mesh_setup.py build_ext -i\n",
             [("", "tools/mesh_setup.py", "python3 tools/mesh_setup.py build_ext -i")],

@@ -32,7 +32,7 @@ def checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
     One that is not in the tree may lie in a submodule: it is yielded without a file.
     """
     folder, script, *words = mention.value.split()
-    for start in ends("" if folder == "." else folder):
+    for start in (*ends("" if folder == "." else folder), *_below(folder, script, words, repository)):
         path = posixpath.normpath(posixpath.join(start, script))
         if not repository.has(path):
             continue
@@ -41,6 +41,16 @@ def checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
             yield replace(mention, value=" ".join((start or ".", script, *words)), files=(path,))
         return
     yield mention
+
+
+def _below(folder: str, script: str, words: list[str], repository: Repository) -> Iterator[str]:
+    """Yield the only folder of that name with this setup.py: a page may go there from a variable, ``$ROOT/nms``."""
+    if folder == "." or not builds_in_place((script, *words)):
+        return
+    end = f"/{posixpath.normpath(posixpath.join(folder, script))}"
+    found = [file.path for file in repository.named("setup.py") if f"/{file.path}".endswith(end)]
+    if len(found) == 1:
+        yield found[0].removesuffix(f"/{script}")
 
 
 def called(mention: Mention, repository: Repository) -> Iterator[Dependency]:
