@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 import shlex
 from typing import Literal
@@ -18,6 +19,7 @@ _WAITS = frozenset({"tail", "sleep", "tmux", "screen", "terminator", "xterm", "b
 _INITS = frozenset({"tini", "dumb-init", "docker-init", "env", "gosu"})
 _RUNNERS = frozenset({"conda", "mamba", "micromamba"})
 _WRAPPER = pattern(r"entry[-_]?point|^ros_entry", re.IGNORECASE)
+_OF_ROS = frozenset({"roslaunch", "rosrun", "ros2"})
 _LAST = pattern(r"&&|\|\||;|\n")
 
 
@@ -33,13 +35,24 @@ def startable(candidate: Candidate, authored: AuthorDockerfile) -> bool:
     """Tell whether a container that only starts a shell can be given a command.
 
     A program of ROS is found by its package, a compiled one by its name; a file of the tree only where containers start
-    in the folder that the tree was copied to.
+    in the folder that the tree was copied to. What a node of ROS is given may lie in any folder.
     """
     if entry_point(authored.entrypoint) == "program" or started(authored):
         return False
     in_tree = candidate.argv[0].startswith("python") or candidate.argv[0] in _SHELLS
     in_tree = in_tree or not {*candidate.files}.isdisjoint(candidate.argv[len(program_of(candidate.argv)) :])
-    return not in_tree or (authored.starts_in_source and not authored.context)
+    found = authored.starts_in_source or (candidate.argv[0] in _OF_ROS and authored.source)
+    return not in_tree or bool(found and not authored.context)
+
+
+def given(candidate: Candidate, authored: AuthorDockerfile) -> tuple[str, ...]:
+    """Return a command with the files of the tree that a node is given by their paths from where a container starts."""
+    if candidate.argv[0] not in _OF_ROS or not authored.source:
+        return candidate.argv
+    named = program_of(candidate.argv)
+    words = candidate.argv[len(named) :]
+    inside = (posixpath.normpath(posixpath.join(authored.source, w)) if w in candidate.files else w for w in words)
+    return (*named, *inside)
 
 
 def entry_point(argv: tuple[str, ...]) -> EntryPoint:

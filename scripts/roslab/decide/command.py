@@ -6,7 +6,7 @@ import posixpath
 import shlex
 
 from roslab.config.model import Config, Kind
-from roslab.decide.author_command import entry_point, startable, started
+from roslab.decide.author_command import entry_point, given, startable, started
 from roslab.decide.candidate import Candidate, is_component, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
@@ -130,7 +130,8 @@ def _obvious(
     if first := first_of(ours):
         others = len({program_of(c.argv) for c in ours if c.strong}) - 1
         why = f"{first.why}, before {others} other{'s' * (others > 1)}" if others else f"the only one: {first.why}"
-        return first.argv, because("command", shlex.join(first.argv), why, first, weight=Weight.FIRST)
+        argv = given(first, authored) if dockerfile and authored else first.argv
+        return argv, because("command", shlex.join(argv), why, first, weight=Weight.FIRST)
     meant = None if dockerfile else pointed_at(evidence, kind) or included(evidence, kind)
     if meant and not upkeep(meant):
         return meant.argv, because("command", shlex.join(meant.argv), meant.why, meant, weight=Weight.FIRST)

@@ -160,6 +160,8 @@ class AuthorDockerfile:
     """Its ENTRYPOINT; ``()`` for that of its base."""
     starts_in_source: bool = False
     """A container starts in the folder that the whole build context was copied to."""
+    source: str = ""
+    """That folder, relative to the one in which a container starts, ``""`` where it is not known."""
     updates_rosdep: int | None = None
     """The line of a ``rosdep update`` that skips distributions that have ended."""
     secrets: tuple[tuple[str, int], ...] = ()

@@ -150,3 +150,21 @@ def test_the_workspaces_of_an_image_are_sourced(tmp_path: Path) -> None:
         ["bash", "-c", script, "start", "sh", "-c", "echo $MADE"], capture_output=True, text=True, check=True
     )
     assert done.stdout == "here\n"
+
+
+@pytest.mark.parametrize(
+    ("copied", "argv"),
+    [
+        ("COPY . /ws/src/demo\nWORKDIR /ws\n", ("rosrun", "demo", "node", "src/demo/cfg/a.yaml")),
+        ("ENV WS=/ws\nCOPY . $WS/src/demo\nWORKDIR $WS\n", ("rosrun", "demo", "node", "src/demo/cfg/a.yaml")),
+        ("COPY . /ws/src/demo\nWORKDIR /ws/src/demo\n", ("rosrun", "demo", "node", "cfg/a.yaml")),
+        ("COPY . $HOME/src/demo\nWORKDIR /ws\n", ("roslaunch", "demo", "other.launch")),
+        ("COPY . /ws/src/demo\n", ("rosrun", "demo", "node", "ws/src/demo/cfg/a.yaml")),
+    ],
+)
+def test_a_node_is_given_the_files_where_the_author_s_image_has_them(
+    tree: Tree, copied: str, argv: tuple[str, ...]
+) -> None:
+    page = RUN.format("rosrun demo node cfg/a.yaml\nroslaunch demo other.launch")
+    image = f"FROM ros:noetic\n{copied}RUN cd /ws && catkin_make\n"
+    assert tree({**ROS, "cfg/a.yaml": "rate: 1\n", "README.md": page, "Dockerfile": image}).command == argv

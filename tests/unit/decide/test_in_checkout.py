@@ -43,8 +43,11 @@ def test_a_file_in_the_readers_checkout_is_the_trees(tmp_path: Path, said: str, 
     assert " ".join(decided(tmp_path, {**ROS, "README.md": page}).command) == command
 
 
-def test_a_container_that_starts_elsewhere_is_given_no_file_of_the_tree(tmp_path: Path) -> None:
+def test_a_container_that_starts_elsewhere_is_given_the_file_from_there(tmp_path: Path) -> None:
     page = "## Run\n\n```\nrosrun vins vins_node config/a.yaml\nrosrun vins other\n```\n"
     dockerfile = 'FROM ros:noetic\nCOPY . /ws/src/demo\nWORKDIR /ws\nRUN catkin_make\nCMD ["bash"]\n'
     found = decided(tmp_path, {**ROS, "README.md": page, "Dockerfile": dockerfile})
-    assert (found.dockerfile, found.command) == ("Dockerfile", ("rosrun", "vins", "other"))
+    assert (found.dockerfile, found.command) == (
+        "Dockerfile",
+        ("rosrun", "vins", "vins_node", "src/demo/config/a.yaml"),
+    )

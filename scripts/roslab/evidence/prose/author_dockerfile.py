@@ -225,6 +225,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         command_line=start.line,
         entrypoint=started_by(repository, start.entrypoint),
         starts_in_source=start.source is not None and start.source == posixpath.normpath(start.workdir),
+        source=_from_start(start),
         purpose="vendored" if in_copy(repository, file) else purpose_of(file.path, reading.base or "", problem),
         problem=problem or reading.needs or missing,
         context=context,
@@ -234,6 +235,13 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         updates_rosdep=reading.updates_rosdep,
         copied=_paths(context or "", dict(reading.copied)),
     )
+
+
+def _from_start(start: _Start) -> str:
+    """Return the path to the copy of the build context from where a container starts, if both are known."""
+    if start.source is None or "$" in f"{start.source}{start.workdir}":
+        return ""
+    return posixpath.relpath(start.source, posixpath.join("/", start.workdir))
 
 
 def _paths(context: str, copied: Iterable[str]) -> tuple[str, ...]:
