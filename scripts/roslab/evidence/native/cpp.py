@@ -7,8 +7,8 @@ from collections.abc import Collection, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
+from roslab.evidence.native import x86
 from roslab.evidence.native.limits import Signs, tells
-from roslab.evidence.native.x86 import Intrinsics
 from roslab.knowledge.libraries import library
 from roslab.knowledge.windows import shown as shown_by
 from roslab.repository.checkout import File, Repository, nearest
@@ -28,7 +28,7 @@ _STANDARD = pattern(
 
 
 def read(
-    repository: Repository, signs: Signs | None = None, intrinsics: Intrinsics | None = None
+    repository: Repository, signs: Signs | None = None, intrinsics: x86.Intrinsics | None = None
 ) -> tuple[Dependency, ...]:
     """Return the included headers that neither the tree nor the compiler has, each once, at its first place.
 
@@ -46,8 +46,6 @@ def read(
         shown = signs if not file.name.endswith((".cu", ".cuh")) else None  # compiled where there is CUDA only
         if shown:
             shown.source(file.path, text)
-        if intrinsics:
-            intrinsics.source(file.path, text)
         for opener, place in shown_by(text, "c++").items() if not places.example(file.path) else ():
             at = text.count("\n", 0, place) + 1
             said = Dependency(namespace="call", name=opener, strength="used", file=file.path, line=at, role="build")
@@ -57,7 +55,9 @@ def read(
             name = match[1]
             if shown:
                 shown.header(name, file.path, text, match.start(1))
-            if shown is signs and not tells(name):
+            if intrinsics:
+                intrinsics.header(name, file.path, text, match.start())
+            if shown is signs and not tells(name) and not x86.tells(name):
                 settled.add(name)
             key = name if "/" not in name else "/".join(name.split("/")[:2])
             if name not in outside:

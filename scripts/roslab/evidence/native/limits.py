@@ -24,9 +24,10 @@ _DIRECTIVE = pattern(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|endif)\b[ \t]*([^\s(]*)", 
 _GUARDS = {
     "__has_include": ("__has_include",),
     "_VERSION": ("CV_VERSION", "CV_MAJOR_VERSION", "CERES_VERSION"),
-    "s_c.h": ("imgproc/types_c.h", "constants_c.h"),
 }
-"""The file, or one that it includes, chooses by what is there; by what the words share, which is looked for first."""
+"""The file chooses by what is there; by what the words share, which is looked for first."""
+_OLD_NAMES = ("imgproc/types_c.h", "constants_c.h")
+"""Headers with the dropped names, as a file includes them that chooses by what is there."""
 
 
 MAX_PLACES = 100
@@ -81,6 +82,7 @@ class Signs:
 
     def header(self, name: str, path: str, text: str, position: int) -> None:
         """Read an include at a position of a file."""
+        self.guarded = self.guarded or name.endswith(_OLD_NAMES)
         self.included.add(name.rpartition("/")[2])
         self.includes.setdefault(path, set()).add(name if name in kept_names() else name.rpartition("/")[2])
         found = _signs("include", name)

@@ -35,6 +35,8 @@ _CONDITION = pattern(r"\s*(?:#|(?:else|end)?if\b)", re.IGNORECASE)
 _VARIABLE = pattern(r"\$\{(\w+)\}")
 _INCLUDE = pattern(r"include[ \t]*[<\"](\w+\.h)[>\"]")
 _CHOOSES = pattern(r"uname\b|platform\.machine|aarch64|arm64|\barmv?\d?\b|x86_64|\bCPU_?ARCH|\bARCH\b|cpuinfo")
+_END = "intrin.h"
+"""How every header of x86 alone ends."""
 _HEADERS = (".h", ".hpp", ".hh", ".cuh")
 _SOURCES = (*_HEADERS, ".c", ".cc", ".cpp", ".cxx", ".cu")
 
@@ -48,12 +50,22 @@ class Intrinsics:
 
     def source(self, path: str, text: str) -> None:
         """Read a file in C, C++ or CUDA."""
-        if "intrin.h" not in text or places.example(path):
+        if _END not in text:
             return
         for match in _INCLUDE.finditer(text):
             before = text[text.rfind("\n", 0, match.start()) + 1 : match.start()].strip()
-            if before == "#" and x86_only("header").fullmatch(match[1]):
-                self.found.append((match[1], path, text, match.start()))
+            if before == "#":
+                self.header(match[1], path, text, match.start())
+
+    def header(self, name: str, path: str, text: str, position: int) -> None:
+        """Read an include at a position of such a file."""
+        if tells(name) and x86_only("header").fullmatch(name) and not places.example(path):
+            self.found.append((name, path, text, position))
+
+
+def tells(header: str) -> bool:
+    """Tell whether a header may be one of x86 alone: each file that includes it matters."""
+    return header.endswith(_END)
 
 
 def read(repository: Repository, intrinsics: Intrinsics, included: Collection[str]) -> tuple[X86Only, ...]:
