@@ -66,6 +66,10 @@ def prose(repository: Repository) -> Prose:
 
 def files(repository: Repository) -> list[File]:
     """Return the Dockerfiles of the tree, sorted by path."""
+    return repository.once(_files)
+
+
+def _files(repository: Repository) -> list[File]:
     named = [
         file
         for name, found in repository.by_name.items()
