@@ -13,7 +13,8 @@ from collections.abc import Iterator
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
-_CALL = pattern(r"^[ \t]*(\w+)[ \t]*\(", re.MULTILINE)
+_CALL = pattern(r"\n[ \t]*(\w+)[ \t]*\(")
+"""It begins with the end of the line before, which is found many times faster than the beginning of a line."""
 _BRACKET_COMMENT = pattern(r"#\[(=*)\[.*?\]\1\]", re.DOTALL)
 _TOKEN = pattern(
     r"#[^\n]*|\"([^\"\\]*(?:\\.[^\"\\]*)*)\"|\[(=*)\[(.*?)\]\2\]|([()])|"
@@ -62,7 +63,8 @@ def calls(text: str, names: frozenset[str], options: dict[str, bool] | None = No
         text = _BRACKET_COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text)
     scope = _Scope(options={} if options is None else options)
     beginnings = tuple(name[:-1] for name in names if name.endswith("*"))
-    position, line, total = 0, 1, 0
+    text = f"\n{text}"
+    position, line, total = 0, 0, 0
     for match in _CALL.finditer(text):
         name = match[1].lower()
         asked = name in names or name.startswith(beginnings)

@@ -218,7 +218,7 @@ def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
         if dependency.name not in seen:
             seen.add(dependency.name)
             yield dependency
-    for match in _PREFIX.finditer(text) if "prefix" in text and not _DEBUGS.search(file.name) else ():
+    for match in matches_at(_PREFIX, text, "launch-prefix", "prefix") if not _DEBUGS.search(file.name) else ():
         if (name := programs().get(match[1])) and not _conditional(text, match.start(), match.end()):
             line = text.count("\n", 0, match.start()) + 1
             yield Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="exec")
