@@ -26,9 +26,11 @@ def same_module(name: str, other: str) -> bool:
 @cache
 def _rows_of(name: str) -> frozenset[int]:
     """Return the numbers of the rows that name a package."""
-    return frozenset(
-        number for number, names in enumerate(_names()) if any(fnmatchcase(name, pattern) for pattern in names)
-    )
+    return frozenset(number for number, names in enumerate(_names()) if any(_is(name, pattern) for pattern in names))
+
+
+def _is(name: str, pattern: str) -> bool:
+    return fnmatchcase(name, pattern) if "*" in pattern else name == pattern
 
 
 @cache
