@@ -15,7 +15,7 @@ from roslab.decide.decision import Decision, Warning_
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
-from roslab.evidence.native import made_elsewhere, unread
+from roslab.evidence.native import made_elsewhere, unread, written_beside
 from roslab.evidence.ros import vcs
 from roslab.knowledge.days import rosdistro_ref
 from roslab.knowledge.distros import rosdistro_tag
@@ -92,7 +92,8 @@ def plan_repository(
         unread=unread.names(repository),
     )
     hidden = () if decision.dockerfile else made_elsewhere.names(repository)
-    plan = replace(plan, workspace=replace(plan.workspace, made_elsewhere=hidden))
+    beside = written_beside.found(repository)
+    plan = replace(plan, workspace=replace(plan.workspace, made_elsewhere=hidden, written_beside=beside))
     file = lock_file(config)
     if locked and repository.has(file):
         plan = locks.use(plan, locks.from_text(repository.read(file), file=file), file=file)

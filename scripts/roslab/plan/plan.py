@@ -138,7 +138,7 @@ class Plan:
         """Whether nothing but the compilation needs the source while the image is made: it gets a stage of its own."""
         place = self.workspace
         compiled_here = place.python_projects or place.submodules or place.inside or place.scripts
-        needed_later = self.custom or self.compatible or compiled_here
+        needed_later = self.custom or self.compatible or place.written_beside or compiled_here
         beside = place.ros is not None and place.ros.tool == "rosmake"  # it compiles where the source lies
         written = place.program.programs if place.program else ()
         into_source = any(f"{program}/".startswith(f"{place.folder}/") for program in written)

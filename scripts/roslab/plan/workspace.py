@@ -93,6 +93,8 @@ class Workspace:
     python_projects: tuple[str, ...]
     unread: tuple[str, ...] = ()
     """Names at the top of the repository that no build file names."""
+    written_beside: bool = False
+    """CMake writes what runs to the source, or to the user's home: it is compiled where it runs."""
     made_elsewhere: tuple[str, ...] = ()
     """Files and folders of the repository that CMake wrote on another machine: hidden from the build."""
     native: bool
