@@ -411,3 +411,9 @@ def test_a_folder_of_folders_named_like_a_package_is_not_that_package(tmp_path: 
     files = {"examples/gym/envs/__init__.py": "import gym\n", "main.py": MAIN.replace("torch", "gym, envs")}
     assert lines(decided(tmp_path, files).pip) == ("gym",)
     assert lines(decided(tmp_path, {**files, "examples/gym/__init__.py": ""}).pip) == ()
+
+
+def test_names_of_which_the_index_has_no_release(tmp_path: Path) -> None:
+    decision = decided(tmp_path, {"main.py": MAIN, "requirements.txt": "torch\nopencv\nPIL\n"})
+    assert {"opencv-python", "Pillow"} <= set(lines(decision.python.pip))
+    assert not {"opencv", "PIL"} & set(lines(decision.python.pip))
