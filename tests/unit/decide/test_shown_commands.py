@@ -127,3 +127,20 @@ def test_what_a_page_starts_in_a_container_leaves_pages_below_theirs(tree: Tree)
     files = {**PYTHON, "align.py": PROGRAM, "show.py": PROGRAM, "points/README.md": "# Run\n`python align.py --fast`\n"}
     page = f"# Run\n```\n{RUN} lab/demo python show.py\n```\n"
     assert tree({**files, "README.md": page}).command == ("python", "align.py", "--fast")
+
+
+@pytest.mark.parametrize(
+    ("page", "file", "started"),
+    [
+        ("cd tools\npython run.py", "tools/lib/names.py", "cd tools && exec python run.py"),
+        ("cd tools && python run.py", "tools/lib/more/names.py", "cd tools && exec python run.py"),
+        ("cd tools\npython run.py", "tools/third_party/names.py", ("python", "tools/run.py")),
+        ("cd tools\npython run.py", "lib/names.py", ("python", "tools/run.py")),
+        ("python tools/run.py", "tools/lib/names.py", ("python", "tools/run.py")),
+    ],
+)
+def test_a_program_starts_where_its_own_packages_find_their_files(
+    tree: Tree, page: str, file: str, started: object
+) -> None:
+    files = {**PYTHON, "tools/run.py": PROGRAM, "tools/cfgs/a.yaml": "rate: 1\n", file: "A = 'cfgs/a.yaml'\n"}
+    assert tree({**files, "README.md": f"# Usage\n```\n{page}\n```\n"}).command == started

@@ -6,6 +6,7 @@ import posixpath
 import re
 from collections.abc import Iterator, Sequence
 
+from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -41,7 +42,7 @@ def started_in(mention: Mention, words: Sequence[str], repository: Repository) -
         folder = path.removesuffix(name).rstrip("/")
         there = bool(folder) and posixpath.join(folder, name) == path
         goes = f"/{mention.inside}".endswith(f"/{folder}") if mention.inside else not repository.has(name)
-        if there and goes and (_given(said, folder, repository) or _needs(posixpath.dirname(path), folder, repository)):
+        if there and goes and (_given(said, folder, repository) or _needs(mention, path, folder, repository)):
             return folder
         break
     return ""
@@ -111,9 +112,17 @@ def _given(words: Sequence[str], folder: str, repository: Repository) -> bool:
     return False
 
 
-def _needs(beside: str, folder: str, repository: Repository) -> bool:
-    """Tell whether a file of Python beside the program names a path that is in the tree from this folder alone."""
+def _needs(mention: Mention, program: str, folder: str, repository: Repository) -> bool:
+    """Tell whether a file of Python beside the program names a path that is in the tree from this folder alone.
+
+    Where the page goes to the folder, what the program has in folders beside it counts too.
+    """
+    beside = posixpath.dirname(program)
     files = [file for file in repository.suffixed(".py") if file.folder == beside and file.size <= MAX_SIZE]
+    if mention.inside and len(files) < MAX_FILES:
+        below = [file for file in repository.suffixed(".py") if file.folder.startswith(f"{beside}/")]
+        below = [file for file in below if file.size <= MAX_SIZE and not _of_others(file.path)]
+        files += sorted(below, key=lambda file: file.path.count("/"))
     for file in files[:MAX_FILES]:
         for written in {match[1] for match in _PATH.finditer(repository.read(file))}:
             here, root = (posixpath.normpath(posixpath.join(base, written)) for base in (folder, ""))
@@ -121,6 +130,10 @@ def _needs(beside: str, folder: str, repository: Repository) -> bool:
             if (_has(here, repository) or above) and not _has(root, repository):
                 return True
     return False
+
+
+def _of_others(path: str) -> bool:
+    return places.vendored(path) or places.test(path) or places.example(path)
 
 
 def _has(path: str, repository: Repository) -> bool:
