@@ -31,6 +31,12 @@ _UPKEEP = pattern(
 """A script that keeps the project itself: of its releases, its build, its documentation, its continuous integration."""
 _DATASET = pattern(r"(?:^|[_.-])(?:datasets?|data)(?:[_.-]|$)", re.IGNORECASE)
 """The name of a file of Python that makes data; a node or a compiled program of that name runs on data."""
+_FORMAT = pattern(
+    r"(?:_to_|_?2_?)(?:numpy|np[yz]|tf_?records?|hdf5|h5|zarr|csv|json|pickle|pkl|lmdb|coco|kitti|tum|(?:ros)?bag|mcap|rlds|"
+    r"lerobot|txt|png|jpe?g|pcd|ply)$",
+    re.IGNORECASE,
+)
+"""The name of a file of Python that writes what it reads in another format: ``raw_to_numpy``, ``labelme2coco``."""
 _AFTER = pattern(
     r"(?:^|[_.-])(?:calibrat\w*|evaluat\w*|eval|metrics?|plot\w*|bench\w*|profil\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
     re.IGNORECASE,
@@ -154,7 +160,8 @@ def serves(candidate: Candidate) -> bool:
 def _helps(candidate: Candidate) -> bool:
     if _of_its_package(candidate):
         return False
-    return _named(candidate, _SERVES) or (candidate.argv[0].startswith("python") and _named(candidate, _DATASET))
+    python = candidate.argv[0].startswith("python")
+    return _named(candidate, _SERVES) or (python and (_named(candidate, _DATASET) or _named(candidate, _FORMAT)))
 
 
 def _of_its_package(candidate: Candidate) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from roslab.values.pattern import pattern
 
 _RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
@@ -12,6 +14,34 @@ _CHOICE = pattern(r"(?<==)\{\s*([\w.-]+)\s*(?:[,|/]\s*[\w.-]+\s*){1,12}\}")
 """Values of which the reader chooses one: ``rviz:={true, false}``."""
 _OFFERED = pattern(r"(?<=\s)(--?[A-Za-z][\w-]*[ =])[(\uff08]\s*([\w./-]+)\s*(?:[|\uff5c]\s*[\w./-]+\s*){1,12}[)\uff09]")
 """Values of an option of which the reader chooses one: ``--scene (packed | pile)``."""
+
+_NAME = r"`+(?P<name>[A-Z][A-Z0-9_]{2,}|<[A-Za-z][\w -]{1,40}>|\$\{?[A-Za-z]\w+\}?)`+"
+_ONE_OF = r"(?:(?:just |simply )?(?:one|any|either) (?:of|from)(?: the following)?:?|e\.g\.,?|for example,?)"
+_VALUE = r"\s*[\[({]?\s*[`'\"]+(?P<value>[\w][\w./:-]*)[`'\"]+"
+_CHOSEN = tuple(
+    pattern(form, re.IGNORECASE)
+    for form in (
+        rf"\b(?:replac\w+|chang\w+|substitut\w+|set) (?-i:{_NAME}) (?:with|by|to) {_ONE_OF}{_VALUE}",
+        rf"(?-i:{_NAME}) (?:is|are|can be|may be|must be|should be|could be) (?:chosen )?{_ONE_OF}{_VALUE}",
+    )
+)
+"""A sentence that gives the values of a name in the commands of its page: replace `METHOD` with one of `bc`, `iql`."""
+
+_RELEASE = pattern(r"distro|version|release|ubuntu|cuda", re.IGNORECASE)
+
+
+def chosen(text: str) -> str:
+    """Return a page with the first of the values that it gives for a name in its commands in the place of the name.
+
+    The name stays in backquotes, where the page speaks of it.
+    """
+    for form in _CHOSEN:
+        for match in form.finditer(text):
+            if _RELEASE.search(match["name"]):
+                continue  # which one is meant is weighed with all that the tree says
+            name = rf"(?<![\w`-]){re.escape(match['name'])}(?![\w`-])"
+            text = re.sub(name, match["value"], text)
+    return text
 
 
 def filled(text: str, *, of_page: bool) -> str:

@@ -15,7 +15,7 @@ from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logical_lines
 from roslab.evidence.prose import apt_scripts, asides, downloads, exports, generated, libtorch, mentions, python_path
-from roslab.evidence.prose.blanks import BLANK
+from roslab.evidence.prose.blanks import BLANK, chosen
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
@@ -150,7 +150,7 @@ def text_of(repository: Repository, file: File) -> str:
 
 @cache
 def _shown(text: str) -> str:
-    return as_markdown(without_comments(text))
+    return chosen(as_markdown(without_comments(text)))
 
 
 def of_page(repository: Repository, file: File) -> Prose:

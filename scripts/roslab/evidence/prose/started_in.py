@@ -31,8 +31,9 @@ def started_in(mention: Mention, words: Sequence[str], repository: Repository) -
     """Return the folder that a page's command has to be run in, ``""`` if any folder will do.
 
     ``words``: the command with the paths of the tree from its root; ``mention.inside`` is the folder as written, which
-    may begin with the repository's own name. Where a page goes nowhere, its command can only be meant where the program
-    lies by the path that it gives. An argument, or the code beside it, names what is there from that folder only.
+    may begin with the repository's own name. Where a page goes nowhere, or to a folder that has no such program, its
+    command can only be meant where the program lies by the path that it gives. An argument, or the code beside it,
+    names what is there from that folder only.
     """
     said = mention.value.split()
     for word, path in zip(said, words, strict=True):
@@ -41,7 +42,8 @@ def started_in(mention: Mention, words: Sequence[str], repository: Repository) -
         name = posixpath.normpath(word)
         folder = path.removesuffix(name).rstrip("/")
         there = bool(folder) and posixpath.join(folder, name) == path
-        goes = f"/{mention.inside}".endswith(f"/{folder}") if mention.inside else not repository.has(name)
+        gone = any(repository.has(posixpath.join(end, name)) for end in ends(mention.inside) if end)
+        goes = f"/{mention.inside}".endswith(f"/{folder}") if gone else not repository.has(name)
         if there and goes and (_given(said, folder, repository) or _needs(mention, path, folder, repository)):
             return folder
         break

@@ -1,0 +1,59 @@
+"""Values that a page gives for a name in its commands, and programs that only write another format."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+SCRIPT = "import argparse\nif __name__ == '__main__':\n    argparse.ArgumentParser().parse_args()\n"
+
+
+@pytest.mark.parametrize(
+    ("sentence", "value"),
+    [
+        ("Replace `METHOD` with one of `bc`, `ddpm`, or `iql`.", "bc"),
+        ("Change `METHOD` to any of the following: `bc`, `iql`.", "bc"),
+        ("`METHOD` can be one of ['bc', 'iql'].", "bc"),
+        ("Replace `METHOD` with the name of yours.", "METHOD"),
+        ("Replace `OTHER` with one of `bc`, `iql`.", "METHOD"),
+    ],
+)
+def test_the_first_of_the_values_that_a_page_gives_for_a_name(tree: Tree, sentence: str, value: str) -> None:
+    page = f"# Training\n{sentence}\n```\npython train.py --config configs/train.py:METHOD\n```\n"
+    files = {"train.py": SCRIPT, "configs/train.py": "a = 1\n", "requirements.txt": "numpy\n", "README.md": page}
+    assert tree(files).command == ("python", "train.py", "--config", f"configs/train.py:{value}")
+
+
+def test_a_release_of_ros_is_weighed_with_all_that_the_tree_says(tree: Tree) -> None:
+    page = "Replace `<distro>` with one of `jazzy`, `humble`.\n```\napt install ros-<distro>-xacro\n```\n"
+    xml = "<package><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    cmake = "project(demo)\nfind_package(ament_cmake)\n"
+    workflow = (
+        "jobs:\n  a:\n    container: ros:humble\n    runs-on: ubuntu-22.04\n    steps:\n      - run: colcon build\n"
+    )
+    files = {"package.xml": xml, "CMakeLists.txt": cmake, "README.md": page, ".github/workflows/a.yml": workflow}
+    assert tree(files).ros_distro == "humble"
+
+
+@pytest.mark.parametrize(
+    ("name", "serves"),
+    [
+        ("raw_to_numpy", True), ("labelme2coco", True), ("bag_2_csv", True), ("data/frames_to_hdf5", True),
+        ("move_to_goal", False), ("sim2real", False), ("image_to_scene", False),
+    ],
+)  # fmt: skip
+def test_a_program_that_writes_another_format_is_not_the_one_that_is_meant(tree: Tree, name: str, serves: bool) -> None:
+    page = f"# Usage\n```\npython {name}.py\n```\n```\npython drive.py\n```\n"
+    files = {f"{name}.py": SCRIPT, "drive.py": SCRIPT, "requirements.txt": "numpy\n", "README.md": page}
+    assert tree(files).command == ("python", "drive.py" if serves else f"{name}.py")
+
+
+def test_a_page_that_went_to_a_folder_without_the_program_goes_nowhere(tree: Tree) -> None:
+    page = "# Run\n```\ncd src/data\npython load_dataset.py\n```\n## Test\n```\npython test.py --cfg cfg/a.yaml\n```\n"
+    files = {"src/data/load_dataset.py": SCRIPT, "src/test.py": SCRIPT, "src/cfg/a.yaml": "a: 1\n"}
+    found = tree({**files, "requirements.txt": "numpy\n", "README.md": page})
+    assert found.command == "cd src && exec python test.py --cfg cfg/a.yaml"
