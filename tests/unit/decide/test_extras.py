@@ -40,3 +40,24 @@ def test_extras_of_the_first_line_are_installed(tree: Tree, page: str, more: lis
     python = tree(files).python
     assert python.projects == (".",)
     assert {each.written for each in python.pip_guessed if each.key in {"mujoco", "viser", "pytest-cov"}} == {*more}
+
+
+@pytest.mark.parametrize(
+    ("listed", "page", "more"),
+    [
+        ("jax==0.4.13", 'pip install "jax[gpu]==0.4.13" -f https://a.org\npip install "jax[tpu]"', "jax[gpu]==0.4.13"),
+        ("jax==0.4.13", 'pip install "jax[cuda12]"', "jax[cuda12]==0.4.13"),
+        ("jax", "pip install -U jax[cuda12]", "jax[cuda12]"),
+        ("jax[cuda12]==0.4.13", 'pip install "jax[cuda12]"', None),
+        ("jax==0.4.13", 'pip install "jax[cuda12]==0.4.20"', None),
+        ("jax==0.4.13", 'pip install "jax[dev]"', None),
+        ("jax==0.4.13", "pip install jax", None),
+    ],
+)
+def test_what_a_page_adds_to_a_package_of_a_list(
+    tree: Callable[[dict[str, str]], Decision], listed: str, page: str, more: str | None
+) -> None:
+    files = {"requirements.txt": f"{listed}\n", "a.py": "import jax\n", "README.md": f"```\n{page}\n```\n"}
+    python = tree(files).python
+    found = (*python.pip, *python.pip_guessed)
+    assert [each.written for each in found if each.extras and each.key == "jax"] == ([more] if more else [])

@@ -43,6 +43,29 @@ def extras(
     return tuple(found.values())
 
 
+def of_pages(evidence: Evidence, files: Iterable[RequirementFile]) -> tuple[Requirement, ...]:
+    """Return what the page at the root installs with extras and a list names without them: ``jax[cuda12]``.
+
+    A list is for any machine, the page adds what one with a GPU needs, the first time it names the package. Another
+    version than the list's is for another time.
+    """
+    listed = {each.key: each for file in files for each in file.requirements if each.name and each.package}
+    found: dict[str, Requirement] = {}
+    for asked in evidence.prose_pip:
+        before = listed.get(asked.key)
+        if "/" in asked.file or not asked.extras or not before or before.url or asked.url:
+            continue
+        same = not asked.limited or asked.specifier == before.specifier
+        if same and not set(asked.extras) <= set(before.extras) and not _developers(asked):
+            written = f"{asked.name}[{','.join(asked.extras)}]{before.specifier if before.limited else ''}"
+            found.setdefault(asked.key, replace(asked, written=written, specifier=before.specifier))
+    return tuple(found.values())
+
+
+def _developers(asked: Requirement) -> bool:
+    return all(_DEVELOPERS.search(name.lower()) for name in asked.extras)
+
+
 def _folder(asked: Requirement, known: Set[str]) -> str | None:
     """Return the project's folder that a line installs; ``cd REPOSITORY`` before it goes to the root."""
     written = posixpath.normpath(asked.written.partition("[")[0] or ".")

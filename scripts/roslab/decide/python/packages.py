@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from roslab.config.model import Config, Kind
 from roslab.decide.python.conda_environments import conda_file
-from roslab.decide.python.extras import extras
+from roslab.decide.python.extras import extras, of_pages
 from roslab.decide.python.guesses import guesses, known_names, loose_names
 from roslab.decide.python.manifests import projects, requirement_files
 from roslab.decide.python.pins import DEVELOPMENT, Pin
@@ -41,7 +41,11 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     return Chosen(
         files=files,
         projects=folders,
-        guessed=(*more, *guesses(evidence, pins, kind, manifests=manifests, known=known, loose=loose)),
+        guessed=(
+            *more,
+            *of_pages(evidence, files),
+            *guesses(evidence, pins, kind, manifests=manifests, known=known, loose=loose),
+        ),
         options=tuple(dict.fromkeys(_options(evidence))),
         conda=conda,
     )
