@@ -249,6 +249,7 @@ def test_the_programs_that_doxygen_calls_are_installed(tree: Tree) -> None:
     [
         ("Used with https://github.com/lab/quad_control.\nSee [it](https://github.com/lab/quad_control).\n", True),
         ("Used with https://github.com/lab/quad_control.\nSee [it](https://github.com/lab/other).\n", False),
+        ("Used with https://github.com/lab/quad_control.\nClone https://github.com/lab/mpc.\n", True),
         ("", False),
     ],
 )
@@ -256,6 +257,7 @@ def test_the_only_repository_that_a_page_links_to_may_hold_an_unknown_key(tree: 
     package = "<package><name>mpc</name><buildtool_depend>catkin</buildtool_depend><depend>quad_x</depend></package>"
     cmake = "project(mpc)\nfind_package(catkin REQUIRED COMPONENTS quad_x)\ncatkin_package()\n"
     files = {"package.xml": package, "CMakeLists.txt": cmake, "README.md": f"ROS Noetic.\n{page}"}
+    files[".git/config"] = '[remote "origin"]\n\turl = https://github.com/lab/mpc.git\n'
     told = next(each.message for each in tree(files).warnings if "rosdep has no key quad_x" in each.message)
     assert ("https://github.com/lab/quad_control, which README.md:2 links to, may hold it" in told) == said
 

@@ -97,8 +97,12 @@ def test_vcs_files_of_any_name_give_https(tmp_path: Path, path: str, text: str) 
 
 
 @pytest.mark.parametrize(
-    "text", ["repositories: null\n", "repositories:\n  a: 1\n", "", "- git: 3\n", "a: [", "repositories: {a: {url: x}}"]
-)
+    "text",
+    [
+        "repositories: null\n", "repositories:\n  a: 1\n", "", "- git: 3\n", "a: [", "repositories: {a: {url: x}}",
+        "repositories: {a: {url: 'https://github.com/.git'}}", "repositories: {a: {url: 'git@github.com:lab/.git'}}",
+    ],
+)  # fmt: skip
 def test_empty_and_broken_vcs_files_list_nothing(tmp_path: Path, text: str) -> None:
     assert vcs.read(tree(tmp_path, {"underlay.repos": text, "b": ""})) == ()
 

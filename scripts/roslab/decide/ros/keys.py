@@ -124,8 +124,10 @@ def of_an_apt_source(keys: Sequence[str], target: Target, evidence: Evidence) ->
 
 
 def the_one_linked(evidence: Evidence) -> GitSource | None:
-    """Return the repository that the pages at the root link to, ``None`` if they link to several or to none."""
+    """Return the other repository that the pages at the root link to, ``None`` if they link to several or to none."""
+    here = address(evidence.origin) if evidence.origin else ""
     found = {address(git.url): git for git in evidence.sources if git.kind == "link" and "/" not in git.file}
+    found.pop(here, None)
     return next(iter(found.values())) if len(found) == 1 else None
 
 

@@ -26,6 +26,9 @@ _SSH = pattern(r"^(?:ssh://)?(?:[\w.-]+@)([\w.-]+)(?::(?:\d+/)?|/)(.+)$")
 _BEHIND = pattern(r"^https?://([\w.-]+)/(?:https?:/{1,2})?([\w.-]+)/(.+)$")
 _PLAIN_URL = pattern(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
 
+SHORTEST = 2
+"""Parts of an address at a public host: the owner and the name."""
+
 
 def read(repository: Repository) -> tuple[GitSource, ...]:
     """Return every repository that a list names, with https URLs; ``decide`` leaves out the repository itself."""
@@ -121,7 +124,7 @@ def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
     if any("${" in str(part) for entry in entries for part in entry):
         return  # a template that a script of the author fills in
     for name, url, ref in entries:
-        if not isinstance(url, str) or not _PLAIN_URL.match(url.strip()):
+        if not isinstance(url, str) or not _PLAIN_URL.match(url.strip()) or _nobodys(url):
             continue
         yield GitSource(
             name=name,
@@ -133,6 +136,12 @@ def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
             kind="vcs",
             by_ssh=url.strip() if _SSH.match(url.strip()) and not url.strip().startswith("http") else "",
         )
+
+
+def _nobodys(url: str) -> bool:
+    """Tell whether an address at a public host lacks the owner or the name: a template that nobody has filled in."""
+    host, _, path = https(url).partition("://")[2].partition("/")
+    return host in public_hosts() and len([part for part in path.removesuffix(".git").split("/") if part]) < SHORTEST
 
 
 def _vcstool(data: dict[object, object]) -> Iterator[tuple[str, object, object]]:
