@@ -1,6 +1,11 @@
-"""Comments of HTML in a page: what stands in them nobody is told."""
+"""Comments in a page, of HTML and of its blocks of code: what stands in them nobody is told."""
 
 from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from roslab.evidence.prose.headings import MAX_LINE, fence
 
 _FENCE = "```"
 
@@ -29,3 +34,24 @@ def without_comments(text: str) -> str:
         read = counted = end
         start = text.find("<!--", end)
     return "".join((*kept, text[read:]))
+
+
+def commented_out(lines: Sequence[str], command: re.Pattern[str]) -> frozenset[int]:
+    """Return the numbers of the lines, from 1, in which a fenced block comments a command out.
+
+    Only in a block that has a ``command`` which is not: else ``#`` is the prompt of root.
+    """
+    found: set[int] = set()
+    block: list[int] | None = None
+    for number, line in enumerate(lines, 1):
+        if not fence(line):
+            if block is not None:
+                block.append(number)
+            continue
+        if block:
+            marked = {each for each in block if lines[each - 1].lstrip().startswith("#")}
+            marked = {each for each in marked if command.match(lines[each - 1][:MAX_LINE])}
+            if marked and any(command.match(lines[each - 1][:MAX_LINE]) for each in block if each not in marked):
+                found |= marked
+        block = [] if block is None else None
+    return frozenset(found)

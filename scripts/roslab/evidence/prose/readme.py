@@ -16,7 +16,7 @@ from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logical_lines
 from roslab.evidence.prose import apt_scripts, asides, downloads, exports, generated, libtorch, mentions, python_path
 from roslab.evidence.prose.blanks import BLANK, chosen
-from roslab.evidence.prose.comments import without_comments
+from roslab.evidence.prose.comments import commented_out, without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of, under
@@ -245,7 +245,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     titles: dict[int, str] = {}
     elsewhere = index = 0
     fenced = False
-    title = title_of(lines)
+    title, commented = title_of(lines), commented_out(lines, _START)
     while index < len(lines):
         line = lines[index]
         index += 1
@@ -261,7 +261,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
             titles = under(titles, heading)
         drawn = fenced and index < len(lines) and _BRANCH.match(lines[index][:MAX_LINE])
         tells = (fenced and not drawn and also.search(line)) if also else _tells(line, signs, fenced=fenced)
-        if elsewhere or len(line) > MAX_LINE or not tells:
+        if elsewhere or len(line) > MAX_LINE or not tells or index in commented:
             continue
         first, marked = index, _MARKED.match(line)
         while line.rstrip().endswith("\\") and index < len(lines) and len(line) < 4 * MAX_LINE:
@@ -287,14 +287,10 @@ def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
         yield line
     else:
         spans = (typed(span[2]) for span in _SPAN.finditer(line))
-        yield from (_alone(span) for span in spans if telling(span, signs) and " " in span)
+        told = (span for span in spans if telling(span, signs) and " " in span)
+        yield from (f"({span})" if _THERE.match(span) else span for span in told)  # a shell of its own
         yield from (said[0] for said in (_SAID_LAUNCH.finditer(line) if "launch " in line else ()))
         yield from (f"git clone {named[1]}" for named in (_CLONED.finditer(line) if "://" in line else ()))
         yield from (f"cd {named[1]}" for named in _GO_INTO.finditer(line))
         yield from (f"./{named[1]}" for named in _NAMED.finditer(line))
         yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
-
-
-def _alone(span: str) -> str:
-    """Return code in a sentence that goes to a folder and does something there as a shell of its own."""
-    return f"({span})" if _THERE.match(span) else span
