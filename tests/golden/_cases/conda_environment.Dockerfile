@@ -15,6 +15,14 @@ COPY <<'EOF' /archives.txt
 @@ _constant/archives.txt @@
 EOF
 
+COPY --chmod=755 <<'EOF' /take-pip-part
+@@ _constant/take-pip-part @@
+EOF
+
+COPY --chmod=755 <<'EOF' /pip-cache
+@@ _constant/pip-cache @@
+EOF
+
 
 FROM ubuntu:22.04
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
@@ -48,13 +56,18 @@ ENV PIP_PREFER_BINARY=1
 
 # A conda environment: the author's own, or for a Python that the base does not have
 COPY --from=mambaorg/micromamba:2.3.2 /bin/micromamba /usr/local/bin/micromamba
+COPY --from=scripts /take-pip-part /usr/local/bin/
 COPY environment.yml /tmp/manifests/
 ENV MAMBA_ROOT_PREFIX=/opt/mamba \
     CONDA_PREFIX=/opt/conda \
     PATH=/opt/conda/bin:${PATH}
-RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
+COPY --from=scripts /pip-cache /usr/local/bin/
+RUN --mount=type=cache,id=pip-conda_environment-${TARGETARCH},target=/root/.cache/pip,sharing=locked \
+    export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
+ && take-pip-part /tmp/manifests/environment.yml \
  && CONDA_CHANNELS=defaults PIP_CACHE_DIR=/tmp/pip-downloads micromamba create --yes --quiet --prefix /opt/conda --file /tmp/manifests/environment.yml \
  && micromamba clean --all --yes --quiet \
+ && (cd /tmp/manifests && python3 -m pip install "$(pip-cache)" --upgrade --requirement environment.yml.pip) \
  && rm -rf /tmp/pip-downloads
 
 # The source

@@ -150,7 +150,7 @@ def test_every_script_is_called_by_some_dockerfile() -> None:
     folder = Path(image_scripts.__path__[0])
     calls = "".join(path.read_text() for path in folder.parent.rglob("*.py"))
     names = sorted(path.stem for path in folder.glob("*.sh"))
-    assert len(names) == 26
+    assert len(names) == 27
     assert [name for name in names if not re.search(rf"""["'/]{name}["' ]""", calls)] == []
 
 
@@ -501,6 +501,26 @@ def test_pip_compiles_with_what_the_base_lacks() -> None:
     assert "python3-dev" not in apt(manager="conda")
     assert "python3-dev" not in apt(base_image="python:3.7-slim-bookworm", ubuntu=None)
     assert "build-essential" not in apt(kind="cuda", base_image="nvidia/cuda:11.8.0-devel-ubuntu22.04")
+
+
+def test_a_conda_file_has_its_pip_part_installed_by_the_environment(plan: Callable[..., Plan]) -> None:
+    """Its own Python serves the index of pip's day: a base without Python got the packages of today."""
+    text = dockerfile(
+        plan(manager="conda", conda_file="conda/environment.yml", day="2021-05-04", setuptools="setuptools<66")
+    )
+    parts = (
+        "take-pip-part /tmp/manifests/conda/environment.yml \\\n",
+        "micromamba create --yes --quiet --prefix /opt/conda --file /tmp/manifests/conda/environment.yml \\\n",
+        '&& eval "$(index-as-of 2021-05-04 --or-today)" \\\n',
+        'python3 -m pip install "$(pip-cache)" --upgrade --requirement environment.yml.pip)',
+        "&& python3 -m pip install --no-cache-dir 'setuptools<66' \\\n",
+    )
+    places = [text.index(part) for part in parts]
+    assert places == sorted(places)
+    assert text.count("index-as-of 2021") == 1
+    without = dockerfile(plan(manager="conda", conda_file="environment.yml", conda_pip=False, day="2021-05-04"))
+    assert "take-pip-part" not in without
+    assert "index-as-of" not in without
 
 
 def test_conda_installs_what_a_manifest_of_pixi_names(plan: Callable[..., Plan]) -> None:

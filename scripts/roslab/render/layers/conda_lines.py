@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Sequence
 
+from roslab.plan.plan import Plan
 from roslab.plan.python import PythonPlan
 from roslab.render import quote
+from roslab.render.layers import caches, manifests
 
 
 def changed(python: PythonPlan, file: str) -> tuple[str, ...]:
@@ -19,6 +22,19 @@ def changed(python: PythonPlan, file: str) -> tuple[str, ...]:
     if python.conda_pip_below:
         commands.append(_older_pip(file, python.conda_pip_below))
     return tuple(commands)
+
+
+def pip_part(plan: Plan, python: str) -> tuple[str, ...]:
+    """Return the command that installs what take-pip-part left beside a conda file, as conda would; none without it.
+
+    ``python`` is the environment's own.
+    """
+    file = plan.python.conda_file
+    if not file or plan.python.conda_specs or not plan.python.conda_pip:
+        return ()
+    folder, name = posixpath.split(posixpath.join(manifests.FOLDER, file))
+    install = f"{python} -m pip install {caches.pip_option(plan)} --upgrade --requirement {quote.shell(f'{name}.pip')}"
+    return (f"(cd {quote.shell(folder)} && {install})",)
 
 
 def _fewer_channels(addresses: Sequence[str], file: str) -> str:

@@ -112,19 +112,26 @@ def _conda(plan: Plan) -> str:
     if python.conda_limits:  # they hold only for what is taken: arm64 has no mkl
         more += f"MAMBA_PINNED_PACKAGES={quote.shell(','.join(python.conda_limits))} "
     lists, file = locks.conda(plan)
+    pip_part = conda_lines.pip_part(plan, interpreter(plan))
     if file:
-        copy, source, without = lists, f"--file {file}", ()
+        copy, source, without, pip_part = lists, f"--file {file}", (), ()
+    elif pip_part:
+        copy = shell.copy_script("take-pip-part") + copy
+        without = (*without, f"take-pip-part {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}")
+    old = f"{interpreter(plan)} -m pip install --no-cache-dir {quote.shell(python.setuptools)}"
+    after = (*pip_part, *([old] if python.setuptools else ()))
     create = (
         f"{more}PIP_CACHE_DIR={DOWNLOADS} micromamba create --yes --quiet --prefix /opt/conda {source}",
         "micromamba clean --all --yes --quiet",
-        *([f"python -m pip install --no-cache-dir {quote.shell(python.setuptools)}"] if python.setuptools else []),
+        *(secrets.day(plan) if after else ()),
+        *after,
         f"rm -rf {DOWNLOADS}",
     )
     return (
         "# A conda environment: the author's own, or for a Python that the base does not have\n"
         f"COPY --from={tool_image('micromamba')} /bin/micromamba /usr/local/bin/micromamba\n{copy}"
         "ENV MAMBA_ROOT_PREFIX=/opt/mamba \\\n    CONDA_PREFIX=/opt/conda \\\n    PATH=/opt/conda/bin:${PATH}\n"
-        + shell.run(*without, *create, secrets=secrets.for_conda(plan))
+        + shell.run(*without, *create, secrets=secrets.for_conda(plan, pip=bool(pip_part)))
     )
 
 

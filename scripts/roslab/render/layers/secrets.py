@@ -47,9 +47,14 @@ def for_pip(plan: Plan) -> Secrets:
     return _of(plan, (PIP_INDEX, NETRC, SSH), "root", first=before_pip(plan), mounted=caches.pip_downloads(plan))
 
 
-def for_conda(plan: Plan) -> Secrets:
-    """Return what a conda environment needs, whose file may call pip."""
-    return _of(plan, (PIP_INDEX, NETRC, SSH), "root", first=before_pip(plan))
+def for_conda(plan: Plan, *, pip: bool) -> Secrets:
+    """Return what a conda environment needs, and what it has ``pip`` install.
+
+    pip's day is not among it: the environment's Python serves the index, once it is there.
+    """
+    return _of(
+        plan, (PIP_INDEX, NETRC, SSH), "root", first=(REPEATABLE,), mounted=caches.pip_downloads(plan) if pip else ()
+    )
 
 
 def for_git(plan: Plan, user: User = "root") -> Secrets:
@@ -71,7 +76,12 @@ def for_both(plan: Plan) -> Secrets:
 
 def before_pip(plan: Plan) -> tuple[str, ...]:
     """Return the commands before those of pip: they write the same bytes again, of the plan's day if it has one."""
-    return (REPEATABLE, *(of_pip_day(plan) or as_of(plan)))
+    return (REPEATABLE, *day(plan))
+
+
+def day(plan: Plan) -> tuple[str, ...]:
+    """Return the command that gives pip the index of a day, none without one."""
+    return of_pip_day(plan) or as_of(plan)
 
 
 def of_pip_day(plan: Plan) -> tuple[str, ...]:
