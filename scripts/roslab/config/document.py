@@ -41,6 +41,7 @@ _HINTS = (
     ("unexpected end of stream", "close the quote"),
     ("undefined alias", "write the value out"),
 )
+_TOO_DEEP = ("nested too deep", f"at most {MAX_DEPTH} levels are read, roslab.yaml needs four")
 _MERGE = "<<"
 
 
@@ -89,8 +90,7 @@ class Document:
         elif isinstance(event, yaml.events.CollectionStartEvent):
             _check_tag(event.tag, ("seq", "map"), _mark(event.start_mark))
             if len(self._stack) >= MAX_DEPTH:
-                hint = f"at most {MAX_DEPTH} levels are read, roslab.yaml needs four"
-                raise _Stop("nested too deep", hint, _mark(event.start_mark))
+                raise _Stop(*_TOO_DEEP, _mark(event.start_mark))
             if event.anchor:
                 self._anchors[event.anchor] = None
             self._stack.append(_Open(event=event))
@@ -236,5 +236,7 @@ def _syntax(error: Exception) -> tuple[str, str, Mark | None]:
     """Return a parser's error as a message, a hint and a place."""
     complaint = getattr(error, "problem", None) or "it cannot be read"
     mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)
+    if "maximum nesting depth" in complaint:  # libyaml 0.2.6 and later, which scans ahead of the events
+        return *_TOO_DEEP, _mark(mark) if mark else None
     hint = next((hint for words, hint in _HINTS if words in complaint), "see https://yaml.org for the syntax")
     return f"no valid YAML: {complaint}", hint, _mark(mark) if mark else None

@@ -87,6 +87,20 @@ def test_marks_comments_and_line_ends_do_no_harm(text: str | bytes) -> None:
     assert read(text).name == "a"
 
 
+def test_the_limit_of_the_parser_itself_is_told_as_ours(monkeypatch: pytest.MonkeyPatch) -> None:
+    """libyaml 0.2.6 (PyYAML 6.0.4) counts levels itself and scans ahead, so that its error comes before ours."""
+    import yaml
+
+    mark = yaml.Mark("f", 1000, 0, 1000, None, None)
+    error = yaml.scanner.ScannerError("while increasing flow level", mark, "exceeded maximum nesting depth", mark)
+
+    def limited(text: str, **_: object) -> object:
+        raise error
+
+    monkeypatch.setattr(yaml, "parse", limited)
+    assert problem("[" * 2000).startswith("roslab.yaml:1:1001: nested too deep (at most 32 levels are read")
+
+
 def test_every_problem_is_told_at_once_in_the_order_of_the_lines() -> None:
     told = problem("bild: cmake\nname: 'a b'\napt: {}\nbase: {ubuntu: 17.10, opengl: yes}\nname: c")
     assert [line.split(":")[1] for line in told.splitlines()] == ["1", "2", "3", "4", "4", "5"]
