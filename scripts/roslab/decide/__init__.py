@@ -46,7 +46,7 @@ from roslab.decide.system.linked_headers import linked_headers
 from roslab.decide.system.missing import decide_missing, marked, provided
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, host_options, started
-from roslab.decide.system.own_options import own_compilers, own_options
+from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, with_libraries
 from roslab.decide.variables import decide_variables
@@ -262,6 +262,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cmake_options=(
             *own_options(evidence, config, folder_name, build_tool.answer),
             *missing.answer.options,
+            *options_of_program(evidence, config, build_tool.answer, command.answer.command),
         ),
         cuda_options=host_options(system.answer.apt_guessed, base.answer.ubuntu),
         header_links=linked_headers(evidence, base.answer.ubuntu),
@@ -279,7 +280,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         test=test.answer,
         rostests=() if own.answer else rostests(evidence, kind.answer, build_tool.answer),
         tests=() if own.answer else evidence.tests,
-        ctest=runs_ctest(evidence, build_tool.answer, missing.answer.options),
+        ctest=runs_ctest(evidence, build_tool.answer, missing.answer.tests),
         compiles=bool(compiled(evidence)),
         without=platforms.answer.without,
         platforms=platforms.answer.built,

@@ -7,7 +7,6 @@ from collections.abc import Collection
 from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import configured
-from roslab.decide.system.missing import WITHOUT_TESTS
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.values.words import line_of
@@ -28,10 +27,10 @@ def compiled(evidence: Evidence) -> frozenset[str]:
     return frozenset(name for project in projects for name, _ in project.executables)
 
 
-def runs_ctest(evidence: Evidence, build_tool: BuildTool, options: Collection[str]) -> bool:
-    """Tell whether there are tests for ctest, which the options of CMake do not leave out."""
+def runs_ctest(evidence: Evidence, build_tool: BuildTool, left_out: Collection[str]) -> bool:
+    """Tell whether there are tests for ctest; ``left_out``: the options by which the build leaves tests out."""
     has_tests = any(project.tests and not places.vendored(project.file) for project in evidence.cmake)
-    return build_tool == "cmake" and has_tests and WITHOUT_TESTS not in options
+    return build_tool == "cmake" and has_tests and not left_out
 
 
 def rostests(evidence: Evidence, kind: Kind, build_tool: BuildTool) -> tuple[str, ...]:

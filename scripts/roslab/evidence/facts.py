@@ -50,6 +50,8 @@ class CMakeProject:
     name: str | None
     top_level: bool
     """It calls ``project()`` and no CMakeLists.txt above it adds its folder."""
+    added: bool = False
+    """A CMakeLists.txt above it, which is not about tests alone, adds its folder."""
     languages: tuple[str, ...]
     macros: tuple[str, ...]
     """Macro families that it calls: ``catkin``, ``ament``, ``rosbuild``, ``cuda``."""

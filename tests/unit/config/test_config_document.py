@@ -91,7 +91,7 @@ def test_the_limit_of_the_parser_itself_is_told_as_ours(monkeypatch: pytest.Monk
     """libyaml 0.2.6 (PyYAML 6.0.4) counts levels itself and scans ahead, so that its error comes before ours."""
     import yaml
 
-    mark = yaml.Mark("f", 1000, 0, 1000, None, None)
+    mark = yaml.Mark("f", 1000, 0, 1000, None, 0)
     error = yaml.scanner.ScannerError("while increasing flow level", mark, "exceeded maximum nesting depth", mark)
 
     def limited(text: str, **_: object) -> object:

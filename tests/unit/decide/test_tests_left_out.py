@@ -40,3 +40,55 @@ def test_tests_that_lack_a_package_are_not_compiled(tree: Tree, files: dict[str,
     assert ("-DBUILD_TESTING=OFF" in decision.cmake_options) is left_out
     assert any(warning.message.startswith("only the tests ask for GTest") for warning in decision.warnings) is left_out
     assert decision.ctest is ("tests/CMakeLists.txt" in files and not left_out)
+
+
+OPTION = 'option(DEMO_TESTS "Build tests" ON)\n'
+GUARDED = f"{TOP}{OPTION}if(DEMO_TESTS)\nadd_subdirectory(tests)\nendif()\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "options", "installed"),
+    [
+        ({"CMakeLists.txt": GUARDED}, {"-DDEMO_TESTS=OFF"}, False),
+        ({"CMakeLists.txt": GUARDED.replace(" ON)", " OFF)")}, set(), False),
+        ({"CMakeLists.txt": f"{TOP}add_subdirectory(tests)\n"}, set(), True),
+        ({"CMakeLists.txt": TOP}, set(), False),
+        ({"CMakeLists.txt": f"{TOP}add_subdirectory(tests)\n", "tests/CMakeLists.txt": ""}, set(), False),
+        (
+            {"CMakeLists.txt": GUARDED, "README.md": "```\ncmake -DDEMO_TESTS=ON ..\nmake\n```\n"},
+            {"-DDEMO_TESTS=ON"},
+            True,
+        ),
+        (
+            {"CMakeLists.txt": GUARDED, "README.md": "```\ncmake -DDEMO_TESTS=OFF ..\nmake\n```\n"},
+            {"-DDEMO_TESTS=OFF"},
+            False,
+        ),
+        (
+            {
+                "CMakeLists.txt": f"{TOP}{OPTION}add_subdirectory(tests)\n",
+                "tests/CMakeLists.txt": "if(DEMO_TESTS)\nadd_subdirectory(unit)\nendif()\n",
+                "tests/unit/CMakeLists.txt": ASKS,
+            },
+            {"-DDEMO_TESTS=OFF"},
+            False,
+        ),
+    ],
+    ids=["on", "off", "always", "not-added", "asks-nothing", "asked-for", "refused", "two-folders-below"],
+)
+def test_an_option_of_the_project_leaves_its_tests_out(
+    tree: Tree, files: dict[str, str], options: set[str], installed: bool
+) -> None:
+    """The packages of tests that nothing leaves out are installed: CMake stops without them."""
+    decision = tree({**CODE, "tests/CMakeLists.txt": ASKS, **files})
+    assert {option for option in decision.cmake_options if "TEST" in option} == options
+    assert ("libgtest-dev" in decision.apt) is installed
+
+
+def test_a_program_of_a_folder_that_an_option_adds_depends_on_the_option(tree: Tree) -> None:
+    top = f'{TOP}option(DEMO_EXAMPLES "" OFF)\nif(DEMO_EXAMPLES)\nadd_subdirectory(extra)\nendif()\n'
+    below = "find_package(OpenCV REQUIRED)\nadd_executable(show show.cpp)\n"
+    files = {"CMakeLists.txt": top, "extra/CMakeLists.txt": below, "extra/show.cpp": "int main() {}\n"}
+    decision = tree({**CODE, **files, "README.md": "# Usage\n```\n./show\n./run\n```\n"})
+    assert decision.command == ("show",)
+    assert "-DDEMO_EXAMPLES=ON" in decision.cmake_options

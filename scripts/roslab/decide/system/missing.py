@@ -17,6 +17,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.switches import given, switch_of
+from roslab.decide.system.tests import left_to_a_switch
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import CMakeProject, Evidence
@@ -46,11 +47,9 @@ _OFF = (
     "roslab.yaml to have it, and set the option in `cmake_options`"
 )
 _TESTS = (
-    "only the tests ask for {}, which is not installed: they are not compiled, with -DBUILD_TESTING=OFF; give "
-    "`cmake_options` in roslab.yaml to have them"
+    "only the tests ask for {}, which is not installed: they are not compiled, with -D{}=OFF; give `cmake_options` in "
+    "roslab.yaml to have them"
 )
-WITHOUT_TESTS = "-DBUILD_TESTING=OFF"
-"""CTest's own switch. https://cmake.org/cmake/help/latest/module/CTest.html"""
 ENDED = 300
 """Weight of the reasons for what is taken out of a manifest; nothing competes with them."""
 
@@ -65,6 +64,8 @@ class Missing:
     """Packages that the manifests of rosbuild are told not to need."""
     options: tuple[str, ...] = ()
     """What turns those options of CMake off that are on and ask for a package which nothing brings."""
+    tests: tuple[str, ...] = ()
+    """Those of the options that are for the tests."""
 
 
 def decide_missing(
@@ -107,8 +108,7 @@ def decide_missing(
     options = given(evidence) if switch else ""
     off = {switch_of(asked, options): asked for _, asked in unmet if switch and switch_of(asked, options)}
     lacking = {package: asked for package, asked in unmet if switch_of(asked, options) not in off}
-    unsaid = switch and "-DBUILD_TESTING" not in options
-    tests = _of_tests(evidence, target, packages, names) if unsaid else None
+    tests = _of_tests(evidence, target, packages, names) if switch else {}
     keyed = {d.name for manifest in packages.built for d in manifest.dependencies}  # these are told as keys
     unsure_of = [
         asked
@@ -136,14 +136,14 @@ def decide_missing(
         warnings.append(warn(f"nothing is known that brings {asked.name}, which CMake requires: {then}; {hint}", asked))
     warnings += [warn(_PERHAPS.format(asked.name), asked) for asked in unsure_of]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
-    warnings += [warn(_TESTS.format(tests.name), tests)] if tests else []
+    warnings += [warn(_TESTS.format(asked.name, option), asked) for option, asked in tests.items()]
     asks = _of_program_and_below if kind == "cpp" else _required
     names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - {plain(name) for name in built}
     warnings += _too_old(asks(evidence, packages), target, out.keys(), names, build_tool)
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
-    switches = (*(f"-D{name}=OFF" for name in off), *([WITHOUT_TESTS] if tests else []))
+    switches = tuple(f"-D{name}=OFF" for name in (*off, *tests))
     return Choice(
-        answer=Missing(packages=tuple(sorted(out)), ended=tuple(ended), options=switches),
+        answer=Missing(packages=tuple(sorted(out)), ended=tuple(ended), options=switches, tests=tuple(tests)),
         warnings=tuple(warnings),
         reasons=(
             *(because("dependencies", name, why, asked, weight=ENDED) for name, asked in ended.items()),
@@ -232,18 +232,16 @@ def _of_program(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, D
         yield from ((top.name or "the program", asked) for asked in _outside(top, evidence, packages))
 
 
-def _of_tests(evidence: Evidence, target: Target, packages: Packages, names: Collection[str]) -> Dependency | None:
-    """Return what CMake requires for the tests alone and nothing brings, the first; ``None`` where there is none."""
+def _of_tests(evidence: Evidence, target: Target, packages: Packages, names: Collection[str]) -> dict[str, Dependency]:
+    """Return the options that leave tests out, each with the first package that they require and nothing brings."""
     inside = _inside(evidence, packages)
-    for project in evidence.cmake:
-        for asked in project.dependencies if not places.vendored(project.file) else ():
-            of_tests = asked.strength == "declared" or "BUILD_TESTING" in (asked.condition or "")
-            required = asked.namespace == "cmake" and asked.role == "test" and of_tests and asked.name not in inside
-            found = resolve(asked, target)
-            of_cmake = found.known and not found.apt
-            if required and not of_cmake and not _similar(plain(asked.name), names):
-                return asked
-    return None
+    switches: dict[str, Dependency] = {}
+    for asked, switch in left_to_a_switch(evidence):
+        found = resolve(asked, target)
+        of_cmake = found.known and not found.apt
+        if asked.name not in inside and not of_cmake and not _similar(plain(asked.name), names):
+            switches.setdefault(switch, asked)
+    return switches
 
 
 def _of_program_and_below(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:

@@ -8,6 +8,7 @@ from roslab.config.model import Kind
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import written_for
 from roslab.decide.system.switches import given, switched_off
+from roslab.decide.system.tests import always_compiled
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -30,6 +31,8 @@ def needs(
 ) -> Iterator[tuple[Dependency, bool]]:
     """Yield each need, and whether it is trusted: whether the build really uses the file that names it."""
     yield from _cmake(evidence, packages, compiled=kind in {"ros1", "ros2", "cpp"})
+    for dependency in always_compiled(evidence) if kind == "cpp" else ():
+        yield dependency, True
     for dependency in evidence.code:
         started_by = dependency.role == "shebang" and kind in {"ros1", "ros2"}  # others have a `python` of their own
         if dependency.namespace == "include" or started_by or dependency.role in _OF_CODE:

@@ -1,13 +1,16 @@
-"""The options and the compiler with which the page at the root has the repository itself configured by CMake."""
+"""The options and the compiler with which CMake configures the repository itself: those of the page at its root."""
 
 from __future__ import annotations
 
+import posixpath
 import re
 
 from roslab.config.model import BuildTool, Config
 from roslab.decide.ros.source_names import plain
+from roslab.decide.system.switches import given
 from roslab.evidence.facts import Evidence
 from roslab.values.pattern import pattern
+from roslab.values.words import line_of
 
 _OWN = pattern(r"-D(?!CMAKE_)[A-Za-z_]\w*?(?<!_DIR)(?<!_ROOT)(?<!_PATH)(?<!_PREFIX)(?::[A-Z]+)?=[\w.+-]+")
 """An option of the project's own; CMake's are about the author's machine, and paths too."""
@@ -42,6 +45,20 @@ def _of_workspace(evidence: Evidence, config: Config, build_tool: BuildTool) -> 
             words = said.text.replace(" -D ", " -D").split()
             return tuple(word for word in words if _OWN.fullmatch(word) and not _GPU.match(word))
     return ()
+
+
+def options_of_program(
+    evidence: Evidence, config: Config, build_tool: BuildTool, command: tuple[str, ...] | str
+) -> tuple[str, ...]:
+    """Return what turns on the options that the program of the command waits for, and that nobody sets."""
+    program = posixpath.basename((line_of(command).split() or [""])[0])
+    said = given(evidence)
+    found = [project for project in evidence.cmake if program in dict(project.executables)]
+    if build_tool != "cmake" or config.compatible or len(found) != 1:
+        return ()
+    waits = (variable for name, variable in found[0].optional if name == program and variable.startswith("OFF "))
+    names = (variable.removeprefix("OFF ") for variable in waits)
+    return tuple(f"-D{name}=ON" for name in dict.fromkeys(names) if f"-D{name}" not in said)
 
 
 def own_compilers(evidence: Evidence, config: Config, folder_name: str) -> tuple[tuple[str, str], ...]:

@@ -29,6 +29,13 @@ def switched_off(dependency: Dependency, options: str) -> bool:
     return any(re.search(rf"-D{name}(?::\w+)?=(?:OFF|FALSE|NO|0)\b", options, re.IGNORECASE) for name in names)
 
 
+def switched_on(dependency: Dependency, options: str) -> bool:
+    """Tell whether CMake looks for it under an option that one of those given turns on, and under nothing else."""
+    names = (part.rpartition(" ")[2] for part in (dependency.condition or "").split(" AND "))
+    on = r"(?::\w+)?=(?:ON|TRUE|YES|1)\b"
+    return all(name.isidentifier() and re.search(rf"-D{name}{on}", options, re.IGNORECASE) for name in names)
+
+
 def switch_of(dependency: Dependency, options: str) -> str:
     """Return the innermost option that is on and without which CMake does not look for it; ``""`` if one is given."""
     names = _ON.findall(dependency.condition or "")

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import posixpath
 import re
 from collections.abc import Iterator
 from functools import cache
 
+from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, included
+from roslab.evidence.native.output_folder import output_folder
 from roslab.repository.checkout import File, Repository, nearest
-from roslab.values.dataclass import dataclass, field
+from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 
 MAX_PROJECTS = 3_000
@@ -66,9 +67,6 @@ _CUDA = pattern(r"(?:CUDA|CUDAToolkit|CUDNN|TensorRT)$")
 _AT_ONCE = "CMAKE_RUNTIME_OUTPUT_DIRECTORY"
 """A program is written where this says when it is added; what the other says last is for all programs without it."""
 _PROGRAMS_IN = frozenset({_AT_ONCE, "EXECUTABLE_OUTPUT_PATH"})
-_OUTPUT = pattern(
-    r"^(?:\$\{((?:CMAKE|PROJECT|CMAKE_CURRENT)_(?:SOURCE|BINARY)_DIR)\})?((?:/|(?<!\})(?=[\w.]))[\w./-]*|)$"
-)
 _MODULE = pattern(r"^(?:Find([\w.+-]+)|([\w.+-]+?)-?[cC]onfig)\.cmake(?:\.in)?$")
 _TARGET = pattern(r"[A-Za-z][\w.+-]*$")
 _CODE = pattern(r"\w[\w./+-]*\.(?:c|cc|cpp|cxx|cu)$")
@@ -80,6 +78,8 @@ _WHERE_FOUND = pattern(r"(?<!NOT )\b(?:(\w+)_FOUND\b|TARGET (\w+)::)")
 class _Reading:
     """What has been read of one file so far."""
 
+    switches: tuple[str, ...] = ()
+    """The conditions of options under which its folder is added."""
     name: str | None = None
     minimum: Dependency | None = None
     languages: list[str] = field(default_factory=list)
@@ -109,7 +109,7 @@ class _Reading:
 def read(repository: Repository) -> tuple[CMakeProject, ...]:
     """Return every CMakeLists.txt with anything of interest, sorted by path; build folders are skipped."""
     files = nearest(repository.named("CMakeLists.txt"))
-    added: dict[str, dict[str, bool]] = {}
+    added: dict[str, _Added] = {}
     found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
     kept = (
         p for p in found if p.name or p.top_level or p.dependencies or p.executables or p.macros or p.linked or p.newer
@@ -123,19 +123,32 @@ def modules(repository: Repository) -> frozenset[str]:
     return frozenset(match[1] or match[2] for match in found if match)
 
 
-def _project(repository: Repository, file: File, added: dict[str, dict[str, bool]]) -> CMakeProject:
-    """Read one file; the folders that it adds go into ``added``, so parents must be read first.
+@dataclass(kw_only=True, slots=True)
+class _Added:
+    """What holds where a folder is added."""
 
-    Each has the options that are declared where it is added.
-    """
-    reading = _Reading()
+    options: dict[str, bool] = field(default_factory=dict)
+    """Those that are declared, and whether each is on."""
+    switches: tuple[str, ...] = ()
+    """The conditions that an option decides."""
+    within: bool = False
+    """It is a part of a project that is not about tests alone."""
+
+
+def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CMakeProject:
+    """Read one file; the folders that it adds go into ``added``, so parents must be read first."""
+    above = added.get(file.folder, _Added())
+    reading = _Reading(switches=above.switches)
     adds = False
-    options = dict(added.get(file.folder, {}))
+    options = dict(above.options)
     for call in calls(repository.read(file), _NAMES, options):
         cmake_since.note(call, file.path, reading.newer)
         if call.name == "add_subdirectory" and call.words:
             adds = True
-            added.setdefault(_joined(file.folder, call.words[0]), dict(options))
+            switches = tuple(filter(cmake_needs.of_an_option, (*above.switches, *call.conditions)))
+            within = above.within or not places.test(file.path)
+            there = _Added(options=dict(options), switches=switches, within=within)
+            added.setdefault(_joined(file.folder, call.words[0]), there)
         elif call.name == "include":
             _include(call, repository, file, reading)
             for needing, path in included.needing(call, repository, file, reading.included, options):
@@ -150,6 +163,7 @@ def _project(repository: Repository, file: File, added: dict[str, dict[str, bool
         name=reading.name,
         top_level=(reading.name is not None or (adds and not file.folder and reading.minimum is not None))
         and file.folder not in added,
+        added=above.within,
         languages=tuple(dict.fromkeys(reading.languages)),
         macros=tuple(reading.macros | ({"cuda": None} if "CUDA" in reading.languages else {})),
         executables=tuple((reading.outputs.get(name, name), line) for name, line in reading.executables.items()),
@@ -183,26 +197,27 @@ def _include(call: Call, repository: Repository, file: File, reading: _Reading) 
 
 def _note(call: Call, path: str, reading: _Reading) -> None:
     name, words = call.name, call.words
+    told = replace(call, conditions=(*reading.switches, *call.conditions)) if reading.switches else call
     if name == "project" and words:
         reading.name = reading.name or words[0]
         reading.languages += [word for word in words[1:] if word in _LANGUAGES]
     elif name in {"set", "set_target_properties"}:
         _place_programs(call, path.rpartition("/")[0], reading)
-        reading.dependencies += cmake_needs.files(call, path)
+        reading.dependencies += cmake_needs.files(told, path)
     elif name == "cmake_minimum_required":
         reading.minimum = reading.minimum or _minimum(call, path)
     elif name == "enable_language":
         reading.languages += words[:1]
     elif name in _EXECUTABLE and words and _TARGET.match(words[0]):
-        _program(call, reading)
+        _program(told, reading)
     elif name in _TESTS:
         reading.tests = True
     elif name in _LIBRARY:
         reading.libraries.update(words[:1])
     elif name in cmake_needs.FETCHING:
-        reading.sources += cmake_needs.fetched(call, path)
+        reading.sources += cmake_needs.fetched(told, path)
     elif name in cmake_needs.CALLS and (not call.in_function or name == "find_package"):
-        reading.dependencies += cmake_needs.needs(call, path, reading.name)
+        reading.dependencies += cmake_needs.needs(told, path, reading.name)
     reading.linked |= {path: line for path, line in cmake_needs.inside(call) if path not in reading.linked}
     _macros(call, reading)
 
@@ -240,7 +255,7 @@ def _place_programs(call: Call, folder: str, reading: _Reading) -> None:
     """Note the folder that ``set`` gives programs, and what ``set_target_properties(TARGETS… PROPERTIES …)`` does."""
     words = call.words
     if call.name == "set" and len(words) > 1 and words[0] in _PROGRAMS_IN:
-        place = _output(words[1], folder)
+        place = output_folder(words[1], folder)
         reading.programs_in = place or reading.programs_in
         reading.at_once, reading.at_last = (
             (place, reading.at_last) if words[0] == _AT_ONCE else (reading.at_once, place)
@@ -252,7 +267,7 @@ def _place_programs(call: Call, folder: str, reading: _Reading) -> None:
     if (output := values.get("OUTPUT_NAME")) and _TARGET.match(output):
         reading.outputs |= dict.fromkeys(words[:split], output)
     if (place := values.get("RUNTIME_OUTPUT_DIRECTORY")) and any(word in reading.executables for word in words[:split]):
-        written = _output(place, folder)
+        written = output_folder(place, folder)
         reading.programs_in = written or reading.programs_in
         reading.placed |= {word: written for word in words[:split] if word in reading.placed}
 
@@ -263,23 +278,6 @@ def _placed(reading: _Reading) -> Iterator[tuple[str, str]]:
         where = place or reading.at_last
         if where and where != reading.programs_in:
             yield reading.outputs.get(name, name), where
-
-
-def _output(written: str, folder: str) -> str | None:
-    """Return a folder for programs; ``None`` if it is not known.
-
-    ``source/…`` is relative to the root of the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, and
-    ``build/…`` to the build folder's part for the root of the repository.
-    """
-    match = _OUTPUT.match(written.replace("${CMAKE_INSTALL_BINDIR}", "bin").rstrip("/"))
-    if match is None:
-        return None
-    variable, rest = match[1] or "", match[2].strip("/")
-    side = "build" if "BINARY" in variable or not variable else "source"
-    if variable in {"CMAKE_SOURCE_DIR", "CMAKE_BINARY_DIR"}:
-        side, folder = "top" if side == "source" else "build", ""
-    place = posixpath.normpath(posixpath.join(side, folder, rest))
-    return place if place.partition("/")[0] == side else None
 
 
 def _minimum(call: Call, path: str) -> Dependency | None:

@@ -78,6 +78,7 @@ _HERE = pattern(
     rf"^(?:ON \w|LINUX$|UNIX\b(?! AND (?:{_OTHER}))|NOT \(?{_OTHER}(?: (?:OR|AND) {_OTHER}){{0,6}}\)?$|NOT {_OTHER}\b|"
     rf"{_SYSTEM} Linux$|NOT \({_SYSTEM} (?:Windows|Darwin|Android|iOS|Emscripten)\)$)"
 )
+_SWITCH = pattern(r"^(?:ON|OFF) \w+$")
 _NAME = pattern(r"^[A-Za-z][\w.+-]*$")
 _LINK = pattern(r"^(?:-l)?([A-Za-z_][\w.+-]*)$")
 _LOCAL = pattern(r"^/usr/local/lib/(?:[\w+-]+/)?lib([A-Za-z][\w+-]*)\.(?:so|a)$")
@@ -195,6 +196,11 @@ def _finder(words: tuple[str, ...]) -> _Finder:
         elif not skipping and _NAME.match(word):
             into.append(word)
     return _Finder(components=tuple(components), optional=tuple(optional), version=version)
+
+
+def of_an_option(condition: str) -> bool:
+    """Tell whether an option decides a condition, or whether it is about tests."""
+    return bool(_SWITCH.match(condition) or _TEST.search(condition))
 
 
 def _strength(call: Call, *, required: bool, quiet: bool = False) -> Strength:

@@ -1,0 +1,28 @@
+"""The folder that a CMakeLists.txt has programs written to."""
+
+from __future__ import annotations
+
+import posixpath
+
+from roslab.values.pattern import pattern
+
+_OUTPUT = pattern(
+    r"^(?:\$\{((?:CMAKE|PROJECT|CMAKE_CURRENT)_(?:SOURCE|BINARY)_DIR)\})?((?:/|(?<!\})(?=[\w.]))[\w./-]*|)$"
+)
+
+
+def output_folder(written: str, folder: str) -> str | None:
+    """Return a folder for programs; ``None`` if it is not known.
+
+    ``source/…`` is relative to the root of the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, and
+    ``build/…`` to the build folder's part for the root of the repository.
+    """
+    match = _OUTPUT.match(written.replace("${CMAKE_INSTALL_BINDIR}", "bin").rstrip("/"))
+    if match is None:
+        return None
+    variable, rest = match[1] or "", match[2].strip("/")
+    side = "build" if "BINARY" in variable or not variable else "source"
+    if variable in {"CMAKE_SOURCE_DIR", "CMAKE_BINARY_DIR"}:
+        side, folder = "top" if side == "source" else "build", ""
+    place = posixpath.normpath(posixpath.join(side, folder, rest))
+    return place if place.partition("/")[0] == side else None
