@@ -56,3 +56,23 @@ def test_makefiles_of_folders_are_run_where_the_root_has_none(tree: Tree) -> Non
 def test_what_is_no_makefile_of_the_project(tree: Tree, files: dict[str, str], kind: str) -> None:
     decision = tree({**CODE, **SCRIPT, **files})
     assert (decision.kind, decision.scripts) == (kind, ())
+
+
+@pytest.mark.parametrize(
+    ("rule", "command"),
+    [
+        ("build/%: %.cpp\n\t$(CXX) -o $@ $<\n", ("./build/show-map", "data/00")),
+        (
+            "SOURCES = $(wildcard *.cpp)\nall:\n\tfor f in $(SOURCES); do $(CXX) $$f; done\n",
+            ("./build/show-map", "data/00"),
+        ),
+        ("all:\n\t$(CXX) -o build/other other.cpp\n", ("bash",)),
+    ],
+    ids=["rule", "list", "another"],
+)
+def test_a_rule_for_any_file_makes_the_programs_that_have_a_main(
+    tree: Tree, rule: str, command: tuple[str, ...]
+) -> None:
+    page = {"README.md": "# Run\n```\nmake\n./build/show-map data/00\n./build/library\n```\n"}
+    files = {"show-map.cpp": CODE["main.cpp"], "library.cpp": CODE["map.cpp"], "Makefile": rule}
+    assert tree({**files, **page}).command == command

@@ -31,6 +31,12 @@ _TARGET = pattern(
     re.MULTILINE,
 )
 _RULE = pattern(r"^([\w./-]{1,80}(?: [\w./-]{1,80}){0,7}) ?:(?!=)", re.MULTILINE)
+_OF_ANY = pattern(r"^[^\s#][^\n:=]{0,100}%[^\n:=]{0,100}:(?!=)|\$[({]wildcard\s", re.MULTILINE)
+"""A rule for files of any name, or a list of the files that are there."""
+_MAIN = pattern(r"^[ \t]*(?:int|auto)\s+main\s*\(", re.MULTILINE)
+_SOURCES = (".c", ".cc", ".cpp", ".cxx", ".cu")
+MOST_SOURCES = 200
+"""Most files of code that are looked at for a function ``main``."""
 _TASKS = frozenset(
     (
         *("all", "clean", "distclean", "install", "uninstall", "test", "tests", "check", "run", "help", "format"),
@@ -47,7 +53,7 @@ def read(repository: Repository) -> tuple[Makefile, ...]:
     """
     if repository.named("CMakeLists.txt", "package.xml", "manifest.xml", "configure", "configure.ac"):
         return ()
-    if _number(repository, ".py") > _number(repository, ".c", ".cc", ".cpp", ".cxx", ".cu"):
+    if _number(repository, ".py") > _number(repository, *_SOURCES):
         return ()
     found = [each for file in _files(repository) if (each := _makefile(file, repository))]
     return tuple([each for each in found if not each.folder] or found[:MOST])
@@ -76,6 +82,8 @@ def _makefile(file: File, repository: Repository) -> Makefile | None:
     names = [*_OUTPUT.findall(text)]
     names += [posixpath.basename(word) for written in _TARGET.findall(text) for word in written.split()]
     names += [posixpath.basename(word) for written in _RULE.findall(text) for word in written.split()]
+    if _OF_ANY.search(text):
+        names += _mains(repository, file.folder)
     return Makefile(
         file=file.path,
         line=1,
@@ -83,3 +91,11 @@ def _makefile(file: File, repository: Repository) -> Makefile | None:
         linked=tuple(dict.fromkeys(_LINKED.findall(text))),
         cuda=bool(_NVCC.search(text)),
     )
+
+
+def _mains(repository: Repository, folder: str) -> list[str]:
+    """Return the names, without their endings, of the files of code below a folder that have a function ``main``."""
+    below = f"{folder}/" if folder else ""
+    files = [file for file in repository.suffixed(*_SOURCES) if file.path.startswith(below)]
+    files = [file for file in files if file.size <= MAX_SIZE and not places.vendored(file.path)]
+    return [file.name.rpartition(".")[0] for file in files[:MOST_SOURCES] if _MAIN.search(repository.read(file))]
