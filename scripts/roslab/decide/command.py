@@ -14,7 +14,7 @@ from roslab.decide.first_command import first_of, serves, upkeep
 from roslab.decide.included import included
 from roslab.decide.meant_commands import named_like_it, pointed_at, whole_of
 from roslab.decide.reasons import because, configured
-from roslab.decide.scripts import NOTEBOOK, PORT
+from roslab.decide.scripts import ports_of
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence
@@ -82,7 +82,7 @@ def decide_command(
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = _opened(evidence, config, shlex.join(command))
     inside = next((c for c in found if c.argv == command and c.inside), None)
-    ports = (PORT,) if command[: len(NOTEBOOK)] == NOTEBOOK else ()
+    ports = ports_of(command)
     page = by_argv.get(command)
     chosen = Command(
         command=there(inside) if inside else command, candidates=candidates, gui=gui, ports=ports, page=page

@@ -13,12 +13,16 @@ NOTEBOOK = ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser")
 """Reachable from outside of a container, which has no browser."""
 PORT = "8888"
 """Where it listens: https://jupyter-server.readthedocs.io/en/latest/other/full-config.html, 2026-11-23"""
+STREAMLIT = ("streamlit", "run")
+"""It listens on every address, and asks nothing where there is no terminal."""
+PORT_OF_STREAMLIT = "8501"
+"""https://docs.streamlit.io/develop/api-reference/configuration/config.toml, read 2026-11-24"""
 RUNS = pattern(r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|(?:\.sh)?$)", re.IGNORECASE)
 """The name of a script that starts something."""
 
 
 def script_of(argv: tuple[str, ...], mention: Mention, ros: bool, compiled: bool) -> tuple[str, ...] | None:
-    """Return the call of a shell script of the tree (``sh run.sh``, ``./run.sh``), of a notebook as Jupyter serves it.
+    """Return the call of a shell script of the tree (``sh run.sh``), of a notebook, or of a page that Streamlit serves.
 
     A script of compiled code has to be named like one that starts something; a notebook is none of such code's, and
     none of a workspace's.
@@ -26,6 +30,8 @@ def script_of(argv: tuple[str, ...], mention: Mention, ros: bool, compiled: bool
     if argv[0].startswith("jupyter"):
         notebooks = [file for file in mention.files if file.endswith(".ipynb")]
         return (*NOTEBOOK, notebooks[0]) if notebooks and not (ros or compiled) else None
+    if argv[:2] == STREAMLIT:
+        return argv if not (ros or compiled) and {*argv[2:]} & {*mention.files} else None
     script = argv[1:] if argv[0] in {"bash", "sh"} else argv
     known = bool(script) and script[0] in mention.files and (script[0].endswith(".sh") or bare(script[0]))
     known = known and (not compiled or bool(RUNS.match(posixpath.basename(script[0]))))
@@ -46,3 +52,8 @@ def task_of(argv: tuple[str, ...], tasks: Mapping[str, str]) -> tuple[str, ...]:
 def bare(path: str) -> bool:
     """Tell whether the name of a file has no ending."""
     return "." not in posixpath.basename(path)
+
+
+def ports_of(argv: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the port of the server that a command starts."""
+    return (PORT,) if argv[: len(NOTEBOOK)] == NOTEBOOK else (PORT_OF_STREAMLIT,) if argv[:2] == STREAMLIT else ()

@@ -34,6 +34,8 @@ def decided(tmp_path: Path, files: dict[str, str]) -> Decision:
         ("rosrun vins vins_node $HOME/Vins-Demo/config/a.yaml", "rosrun vins vins_node config/a.yaml"),
         ("roslaunch ~/ws/src/Vins-Demo/launch/a.launch", "roslaunch vins a.launch"),
         ("rosrun vins vins_node ~/catkin_ws/src/Vins-Demo/config/b.yaml", "rosrun vins other"),
+        ("rosrun vins vins_node ~/catkin_ws/src/Vins/config/a.yaml", "rosrun vins vins_node config/a.yaml"),
+        ("rosrun vins vins_node ~/catkin_ws/src/Vins-De/config/a.yaml", "rosrun vins other"),
         ("rosrun vins vins_node ~/catkin_ws/src/another/config/a.yaml", "rosrun vins other"),
         ("roslaunch vins a.launch file:=~/ws/src/Vins-Demo/config/a.yaml", "roslaunch vins a.launch"),
     ],

@@ -106,6 +106,14 @@ def fill_placeholders(text: str) -> str:
     return _PLACEHOLDER.sub(fill, text)
 
 
+_EXPLAINED = pattern(r"(?<!\\)\\[ \t]+#[^\n]*$", re.MULTILINE)
+
+
+def without_remarks(text: str) -> str:
+    """Take the comments out that pages have behind a continuation: to a shell they end the command."""
+    return _EXPLAINED.sub(lambda _: "\\", text) if "#" in text else text
+
+
 def logical_lines(text: str, first: int = 1) -> Iterator[tuple[int, str]]:
     """Yield ``(line, text)`` with continuations joined; newlines stay inside, comment lines become empty ones."""
     pending: list[str] = []

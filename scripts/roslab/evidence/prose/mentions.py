@@ -79,9 +79,9 @@ def _goes_on() -> dict[str, tuple[re.Pattern[str], re.Pattern[str]]]:
 _TRACEBACK = pattern(r"File \"[^\"\n]{0,200}\Z")
 """A line of a traceback before a Python version: it is about somebody's own machine."""
 _REMOVED = pattern(
-    r"(?<![\w./-])(?:rm|unlink|(?:apt|apt-get|brew|conda)\s+(?:remove|purge|unlink|uninstall))\s[^\n;&|]{0,200}\Z"
+    r"(?<![\w./-])(?:rm|unlink|(?:apt|apt-get|brew|conda)\s+(?:remove|purge|unlink|uninstall)|setcap|getcap)\s[^\n;&|]{0,200}\Z"
 )
-"""A command before a Python version that takes it away."""
+"""A command before a Python version that takes it away, or its privileges: it is about the author's machine."""
 _EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)[^\n]*:\W*(?:<br ?/?>)?\W*\Z", re.IGNORECASE)
 """A line that an example follows, which then stands in a block of its own."""
 _CONTEXT = pattern(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)

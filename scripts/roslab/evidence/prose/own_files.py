@@ -13,6 +13,8 @@ from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.words import joined, written
 
+_SHORTEST = 4
+"""Fewest letters by which the name of a fork is known."""
 _ELSEWHERE = pattern(r"~/|/(?:home|root|path/to)/|\$\{?\w+\}?/|…/")
 """What a path begins with that leads to the reader's own folders."""
 _SHEBANG = pattern(r"#![^\n]*?\b(python[23]?|bash|sh)\b")
@@ -81,14 +83,20 @@ def _by_its_shell(mention: Mention, repository: Repository) -> Mention:
 def _in_checkout(path: str, repository: Repository) -> str | None:
     """Return the path from the root of what a page names where people clone to: ``~/catkin_ws/src/demo/cfg/a.yaml``.
 
-    Not of an argument of a launch file, whose nodes start in a folder of their own.
+    Not of an argument of a launch file, whose nodes start in a folder of their own. The page of a fork may have the
+    name of what it was forked from: ``demo`` in ``demo-gpu``.
     """
     parts = path.split("/")
     if not _ELSEWHERE.match(path) or ":=" in path:
         return None
-    names = [place for place, part in enumerate(parts) if part.lower() == repository.name.lower()]
+    names = [place for place, part in enumerate(parts) if _is_name(part, repository.name)]
     rests = ("/".join(parts[place + 1 :]) for place in reversed(names))
     return next((rest for rest in rests if repository.has(rest) or rest in repository.folders), None)
+
+
+def _is_name(part: str, name: str) -> bool:
+    own, other = name.lower(), part.lower()
+    return own == other or (len(other) >= _SHORTEST and own.startswith((f"{other}-", f"{other}_")))
 
 
 def _of_package(word: str, repository: Repository) -> bool:

@@ -13,7 +13,7 @@ from functools import cache
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
-from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logical_lines
+from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logical_lines, without_remarks
 from roslab.evidence.prose import apt_scripts, asides, downloads, exports, generated, libtorch, mentions, python_path
 from roslab.evidence.prose.blanks import BLANK, chosen
 from roslab.evidence.prose.comments import commented_out, without_comments
@@ -48,7 +48,7 @@ _DOCS_PAGE = pattern(
 _START = pattern(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z][A-Z0-9_]*=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
-    r"rosrun|gz|ign|gazebo|catkin|catkin_make|catkin_make_isolated|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|accelerate|torchpack|horovodrun|jupyter(?:-notebook|-lab)?|(?:ba)?sh|mkdir|(?:ros)?cd|"
+    r"rosrun|gz|ign|gazebo|catkin|catkin_make|catkin_make_isolated|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|accelerate|torchpack|horovodrun|streamlit|jupyter(?:-notebook|-lab)?|(?:ba)?sh|mkdir|(?:ros)?cd|"
     r"wget|curl|dpkg|docker|add-apt-repository)\s.*|catkin_make(?:_isolated)?|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
 )
 _NAMED = pattern(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
@@ -240,7 +240,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     That is the lines of fenced and indented blocks, lines that begin with a command, and inline code; with ``also``,
     only the lines of fenced blocks in which it is found.
     """
-    lines = text.split("\n")
+    lines = without_remarks(text).split("\n")
     signs = signs_in(text) if not also else ()
     titles: dict[int, str] = {}
     elsewhere = index = 0

@@ -27,6 +27,7 @@ SIGNS: Signs = tuple(
         ("torchrun", r"\btorchrun\s"),
         ("accelerate", r"\baccelerate\s+launch\s"),
         (".sh", r"\b(?:ba)?sh\s+\S+\.sh\b"),
+        ("streamlit", r"\bstreamlit\s+run\s"),
         ("colcon", r"\bcolcon\b"),
         ("jupyter", r"\bjupyter[ -](?:notebook|lab)\s"),
         ("cd", r"\b(?:ros)?cd\s"),

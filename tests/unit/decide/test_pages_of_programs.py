@@ -1,0 +1,46 @@
+"""Commands as pages write them: served pages, remarks behind a continuation, the author's own Python."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+
+
+def page(*lines: str) -> str:
+    return "\n".join(("# Demo", "## Usage", "```bash", *lines, "```", ""))
+
+
+@pytest.mark.parametrize(
+    ("line", "command", "ports"),
+    [
+        ("streamlit run app.py", ("streamlit", "run", "app.py"), ("8501",)),
+        ("poetry run streamlit run app.py -- --small", ("streamlit", "run", "app.py", "--", "--small"), ("8501",)),
+        ("streamlit run https://example.org/app.py", ("bash",), ()),
+        ("streamlit run other.py", ("bash",), ()),
+    ],
+    ids=["file", "manager", "address", "missing"],
+)
+def test_a_page_that_streamlit_serves_is_a_program(
+    tree: Tree, line: str, command: tuple[str, ...], ports: tuple[str, ...]
+) -> None:
+    files = {"requirements.txt": "streamlit\n", "app.py": "import streamlit\n", "two.py": "import streamlit\n"}
+    decision = tree({**files, "README.md": page(line)})
+    assert (decision.command, decision.ports) == (command, ports)
+
+
+def test_a_remark_behind_a_continuation_does_not_end_the_command(tree: Tree) -> None:
+    files = {"requirements.txt": "numpy\n", "train.py": "import numpy\n", "cfg/a.yaml": "a: 1\n"}
+    readme = page("python train.py first \\  # name of the run", "    --conf cfg/a.yaml")
+    assert tree({**files, "README.md": readme}).command == ("python", "train.py", "first", "--conf", "cfg/a.yaml")
+
+
+def test_a_python_that_is_given_privileges_is_the_authors(tree: Tree) -> None:
+    build = "cmake_minimum_required(VERSION 3.10)\nproject(demo)\nadd_executable(run run.cpp)\n"
+    files = {"CMakeLists.txt": build, "run.cpp": "int main() {}\n"}
+    readme = page("./run") + "\nTake them back by:\n```\nsudo setcap -r /usr/bin/python3.6\n```\n"
+    assert tree({**files, "README.md": readme}).python.version is None
