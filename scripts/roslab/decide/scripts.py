@@ -17,7 +17,9 @@ STREAMLIT = ("streamlit", "run")
 """It listens on every address, and asks nothing where there is no terminal."""
 PORT_OF_STREAMLIT = "8501"
 """https://docs.streamlit.io/develop/api-reference/configuration/config.toml, read 2026-11-24"""
-RUNS = pattern(r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|(?:\.sh)?$)", re.IGNORECASE)
+RUNS = pattern(
+    r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|(?:\.sh)?$)|[\w-]{1,60}[_-](?:run|demo)\.sh$", re.IGNORECASE
+)
 """The name of a script that starts something."""
 
 

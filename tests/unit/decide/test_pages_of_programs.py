@@ -44,3 +44,13 @@ def test_a_python_that_is_given_privileges_is_the_authors(tree: Tree) -> None:
     files = {"CMakeLists.txt": build, "run.cpp": "int main() {}\n"}
     readme = page("./run") + "\nTake them back by:\n```\nsudo setcap -r /usr/bin/python3.6\n```\n"
     assert tree({**files, "README.md": readme}).python.version is None
+
+
+@pytest.mark.parametrize(
+    ("name", "command"),
+    [("flow_demo.sh", ("bash", "scripts/flow_demo.sh")), ("flow_evaluate.sh", ("bash",))],
+)
+def test_a_script_that_is_named_as_a_demonstration_is_meant(tree: Tree, name: str, command: tuple[str, ...]) -> None:
+    files = {"requirements.txt": "numpy\n", "flow.py": "import numpy\n", f"scripts/{name}": "python flow.py --fast\n"}
+    readme = f"# Flow\n## Demo\nPlease refer to [scripts/{name}](scripts/{name}) for its use.\n"
+    assert tree({**files, "README.md": readme}).command == command
