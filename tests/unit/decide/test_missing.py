@@ -250,6 +250,8 @@ def test_the_programs_that_doxygen_calls_are_installed(tree: Tree) -> None:
         ("Used with https://github.com/lab/quad_control.\nSee [it](https://github.com/lab/quad_control).\n", True),
         ("Used with https://github.com/lab/quad_control.\nSee [it](https://github.com/lab/other).\n", False),
         ("Used with https://github.com/lab/quad_control.\nClone https://github.com/lab/mpc.\n", True),
+        ("Used with https://github.com/lab/quad_control.\nMade from https://github.com/other/mpc.\n", True),
+        ("Used with https://github.com/lab/quad_control.\nAs https://github.com/ros-planning/navigation.\n", True),
         ("", False),
     ],
 )

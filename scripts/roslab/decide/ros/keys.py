@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
-from roslab.decide.ros.source_names import address
+from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
 from roslab.evidence.dependency import Dependency, GitSource
@@ -123,10 +123,16 @@ def of_an_apt_source(keys: Sequence[str], target: Target, evidence: Evidence) ->
     return warn(f"{message}: {hint}, or give their repositories under `source`", step)
 
 
-def the_one_linked(evidence: Evidence) -> GitSource | None:
-    """Return the other repository that the pages at the root link to, ``None`` if they link to several or to none."""
+def the_one_linked(evidence: Evidence, target: Target, own: Iterable[str]) -> GitSource | None:
+    """Return the other repository that the pages at the root link to, ``None`` if they link to several or to none.
+
+    Not one with the name of one of its own packages, which is what it was made from, and none that is released for the
+    distribution, whose packages rosdep knows.
+    """
     here = address(evidence.origin) if evidence.origin else ""
-    found = {address(git.url): git for git in evidence.sources if git.kind == "link" and "/" not in git.file}
+    known = {plain(name) for name in (*own, *released(target.ros_distro or ""))}
+    links = (git for git in evidence.sources if git.kind == "link" and "/" not in git.file)
+    found = {address(git.url): git for git in links if plain(git.name) not in known}
     found.pop(here, None)
     return next(iter(found.values())) if len(found) == 1 else None
 

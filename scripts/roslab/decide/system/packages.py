@@ -116,7 +116,7 @@ def decide_system(
     own = own_packages((key for key in keys if key.name not in found.skip), evidence, target)
     found.skip |= dict.fromkeys(own)
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
-    sister = the_one_linked(evidence)
+    sister = the_one_linked(evidence, target, packages.names)
     for key in keys:
         if key.name not in found.skip:
             kin = of_the_owner(key, evidence, packages.names)
