@@ -1,4 +1,4 @@
-"""What a launch prints about nodes that died: it goes on without them, and its exit code does not show it."""
+"""What a launch prints about its nodes: it goes on without one that died, and its exit code does not show it."""
 
 from __future__ import annotations
 
@@ -26,6 +26,13 @@ def dead_nodes(log: str) -> tuple[str, ...]:
         if match.start() < ended.get(match[1], len(text)):
             found.setdefault(said.format(*match.groups()), match.start())
     return tuple(sorted(found, key=lambda said: found[said]))
+
+
+def waiting_nodes(log: str) -> int:
+    """Return how many nodes a launch has listed and not yet tried to start; those of ROS 2 list none."""
+    text = _COLOUR.sub("", log)
+    listed, tried = (sum(1 for _ in _matches(text, event)) for event in ("listed", "tried"))
+    return max(0, listed - tried)
 
 
 def _matches(text: str, event: str) -> Iterator[tuple[str, re.Match[str]]]:

@@ -213,6 +213,7 @@ def _run(
                 goals=goals,
                 camera=camera,
                 probe=probe,
+                log=log,
                 gpus=gpus,
             )
             code, seconds = watch.end()

@@ -5,9 +5,11 @@ from __future__ import annotations
 import subprocess
 import time
 from contextlib import suppress
+from pathlib import Path
 
 from roslab.config.model import ProofGoals
 from roslab.engine import gpu
+from roslab.knowledge.launches import waiting_nodes
 from roslab.plan.proof import Proof
 from roslab.prove.probe import Probe
 from roslab.prove.processes import Census
@@ -25,7 +27,10 @@ SETTLING_SECONDS = 3.0
 LISTENING_SECONDS = 30.0
 """Seconds after which a graph is no longer listened to, if a topic of it is still silent."""
 SLOWEST = 120.0
-"""The same where the probe started so late that it did not listen for ``PROOF_SECONDS`` yet: under emulation."""
+"""The same where the probe did not listen for ``PROOF_SECONDS`` yet, and where a launch has not tried all of its nodes:
+under emulation, and on a busy machine."""
+MOST_OUTPUT = 256 * 1024
+"""Most bytes of the output that are looked at for nodes: a launch lists them at its beginning."""
 LONGEST_PAUSE = 2.0
 """Most seconds between two looks at a screen; fewer for a short program."""
 COUNTING_PAUSE = 1.0
@@ -43,12 +48,16 @@ class Watch:
     goals: ProofGoals
     camera: Camera | None
     probe: Probe | None
+    log: Path | None = None
+    """Where its output is written."""
     gpus: bool = False
     """The container was given the machine's GPUs."""
     census: Census = field(default_factory=Census)
     on_gpu: set[int] = field(default_factory=set, init=False)
     """Processes of this machine that were seen on a GPU."""
     _drawn: float | None = field(default=None, init=False)
+    _waited: bool = field(default=False, init=False)
+    _tried: float | None = field(default=None, init=False)
     _counted: float = field(default=0.0, init=False)
 
     def end(self) -> tuple[int | None, float]:
@@ -92,9 +101,22 @@ class Watch:
         if self.camera:
             # An emulated program or a simulator may need longer for its first window, and a moment to fill it
             limits.append(DRAWING_SECONDS if self._drawn is None else self._drawn + SETTLING_SECONDS)
+        if self.log and not self.goals.seconds and elapsed >= limits[0]:
+            limits.append(self._launching(self.log, elapsed))
         if self.probe and not self.goals.seconds and elapsed >= limits[0]:
             limits.append(self._listening(elapsed))
         return max(limits)
+
+    def _launching(self, log: Path, elapsed: float) -> float:
+        """Return the second until which a launch is watched that had not tried all of its nodes in time."""
+        if self._tried is None:
+            with log.open("rb") as stream:
+                said = stream.read(MOST_OUTPUT)
+            if waiting_nodes(said.decode("utf-8", errors="replace")):
+                self._waited = True
+                return SLOWEST
+            self._tried = elapsed
+        return min(self._tried + PROOF_SECONDS, SLOWEST) if self._waited else elapsed
 
     def _listening(self, elapsed: float) -> float:
         """Return the second until which the graph is listened to."""
