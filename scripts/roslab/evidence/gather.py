@@ -123,7 +123,7 @@ def gather(repository: Repository) -> Evidence:
             *shared_objects.read(own),
         ),
         prose=prose.dependencies,
-        prose_pip=prose.requirements,
+        prose_pip=(*prose.requirements, *project.refused(python_projects)),
         listed=page_lists.read(own),
         sources=sources,
         origin=repository.origin or "",

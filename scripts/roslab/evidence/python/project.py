@@ -8,6 +8,7 @@ from typing import Any
 
 from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import poetry, requirements
+from roslab.evidence.python.without_module import without_module
 from roslab.repository.checkout import Repository
 from roslab.values import toml
 from roslab.values.dataclass import replace
@@ -28,6 +29,13 @@ def read(repository: Repository) -> tuple[PythonProject, ...]:
             folders.setdefault(file.folder, {})[file.name] = file.path
     found = (_project(repository, folder, files) for folder, files in sorted(folders.items()))
     return tuple(project for project in found if project)
+
+
+def refused(projects: Iterable[PythonProject]) -> Iterator[Requirement]:
+    """Yield what the projects need that their backend refuses to install, as a page's line would install it."""
+    for project in projects:
+        if project.name and not project.installable and project.file.endswith("pyproject.toml"):
+            yield from (replace(each, origin="prose") for each in project.requirements if not each.role)
 
 
 def _project(repository: Repository, folder: str, files: dict[str, str]) -> PythonProject | None:
@@ -235,7 +243,7 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         line=line_of("[project]") if project else 1,
         folder=folder,
         name=name if isinstance(name, str) else None,
-        installable=bool(name) and bool(project or backend),
+        installable=bool(name) and bool(project or backend) and not without_module(repository, folder, str(name), data),
         requires_python=python if isinstance(python, str) else None,
         build_requires=tuple(_listed(build, path, line_of)),
         requirements=tuple(asked),
