@@ -101,6 +101,11 @@ class PythonProject:
     setup_imports: tuple[str, ...] = ()
     """Modules that its setup.py imports; ``.`` for the package that it installs."""
 
+    @property
+    def refused(self) -> bool:
+        """Its backend finds no module to install."""
+        return bool(self.name) and not self.installable and self.file.endswith("pyproject.toml")
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class RequirementFile:

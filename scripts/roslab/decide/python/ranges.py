@@ -102,7 +102,9 @@ def ranges_by_use(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Range]:
 def _declared(evidence: Evidence) -> Iterator[Range]:
     """Yield what the manifests of the project and of its subfolders ask for."""
     for project in evidence.python:
-        if project.folder.count("/") > 1 or places.vendored(project.file) or not project.installable:
+        if project.folder.count("/") > 1 or places.vendored(project.file):
+            continue
+        if not (project.installable or project.refused):
             continue
         said = project.requires_python
         allowed = specifiers(said) if said else None

@@ -34,7 +34,7 @@ def read(repository: Repository) -> tuple[PythonProject, ...]:
 def refused(projects: Iterable[PythonProject]) -> Iterator[Requirement]:
     """Yield what the projects need that their backend refuses to install, as a page's line would install it."""
     for project in projects:
-        if project.name and not project.installable and project.file.endswith("pyproject.toml"):
+        if project.refused:
             yield from (replace(each, origin="prose") for each in project.requirements if not each.role)
 
 
