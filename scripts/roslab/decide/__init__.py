@@ -35,6 +35,7 @@ from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.named import by_pages
+from roslab.decide.ros.sought import tried, without
 from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.workspace import names_of, of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
@@ -130,6 +131,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         base_packages=base.answer.ros_packages,
         sisters=sources.answer.names,
         cloned=sources.answer.with_unknown_packages,
+        tried=tried(sources.answer.sought),
     )
     python, system, sources, layout = as_it_was(
         config, base_packages=base.answer.ros_packages, python=python, system=system, sources=sources, layout=layout
@@ -181,6 +183,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         command=command.answer.command,
         switch=build_tool.answer == "cmake" and not config.compatible,
         cloned=sources.answer.with_unknown_packages,
+        tried=tried(sources.answer.sought),
     )
     left_out = () if own.answer else missing.answer.packages
     steps = decide_steps(
@@ -234,7 +237,10 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         python=python.answer,
         pip=everything,
         compiling=compiling,
-        source=sources.answer.sources,
+        source=(
+            *sources.answer.sources,
+            *(() if own.answer else without(sources.answer.sought, packages, left_out)),
+        ),
         vcs=sources.answer.vcs,
         submodules=() if own.answer else sources.answer.submodules,
         inside=inside.answer,

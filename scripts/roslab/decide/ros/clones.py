@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from collections.abc import Set as AbstractSet
 
-from roslab.decide.ros.source_names import SHORTEST, address, itself_in, moves, plain, telling_words
+from roslab.decide.ros.source_names import SHORTEST, address, itself_in, moves, plain
 from roslab.decide.ros.vcs_files import distros_in
 from roslab.decide.ros.workspace import of_one_ros, packages_of
 from roslab.evidence import places
@@ -114,25 +114,6 @@ def linked(
                 yield git, lacking[meant[0]]
             for each in meant:
                 del lacking[each]
-    required = {plain(each.name) for each in needed if each.namespace in {"ros", "cmake"} and _declared(each)}
-    yield from _of_sisters(evidence, found, {name: asked for name, asked in lacking.items() if name in required})
-
-
-def _of_sisters(
-    evidence: Evidence, found: Iterable[GitSource], lacking: Mapping[str, Dependency]
-) -> Iterator[tuple[GitSource, Dependency]]:
-    """Yield what pages at the root link to of the same owner, where its name has the first word of a lacking package.
-
-    Those are packages that CMake requires: without them the build stops in any case.
-    """
-    here = address(evidence.origin) if evidence.origin else ""
-    owner = here.rpartition("/")[0]
-    for git in found:
-        if "/" in git.file or not owner or _owner(git) != owner or address(git.url) == here:
-            continue
-        meant = [asked for name, asked in lacking.items() if name.partition("_")[0] in telling_words(git.name)]
-        if meant:
-            yield git, meant[0]
 
 
 def _declared(asked: Dependency) -> bool:

@@ -7,23 +7,17 @@ from collections.abc import Iterable, Sequence
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
-from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
-from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.apt_scripts import adds_a_source
 from roslab.evidence.ros.conditions import holds
-from roslab.evidence.ros.vcs import https
 from roslab.knowledge.distros import ubuntus, ubuntus_with_python2
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import dataclass
-from roslab.values.pattern import pattern
 
-_OWNER = pattern(r"(https://(?:github\.com|gitlab\.com|bitbucket\.org)/[\w.-]+)/[\w.-]+?/?$")
-SHORTEST_FAMILY = 3
-"""Fewest letters of the word that packages of one owner begin with: ``mrs_lib``."""
 _NOT_INSTALLED = frozenset({"doc"})
 """rosdep leaves documentation alone."""
 
@@ -80,14 +74,13 @@ def translate(
     *,
     cloned: bool,
     submodules: tuple[str, ...] = (),
-    linked: GitSource | None = None,
-    kin: str = "",
+    tried: str = "",
 ) -> Translated:
     """Return what to do about a key that rosdep cannot resolve: a library's packages or recipe, else a warning.
 
     ``cloned``: there are sister repositories, whose packages are not known before they are cloned. ``submodules``: the
-    folders of submodules; one that is named like the key and has no package.xml is not checked out. ``linked``: the
-    only other repository that the pages link to. ``kin``: where the owner of the repository would have it.
+    folders of submodules; one that is named like the key and has no package.xml is not checked out. ``tried``: where
+    the build looks for it, in words.
     """
     name = key.name
     if name in rosdep_keys() or name in released(target.ros_distro or ""):
@@ -100,8 +93,8 @@ def translate(
             return Translated(skip=True, warning=warn(f"{message}: {hint}", key))
         message = f"rosdep has no key {name} for ROS {target.ros_distro}"
         folder = next((path for path in submodules if path.rpartition("/")[2] == name), None)
-        hint = _hint(name, target, cloned=cloned, folder=folder, linked=linked, kin=kin)
-        return Translated(warning=warn(f"{message}: {hint}", key), unknown=not (cloned or folder))
+        hint = _hint(name, target, cloned=cloned, folder=folder, tried=tried)
+        return Translated(warning=warn(f"{message}: {hint}", key), unknown=not (cloned or folder or tried))
     instead = " ".join(found.apt) or f"{found.recipe}, built from source,"
     message = f"{name} is the name of a library, not a key of rosdep: {instead} is installed for it"
     return Translated(
@@ -123,40 +116,13 @@ def of_an_apt_source(keys: Sequence[str], target: Target, evidence: Evidence) ->
     return warn(f"{message}: {hint}, or give their repositories under `source`", step)
 
 
-def the_one_linked(evidence: Evidence, target: Target, own: Iterable[str]) -> GitSource | None:
-    """Return the other repository that the pages at the root link to, ``None`` if they link to several or to none.
-
-    Not one with the name of one of its own packages, which is what it was made from, and none that is released for the
-    distribution, whose packages rosdep knows.
-    """
-    here = address(evidence.origin) if evidence.origin else ""
-    known = {plain(name) for name in (*own, *released(target.ros_distro or ""))}
-    links = (git for git in evidence.sources if git.kind == "link" and "/" not in git.file)
-    found = {address(git.url): git for git in links if plain(git.name) not in known}
-    found.pop(here, None)
-    return next(iter(found.values())) if len(found) == 1 else None
-
-
-def of_the_owner(key: Dependency, evidence: Evidence, own: Iterable[str]) -> str:
-    """Return the address that a package would have at the owner of the repository, ``""`` if nothing suggests one.
-
-    Its name begins with the word with which one of the repository's packages begins.
-    """
-    family = key.name.partition("_")[0]
-    kin = len(family) >= SHORTEST_FAMILY and any(name.startswith(f"{family}_") for name in own)
-    match = _OWNER.match(https(evidence.origin)) if kin and "_" in key.name else None
-    return f"{match[1]}/{key.name}" if match else ""
-
-
-def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, linked: GitSource | None, kin: str) -> str:
+def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, tried: str) -> str:
     if folder:
         return f"the submodule {folder} may hold it, but is not checked out: git submodule update --init --recursive"
     near = _nearest(name, rosdep_keys() | released(target.ros_distro or ""))
     where = "one of the cloned repositories may hold it" if cloned else "nothing here says where it comes from"
-    if linked:
-        where = f"{linked.url}, which {linked.file}:{linked.line} links to, may hold it"
-    elif kin and not cloned:
-        where = f"it is perhaps {kin}, of the same owner by its name"
+    if tried:
+        where = f"the build looks for it in {tried}, and goes on without it where it is not there"
     meant = f"correct the name (is {near} meant?)" if near else "correct the name"
     return f"{where}; else {meant}, or give its repository under source in roslab.yaml"
 

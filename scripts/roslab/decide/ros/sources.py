@@ -11,6 +11,7 @@ from roslab.decide.reasons import because, configured, warn
 from roslab.decide.ros.clones import clones, for_unknown, linked, unreleased, with_itself
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.in_tree import in_tree
+from roslab.decide.ros.sought import with_sought
 from roslab.decide.ros.source_names import address, asked_for, drifts, fixed_at, itself_in, plain, wanted_names
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
@@ -38,6 +39,8 @@ class Sources:
     """What belongs in the tree and is not there, submodules and clones; the name of each is its path."""
     libraries: tuple[tuple[str, Dependency], ...] = ()
     """Names of rows in the table of recipes that these sources link, with what asks for each."""
+    sought: tuple[Source, ...] = ()
+    """Repositories in which the build looks for packages that nothing brings."""
     names: frozenset[str] = frozenset()
     """Names that these sources provide: they need no rosdep key and no package."""
 
@@ -99,7 +102,16 @@ def decide_sources(
     used = tuple(_used(evidence, needed))
     chosen.known(used, known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
     chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
-    return chosen.choice(files)
+    there = known | rosdep_keys()
+    return with_sought(
+        chosen.choice(files),
+        evidence,
+        config,
+        build_tool=build_tool,
+        needed=used,
+        known=there,
+        before=chosen.before,
+    )
 
 
 @dataclass

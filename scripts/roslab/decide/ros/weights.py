@@ -8,4 +8,5 @@ class Weight:
 
     LISTED = 500  # a vcs file or a clone line
     RECIPE = 400  # the program's own table
+    SOUGHT = 100  # a guess that the build tries
     SUBMODULE = 10  # it comes with the checkout and is not cloned

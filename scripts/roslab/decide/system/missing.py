@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 
 from roslab.config.model import BuildTool, Kind
@@ -81,6 +81,7 @@ def decide_missing(
     command: tuple[str, ...] | str,
     switch: bool = False,
     cloned: bool = False,
+    tried: Mapping[str, str] | None = None,
 ) -> Choice[Missing]:
     """Return the packages to leave out of the build because of what they lack, with those that need these.
 
@@ -89,7 +90,7 @@ def decide_missing(
     ``keys``: what rosdep is asked for, of which only what its tables or the distribution have is provided.
     ``switch``: options of CMake may be turned off that a page does not set.
     ``cloned``: the image clones packages whose names are not known here. What cannot be left out is told, for there
-    the build stops.
+    the build stops. ``tried``: where the build looks for packages that nothing brings.
     """
     if kind not in {"ros1", "ros2", "cpp"}:
         return Choice(answer=Missing())
@@ -129,11 +130,13 @@ def decide_missing(
         if build_tool in _SKIP and kept and not {*with_it} & {*started}:
             out |= dict.fromkeys(with_it)
             others = f", and with it {', '.join(with_it[1:])}" if with_it[1:] else ", which no other package needs"
-            then = f"{package} is left out of the build{others}"
+            then = f": {package} is left out of the build{others}"
         else:
-            then = f"{build_tool} will stop at {package}"
+            where = (tried or {}).get(asked.name)
+            unless = f"; the build looks for it in {where}, and where it is not there," if where else ":"
+            then = f"{unless} {build_tool} will stop at {package}"
         hint = "give its repository under `source` in roslab.yaml"
-        warnings.append(warn(f"nothing is known that brings {asked.name}, which CMake requires: {then}; {hint}", asked))
+        warnings.append(warn(f"nothing is known that brings {asked.name}, which CMake requires{then}; {hint}", asked))
     warnings += [warn(_PERHAPS.format(asked.name), asked) for asked in unsure_of]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
     warnings += [warn(_TESTS.format(asked.name, option), asked) for option, asked in tests.items()]

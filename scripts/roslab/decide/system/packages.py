@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Python, Reason, Warning_
@@ -12,9 +12,7 @@ from roslab.decide.ros.keys import (
     Translated,
     declared_keys,
     of_an_apt_source,
-    of_the_owner,
     own_packages,
-    the_one_linked,
     translate,
 )
 from roslab.decide.ros.source_names import address
@@ -104,11 +102,13 @@ def decide_system(
     base_packages: tuple[str, ...],
     sisters: frozenset[str],
     cloned: bool,
+    tried: Mapping[str, str],
 ) -> Choice[SystemPackages]:
     """Return the system packages.
 
     ``installed`` is what pip installs, ``sisters`` are names that sources in the workspace provide;
-    ``cloned``: these may hold more packages, whose names are not known.
+    ``cloned``: these may hold more packages, whose names are not known; ``tried``: where the build looks for packages
+    that nothing brings.
     """
     keys = declared_keys(packages, target, kind) if target.ros_distro else ()
     found = _Found(declared=dict.fromkeys((*config.apt, *base_packages)))
@@ -116,11 +116,9 @@ def decide_system(
     own = own_packages((key for key in keys if key.name not in found.skip), evidence, target)
     found.skip |= dict.fromkeys(own)
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
-    sister = the_one_linked(evidence, target, packages.names)
     for key in keys:
         if key.name not in found.skip:
-            kin = of_the_owner(key, evidence, packages.names)
-            meant = translate(key, target, cloned=cloned, submodules=submodules, linked=sister, kin=kin)
+            meant = translate(key, target, cloned=cloned, submodules=submodules, tried=tried.get(key.name, ""))
             _keep(key, meant, found)
     defined = ((each, False) for listed in own.values() for each in listed)
     needed = (*defined, *needs(evidence, packages, kind, target.ros_distro))

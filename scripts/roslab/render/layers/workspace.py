@@ -17,6 +17,8 @@ ROSMAKE = "rosmake-workspace"
 """The script that compiles packages of rosbuild."""
 BUILD_CACHE = "/var/cache/roslab-build"
 WITHOUT_TESTS = "leave-out-tests"
+HOLDING = "clone-holding"
+"""The script that keeps a repository where it holds what the workspace lacks."""
 _LOGS = "-path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml"
 """CMake's logs, which name random targets, others at each build."""
 TIDY = rf"find . \( -name '*.o' -o {_LOGS} \) -delete"
@@ -35,9 +37,21 @@ def sister_sources(plan: Plan) -> str:
         return ""
     depends = tuple(dict.fromkeys(d for s in sources for d in s.depends))
     blocks = [shell.apt_install(depends, secrets.for_apt(plan), locks.apt(plan, "sisters"))] if depends else []
-    runs = [shell.run(*_fetched(plan, s), secrets=secrets.for_git(plan, "user")) for s in sources]
-    head = "# Sister packages, from their source"
-    return "\n".join([head, *blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
+    sure = [shell.run(*_fetched(plan, s), secrets=secrets.for_git(plan, "user")) for s in sources if not s.holding]
+    runs = ["# Sister packages, from their source", *sure] if sure else []
+    tried = [shell.run(_tried(s), secrets=secrets.for_git(plan, "user")) for s in sources if s.holding]
+    if tried:
+        why = "# Packages that nothing known brings: what is not there is told and stops nothing"
+        runs += [why, shell.copy_script(HOLDING).rstrip(), *tried]
+    return "\n".join([*blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
+
+
+def _tried(source: Source) -> str:
+    """Return the call of the script that keeps a repository where it holds what the workspace lacks."""
+    at = f" --ref {quote.shell(source.ref)}" if source.ref else ""
+    at += f" --before {quote.shell(source.before)}" if source.before else ""
+    folder = quote.shell_with_user(f"{WS}/src/{source.name}")
+    return f"{HOLDING}{at} {quote.shell(source.repo or '')} {folder}{_words(source.holding)}"
 
 
 def submodules(plan: Plan) -> str:

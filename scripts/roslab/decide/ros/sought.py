@@ -1,0 +1,133 @@
+"""Packages that nothing brings, and the repositories in which the build looks for them.
+
+Planning asks no host. What the author's other code may hold is therefore tried while the image is built: a repository
+that is not there, or does not hold the package, stops nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Set as AbstractSet
+from typing import TYPE_CHECKING
+
+from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
+from roslab.decide.decision import Choice
+from roslab.decide.reasons import because
+from roslab.decide.ros.source_names import address, plain
+from roslab.decide.ros.weights import Weight
+from roslab.decide.ros.workspace import Packages
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.facts import Evidence
+from roslab.evidence.ros.vcs import https
+from roslab.knowledge.libraries import library
+from roslab.values.dataclass import replace
+from roslab.values.origin import Place
+from roslab.values.pattern import pattern
+
+if TYPE_CHECKING:
+    from roslab.decide.ros.sources import Sources
+
+_OWNER = pattern(r"(https://(?:github\.com|gitlab\.com|bitbucket\.org)/[\w.-]+)/[\w.-]+?/?$")
+_PACKAGE = pattern(r"(?!lib|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
+"""A name that a package of ROS may have (REP 144), and no package of a system is likely to."""
+_MOST = 6
+"""Most repositories that a build tries."""
+
+
+def with_sought(
+    choice: Choice[Sources],
+    evidence: Evidence,
+    config: Config,
+    *,
+    build_tool: BuildTool,
+    needed: Iterable[Dependency],
+    known: AbstractSet[str],
+    before: str,
+) -> Choice[Sources]:
+    """Return the sources with the repositories in which the build looks for what nothing brings.
+
+    ``needed``: names that the build uses, ``known``: what the repository, rosdep and the distribution
+    have; ``before``: the day of which they are taken. None for the old formats, whose images never had them, nor where
+    a source may hold packages whose names are not known.
+    """
+    sources = choice.answer
+    build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
+    if build is None or config.compatible or sources.with_unknown_packages:
+        return choice
+    lacking = _lacking(needed, known | sources.names)
+    taken = {address(source.repo or "") for source in (*sources.sources, *sources.submodules)}
+    found = []
+    reasons = []
+    for url, names in _addresses(lacking, evidence, known, taken):
+        name, asked = url.rpartition("/")[2], lacking[names[0]]
+        place = Place(file=asked.file, line=asked.line)
+        found.append(Source(name=name, repo=f"{url}.git", build=build, before=before, holding=names, place=place))
+        why = f"nothing known brings {', '.join(names)}: it may be there, and is left out where it is not"
+        reasons.append(because("source", name, why, asked, weight=Weight.SOUGHT))
+    return replace(choice, answer=replace(sources, sought=tuple(found)), reasons=(*choice.reasons, *reasons))
+
+
+def tried(sought: Iterable[Source]) -> dict[str, str]:
+    """Return for each package that is looked for where that is, in words."""
+    found: dict[str, str] = {}
+    for source in sought:
+        for name in source.holding:
+            url = (source.repo or "").removesuffix(".git")
+            found[name] = f"{found[name]} and {url}" if name in found else url
+    return found
+
+
+def without(sought: tuple[Source, ...], packages: Packages, left_out: Collection[str]) -> tuple[Source, ...]:
+    """Return the repositories without those that hold nothing but what packages need which are not built."""
+    if not left_out:
+        return sought
+    asking = {m.name: {d.name for d in m.dependencies} for m in packages.built}
+    built = {name for each, names in asking.items() if each not in left_out for name in names}
+    lost = {name for each, names in asking.items() if each in left_out for name in names} - built
+    return tuple(source for source in sought if not lost.issuperset(source.holding))
+
+
+def _lacking(needed: Iterable[Dependency], known: AbstractSet[str]) -> Mapping[str, Dependency]:
+    """Return the declared packages of ROS that are not known, by their names."""
+    found: dict[str, Dependency] = {}
+    for asked in needed:
+        of_ros = asked.namespace in {"rosdep", "ros"} and asked.role not in {"test", "doc"}
+        if not of_ros or asked.strength != "declared" or asked.name in known or plain(asked.name) in known:
+            continue
+        if _PACKAGE.fullmatch(asked.name) and not library("cmake", asked.name, None):
+            found.setdefault(asked.name, asked)
+    return found
+
+
+def _addresses(
+    names: Iterable[str], evidence: Evidence, known: AbstractSet[str], taken: AbstractSet[str]
+) -> list[tuple[str, tuple[str, ...]]]:
+    """Return the addresses of repositories that may hold packages, most likely first, each with those packages.
+
+    First those that pages at the root link to; then one of the same owner with the name of the package. Not those whose
+    address is ``taken``, nor what is ``known``.
+    """
+    names = tuple(names)
+    if not names:
+        return []
+    here = address(evidence.origin) if evidence.origin else ""
+    match = _OWNER.match(https(evidence.origin)) if evidence.origin else None
+    found = {https(git.url).removesuffix(".git"): names for git in _linked(evidence, here, {plain(n) for n in known})}
+    for name in names if match else ():
+        url = f"{match[1]}/{name}" if match else ""
+        if address(url) not in {here, *map(address, found)}:
+            found[url] = (name,)
+    return [(url, held) for url, held in found.items() if address(url) not in taken][:_MOST]
+
+
+def _linked(evidence: Evidence, here: str, known: AbstractSet[str]) -> Iterator[GitSource]:
+    """Yield the repositories of the same owner that pages at the root link to; of others, the only one that they do.
+
+    Not one with the name of what is known, as of one of the repository's own packages, which is what it was made from.
+    """
+    owner = here.rpartition("/")[0]
+    links = (git for git in evidence.sources if git.kind == "link" and "/" not in git.file)
+    others = {address(git.url): git for git in links if plain(git.name) not in known and address(git.url) != here}
+    for url, git in others.items():
+        if len(others) == 1 or (owner and url.rpartition("/")[0] == owner):
+            yield git

@@ -1,0 +1,74 @@
+#!/bin/bash
+# usage: clone-holding [--ref REF] [--before DAY] URL FOLDER PACKAGE...
+# Clones to a folder of the workspace a repository that may hold packages which nothing else brings. What does not answer,
+# or holds none of those that the workspace lacks, is named and left out. Of the others in it, only those that these need
+# are compiled.
+#   --ref REF     a branch, tag or commit
+#   --before DAY  the newest commit not after this day (YYYY-MM-DD)
+set -euo pipefail
+
+ref='' day=''
+while [[ "$1" = --* ]]; do
+  case "$1" in
+    --ref) ref="$2" ;;
+    --before) day="$2" ;;
+  esac
+  shift 2
+done
+url="$1" folder="$2" workspace="$(dirname "$2")"
+shift 2
+leave_out() {
+  echo "roslab: left out: ${url}: $1"
+  rm -rf "${folder}"
+  exit 0
+}
+tag() { sed --quiet --regexp-extended "s:.*<($2)( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\3:p" "$1"; }
+manifests() { find "$1" -name .git -prune -o -name package.xml -print; }
+
+lacking=("$@")
+while read -r manifest; do
+  name="$(tag "${manifest}" name | head -n 1)"
+  for index in "${!lacking[@]}"; do
+    if [ "${lacking[index]}" = "${name}" ]; then unset "lacking[index]"; fi
+  done
+done < <(if [ -d "${workspace}" ]; then manifests "${workspace}"; fi)
+if [ "${#lacking[@]}" -eq 0 ]; then
+  echo "roslab: ${url} is not needed: the workspace has $*"
+  exit 0
+fi
+
+# Where a host has no such repository it asks for a password, which nobody is there to give
+export GIT_TERMINAL_PROMPT=0
+git clone "${url}" "${folder}" || leave_out "it cannot be cloned"
+if [ -n "${ref}" ]; then
+  git -C "${folder}" -c advice.detachedHead=false checkout "${ref}" || leave_out "it has no ${ref}"
+elif [ -n "${day}" ]; then
+  commit="$(git -C "${folder}" rev-list --max-count=1 --before="${day}T23:59:59Z" HEAD)"
+  git -C "${folder}" -c advice.detachedHead=false checkout "${commit:-HEAD}"
+fi
+git -C "${folder}" submodule update --init --recursive || leave_out "its submodules cannot be cloned"
+
+declare -A file_of=() kept=()
+while read -r manifest; do
+  name="$(tag "${manifest}" name | head -n 1)"
+  if [ -n "${name}" ]; then file_of["${name}"]="${manifest}"; fi
+done < <(manifests "${folder}")
+queue=("${lacking[@]}")
+while [ "${#queue[@]}" -gt 0 ]; do
+  name="${queue[0]}" queue=("${queue[@]:1}")
+  manifest="${file_of["${name}"]:-}"
+  if [ -z "${manifest}" ] || [ -n "${kept["${name}"]:-}" ]; then continue; fi
+  kept["${name}"]=yes
+  mapfile -t needed < <(tag "${manifest}" '[a-z_]*depend')
+  queue+=("${needed[@]}")
+done
+if [ "${#kept[@]}" -eq 0 ]; then leave_out "it holds no package called ${lacking[*]}"; fi
+echo "roslab: ${url} brings ${!kept[*]}"
+for name in "${!file_of[@]}"; do
+  if [ -n "${kept["${name}"]:-}" ]; then continue; fi
+  here="$(dirname "${file_of["${name}"]}")"
+  for other in "${!kept[@]}"; do
+    if [[ "$(dirname "${file_of["${other}"]}")/" = "${here}/"* ]]; then continue 2; fi # the marker would hide it
+  done
+  touch "${here}/CATKIN_IGNORE" "${here}/COLCON_IGNORE"
+done

@@ -1,0 +1,112 @@
+"""Packages that nothing known brings, and where the build looks for them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+
+LAB = "https://github.com/lab"
+
+
+def _package(name: str, *needed: str) -> dict[str, str]:
+    """Return the files of a package of ROS 1 whose manifest and CMake ask for others."""
+    depends = "".join(f"<depend>{each}</depend>" for each in needed)
+    return {
+        f"{name}/package.xml": f"<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend>{depends}"
+        "</package>",
+        f"{name}/CMakeLists.txt": f"project({name})\nfind_package(catkin REQUIRED COMPONENTS {' '.join(needed)})\n"
+        "catkin_package()\n",
+    }
+
+
+def _git(origin: str) -> dict[str, str]:
+    config = f'[remote "origin"]\n\turl = {origin}\n' if origin else ""
+    return {".git/config": config, ".git/HEAD": "ref: refs/heads/a\n"}
+
+
+def _sought(decision: Decision) -> dict[str, tuple[str, ...]]:
+    return {(s.repo or "").removesuffix(".git"): s.holding for s in decision.source if s.holding}
+
+
+@pytest.mark.parametrize(
+    ("page", "linked"),
+    [
+        (f"Used with {LAB}/control.\nSee [it]({LAB}/control).\n", [f"{LAB}/control"]),
+        (f"Used with {LAB}/control.\nSee [it]({LAB}/other).\n", [f"{LAB}/control", f"{LAB}/other"]),
+        (f"Used with {LAB}/control.\nClone {LAB}/mpc.\n", [f"{LAB}/control"]),
+        (f"Used with {LAB}/control.\nMade from https://github.com/other/mpc.\n", [f"{LAB}/control"]),
+        (f"Used with {LAB}/control.\nAs https://github.com/ros-planning/navigation.\n", [f"{LAB}/control"]),
+        ("Used with https://github.com/other/control.\n", ["https://github.com/other/control"]),
+        ("Used with https://github.com/other/control and https://github.com/third/more.\n", []),
+        (f"[quad_x]({LAB}/drivers_to_real)\n", [f"{LAB}/drivers_to_real"]),
+        ("", []),
+    ],
+)
+def test_what_pages_link_to_may_hold_it_then_a_repository_of_its_name(tree: Tree, page: str, linked: list[str]) -> None:
+    files = _git(f"{LAB}/mpc.git") | _package("mpc", "quad_x", "roscpp")
+    decision = tree(files | {"README.md": f"ROS Noetic.\n{page}"})
+    assert _sought(decision) == dict.fromkeys([*linked, f"{LAB}/quad_x"], ("quad_x",))
+    told = next(each.message for each in decision.warnings if "rosdep has no key quad_x" in each.message)
+    assert f"looks for it in {' and '.join([*linked, f'{LAB}/quad_x'])}," in told
+
+
+@pytest.mark.parametrize(
+    ("origin", "address"),
+    [
+        ("git@github.com:lab/acme_nav.git", f"{LAB}/acme_lib"),
+        ("https://gitlab.com/lab/acme_nav", "https://gitlab.com/lab/acme_lib"),
+        ("/home/somebody/acme_nav", ""),
+        ("", ""),
+    ],
+)
+def test_the_owner_is_known_by_the_origin(tree: Tree, origin: str, address: str) -> None:
+    decision = tree(_git(origin) | _package("acme_nav", "acme_lib") | {"README.md": "ROS Noetic.\n"})
+    assert [*_sought(decision)] == ([address] if address else [])
+    told = next(each.message for each in decision.warnings if "rosdep has no key acme_lib" in each.message)
+    assert address in told
+    assert address or "nothing here says" in told
+
+
+@pytest.mark.parametrize(("role", "looked"), [("exec_depend", True), ("test_depend", False), ("doc_depend", False)])
+def test_what_only_tests_or_documentation_need_is_not_looked_for(tree: Tree, role: str, looked: bool) -> None:
+    files = _git(f"{LAB}/robo") | {"README.md": "# Robo\n\nROS 2 humble\n"}
+    files["package.xml"] = (
+        '<package format="3"><name>robo</name><buildtool_depend>ament_cmake</buildtool_depend>'
+        f"<{role}>demo_msgs</{role}><export><build_type>ament_cmake</build_type></export></package>"
+    )
+    files["CMakeLists.txt"] = "project(robo)\nfind_package(ament_cmake REQUIRED)\n"
+    assert bool(_sought(tree(files))) == looked
+
+
+@pytest.mark.parametrize("key", ["libacme-dev", "python-acme", "Acme", "roscpp", "opencv_apps"])
+def test_nothing_is_looked_for_that_is_known_or_no_package_of_ros(tree: Tree, key: str) -> None:
+    decision = tree(_git(f"{LAB}/mpc") | _package("mpc", key) | {"README.md": "ROS Noetic.\n"})
+    assert not _sought(decision)
+
+
+def test_nothing_is_looked_for_where_a_clone_may_hold_it(tree: Tree) -> None:
+    page = "ROS Noetic.\n\n    cd ~/catkin_ws/src\n    git clone https://github.com/lab/mpc\n"
+    page += "    git clone https://github.com/other/drivers\n    catkin_make\n"
+    decision = tree(_git(f"{LAB}/mpc") | _package("mpc", "quad_x") | {"README.md": page})
+    assert [source.name for source in decision.source] == ["drivers"]
+    assert not _sought(decision)
+
+
+def test_nothing_is_looked_for_that_only_a_package_needs_which_is_not_built(tree: Tree) -> None:
+    files = _git(f"{LAB}/mpc") | _package("mpc", "roscpp") | _package("extra", "quad_x")
+    files["mpc/launch/mpc.launch"] = '<launch><node pkg="mpc" type="mpc" name="mpc"/></launch>\n'
+    decision = tree(files | {"README.md": "ROS Noetic.\n\n    roslaunch mpc mpc.launch\n"})
+    assert decision.left_out == ("extra",)
+    assert not _sought(decision)
+
+
+def test_a_clone_that_is_looked_for_is_as_old_as_the_repository(tree: Tree) -> None:
+    files = _git(f"{LAB}/mpc") | _package("mpc", "quad_x") | {"README.md": "ROS Melodic.\n"}
+    files["CITATION.cff"] = "cff-version: 1.2.0\ntitle: MPC\ndate-released: 2019-05-20\n"
+    (source,) = (each for each in tree(files).source if each.holding)
+    assert (source.name, source.build, source.ref) == ("quad_x", "catkin_make", None)

@@ -1,0 +1,98 @@
+"""The script that keeps a repository where it holds packages which a workspace lacks."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+SCRIPT = Path("scripts/roslab/render/image_scripts/clone-holding.sh").resolve()
+
+
+def _manifest(folder: Path, name: str, *needed: str) -> None:
+    folder.mkdir(parents=True)
+    depends = "\n".join(f"  <build_depend>{each}</build_depend>" for each in needed)
+    (folder / "package.xml").write_text(f'<package format="2">\n  <name> {name} </name>\n{depends}\n</package>\n')
+
+
+def _git(folder: Path, *words: str, day: str = "2019-05-20") -> str:
+    identity = ("-c", "user.name=a", "-c", "user.email=a@b.c", "-c", "init.defaultBranch=main")
+    dates = {"GIT_AUTHOR_DATE": f"{day}T12:00:00Z", "GIT_COMMITTER_DATE": f"{day}T12:00:00Z"}
+    answer = subprocess.run(
+        ["git", *identity, *words], cwd=folder, env=os.environ | dates, capture_output=True, text=True, check=True
+    )
+    return answer.stdout.strip()
+
+
+@pytest.fixture
+def remote(tmp_path: Path) -> Path:
+    """Return a repository with four packages, of which quad_x needs quad_msgs."""
+    folder = tmp_path / "remote"
+    _manifest(folder / "quad_x", "quad_x", "quad_msgs", "roscpp")
+    _manifest(folder / "quad_msgs", "quad_msgs")
+    _manifest(folder / "quad_viewer", "quad_viewer", "rviz")
+    _manifest(folder / "group", "group")
+    _manifest(folder / "group/quad_y", "quad_y")
+    _git(folder, "init", "--quiet")
+    _git(folder, "add", ".")
+    _git(folder, "commit", "--quiet", "--message", "first")
+    return folder
+
+
+def _run(tmp_path: Path, *words: str) -> tuple[str, list[str], list[str]]:
+    """Return what the script says, the packages that the workspace has, and those that its build tool passes by."""
+    workspace = tmp_path / "ws/src"
+    workspace.mkdir(parents=True, exist_ok=True)
+    answer = subprocess.run(["bash", SCRIPT, *words], capture_output=True, text=True, cwd=tmp_path, check=True)
+    found = sorted(file.parent.name for file in workspace.rglob("package.xml"))
+    passed = sorted(file.parent.name for file in workspace.rglob("CATKIN_IGNORE"))
+    assert passed == sorted(file.parent.name for file in workspace.rglob("COLCON_IGNORE"))
+    return answer.stdout, found, passed
+
+
+def test_it_is_kept_with_what_the_package_needs_of_it(tmp_path: Path, remote: Path) -> None:
+    said, found, passed = _run(tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_x", "other")
+    assert found == ["group", "quad_msgs", "quad_viewer", "quad_x", "quad_y"]
+    assert passed == ["group", "quad_viewer", "quad_y"]
+    assert "brings" in said
+    assert {"quad_x", "quad_msgs"} <= {*said.split()}
+
+
+def test_no_marker_hides_a_package_below(tmp_path: Path, remote: Path) -> None:
+    _, _, passed = _run(tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_y")
+    assert passed == ["quad_msgs", "quad_viewer", "quad_x"]
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [(("quad_z",), "it holds no package called quad_z"), (("--ref", "no-branch", "quad_x"), "it has no no-branch")],
+)
+def test_what_holds_none_is_left_out(tmp_path: Path, remote: Path, words: tuple[str, ...], why: str) -> None:
+    *options, package = words
+    said, found, _ = _run(tmp_path, *options, remote.as_uri(), f"{tmp_path}/ws/src/remote", package)
+    assert (f"roslab: left out: {remote.as_uri()}: {why}" in said, found) == (True, [])
+    assert not (tmp_path / "ws/src/remote").exists()
+
+
+def test_what_is_not_there_is_left_out(tmp_path: Path) -> None:
+    url = (tmp_path / "nowhere").as_uri()
+    said, found, _ = _run(tmp_path, url, f"{tmp_path}/ws/src/nowhere", "quad_x")
+    assert (f"roslab: left out: {url}: it cannot be cloned" in said, found) == (True, [])
+
+
+def test_nothing_is_cloned_for_what_the_workspace_has(tmp_path: Path, remote: Path) -> None:
+    _manifest(tmp_path / "ws/src/mine", "quad_x")
+    said, found, _ = _run(tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_x")
+    assert ("is not needed" in said, found) == (True, ["mine"])
+
+
+def test_a_day_tells_the_commit(tmp_path: Path, remote: Path) -> None:
+    first = _git(remote, "rev-parse", "HEAD")
+    (remote / "new").write_text("new\n")
+    _git(remote, "add", ".")
+    _git(remote, "commit", "--quiet", "--message", "second", day="2021-05-20")
+    folder = tmp_path / "ws/src/remote"
+    _run(tmp_path, "--before", "2020-01-01", remote.as_uri(), f"{folder}", "quad_x")
+    assert _git(folder, "rev-parse", "HEAD") == first
