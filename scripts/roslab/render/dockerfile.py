@@ -11,6 +11,7 @@ from roslab.render.layers import (
     apart,
     base,
     building,
+    cloned,
     cloned_files,
     downloads,
     final,
@@ -68,8 +69,8 @@ TODAY = Order(
         python.environment,
         python.jupyter,
         system.libraries,
-        workspace.sister_sources,
-        workspace.submodules,
+        cloned.sister_sources,
+        cloned.submodules,
         workspace.rosdep,  # 4. what the manifests name
         system.package_data,
         system.header_links,
@@ -111,7 +112,7 @@ OLD_FORMATS = Order(  # the order of the old generators, in which later steps us
         python.packages,  # pip3 before pip
         python.guessed_packages,
         system.libraries_in_place,
-        workspace.sister_sources,
+        cloned.sister_sources,
         workspace.rosdep,
     ),
     source=(

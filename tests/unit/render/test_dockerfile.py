@@ -150,7 +150,7 @@ def test_every_script_is_called_by_some_dockerfile() -> None:
     folder = Path(image_scripts.__path__[0])
     calls = "".join(path.read_text() for path in folder.parent.rglob("*.py"))
     names = sorted(path.stem for path in folder.glob("*.sh"))
-    assert len(names) == 28
+    assert len(names) == 29
     assert [name for name in names if not re.search(rf"""["'/]{name}["' ]""", calls)] == []
 
 
@@ -428,7 +428,7 @@ def test_the_tests_of_sisters_are_not_compiled() -> None:
     with_sister: dict[str, Any] = {"source": (sister,), "ros_distro": "jazzy", "build_tool": "colcon"}
     text = dockerfile(plan(**with_sister))
     assert " && leave-out-tests src/sister \\\n" in text
-    assert "COPY --from=scripts /compile-jobs /reuse-build /leave-out-tests /usr/local/bin/" in text
+    assert "COPY --from=scripts /compile-jobs /reuse-build /leave-out-tests /build-needed /usr/local/bin/" in text
     for stated_by in (
         dockerfile(plan(Config(cmake_options="-DBUILD_TESTING=ON"), **with_sister)),
         dockerfile(plan(**{**with_sister, "source": ()})),

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from roslab.config.model import Source
 from roslab.plan.plan import Plan
 from roslab.plan.workspace import WORKSPACE, RosBuild
 from roslab.render import quote
 from roslab.render.layers import locks, manifests, secrets, shell
-from roslab.render.layers.system import fetch, prepared
+from roslab.values.pattern import pattern
+from roslab.values.words import line_of
 
 HOME = f"/home/{quote.USER}"
 WS = f"{HOME}/{WORKSPACE}"
@@ -17,8 +17,8 @@ ROSMAKE = "rosmake-workspace"
 """The script that compiles packages of rosbuild."""
 BUILD_CACHE = "/var/cache/roslab-build"
 WITHOUT_TESTS = "leave-out-tests"
-HOLDING = "clone-holding"
-"""The script that keeps a repository where it holds what the workspace lacks."""
+NEEDED = "build-needed"
+_STARTED = pattern(r"\b(?:roslaunch|rosrun|ros2 launch|ros2 run) ([A-Za-z]\w*)(?= )")
 _LOGS = "-path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml"
 """CMake's logs, which name random targets, others at each build."""
 TIDY = rf"find . \( -name '*.o' -o {_LOGS} \) -delete"
@@ -28,53 +28,6 @@ TIDY = rf"find . \( -name '*.o' -o {_LOGS} \) -delete"
 def source_folder(plan: Plan) -> str:
     """Folder of the repository inside the image, with ``${NB_USER}`` for the user's name."""
     return f"{HOME}/{plan.workspace.folder}"
-
-
-def sister_sources(plan: Plan) -> str:
-    """Clone the sister packages into the workspace, each at its ref."""
-    sources = plan.workspace.sources
-    if not sources:
-        return ""
-    depends = tuple(dict.fromkeys(d for s in sources for d in s.depends))
-    blocks = [shell.apt_install(depends, secrets.for_apt(plan), locks.apt(plan, "sisters"))] if depends else []
-    sure = [shell.run(*_fetched(plan, s), secrets=secrets.for_git(plan, "user")) for s in sources if not s.holding]
-    runs = ["# Sister packages, from their source", *sure] if sure else []
-    tried = [shell.run(_tried(s), secrets=secrets.for_git(plan, "user")) for s in sources if s.holding]
-    if tried:
-        why = "# Packages that nothing known brings: what is not there is told and stops nothing"
-        runs += [why, shell.copy_script(HOLDING).rstrip(), *tried]
-    return "\n".join([*blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
-
-
-def _tried(source: Source) -> str:
-    """Return the call of the script that keeps a repository where it holds what the workspace lacks."""
-    at = f" --ref {quote.shell(source.ref)}" if source.ref else ""
-    at += f" --before {quote.shell(source.before)}" if source.before else ""
-    folder = quote.shell_with_user(f"{WS}/src/{source.name}")
-    return f"{HOLDING}{at} {quote.shell(source.repo or '')} {folder}{_words(source.holding)}"
-
-
-def submodules(plan: Plan) -> str:
-    """Clone what lies in the tree and is not checked out into the folder that the source is copied to afterwards.
-
-    What is private or gone is told and left out, as where the workflows fetch submodules.
-    """
-    if not plan.workspace.submodules:
-        return ""
-    runs = []
-    for source in plan.workspace.submodules:
-        folder = quote.shell_with_user(f"{source_folder(plan)}/{source.name}")
-        left_out = quote.shell(f"roslab: left out: {source.name} cannot be cloned")
-        cloned = " \\\n   && ".join(fetch(plan, source, folder))
-        commands = (f"mkdir --parents {folder}", f"{{ {cloned}; }} \\\n || echo {left_out}")
-        runs.append(shell.run(*commands, secrets=secrets.for_git(plan, "user")))
-    head = "# What belongs in the tree and is not checked out: submodules at the commits that the repository records"
-    return "\n".join([head, "USER ${NB_USER}", *runs, "USER root"])
-
-
-def _fetched(plan: Plan, source: Source) -> list[str]:
-    folder = quote.shell_with_user(f"{WS}/src/{source.name}")
-    return prepared(plan, source, folder)
 
 
 def rosdep(plan: Plan) -> str:
@@ -156,7 +109,7 @@ def any_processor(plan: Plan) -> str:
         return ""
     folder = f"{WS}/src" if place.ros else quote.shell_with_user(source_folder(plan))
     comment = "For every machine of the platform, not only for the one that builds"
-    return f"USER ${{NB_USER}}\n{shell.call('any-processor', f' {folder}{_words(place.without)}', comment=comment)}"
+    return f"USER ${{NB_USER}}\n{shell.call('any-processor', f' {folder}{words(place.without)}', comment=comment)}"
 
 
 def compile_inside(plan: Plan) -> str:
@@ -166,7 +119,7 @@ def compile_inside(plan: Plan) -> str:
     runs = []
     for folder, options in plan.workspace.inside:
         build = quote.shell_with_user("/".join(filter(None, (source_folder(plan), folder, "build"))))
-        cmake = f"cmake{_words(('-DCMAKE_BUILD_TYPE=Release', *options.split()))} .."
+        cmake = f"cmake{words(('-DCMAKE_BUILD_TYPE=Release', *options.split()))} .."
         runs.append(shell.run(f"mkdir --parents {build}", f"cd {build}", cmake, f"make --jobs={shell.JOBS}", TIDY))
     return "\n".join(["# Libraries inside the repository", "USER ${NB_USER}", *runs])
 
@@ -189,8 +142,9 @@ def compile_workspace(plan: Plan) -> str:
     build = plan.workspace.ros
     if build is None:
         return ""
-    run = shell.run(f"source {setups(plan)[0]}", *_commands(plan, build), *_without_logs(build))
-    called = (WITHOUT_TESTS,) if WITHOUT_TESTS in run else ("compile-jobs", ROSMAKE) if ROSMAKE in run else ()
+    run = shell.run(f"source {setups(plan)[0]}", *_commands(plan, build, again=_needed(plan)), *_without_logs(build))
+    called = [name for name in (WITHOUT_TESTS, NEEDED) if name in run]
+    called += ["compile-jobs", ROSMAKE] if ROSMAKE in run else []
     scripts = "".join(map(shell.copy_script, called))
     return f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{scripts}{run}"
 
@@ -207,11 +161,20 @@ def compile_again(plan: Plan) -> str:
     if build is None:
         return ""
     kept = secrets.Secrets(mounts=(tree_mount(plan),))
-    run = shell.run(f". {setups(plan)[0]}", *_commands(plan, build, again="reuse-build "), secrets=kept)
-    scripts = ("compile-jobs", "reuse-build", *((WITHOUT_TESTS,) if WITHOUT_TESTS in run else ()))
+    run = shell.run(f". {setups(plan)[0]}", *_commands(plan, build, again=f"{_needed(plan)}reuse-build "), secrets=kept)
+    scripts = ("compile-jobs", "reuse-build", *(name for name in (WITHOUT_TESTS, NEEDED) if name in run))
     script = f"COPY --from=scripts{''.join(f' /{name}' for name in scripts)} /usr/local/bin/\n"
     run = run.replace(shell.copy_script("compile-jobs"), "")
     return f"WORKDIR {WS}\n{script}{run}"
+
+
+def _needed(plan: Plan) -> str:
+    """Return what builds again without the packages of clones that are not needed, where the first build fails."""
+    place = plan.workspace
+    if not place.sources or place.folder == WORKSPACE or place.ros is None or place.ros.tool == "rosmake":
+        return ""
+    kept = "".join(f" --keep {name}" for name in dict.fromkeys(_STARTED.findall(line_of(plan.run.command))))
+    return f"{NEEDED}{kept} {quote.shell(place.folder.removeprefix(f'{WORKSPACE}/'))} "
 
 
 def tree_mount(plan: Plan) -> str:
@@ -232,7 +195,7 @@ def _ignoring(plan: Plan, build: RosBuild) -> list[str]:
 
 
 def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
-    options, arguments = _words(build.cmake_options), _words(build.arguments)
+    options, arguments = words(build.cmake_options), words(build.arguments)
     cmake = f" \\\n      --cmake-args{options}" if options else ""
     jobs = shell.jobs(build.jobs)
     match build.tool:
@@ -242,12 +205,12 @@ def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
             return [f"{again}catkin_make_isolated -j{jobs}{arguments}{cmake}"]
         case "catkin_tools":
             catkin = f'{again}catkin build --no-status --jobs "${{jobs}}" --parallel-packages "${{jobs}}"'
-            return [f"jobs={jobs}", f"{catkin}{_words(build.named)}{cmake}{arguments}"]
+            return [f"jobs={jobs}", f"{catkin}{words(build.named)}{cmake}{arguments}"]
         case "rosmake":
             return [f"{ROSMAKE}{arguments}"]
         case "colcon":
             colcon = f'{again}colcon build --event-handlers console_direct+ --parallel-workers "${{jobs}}"'
-            chosen = f" \\\n      --packages-up-to{_words(build.named)}" if build.named else ""
+            chosen = f" \\\n      --packages-up-to{words(build.named)}" if build.named else ""
             build_all = f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" \\\n    {colcon}{chosen}{cmake}{arguments}'
             return [*_without_tests(plan, build), shell.SET_JOBS, build_all]
 
@@ -256,10 +219,11 @@ def _without_tests(plan: Plan, build: RosBuild) -> list[str]:
     """Return the command that leaves the tests of sisters out, unless somebody says whether tests are compiled."""
     folders = [f"src/{source.name}" for source in plan.workspace.sources]
     said = any("BUILD_TESTING" in option for option in (*build.cmake_options, *build.arguments))
-    return [f"{WITHOUT_TESTS}{_words(folders)}"] if folders and not said else []
+    return [f"{WITHOUT_TESTS}{words(folders)}"] if folders and not said else []
 
 
-def _words(items: Iterable[str]) -> str:
+def words(items: Iterable[str]) -> str:
+    """Return quoted words that go on a line after others."""
     return "".join(f" {quote.shell(item)}" for item in items)
 
 
@@ -280,8 +244,8 @@ def compile_program(plan: Plan) -> str:
         f"mkdir --parents {build}",
         f"cd {build}",
         *(_compiler(variable, name) for variable, name in program.compilers),
-        f"cmake{_words(program.cmake_options)} {quote.shell_with_user(source)}",
-        f"make --jobs={shell.JOBS}{_words(program.arguments)}",
+        f"cmake{words(program.cmake_options)} {quote.shell_with_user(source)}",
+        f"make --jobs={shell.JOBS}{words(program.arguments)}",
         TIDY,
     )
     return f"# The program\nUSER ${{NB_USER}}\n{run}"
