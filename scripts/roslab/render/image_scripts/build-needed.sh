@@ -3,7 +3,7 @@
 # Runs a command that builds the workspace in the current folder. Where it fails, it is run once more without the packages
 # of cloned repositories that the repository in FOLDER does not need: a clone is compiled whole, often for one package.
 # Needed is what its build files, code or launch files name, what is kept, and what these need in turn.
-set -euo pipefail
+set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 kept=()
 while [ "$1" = --keep ]; do

@@ -5,7 +5,7 @@
 # are compiled.
 #   --ref REF     a branch, tag or commit
 #   --before DAY  the newest commit not after this day (YYYY-MM-DD)
-set -euo pipefail
+set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 ref='' day=''
 while [[ "$1" = --* ]]; do

@@ -1,18 +1,22 @@
 #!/bin/bash
-# usage: install-rosdep-keys [--tables TAG] [--skip KEYS] FOLDER...
+# usage: install-rosdep-keys [--tables TAG] [--skip KEYS] [--complete] [--before DAY] FOLDER...
 # Installs what the package.xml files below the folders name. Keys that rosdep does not know are named and left out.
 #   --tables TAG  use the tables of ros/rosdistro at this tag: newer ones forget a distro some years after its end;
 #                 where they do not answer, the base's own are used
 #   --skip KEYS   keys to install nothing for, separated by spaces
+#   --complete    what repositories that were cloned to the second folder ask for, and nothing has, is cloned there too
+#   --before DAY  as of this day (YYYY-MM-DD)
 set -euo pipefail
 
 left_out=/usr/local/share/roslab/left-out.txt
 sources=/etc/ros/rosdep/sources.list.d
-tag='' skip='' folders=()
+tag='' skip='' complete='' completed='' day='' folders=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --tables) tag="$2" && shift ;;
     --skip) skip="$2" && shift ;;
+    --complete) complete=yes ;;
+    --before) day="$2" && shift ;;
     *) folders+=("$1") ;;
   esac
   shift
@@ -66,14 +70,19 @@ if install_keys --default-yes 2>"${said}"; then
 else
   before='' asked="${skip}"
   while unknown="$(unknown_keys)" && [ "${unknown}" != "${before}" ]; do
+    mapfile -t keys <<<"${unknown}"
+    if [ -n "${complete}" ] && clone-unknown --before "${day}" "${folders[0]}" "${folders[1]}" "${keys[@]}"; then
+      completed=yes
+      continue
+    fi
     before="${unknown}"
     for key in ${unknown}; do
       echo "rosdep ${key}" >>"${left_out}"
       skip="${skip} ${key}"
     done
   done
-  if [ "${skip}" = "${asked}" ]; then cat "${said}" >&2 && exit 1; fi
-  sed 's/^/roslab: left out: /' "${left_out}"
+  if [ "${skip}" = "${asked}" ] && [ -z "${completed}" ]; then cat "${said}" >&2 && exit 1; fi
+  if [ -s "${left_out}" ]; then sed 's/^/roslab: left out: /' "${left_out}"; fi
   install_keys --default-yes
 fi
 rm "${said}" "${caches}"

@@ -7,10 +7,7 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import locks, secrets, shell
 from roslab.render.layers.system import fetch, prepared
-from roslab.render.layers.workspace import WS, source_folder, words
-
-HOLDING = "clone-holding"
-"""The script that keeps a repository where it holds what the workspace lacks."""
+from roslab.render.layers.workspace import HOLDING, WS, source_folder, words
 
 
 def sister_sources(plan: Plan) -> str:

@@ -18,6 +18,10 @@ ROSMAKE = "rosmake-workspace"
 BUILD_CACHE = "/var/cache/roslab-build"
 WITHOUT_TESTS = "leave-out-tests"
 NEEDED = "build-needed"
+HOLDING = "clone-holding"
+"""The script that keeps a repository where it holds what the workspace lacks."""
+UNKNOWN = "clone-unknown"
+"""The script that clones what cloned repositories need in turn."""
 _STARTED = pattern(r"\b(?:roslaunch|rosrun|ros2 launch|ros2 run) ([A-Za-z]\w*)(?= )")
 _LOGS = "-path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml"
 """CMake's logs, which name random targets, others at each build."""
@@ -40,16 +44,29 @@ def rosdep(plan: Plan) -> str:
     before = manifests.copy(plan, files)
     if old:
         before += f"{shell.copy_script('write-package-xml')}RUN write-package-xml {manifests.FOLDER}\n"
+    complete = _complete(plan) if files else ""
+    if complete:
+        before += shell.copy_script(UNKNOWN) + shell.copy_script(HOLDING)
     return shell.call(
         "install-rosdep-keys",
         (f" --tables {quote.shell(tag)}" if tag else "")
         + (f" --skip {quote.shell(skip)}" if skip else "")
+        + complete
         + "".join(f" {folder}" for folder in rosdep_folders(plan)),
         comment="What the package.xml files name; keys that rosdep does not know stop nothing and are told",
         before=before,
         secrets=secrets.for_both(plan),
         around=locks.apt(plan, "rosdep") + locks.constraints(plan),
     )
+
+
+def _complete(plan: Plan) -> str:
+    """Return the options that clone what cloned repositories need in turn, ``""`` where nothing is cloned."""
+    place = plan.workspace
+    if plan.compatible or not place.sources or place.folder == WORKSPACE:
+        return ""
+    day = next((source.before for source in place.sources if source.before), "")
+    return " --complete" + (f" --before {quote.shell(day)}" if day else "")
 
 
 def rosdep_folders(plan: Plan) -> list[str]:

@@ -1,0 +1,92 @@
+#!/bin/bash
+# usage: clone-unknown [--before DAY] MANIFESTS WORKSPACE KEY...
+# Clones to the workspace the packages of these keys that the repository, whose package.xml files lie below MANIFESTS, and
+# the cloned repositories which it needs ask for: from lists that these carry (.rosinstall, .repos), else from the owner of
+# the one that asks, by the name of the package. Each key is tried once. Ends with 1 where nothing was found.
+#   --before DAY  the newest commit not after this day (YYYY-MM-DD), where a list names none; of today if empty
+set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
+
+day=()
+if [ "$1" = --before ]; then
+  if [ -n "$2" ]; then day=(--before "$2"); fi
+  shift 2
+fi
+manifests="$1" workspace="$2" tried=/tmp/clone-unknown
+shift 2
+touch "${tried}"
+
+tag() { sed --quiet --regexp-extended "s:.*<($2)( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\3:p" "$1"; }
+declare -A file_of=() seen=() asked=()
+while read -r manifest; do
+  name="$(tag "${manifest}" name | head -n 1)"
+  if [ -n "${name}" ]; then file_of["${name}"]="${manifest}"; fi
+done < <(find "${workspace}" -name .git -prune -o -name package.xml -print)
+queue=()
+while read -r manifest; do
+  mapfile -t -O "${#queue[@]}" queue < <(tag "${manifest}" '[a-z_]*depend')
+done < <(find "${manifests}" -name package.xml)
+while [ "${#queue[@]}" -gt 0 ]; do
+  found=()
+  for name in "${queue[@]}"; do
+    manifest="${file_of["${name}"]:-}"
+    if [ -z "${manifest}" ] || [ -n "${seen["${name}"]:-}" ]; then continue; fi
+    seen["${name}"]=yes
+    while read -r each; do
+      found+=("${each}")
+      asked["${each}"]="${asked["${each}"]:-${manifest}}" # the first clone that asks
+    done < <(tag "${manifest}" '[a-z_]*depend')
+  done
+  queue=("${found[@]}")
+done
+
+# Prints NAME URL REF of what the lists of the clones name; the interpreter of rosdep can read YAML
+listed() {
+  find "${workspace}" -mindepth 2 -maxdepth 4 \( -name '*.rosinstall' -o -name '*.repos' \) -print0 |
+    xargs --null --no-run-if-empty "$(sed --quiet '1s/^#! *//p' "$(command -v rosdep)")" -c '
+import sys, yaml
+for path in sys.argv[1:]:
+    try:
+        with open(path) as file:
+            data = yaml.safe_load(file)
+    except Exception:
+        continue
+    rows = []
+    if isinstance(data, list):
+        rows = [(row["git"].get("local-name"), row["git"]) for row in data if isinstance(row, dict) and isinstance(row.get("git"), dict)]
+    elif isinstance(data, dict) and isinstance(data.get("repositories"), dict):
+        rows = [(name, row) for name, row in data["repositories"].items() if isinstance(row, dict)]
+    for name, row in rows:
+        url = row.get("uri") or row.get("url")
+        if name and url:
+            print("%s %s %s" % (str(name).rpartition("/")[2], url, row.get("version") or ""))
+'
+}
+
+https() { sed --regexp-extended --expression 's#^([a-z]+://)?git@([^:/]+)[:/]#https://\2/#' --expression 's#^git://#https://#' <<<"$1"; }
+folder=''
+try() { # PACKAGE URL [REF]
+  local url at=("${day[@]}")
+  url="$(https "$2")"
+  if [ -n "${3:-}" ]; then at=(--ref "$3"); fi
+  folder="${workspace}/$(basename "${url}" .git)"
+  if [ -e "${folder}" ]; then return 1; fi
+  clone-holding "${at[@]}" "${url}" "${folder}" "$1"
+  if [ ! -e "${folder}" ]; then return 1; fi
+  chown --recursive --reference="${workspace}" "${folder}"
+}
+
+new=''
+for key in "$@"; do
+  manifest="${asked["${key}"]:-}"
+  if [ -z "${manifest}" ] || grep --quiet --line-regexp --fixed-strings "${key}" "${tried}"; then continue; fi
+  echo "${key}" >>"${tried}"
+  while read -r name url ref; do
+    if [ "${name}" = "${key}" ] && try "${key}" "${url}" "${ref}"; then
+      new=yes
+      continue 2
+    fi
+  done < <(listed)
+  origin="$(git -c safe.directory='*' -C "$(dirname "${manifest}")" config --get remote.origin.url)" || continue
+  if try "${key}" "${origin%/*}/${key}"; then new=yes; fi
+done
+[ -n "${new}" ]
