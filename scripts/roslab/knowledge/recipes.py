@@ -18,6 +18,7 @@ from roslab.values.pattern import pattern
 Bound = tuple[str | None, str | None]
 """The oldest version that fits, and the first that does not."""
 _NAME = pattern(r"^\[(.+)\]$", re.MULTILINE)
+_TAG = pattern(r"(?P<before>v?)(?P<version>\d+(?:\.\d+)+)")
 NO_BOUNDS: Mapping[str, tuple[Bound, ...]] = MappingProxyType({})
 
 
@@ -94,8 +95,14 @@ def recipe(name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]
 
 
 def _fitting(found: dict[str, Any], usual: str, bounds: tuple[Bound, ...]) -> str:
-    """Return the ref of the usual release, or of the nearest one that the code compiles with if the usual does not."""
+    """Return the ref of the usual release, or of the nearest one that the code compiles with if the usual does not.
+
+    Where the table names no releases, and the tag is a version, an older one than is asked for gives way to the tag of
+    the version that is.
+    """
     refs: dict[str, str] = found.get("releases", {})
+    if not refs:
+        return _as_asked(usual, [first for first, _ in bounds if first])
     fit = [
         release
         for release in refs
@@ -109,3 +116,15 @@ def _fitting(found: dict[str, Any], usual: str, bounds: tuple[Bound, ...]) -> st
     known = next((Version(release) for release, ref in refs.items() if ref == usual), Version("0"))
     newer = [release for release in fit if Version(release) > known]
     return refs[min(newer, key=Version) if newer else max(fit, key=Version)]
+
+
+def _as_asked(usual: str, oldest: list[str]) -> str:
+    """Return the tag of the newest of these versions, written as the usual tag is, if that is older."""
+    match = _TAG.fullmatch(usual)
+    if match is None or not oldest:
+        return usual
+    wanted = max(oldest, key=Version)
+    if Version(wanted) <= Version(match["version"]):
+        return usual
+    missing = match["version"].count(".") - wanted.count(".")
+    return match["before"] + wanted + ".0" * missing
