@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslab.decide.programs import top_of
+from roslab.decide.programs import compiled, top_of
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.evidence.facts import CondaEnvironment, Evidence
 from roslab.knowledge.guesses import tooling
@@ -18,13 +18,17 @@ def to_compile(evidence: Evidence, environment: CondaEnvironment) -> bool:
 def of_cpp(evidence: Evidence) -> bool:
     """Tell whether a repository is about the CMake project at its root, whatever Python lies beside it.
 
-    Not where the code is mostly Python, or where a page starts Python.
+    It is where a page starts a program that CMake compiles, by its path; else not where the code is mostly Python, or
+    where a page starts Python.
     """
     top = top_of(evidence)
-    if top is None or "/" in top.file or not mostly_cpp(evidence):
+    if top is None or "/" in top.file:
         return False
-    commands = (mention for mention in evidence.mentions if mention.topic == "command" and mention.source == "readme")
-    return not any(mention.value.startswith("python") for mention in commands)
+    said = [mention for mention in evidence.mentions if mention.topic == "command" and mention.source == "readme"]
+    names = {program.name for program in compiled(evidence)}
+    if any("/" in word and word.rpartition("/")[2] in names for word in (each.value.split()[0] for each in said)):
+        return True
+    return mostly_cpp(evidence) and not any(mention.value.startswith("python") for mention in said)
 
 
 def mostly_cpp(evidence: Evidence) -> bool:

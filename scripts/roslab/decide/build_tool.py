@@ -41,7 +41,8 @@ def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Py
     choice = tool_of_python(evidence, python)
     top = top_of(evidence)
     no_python = choice.answer == "none" and not evidence.programs
-    beside = choice.answer == "pip" and not python.projects and of_cpp(evidence)
+    own = {each.folder for each in evidence.python if each.file.startswith(f"{each.folder}/".lstrip("/"))}
+    beside = choice.answer == "pip" and not own & {*python.projects} and of_cpp(evidence)
     if kind == "cuda" and (no_python or beside) and top and not top.lacks:
         what = "a CMake project, with Python beside it" if beside else "a CMake project, and no Python"
         why = because("build_tool", "cmake", what, top, weight=Weight.CPP)

@@ -68,7 +68,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     said = [m for m in said if not (places.vendored(m.file) or about_trouble(m.heading))]
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
     pointed = pointed_launches(evidence)
-    beside = tree.compiled if kind == "cpp" else {}  # programs that a page starts in its build folder
+    beside = tree.compiled if compiled and not ros else {}  # programs that a page starts in its build folder
     nearest = min((m.file.count("/") for m in said if not m.heading.endswith(CONTAINER)), default=0)
     for mention in said:
         whole, cut, blanks = filled(mention.value, mention.files)

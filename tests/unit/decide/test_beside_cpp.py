@@ -36,6 +36,29 @@ def test_what_compiles_it_is_no_python(tree: Tree, files: dict[str, str], kind: 
 
 
 @pytest.mark.parametrize(
+    ("run", "tool", "command"),
+    [
+        ("cd build && ./arm data --timer", "cmake", ("arm", "data", "--timer")),
+        ("./build/arm data", "cmake", ("arm", "data")),
+        ("python export.py", "pip", ("python3", "export.py")),
+    ],
+)
+def test_a_program_that_the_page_starts_is_what_it_is_about(
+    tree: Tree, run: str, tool: str, command: tuple[str, ...]
+) -> None:
+    cmake = "project(arm LANGUAGES CXX CUDA)\nfind_package(CUDA REQUIRED)\nadd_executable(arm a.cpp c.cu)\n"
+    files = {**CPP, "CMakeLists.txt": cmake, "c.cu": "__global__ void f() {}\n", "data/one.bin": ""}
+    files |= {f"use_{name}.py": f"import {name}\n" for name in PYTHON} | {"export.py": "import onnx\n"}
+    build = "git clone https://github.com/lab/nets.git\ncd nets && python3 setup.py develop\ncd ..\n"
+    build += "mkdir build && cd build\ncmake .. && make\ncd ..\n"
+    page = f"# Arm\n\n```\n{build}```\n\n## Run\n\n```\npython export.py --out model\n```\n\n```\n{run}\n```\n"
+    found = tree(files | {"README.md": page})
+    assert (found.kind, found.build_tool) == ("cuda", tool)
+    assert (found.command == command) == (tool == "cmake")
+    assert not (tool == "cmake" and found.scripts)
+
+
+@pytest.mark.parametrize(
     ("page", "tool"), [("# Build\n`cmake ..`\n", "cmake"), ("# Run\n```\npython plot.py\n```\n", "pip")]
 )
 def test_a_list_for_scripts_leaves_cuda_to_cmake(tree: Tree, page: str, tool: str) -> None:

@@ -92,7 +92,9 @@ def test_a_ros_that_has_it_brings_it(tree: Tree, distro: str) -> None:
         ("set(YCM_REQUIRED_VERSION 0.18.2)\nfind_package(YCM ${YCM_REQUIRED_VERSION} REQUIRED)", "v0.18.2", None),
     ],
 )
-def test_a_newer_release_than_the_tables_is_built_by_its_tag(tree: Tree, asked: str, ycm: str, yarp: str | None) -> None:
+def test_a_newer_release_than_the_tables_is_built_by_its_tag(
+    tree: Tree, asked: str, ycm: str, yarp: str | None
+) -> None:
     cmake = f"cmake_minimum_required(VERSION 3.12)\nproject(a)\n{asked}\nadd_executable(a a.cpp)\n"
     decision = tree({"CMakeLists.txt": cmake, "a.cpp": "int main() {}\n", "README.md": ON.format("22.04")})
     assert built(decision) == [("ycm", ycm), *([("yarp", yarp)] if yarp else [])]

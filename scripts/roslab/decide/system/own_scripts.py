@@ -8,6 +8,7 @@ import shlex
 from collections.abc import Collection
 
 from roslab.config.model import Config, Kind
+from roslab.decide.beside_cpp import of_cpp
 from roslab.decide.decision import Choice, OwnScript
 from roslab.decide.programs import beside_top, found_by, names_of
 from roslab.decide.reasons import because
@@ -73,8 +74,11 @@ def decide_scripts(
     ]
     parts = [part for part in parts if part.folder not in compiled]
     said_so = compiled_beside(evidence, target) if kind == "python" or (kind == "cuda" and listed) else ()
+    itself = kind == "cuda" and of_cpp(evidence)  # CMake compiles the one at the root
     beside = [
-        (_part(project, found=False, options=m.text), m) for project, m in said_so if not _ASIDE.search(m.heading)
+        (_part(project, found=False, options=m.text), m)
+        for project, m in said_so
+        if not _ASIDE.search(m.heading) and not (itself and "/" not in project.file)
     ]
     why, other = "the README runs it to compile", "a CMake project beside the one that is compiled"
     return Choice(
