@@ -19,21 +19,32 @@ fi
 tracked() { find src -type d -name .git -prune -o -type f -regextype posix-extended "$@" -print0 | sort --zero-terminated; }
 present() { for tree in "${trees[@]}"; do if [ -e "${tree}" ]; then echo "${tree}"; fi; done; }
 
-fingerprint() {
-  echo "$*" | sed --regexp-extended 's/(-[jl]|(jobs|packages|workers)[ =])[0-9]+//g'
-  # Without what each build has anew: BuildKit hands a number to those who trace it
-  env | grep --invert-match --extended-regexp \
-    '^(HOSTNAME|MAKEFLAGS|OLDPWD|OTEL_\w+|PWD|SHLVL|SOURCE_DATE_EPOCH|TRACEPARENT|TRACESTATE|_)=' | sort
+# What a kept tree must have been built with
+of_image() {
   dpkg-query --show
   find /usr/local /opt -path '/usr/local/cuda*' -prune -o -name '*-info' -print | sort
   find /usr/local /opt -path '/usr/local/cuda*' -prune -o -type f -regextype posix-extended -regex "${headers}" -print0 |
     sort --zero-terminated | xargs --null --no-run-if-empty sha256sum
+}
+of_source() {
+  echo "$*" | sed --regexp-extended 's/(-[jl]|(jobs|packages|workers)[ =])[0-9]+//g'
+  # Without what each build has anew: BuildKit hands a number to those who trace it
+  env | grep --invert-match --extended-regexp \
+    '^(HOSTNAME|MAKEFLAGS|OLDPWD|OTEL_\w+|PWD|SHLVL|SOURCE_DATE_EPOCH|TRACEPARENT|TRACESTATE|_)=' | sort
   find src -name .git -prune -o -printf '%y %p %l\n' | sort
   tracked -not -regex "${code}" | xargs --null --no-run-if-empty sha256sum
 }
 
-now="$(fingerprint "$@" | sha256sum)"
-contents="$(tracked -regex "${code}" | xargs --null --no-run-if-empty sha256sum)"
+seen="$(mktemp --directory)"
+looking=''
+if [ -d "${cache}" ]; then
+  of_source "$@" | sha256sum >"${seen}/source"
+  tracked -regex "${code}" | xargs --null --no-run-if-empty sha256sum >"${seen}/contents"
+  of_image | sha256sum >"${seen}/image" &
+  looking=$!
+  # Where nothing was kept, the image is looked at while everything is compiled
+  if [ -e "${cache}/fingerprint" ]; then wait "${looking}" && looking=''; fi
+fi
 # Brings the kept tree up to date by what has changed alone, which is quicker than to copy all of it
 listing() { (cd "$1" && find "${found[@]}" -printf '%y %m %s %T@ %l\t%p\n' | sort); }
 renew() {
@@ -47,14 +58,14 @@ renew() {
 }
 
 reused=''
-if [ -d "${cache}/tree" ] && [ "$(cat "${cache}/fingerprint" 2>/dev/null)" = "${now}" ]; then
+if [ -d "${cache}/tree" ] && cmp --silent "${cache}/fingerprint" <(cat "${seen}"/{source,image}); then
   echo "roslab: only code has changed since the last build: its build tree is used again"
   reused=yes
   # A checkout gives every file a time of its own. To make, the tree is newer than all of it but what has changed, and
   # no file of the tree newer than another: CMake would begin anew.
   find "${cache}/tree" -exec touch --no-dereference --date="$(date --date='2 seconds ago' '+%F %T.%N')" {} +
   cp --archive "${cache}/tree/." .
-  comm -13 <(sort "${cache}/contents") <(sort <<<"${contents}") | cut --characters=67- |
+  comm -13 <(sort "${cache}/contents") <(sort "${seen}/contents") | cut --characters=67- |
     xargs --delimiter='\n' --no-run-if-empty touch --date='1 second ago'
 fi
 
@@ -97,9 +108,11 @@ if [ -d "${cache}" ]; then
     cp --archive "${found[@]}" "${cache}/new"
     mv "${cache}/new" "${cache}/tree"
   fi
-  echo "${contents}" >"${cache}/contents"
-  echo "${now}" >"${cache}/fingerprint"
+  if [ -n "${looking}" ]; then wait "${looking}"; fi
+  cp "${seen}/contents" "${cache}"
+  cat "${seen}"/{source,image} >"${cache}/fingerprint"
 fi
+rm -rf "${seen}"
 # A program may load a library out of the build tree; then only the compiler's own files go, and CMake's logs, which name
 # random targets, others at each build
 mapfile -t built < <(present | grep --line-regexp --extended-regexp 'build(_isolated)?')
