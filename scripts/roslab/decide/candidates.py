@@ -57,7 +57,8 @@ def _cut(candidate: Candidate, demands: Mapping[tuple[str, ...], tuple[str, ...]
 def _only_compiled(evidence: Evidence) -> bool:
     """Tell whether the root is a project of CMake or make and no Python project."""
     manifests = [p.file for p in evidence.python if not p.folder]  # what a page clones is a folder
-    manifests += [each.file for each in (*evidence.requirements, *evidence.conda)]
+    manifests += [each.file for each in evidence.requirements]
+    manifests += [environment.file for environment in evidence.conda]
     root = any(project.top_level and "/" not in project.file for project in evidence.cmake)
     root = root or any(not made.folder for made in evidence.makefiles)
     return root and all("/" in file for file in manifests)
