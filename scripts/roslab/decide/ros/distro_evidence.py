@@ -9,6 +9,7 @@ from typing import ClassVar
 
 from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
+from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.lower_bounds import bounds, least
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
@@ -41,6 +42,8 @@ _FOR = pattern(
     re.IGNORECASE,
 )
 """The sentence tells what to install or use."""
+_TESTED = pattern(r"\b(?:test(?:ed)?|developed|validated|verified|requires?|required)\b", re.IGNORECASE)
+"""The sentence tells what the authors used, or what everybody needs."""
 _EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)(?!\w)", re.IGNORECASE)
 """The sentence only shows how a name is written."""
 _RECOMMENDED = pattern(r"\brecommend", re.IGNORECASE)
@@ -258,10 +261,40 @@ def _channels(evidence: Evidence) -> Iterator[Reason]:
 
 
 def _branches(evidence: Evidence, ros: int) -> Iterator[Reason]:
-    """Yield rolling for a branch named ``ros2``: development happens there; releases have branches of their own."""
+    """Yield rolling for a branch named ``ros2``: development happens there; releases have branches of their own.
+
+    Such a name tells of no release, so the only one that the README says it was tested on counts more.
+    """
     rolling = [found.name for found in distros().values() if found.ros == ros == 2 and found.never_ends]
     for mention in evidence.mentions:
         if mention.source == "branch" and mention.text == "ros2":
-            why = "the branch is ros2, where ROS 2 development goes on"
+            why, weight = "the branch is ros2, where ROS 2 development goes on", Weight.ROS2_BRANCH
+            if (only := _only_tested(evidence)) is not None:
+                why, weight = f"{why}; but {only.file} says {only.value} alone", Weight.SPEAKS_OF_IT
             for name in rolling:
-                yield because("ros_distro", name, why, mention, weight=Weight.ROS2_BRANCH)
+                yield because("ros_distro", name, why, mention, weight=weight)
+
+
+def _only_tested(evidence: Evidence) -> Mention | None:
+    """Return where the root's README tells of tests on the one ROS 2 release that it names.
+
+    The release must have been out, and not ended, at the last commit: the sentence may be older than the code.
+    """
+    date = dated(evidence)
+    said = [
+        m
+        for m in evidence.mentions
+        if m.topic == "distro" and m.source == "readme" and "/" not in m.file and not bounds(m)
+    ]
+    of_ros2 = [m for m in said if m.value in distros() and distros()[m.value].ros == 2]
+    if date is None or len({m.value for m in of_ros2}) != 1:
+        return None
+    release = distros()[of_ros2[0].value]
+    if release.never_ends or not release.released <= date.value <= (release.eol or date.value):
+        return None
+    return next((m for m in of_ros2 if _tells_of_tests(m)), None)
+
+
+def _tells_of_tests(mention: Mention) -> bool:
+    sentences = _sentences(mention.text, mention.value)
+    return any(_TESTED.search(each) and _spoken(each, mention.value) >= Weight.TELLS_TO_HAVE for each in sentences)
