@@ -8,6 +8,7 @@ from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, ranked, warn
 from roslab.decide.ros.distro_dates import dated, of_its_time
 from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
+from roslab.decide.ros.gazebo import by_gazebo
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.code_fits import misfits, unlaunchable
@@ -50,7 +51,11 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     unlaunched = unlaunchable(evidence)
     unknown = {name: missing | unlaunched.get(name, frozenset()) for name, missing in unknown.items()}
     unknown = {name: missing for name, missing in unknown.items() if existed(evidence, name)} or unknown
-    named = [reason for reason in there(evidence, reasons_for(evidence, ros)) if not stale(reason, evidence.day)]
+    named = [
+        reason
+        for reason in there(evidence, [*reasons_for(evidence, ros), *by_gazebo(evidence, ros)])
+        if not stale(reason, evidence.day)
+    ]
     if dated(evidence) and all(_tells_nothing(reason, unknown) for reason in named):
         named = []
     reasons = [_compiling(_fitted(reason, unknown), lacking) for reason in named]

@@ -9,6 +9,7 @@ from typing import Literal
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import matches_at
+from roslab.evidence.prose import gazebo
 from roslab.knowledge.distros import english_words, ever, ubuntus
 from roslab.values.pattern import pattern
 
@@ -92,6 +93,7 @@ _ENDS = pattern(r"[`*_\"']{0,3}\s*(?:[^\w\s]|(?:and|or)\b|\n|\Z)", re.IGNORECASE
 
 def read(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "script"]) -> Iterator[Mention]:
     """Yield the versions that a text names, with the line each stands on."""
+    yield from gazebo.named(text, file, source)
     lowered = text.lower()
     for topic, words, each in _patterns():
         position, line, found = 0, 1, 0

@@ -1,0 +1,20 @@
+"""The releases of Gazebo and the distribution of ROS 2 that each was packaged for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+
+from roslab.knowledge.table import rows
+
+
+@cache
+def gazebo_releases() -> Mapping[str, str]:
+    """Return the distribution for each release: ``harmonic``."""
+    return {row["name"]: row["distro"] for row in rows("gazebo_releases")}
+
+
+@cache
+def gazebo_libraries() -> Mapping[str, str]:
+    """Return the release for each library that has its number in its name: ``gz-sim8``."""
+    return {library: row["name"] for row in rows("gazebo_releases") for library in row["libraries"].split()}
