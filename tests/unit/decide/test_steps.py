@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
+from roslab.config.model import Config
+from roslab.decide import decide
 from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
 
 Tree = Callable[[dict[str, str]], Decision]
 PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
@@ -41,6 +46,34 @@ def test_a_clone_that_nothing_asks_for_is_told_and_the_repository_itself_is_not(
     page = "```\ngit clone https://github.com/me/demo\ngit clone https://github.com/them/odd_sdk.git\n```\n"
     message = "not cloned: https://github.com/them/odd_sdk.git, for nothing that is built asks for it by name"
     assert told(tree, page) == [(message, "README.md", 4)]
+
+
+@pytest.mark.parametrize(
+    ("line", "itself"),
+    [
+        ("vcs import . < robots/robots.repos", True),
+        ("vcs import src --input src/robots/lists/deep.repos", True),
+        ("vcs import . < robots/others.repos", False),  # the tree has no such list: the clone brings it
+        ("vcs import src < robots.repos", False),
+    ],
+)
+def test_a_clone_whose_list_the_tree_has_is_the_repository(tree: Tree, line: str, itself: bool) -> None:
+    page = f"```\ngit clone https://github.com/me/robots.git\n{line}\ncolcon build\n```\n"
+    lists = "repositories:\n  a:\n    type: git\n    url: https://github.com/x/a.git\n"
+    said = told(tree, page, **{"robots.repos": lists, "lists/deep.repos": lists})
+    assert (said == []) is itself
+
+
+def test_a_clone_of_the_origin_is_the_repository(tmp_path: Path) -> None:
+    files = {"package.xml": PACKAGE, "CMakeLists.txt": CMAKE, ".git/HEAD": "ref: refs/heads/noetic"}
+    files["README.md"] = "```\ngit clone https://github.com/me/robots\ngit clone https://github.com/me/odd\n```\n"
+    files[".git/config"] = '[remote "origin"]\n\turl = git@github.com:me/robots.git\n'
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="checkout")
+    said = [w.message.split(",")[0] for w in found.warnings if w.message.startswith("not cloned")]
+    assert said == ["not cloned: https://github.com/me/odd"]
 
 
 LIST = (
