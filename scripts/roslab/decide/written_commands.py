@@ -20,6 +20,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose import copies
 from roslab.evidence.prose.in_containers import CONTAINER
+from roslab.evidence.prose.install_tree import package_and_program
 from roslab.evidence.prose.runners import SIMULATORS
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
@@ -135,8 +136,8 @@ def _runnable(
     argv = with_a_launch_file(task_of(words, tree.tasks), tree.launched)
     if not argv or any(map(PLACEHOLDER.search, program_of(argv))) or any(p.rpartition("/")[2] in TOOLS for p in argv):
         return None
-    by_path = argv[:2] == ("ros2", "launch") and argv[2:3] and argv[2] in tree.alone
-    if len(argv) < _WORDS.get(argv[0], 1) + is_component(argv) - bool(by_path):
+    direct = argv[:2] == ("ros2", "launch") and argv[2:3] and argv[2] in tree.alone
+    if len(argv) < _WORDS.get(argv[0], 1) + is_component(argv) - bool(direct):
         return None  # a sentence about the command
     if argv[0] in _WORDS or argv[0] in SIMULATORS:
         return _of_ros(argv, mention, tree) if ros else None
@@ -182,6 +183,10 @@ def _built(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
     ``ros2 run`` looks in ``lib/PACKAGE`` alone; what is installed into ``bin`` is on the PATH of a sourced workspace
     (ros2/ros2cli: ros2pkg/ros2pkg/api/__init__.py; ament/ament_package: environment_hook/path.sh.in; 2026-11-23).
     """
+    if lies := package_and_program(argv[0]):
+        if tree.kind != "cpp":
+            return _run(*lies, argv[1:], tree) if _has(*lies, tree) else None
+        argv = (f"./{argv[0]}", *argv[1:])
     name = argv[0].rpartition("/")[2]
     if name in tree.made and argv[0].startswith("./"):  # it lies where make was called, or below
         return (f"./{posixpath.normpath(posixpath.join(tree.made[name], argv[0]))}", *argv[1:])
@@ -191,7 +196,20 @@ def _built(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
         argv = (argv[0], *(_ABOVE.sub(r"\1", word) for word in argv[1:]))
     if not (package := tree.compiled[name]) or argv[0].endswith(f"install/{package}/bin/{name}"):
         return (name, *argv[1:])
-    return ("rosrun", package, name, *argv[1:]) if tree.kind == "ros1" else ("ros2", "run", package, name, *argv[1:])
+    return _run(package, name, argv[1:], tree)
+
+
+def _has(package: str, program: str, tree: _Tree) -> bool:
+    """Tell whether a package of the tree has a program: one that it compiles, or a script, which may have no ending."""
+    compiled = {name for name, of in tree.compiled.items() if of == package}
+    scripts = {path.rpartition("/")[2] for path in tree.programs}
+    there = program in compiled or {program, f"{program}.py"} & scripts or not compiled
+    return package in tree.packages and bool(there)
+
+
+def _run(package: str, program: str, rest: tuple[str, ...], tree: _Tree) -> tuple[str, ...]:
+    """Return the call of a package's program."""
+    return (*(("rosrun",) if tree.kind == "ros1" else ("ros2", "run")), package, program, *rest)
 
 
 def _tests(argv: tuple[str, ...]) -> bool:

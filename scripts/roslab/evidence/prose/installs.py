@@ -14,6 +14,7 @@ from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at
 from roslab.evidence.prose.configured import options_of, source_of
+from roslab.evidence.prose.install_tree import from_workspace, package_and_program
 from roslab.evidence.prose.runners import by_ros, started
 from roslab.evidence.prose.telling import telling
 from roslab.evidence.prose.workspaces import below_sources, beside, end_of, folder_after, longer, of_packages
@@ -94,6 +95,7 @@ class Collector:
                 name="", written=PIXI, origin="prose", role="environment", file=self.file, line=command.line
             )
             self.requirements.append(asked)
+        command = from_workspace(command)
         if (run := started(command)) is not command:
             self.command(run)
             return
@@ -288,7 +290,7 @@ class Collector:
                 self._python(setup_asks(command, self.file, here), command)
             elif any(word.endswith(".py") for word in words[1:4]) or words[1] == "-m" or "/" in words[1]:
                 self._run(command)
-        elif self.source == "readme" and _STARTS.match(" ".join(words[:2])):
+        elif self.source == "readme" and (_STARTS.match(" ".join(words[:2])) or package_and_program(words[0])):
             self._run(command)
 
     def _run(self, command: Command) -> None:

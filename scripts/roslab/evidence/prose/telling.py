@@ -47,6 +47,7 @@ SIGNS: Signs = tuple(
         ("docker", r"\bdocker\s"),
         ("./", r"(?:^|[\s`$])\.{1,2}/\w"),
         ("build/", r"(?:^|[\s`$])build/\w"),
+        ("/lib/", r"\b(?:install|devel)/(?:[\w-]+/)?lib/[\w-]+/[\w.]"),
         ("bin/", r"(?:^|[\s`$])bin/\w"),
     )
 )
