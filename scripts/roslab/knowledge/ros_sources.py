@@ -15,6 +15,7 @@ class RosSource:
     package: str
     repo: str
     ref: str
+    """``{distro}`` stands for the ROS distribution, whose name the branch has."""
     library: str
     """The row of ``recipes.toml`` for a library that it links, ``""`` for none."""
     prepare: str
@@ -28,16 +29,19 @@ def _table() -> dict[tuple[str, str], dict[str, str]]:
     return {(row["package"], row["ros"]): row for row in rows("ros_sources")}
 
 
-def ros_sources(package: str, ros: int) -> tuple[RosSource, ...]:
-    """Return what to clone for a package, its own needs first; empty if the table does not have it."""
+def ros_sources(package: str, ros: int, distro: str = "") -> tuple[RosSource, ...]:
+    """Return what to clone for a package, its own needs first; empty if the table does not have it.
+
+    So is what exists for other distributions alone, where the distribution is given.
+    """
     row = _table().get((package, str(ros)))
-    if row is None:
+    if row is None or (distro and row["distros"] and distro not in row["distros"].split()):
         return ()
-    first = {found.package: found for needed in row["after"].split() for found in ros_sources(needed, ros)}
+    first = {found.package: found for needed in row["after"].split() for found in ros_sources(needed, ros, distro)}
     own = RosSource(
         package=package,
         repo=row["repo"],
-        ref=row["ref"],
+        ref=row["ref"].format(distro=distro or "rolling"),
         library=row["library"],
         prepare=row["prepare"],
         options=row["options"],

@@ -118,7 +118,7 @@ def ros(found: Explanation, given: Given) -> Worked:
     if distro and known:
         return Worked(values=tuple(f"ros-{distro}-{word.replace('_', '-')}" for word in known))
     missing = ", ".join(wanted)
-    known_sources = (source for word in wanted for source in ros_sources(word, _generation(distro)))
+    known_sources = (source for word in wanted for source in ros_sources(word, _generation(distro), distro or ""))
     lines = [f"{{name: {each.package}, url: {each.repo}, ref: {each.ref}}}" for each in known_sources]
     where = f": `source: [{', '.join(lines)}]`" if lines else ""
     return Worked(why=f"{missing} is not released for ROS {distro}: name its repository under `source`{where}")

@@ -779,3 +779,23 @@ def test_an_unknown_key_that_an_install_line_of_apt_has_is_left_to_apt(tree: Tre
     assert "libgmp-dev" in decision.apt_guessed
     assert "libgmp-dev" in decision.skip_keys
     assert not any("libgmp-dev" in each.message for each in decision.warnings)
+
+
+@pytest.mark.parametrize(("branch", "refs"), [("humble", "humble"), ("jazzy", "jazzy"), ("foxy", None)])
+def test_an_unreleased_family_is_cloned_at_the_branch_of_its_distribution(
+    tmp_path: Path, branch: str, refs: str | None
+) -> None:
+    xml = AMENT.replace("rclcpp", "rmw_microxrcedds")
+    found = decided(tmp_path, package(xml=xml), branch=branch)
+    cloned = [(source.name, source.ref) for source in found.source]
+    assert cloned == (
+        [
+            ("Micro-CDR", "ros2"),
+            ("Micro-XRCE-DDS-Client", "ros2"),
+            ("rosidl_typesupport_microxrcedds", refs),
+            ("rmw-microxrcedds", refs),
+        ]
+        if refs
+        else []
+    )
+    assert any("rmw_microxrcedds" in warning.message for warning in found.warnings) is (refs is None)

@@ -201,7 +201,7 @@ class _Chosen:
         for asked in needed:
             if asked.namespace not in {"rosdep", "ros", "cmake"} or asked.name in elsewhere:
                 continue
-            for found in ros_sources(asked.name, ros):
+            for found in ros_sources(asked.name, ros, distro):
                 if address(found.repo) in self.others:
                     continue
                 name = found.repo.rpartition("/")[2].removesuffix(".git")  # as it is called where a page clones it
