@@ -34,6 +34,7 @@ from roslab.evidence.prose import (
     included,
     install_scripts,
     linked,
+    notebook_installs,
     page_lists,
     pointed,
     readme,
@@ -74,6 +75,7 @@ PROSE = (
     ci.read,  # another machine on which the build works
     readme.read,  # what people are told, perhaps years ago
     install_scripts.read,  # install scripts, called by any of the three
+    notebook_installs.read,  # what their cells install
     apt_lists.read,  # names without a command
 )
 

@@ -1,4 +1,4 @@
-"""Jupyter notebooks: the Python in their code cells.
+"""Jupyter notebooks: the Python in their code cells, and what these install.
 
 They are read as JSON, since nbformat validates a whole notebook against its schema before returning it.
 https://nbformat.readthedocs.io/en/latest/format_description.html
@@ -7,24 +7,39 @@ https://nbformat.readthedocs.io/en/latest/format_description.html
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from roslab.evidence import places
 from roslab.repository.checkout import File, Repository, nearest
+from roslab.values.pattern import pattern
 
-MAX_SIZE = 1024 * 1024
+MAX_SIZE = 8 * 1024 * 1024
+LARGE = 1024 * 1024
+"""From this size on, most of a notebook is the pictures that it once printed."""
 MAX_FILES = 50
+MAX_LARGE = 4
+_INSTALL = pattern(
+    r"\s*[!%]\s*((?:sudo\s+)?(?:python[\d.]*\s+-m\s+pip|pip[23]?|apt|apt-get|conda|mamba)\s+.*\binstall\s.*)"
+)
+"""A line that IPython gives to the shell, or to a tool by its own word for it.
+https://ipython.readthedocs.io/en/stable/interactive/magics.html"""
 
 
 def files(repository: Repository) -> list[File]:
-    """Return the notebooks that are opened, those nearest to the root first."""
-    kept = [file for file in repository.suffixed(".ipynb") if not places.vendored(file.path) and file.size < MAX_SIZE]
-    return nearest(kept)[:MAX_FILES]
+    """Return the notebooks that are opened, those nearest to the root first; of large ones a few."""
+    found = (file for file in repository.suffixed(".ipynb") if file.size < MAX_SIZE and not places.vendored(file.path))
+    kept = nearest(found)
+    large = [file for file in kept if file.size >= LARGE][MAX_LARGE:]
+    return [file for file in kept if file not in large][:MAX_FILES]
 
 
 def alone(repository: Repository) -> tuple[str, ...]:
     """Return the notebooks in Python of a tree that has no other Python at its root, nearest to the root first."""
+    return repository.once(_alone)
+
+
+def _alone(repository: Repository) -> tuple[str, ...]:
     if any("/" not in file.path for file in repository.suffixed(".py")):
         return ()
     return tuple(file.path for file in files(repository) if _of_python(repository.read(file, limit=MAX_SIZE)))
@@ -40,17 +55,28 @@ def imports(text: str) -> Iterator[tuple[int, str]]:
 
     Nothing if the text is no notebook, or a notebook in another language.
     """
+    return _lines(text, lambda code: code if code.startswith(("import ", "from ")) else None)
+
+
+def installs(text: str) -> Iterator[tuple[int, str]]:
+    """Yield ``(line of the file, command)`` for the lines that install something: ``!pip install ikpy``."""
+    if "install" not in text:
+        return iter(())
+    return _lines(text, lambda code: match[1] if (match := _INSTALL.match(code)) else None)
+
+
+def _lines(text: str, wanted: Callable[[str], str | None]) -> Iterator[tuple[int, str]]:
     notebook = _parsed(text)
     if notebook is None or _language(notebook) != "python":
         return
     position, number = 0, 1
     for code in _code(notebook):
-        if code.startswith(("import ", "from ")):
+        if (kept := wanted(code)) is not None:
             found = text.find(code, position)
-            if found >= 0:  # otherwise it is escaped, and the line of the import before it is used
+            if found >= 0:  # otherwise it is escaped, and the line of the one before it is used
                 number += text.count("\n", position, found)
                 position = found
-            yield number, code
+            yield number, kept
 
 
 def _parsed(text: str) -> dict[str, Any] | None:

@@ -1,0 +1,82 @@
+"""What the cells of notebooks install, and notebooks that are large by what they printed."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.evidence.python import notebooks
+
+Tree = Callable[[dict[str, str]], Decision]
+
+
+def notebook(*lines: str, printed: int = 0, language: str = "python") -> str:
+    cell = {"cell_type": "code", "source": [f"{line}\n" for line in lines], "outputs": [{"text": "x" * printed}]}
+    return json.dumps({"cells": [cell], "metadata": {"language_info": {"name": language}}}, indent=1)
+
+
+def guessed(found: Decision) -> set[str]:
+    return {each.name for each in found.python.pip_guessed} - {"notebook"}
+
+
+@pytest.mark.parametrize(
+    ("line", "names"),
+    [
+        ("!pip install -q ikpy", {"ikpy"}),
+        ("%pip install ikpy", {"ikpy"}),
+        ("! python -m pip install -q -U ikpy tabulate", {"ikpy", "tabulate"}),
+        ("!pip3 install ikpy==3.3", {"ikpy"}),
+        ("# !pip install ikpy", set()),
+        ("pip install ikpy", set()),  # no Python
+        ("!pip uninstall ikpy", set()),
+        ("!pip install -e .", set()),
+        ("!pip install -r requirements.txt", set()),
+        ("!pip install git+https://github.com/x/ikpy.git", set()),
+        ("!python train.py --install", set()),
+    ],
+)
+def test_cells_install(tree: Tree, line: str, names: set[str]) -> None:
+    assert guessed(tree({"lesson/a.ipynb": notebook(line, "a = 1")})) == names
+
+
+def test_cells_install_with_apt(tree: Tree) -> None:
+    found = tree({"a.ipynb": notebook("!sudo apt-get install -y graphviz", "a = 1")})
+    assert "graphviz" in found.apt_guessed
+
+
+@pytest.mark.parametrize(
+    "beside",
+    [
+        {"main.py": "if __name__ == '__main__':\n    print(1)\n"},
+        {"pyproject.toml": "[project]\nname = 'demo'\nversion = '1'\n", "demo/__init__.py": ""},
+        {"requirements.txt": "numpy\n"},
+        {"environment.yml": "dependencies:\n  - numpy\n"},
+    ],
+)
+def test_beside_other_python_a_notebook_is_for_another_machine(tree: Tree, beside: dict[str, str]) -> None:
+    cells = notebook("!pip install ikpy torch==1.12.1+cu113", "a = 1")
+    found = tree({"colab/a.ipynb": cells, **beside})
+    assert not {"ikpy", "torch"} & {*guessed(found), *(each.name for each in found.python.pip)}
+    assert found.kind == "python"
+
+
+def test_other_languages_have_other_lines(tree: Tree) -> None:
+    assert (
+        guessed(tree({"a.ipynb": notebook("!pip install ikpy", language="julia"), "b.ipynb": notebook("a")})) == set()
+    )
+
+
+def test_a_notebook_is_read_whatever_it_printed(tree: Tree) -> None:
+    found = tree({"a.ipynb": notebook("import tabulate", printed=2_000_000)})
+    assert guessed(found) == {"tabulate"}
+    assert found.command[:2] == tree({"a.ipynb": notebook("import tabulate")}).command[:2]
+
+
+def test_the_size_and_the_number_of_large_ones_are_bounded(tree: Tree) -> None:
+    large = notebook("import tabulate", printed=notebooks.MAX_SIZE)
+    assert guessed(tree({"a.ipynb": large, "b.ipynb": notebook("import ikpy")})) == {"ikpy"}
+    many = {f"n{n}.ipynb": notebook("a = 1", printed=notebooks.LARGE) for n in range(notebooks.MAX_LARGE)}
+    assert guessed(tree({**many, "z.ipynb": notebook("import tabulate", printed=notebooks.LARGE)})) == {"ikpy"}
