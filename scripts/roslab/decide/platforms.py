@@ -11,6 +11,7 @@ from roslab.decide.cuda.version import DEFAULT as CUDA
 from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.processor import OnX86
 from roslab.decide.reasons import Placed, because, configured, warn
+from roslab.decide.ros.source_names import address
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.arm64 import amd64_only, arm64_since, arm64_wheels
 from roslab.knowledge.distros import distro
@@ -64,6 +65,7 @@ def decide_platforms(  # noqa: PLR0917 - the order in which the questions are an
         or _of_wheels(python, installed)
         or _of_conda(evidence, python)
         or _of_archives(sources)
+        or _of_vendors(sources)
         or _of_code(on_x86)
     )
     if against is None:
@@ -93,9 +95,17 @@ def _of_archives(sources: Iterable[Source]) -> Against | None:
     return (f"{found.name} is an archive for amd64 only", found.place) if found else None
 
 
+def _of_vendors(sources: Iterable[Source]) -> Against | None:
+    known = {address(each) for each in amd64_only("source")}
+    found = next((source for source in sources if source.repo and address(source.repo) in known), None)
+    return (f"{found.name} brings libraries for amd64 only", found.place) if found else None
+
+
 def _of_code(on_x86: OnX86) -> Against | None:
     if on_x86.needed is None:
         return None
+    if on_x86.needed.source == "binary":
+        return f"CMake takes {on_x86.needed.what}, which is for amd64 only, on every processor", on_x86.needed
     what = (
         f"it includes {on_x86.needed.what}" if on_x86.needed.source == "header" else f"{on_x86.needed.what} is passed"
     )

@@ -18,6 +18,7 @@ from roslab.evidence.native import (
     makefiles,
     shared_objects,
     x86,
+    x86_binaries,
 )
 from roslab.evidence.native import clones as native_clones
 from roslab.evidence.native.limits import Signs
@@ -152,7 +153,7 @@ def gather(repository: Repository) -> Evidence:
         cmake_modules=cmake.modules(repository),
         copies=copies.read(repository, manifests),
         cuda_files=cpp.cuda_files(repository),
-        x86_only=x86.read(repository, intrinsics, signs.included),
+        x86_only=(*x86.read(repository, intrinsics, signs.included), *x86_binaries.read(repository)),
         problems=(
             *repository.problems,
             *(_malformed(m) for m in manifests if m.malformed),

@@ -6,10 +6,11 @@ from typing import Literal, NamedTuple
 
 
 class X86Only(NamedTuple):
-    """An option of the compiler, or a header, of x86 alone that is used when the tree is compiled for ARM, too."""
+    """An option of the compiler, a header or a library of x86 alone that is used when the tree is compiled for ARM."""
 
     what: str
-    source: Literal["cmake", "make", "setup.py", "header"]
-    """What passes the option: a file of CMake, a Makefile or setup.py; ``header`` for an include."""
+    source: Literal["cmake", "make", "setup.py", "header", "binary"]
+    """What passes the option: a file of CMake, a Makefile or setup.py; ``header`` for an include; ``binary`` for a
+    library that CMake downloads or links."""
     file: str
     line: int

@@ -11,8 +11,11 @@ from roslab.knowledge.table import rows
 
 
 @cache
-def amd64_only(what: Literal["image", "conda", "archive"]) -> tuple[str, ...]:
-    """Return names of conda packages, or prefixes of image names or of addresses, that exist only for amd64."""
+def amd64_only(what: Literal["image", "conda", "archive", "source"]) -> tuple[str, ...]:
+    """Return names of conda packages, or prefixes of image names or of addresses, that exist only for amd64.
+
+    A ``source`` is the address of a repository whose build downloads or has libraries for amd64 alone.
+    """
     return tuple(row["name"] for row in rows("amd64_only") if row["what"] == what)
 
 

@@ -144,3 +144,44 @@ def test_only_packages_that_are_built_count(tree: Tree) -> None:
     }
     assert tree(files).platforms == (AMD64,)
     assert tree(files | {"old/CATKIN_IGNORE": ""}).platforms == (AMD64, ARM64)
+
+
+SDK = "https://example.org/sdk-1.2-linux-x86_64-gcc.tar.gz"
+LINKED = "target_link_libraries(a ${PROJECT_SOURCE_DIR}/lib/lin-x86_64/libsdk.so)"
+
+
+@pytest.mark.parametrize(
+    ("line", "only"),
+    [
+        (f"FetchContent_Declare(sdk URL {SDK})", True),
+        (f"file(DOWNLOAD {SDK} sdk.tar.gz)", True),
+        (f'set(URL "{SDK}")\nExternalProject_Add(sdk URL ${{URL}})', True),
+        (LINKED, True),
+        ("link_directories(lib/lin-x86_64)\nadd_executable(a a.cpp)\ntarget_link_libraries(a sdk)", True),
+        (f"# FetchContent_Declare(sdk URL {SDK})", False),
+        ("link_directories(/usr/lib/x86_64-linux-gnu)", False),  # apt's
+        ("target_link_libraries(a other/x86_64/libsdk.so)", False),  # the tree has no such library
+        (f"if(CMAKE_SYSTEM_PROCESSOR MATCHES x86_64)\n{LINKED}\nendif()", False),
+        (f"if(WIN32)\n{LINKED}\nendif()", False),
+        (f'option(SDK "with it" OFF)\nif(SDK)\n{LINKED}\nendif()', False),
+        (f"FetchContent_Declare(sdk URL {SDK.replace('x86_64', 'noarch')})", False),
+    ],
+)
+def test_libraries_for_amd64_rule_out_arm(tree: Tree, line: str, only: bool) -> None:
+    found = tree(cmake(line) | MAIN | {"lib/lin-x86_64/libsdk.so": "binary"})
+    assert found.platforms == ((AMD64,) if only else (AMD64, ARM64))
+
+
+def test_a_library_that_lies_beside_that_of_arm_is_chosen(tree: Tree) -> None:
+    line = "set(ARCH x86_64)\nif(ON_BOARD)\nset(ARCH aarch64)\nendif()\ntarget_link_libraries(a lib/x86_64/libsdk.so)"
+    assert tree(cmake(line) | MAIN | {"lib/x86_64/libsdk.so": "binary"}).platforms == (AMD64, ARM64)
+
+
+def test_a_cloned_vendor_package_may_be_for_amd64_alone(tree: Tree) -> None:
+    lists = (
+        "repositories:\n  sdk:\n    type: git\n    url: https://github.com/ICube-Robotics/{}.git\n    version: main\n"
+    )
+    package = '<package format="3"><name>demo</name><export><build_type>ament_cmake</build_type></export></package>'
+    files = {"package.xml": package, "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n"}
+    assert tree({**files, "demo.repos": lists.format("fd_sdk_vendor")}).platforms == (AMD64,)
+    assert tree({**files, "demo.repos": lists.format("others")}).platforms == (AMD64, ARM64)

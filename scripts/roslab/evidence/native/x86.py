@@ -102,7 +102,8 @@ def _nearest(files: Iterable[File]) -> list[File]:
     return nearest(kept)
 
 
-def _cmake_files(repository: Repository) -> list[File]:
+def cmake_files(repository: Repository) -> list[File]:
+    """Return the files of CMake that are searched."""
     files = (*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake"))
     return _nearest(file for file in files if file.size <= MAX_SIZE)[:MAX_FILES]
 
@@ -110,10 +111,10 @@ def _cmake_files(repository: Repository) -> list[File]:
 def _of_cmake(repository: Repository) -> Iterator[X86Only]:
     """Yield the options that files of CMake pass to every compiler."""
     found: list[tuple[File, Call]] = []
-    for file in _cmake_files(repository):
+    for file in cmake_files(repository):
         text = repository.read(file)
         if "-m" in text and any(True for _ in matches_at(x86_only("option"), text, "-m")):
-            found += [(file, call) for call in calls(text, _PASSING | _SETTING) if _always(call, repository)]
+            found += [(file, call) for call in calls(text, _PASSING | _SETTING) if always(call, repository)]
     used = {
         name
         for _, call in found
@@ -128,7 +129,7 @@ def _of_cmake(repository: Repository) -> Iterator[X86Only]:
                     yield X86Only(match[0], "cmake", file.path, call.line)
 
 
-def _always(call: Call, repository: Repository) -> bool:
+def always(call: Call, repository: Repository) -> bool:
     """Tell whether a call takes effect on ARM, by all that is known."""
 
     def unset(name: str) -> bool:
@@ -141,7 +142,7 @@ def _unset(name: str, repository: Repository) -> bool:
     """Tell whether conditions alone name a variable: nothing in the tree gives it a value."""
     if not _NAME.fullmatch(name) or name.startswith("CMAKE_"):
         return False
-    lines = (line for file in _cmake_files(repository) for line in _with(repository.read(file), name))
+    lines = (line for file in cmake_files(repository) for line in _with(repository.read(file), name))
     return all(_CONDITION.match(line) for line in lines)
 
 
@@ -178,13 +179,13 @@ def _of_texts(repository: Repository) -> Iterator[X86Only]:
 def _defined(repository: Repository, macro: str) -> bool:
     """Tell whether a file of CMake defines a macro on every processor: ``-DUSE_SSE``."""
     word = f"-D{macro}"
-    for file in _cmake_files(repository):
+    for file in cmake_files(repository):
         text = repository.read(file)
         if macro not in text:
             continue
         for call in calls(text, _PASSING | _SETTING):
             said = {part.removesuffix("=1") for each in call.written for part in each.split()}
             defines = word in said or (call.name.endswith("definitions") and macro in said)
-            if defines and _passes(call, frozenset()) and _always(call, repository):
+            if defines and _passes(call, frozenset()) and always(call, repository):
                 return True
     return False

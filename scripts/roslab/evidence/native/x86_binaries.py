@@ -1,0 +1,54 @@
+"""Libraries for x86-64 that CMake downloads, or that lie in the tree and are linked, on every processor."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from roslab.evidence import places
+from roslab.evidence.lex.cmake import Call, calls
+from roslab.evidence.native.x86 import always, cmake_files
+from roslab.evidence.x86_only import X86Only
+from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
+
+_WORDS = ("x86_64", "x86-64", "amd64", "linux-x64", "linux_x64")
+_X86 = pattern(r"(?:^|[^a-z0-9])(?:x86[_-]64|amd64|linux[_-]x64)(?![a-z0-9])(?!-linux-gnu)")
+"""A word of a path or an address; ``x86_64-linux-gnu`` is a folder of Debian's, whose libraries apt brings."""
+_CHOOSES = pattern(r"SYSTEM_PROCESSOR|LIBRARY_ARCHITECTURE|\buname\b|aarch64|arm64|\barmv?\d|dpkg")
+"""The file chooses by the processor."""
+_ARCHIVE = pattern(r"https?://\S+\.(?:tar\.\w+|tgz|tbz2|txz|zip|deb|run|so(?:\.\d+)*|a)")
+_FETCHING = frozenset({"file", "externalproject_add", "fetchcontent_declare"})
+_LINKING = frozenset(
+    {"target_link_libraries", "link_libraries", "target_link_directories", "link_directories", "set_target_properties"}
+)
+_ROOT = pattern(r"^\$\{(?:(?:PROJECT|CMAKE|CMAKE_CURRENT|\w+)_SOURCE_DIR|CMAKE_CURRENT_LIST_DIR)\}/")
+
+
+def read(repository: Repository) -> Iterator[X86Only]:
+    """Yield each such download or path, once for a file of CMake that does not choose by the processor."""
+    for file in cmake_files(repository):
+        text = repository.read(file)
+        if not any(word in text for word in _WORDS) or places.vendored(file.path) or _CHOOSES.search(text):
+            continue
+        for call in calls(text, _FETCHING | _LINKING):
+            what = _fetched(call) if call.name in _FETCHING else _linked(call, file, repository)
+            if what and always(call, repository):
+                yield X86Only(what, "binary", file.path, call.line)
+                break
+
+
+def _fetched(call: Call) -> str | None:
+    """Return the address that a call downloads."""
+    if call.name == "file" and call.words[:1] != ("DOWNLOAD",):
+        return None
+    return next((word for word in call.words if _ARCHIVE.fullmatch(word) and _X86.search(word)), None)
+
+
+def _linked(call: Call, file: File, repository: Repository) -> str | None:
+    """Return the path of what a call links and the tree has."""
+    for word in call.words:
+        path = posixpath.normpath(posixpath.join(file.folder, _ROOT.sub("", word))) if _X86.search(word) else ""
+        if path and (repository.has(path) or path in repository.folders):
+            return path
+    return None
