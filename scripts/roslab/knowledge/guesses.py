@@ -18,6 +18,12 @@ def tooling(asked_by: Literal["installers", "developers", "compilers", "ros"]) -
     return frozenset(row["pip"] for row in rows("python_tooling") if row["asked_by"] == asked_by)
 
 
+@cache
+def ros_modules() -> frozenset[str]:
+    """Return the modules that a ROS package of the same name brings, which every distribution released."""
+    return frozenset(row["module"] for row in rows("ros_modules"))
+
+
 def same_module(name: str, other: str) -> bool:
     """Tell whether two packages bring the same module: the builds of OpenCV, the spellings of scikit-learn."""
     return not _rows_of(name).isdisjoint(_rows_of(other))

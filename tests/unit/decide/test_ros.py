@@ -799,3 +799,15 @@ def test_an_unreleased_family_is_cloned_at_the_branch_of_its_distribution(
         else []
     )
     assert any("rmw_microxrcedds" in warning.message for warning in found.warnings) is (refs is None)
+
+
+def test_a_module_that_a_ros_package_brings_is_not_guessed_from_pip_too(tmp_path: Path) -> None:
+    launch = "import xacro\nimport gtsam\nfrom launch import LaunchDescription\n"
+    found = decided(tmp_path, {**package(xml=AMENT), "launch/a.launch.py": launch}, branch="humble")
+    assert "ros-humble-xacro" in found.apt_guessed
+    assert [each.name for each in found.python.pip_guessed] == ["gtsam"]  # ROS's is a library of C++
+
+
+def test_without_ros_the_module_comes_from_pip(tmp_path: Path) -> None:
+    found = decided(tmp_path, {"main.py": "import xacro\nif __name__ == '__main__':\n    print(xacro)\n"})
+    assert [each.name for each in found.python.pip_guessed] == ["xacro"]

@@ -14,7 +14,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports, released_together, tabled
-from roslab.knowledge.guesses import same_module, tooling
+from roslab.knowledge.guesses import ros_modules, same_module, tooling
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.pattern import pattern
@@ -70,7 +70,8 @@ def guesses(
         covered = name in known or name in found or any(same_module(name, other) for other in (*known, *found))
         if not package or covered or name in tools or (heavy and name in _FRAMEWORKS):
             continue
-        if ros and (apt or (name in _FRAMEWORKS and dependency.role != "node")):
+        by_apt = bool(apt) or dependency.name in ros_modules()
+        if ros and (by_apt or (name in _FRAMEWORKS and dependency.role != "node")):
             continue  # a ROS image's Python is the system's: what apt has comes from there
         found[name] = stated(package, "import", dependency.file, dependency.line)
     return tuple(found.values())[:MAX_GUESSES]
