@@ -41,12 +41,17 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
         yield from _docker(words)
     elif program in {"add-apt-repository", "apt-add-repository"}:
         yield from (("step", " ".join(words)) for word in words if word.startswith("ppa:"))
-    elif (program == "dpkg" and {"-i", "--install"} & {*words}) or program == "gdebi":
+    elif (program == "dpkg" and {"-i", "--install"} & {*words}) or program == "gdebi" or _of_webots(words):
         yield "step", " ".join(words)
     elif program in {"wget", "curl"} and (not heading or _INSTALLATION.search(heading)):
         urls = (word for word in words if "://" in word and _PACKAGES.search(word) and not is_release(word))
         if (url := next(urls, None)) and not _NO_LIBRARY.search(f"{heading} {url.rpartition('/')[2]}"):
             yield "step", f"{program} {url}"
+
+
+def _of_webots(words: tuple[str, ...]) -> bool:
+    """Tell whether a command starts a world in Webots, a simulator that neither Ubuntu nor ROS packages."""
+    return words[0] == "webots" and any(word.endswith(".wbt") for word in words[1:])
 
 
 def _docker(words: tuple[str, ...]) -> Iterator[tuple[Topic, str]]:

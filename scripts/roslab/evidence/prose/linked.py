@@ -1,26 +1,32 @@
-"""Pages that the page at the root links to, and that alone say what is started."""
+"""Pages that the page at the root, or the documentation, links to, and that alone say what is started."""
 
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.prose import search_paths
 from roslab.evidence.prose.readme import MAX_SIZE, of_page, pages, text_of
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
 _LINK = pattern(
-    r"\]\(\s*<?(?:https?://git(?:hub|lab)\.com/[\w.-]+/[\w.-]+/(?:-/)?(?:blob|tree)/[\w.-]+/)?(?:\./|/)?"
-    r"([\w.-][\w./-]*\.(?:md|rst))(?:#[^)\s]*)?>?\s*\)"
+    r"\]\(\s*<?(?:https?://git(?:hub|lab)\.com/[\w.-]+/[\w.-]+/(?:-/)?(?:blob|tree)/[\w.-]+/|(/))?"
+    r"((?:\.{1,2}/){0,4}\w[\w./-]*(?:\.(?:md|rst)|/|(?<=/)[\w-]+))(?:#[^)\s]*)?>?\s*\)"
 )
-"""A link of Markdown to a page, by its path or by its whole address; that of a file that the tree lacks is no such."""
+"""A link of Markdown to a page or a folder of pages, by its path or by its whole address; one that begins with ``/``
+is meant from the root. What the tree lacks is no such."""
+_INDEX = ("index", "readme")
 _ASIDE = pattern(
     r"contribut|change|licen[sc]e|conduct|security|faq|trouble|news|history|author|issue|docker|develop|tools?\b"
 )
 MOST = 12
 """Most pages that are read."""
+DEEPEST = 3
+"""Of a page that sets where a simulator looks: it starts that itself."""
+WEBOTS = "webots "
 
 
 def read(repository: Repository, known: tuple[Mention, ...]) -> tuple[Mention, ...]:
@@ -30,21 +36,40 @@ def read(repository: Repository, known: tuple[Mention, ...]) -> tuple[Mention, .
     """
     if any(mention.topic == "command" and mention.source == "readme" for mention in known):
         return ()
-    said = (mention for file in _pages(repository) for mention in of_page(repository, file).mentions)
-    return tuple(mention for mention in said if mention.topic == "command")
+    said: list[Mention] = []
+    for file in _pages(repository):
+        told = of_page(repository, file).mentions
+        said += (m for m in told if m.topic == "command" or (m.topic == "step" and m.value.startswith(WEBOTS)))
+        said += search_paths.read(repository, file, text_of(repository, file), deepest=DEEPEST)
+    return tuple(said)
 
 
 def _pages(repository: Repository) -> Iterator[File]:
+    """Yield the pages behind the links of the root's pages, then those behind the documentation's, each once."""
     read = pages(repository)
     taken = {page.path for page in read}
     files = {file.path: file for file in repository.suffixed(".md", ".rst") if file.size <= MAX_SIZE}
-    for page in read:
-        if "/" in page.path:
-            return
-        for match in _LINK.finditer(text_of(repository, page)):
-            path = posixpath.normpath(match[1])
-            if path in taken or len(taken) - len(read) >= MOST or not (file := files.get(path)):
+    waiting = [page for page in read if "/" not in page.path or places.documentation(page.path)]
+    found = 0
+    while waiting:
+        page = waiting.pop(0)
+        for path in _links(page, repository, files):
+            if path in taken or found >= MOST:
                 continue
             taken.add(path)
             if not (places.vendored(path) or places.test(path) or _ASIDE.search(posixpath.basename(path).lower())):
-                yield file
+                found += 1
+                waiting += [files[path]] if places.documentation(path) else []
+                yield files[path]
+
+
+def _links(page: File, repository: Repository, files: Mapping[str, File]) -> Iterator[str]:
+    """Yield the paths of the pages that a page links to; of a folder its index first, then the pages right in it."""
+    for match in _LINK.finditer(text_of(repository, page)):
+        whole = match[0].startswith(("](http", "](<http")) or match[1]
+        path = posixpath.normpath(match[2] if whole else posixpath.join(page.folder, match[2]))
+        if path in files:
+            yield path
+        elif path in repository.folders and places.documentation(f"{path}/"):
+            inside = [each for each in files if posixpath.dirname(each) == path]
+            yield from sorted(inside, key=lambda each: not posixpath.basename(each).lower().startswith(_INDEX))

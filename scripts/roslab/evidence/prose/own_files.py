@@ -7,6 +7,7 @@ import re
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.prose.runners import SIMULATORS
 from roslab.evidence.prose.started_in import beside_build, ends, script_in, started_in
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
@@ -37,8 +38,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = _only(path, repository) or path
-        if path.endswith(".ipynb") and words[0].startswith("jupyter"):
-            path = _below(path, repository)
+        path = _by_its_program(words[0], path, repository)
         beside = (
             folder and path.endswith((".py", ".sh")) and (index == 0 or words[0].startswith(("python", "bash", "sh")))
         )
@@ -55,6 +55,15 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
         file, inside = _module(words[2], mention.inside, repository)
         found += [file] if file else []
     return replace(mention, value=joined(words), files=tuple(found), inside=inside)
+
+
+def _by_its_program(program: str, path: str, repository: Repository) -> str:
+    """Return the path of the tree's file that Jupyter opens, or that a simulator finds below a folder of its path."""
+    if path.endswith(".ipynb") and program.startswith("jupyter"):
+        return _below(path, repository)
+    if program in SIMULATORS and "/" in path and not repository.has(path):
+        return _only(path, repository) or path
+    return path
 
 
 def _module(name: str, folder: str, repository: Repository) -> tuple[str, str]:

@@ -48,7 +48,7 @@ _DOCS_PAGE = pattern(
 _START = pattern(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z][A-Z0-9_]*=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
-    r"rosrun|gz|ign|gazebo|catkin|catkin_make|catkin_make_isolated|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|accelerate|torchpack|horovodrun|streamlit|jupyter(?:-notebook|-lab)?|(?:ba)?sh|mkdir|(?:ros)?cd|"
+    r"rosrun|gz|ign|gazebo|webots|catkin|catkin_make|catkin_make_isolated|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|accelerate|torchpack|horovodrun|streamlit|jupyter(?:-notebook|-lab)?|(?:ba)?sh|mkdir|(?:ros)?cd|"
     r"wget|curl|dpkg|docker|add-apt-repository)\s.*|catkin_make(?:_isolated)?|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
 )
 _NAMED = pattern(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)

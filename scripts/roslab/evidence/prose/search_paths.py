@@ -15,16 +15,18 @@ HERE = "./"
 """What a folder of the tree begins with in the value of a variable."""
 _SET = pattern(r"\bexport[ \t]+([A-Z_]{8,40}_PATH)=([^\n#`;&]{1,300})")
 _FOUND = pattern(r"\$\((?:rospack find|ros2 pkg prefix(?: --share)?|find)\s+([\w-]+)\)")
+_BLANK = pattern(r"\{[A-Za-z][\w -]{0,40}\}|<[A-Za-z][\w -]{0,40}>")
+"""What the reader fills in: ``{PATH ON YOUR COMPUTER}``."""
 _SYSTEM = ("/opt/", "/usr/")
 _END = pattern(r"[\"'\s]")
 
 
-def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
+def read(repository: Repository, file: File, text: str, *, deepest: int = DEEPEST) -> Iterator[Mention]:
     """Yield each variable with the folders of the tree that its path has: ``GAZEBO_MODEL_PATH=./models``."""
-    if file.path.count("/") > DEEPEST or not any(name in text for name in search_paths()):
+    if file.path.count("/") > deepest or not any(name in text for name in search_paths()):
         return
     for match in _SET.finditer(text):
-        value = _END.split(_FOUND.sub(r"\1", match[2].lstrip("\"'")), maxsplit=1)[0]
+        value = _END.split(_BLANK.sub("…", _FOUND.sub(r"\1", match[2].lstrip("\"'"))), maxsplit=1)[0]
         parts = (part for part in value.split(":") if not part.startswith(_SYSTEM))
         folders = [folder for folder in dict.fromkeys(folder_of(part, repository) for part in parts) if folder]
         if match[1] in search_paths() and folders:

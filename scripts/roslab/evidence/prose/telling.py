@@ -21,6 +21,7 @@ SIGNS: Signs = tuple(
         ("gz ", r"\bgz\s+(?:sim|launch)\s"),
         ("ign ", r"\bign\s+(?:gazebo|launch)\s"),
         ("gazebo ", r"\bgazebo\s[^\n]*\.(?:world|sdf)\b"),
+        (".wbt", r"\bwebots\s[^\n]*\.wbt\b"),
         ("catkin", r"\bcatkin(?:_make|\s+build|\s+init)"),
         ("run", r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s"),
         ("pixi", r"\bpixi\s+shell\b"),
