@@ -139,3 +139,23 @@ def test_extensions_of_torch_that_a_script_compiles_see_no_gpu(tree: Tree, exten
     found = tree(files)
     assert [each.path for each in found.scripts] == ["net/ops/nms/make.sh"]
     assert found.compiling.architectures == gpus
+
+
+@pytest.mark.parametrize(
+    ("path", "script", "tool"),
+    [
+        (".ci/build.sh", "set -e\ncd ~/catkin_ws\ncatkin build --limit-status-rate 0.2\n", "catkin_tools"),
+        (".ci/build.sh", "cd ~/catkin_ws && catkin_make -j2\n", "catkin_make"),
+        ("ci/compile.bash", "catkin build\n", "catkin_tools"),
+        (".ci/build.sh", "# catkin build\ncatkin_make\n", "catkin_make"),
+        (".ci/build.sh", 'echo "run catkin build"\n', "catkin_make"),
+        ("third_party/x/build.sh", "catkin build\n", "catkin_make"),  # another project's
+    ],
+)
+def test_the_tool_of_a_script_that_builds(tree: Tree, path: str, script: str, tool: str) -> None:
+    files = {
+        "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+        ".github/workflows/a.yml": f"jobs:\n  build:\n    steps:\n      - run: ./{path}\n",
+    }
+    assert tree({**files, path: script}).build_tool == tool

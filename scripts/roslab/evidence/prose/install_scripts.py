@@ -33,6 +33,8 @@ _LIST = pattern(
 )
 _SCRIPT = pattern(r"([\w+.-]+\.(?:sh|bash))\b")
 _RUNNING = frozenset({"RUN", "ENTRYPOINT", "CMD"})
+_TOLD = ("install", "clone", "cmake", "docker", "catkin", "colcon")
+"""What stands in every script that is read."""
 _KEPT = frozenset({"build_tool", "compiled", "step", "image_built", "image_pulled"})
 """What is believed of a script that nobody may run."""
 _ASSIGNED = pattern(
@@ -60,7 +62,7 @@ def read(repository: Repository) -> Prose:
     ]
     for file in nearest(shells)[:MAX_SCRIPTS]:
         text = repository.read(file)
-        if any(word in text for word in ("install", "clone", "cmake", "docker")):
+        if any(word in text for word in _TOLD):
             collector = Collector(file.path, "script")
             _assignments(text, collector)
             collector.text(spelled_out(text))
