@@ -232,7 +232,7 @@ def test_what_a_manifest_leaves_free_and_the_readme_pins(tmp_path: Path) -> None
     files = {"main.py": MAIN, "requirements.txt": "torch>=1.4\ntorchvision\nnumpy\n"}
     readme = "```\npip install torch==1.10.0+cu113 torchvision==0.11.1+cu113\n```\n"
     decision = decided(tmp_path, {**files, "README.md": readme})
-    assert lines(decision.python.bounds) == ("torch==1.10.0+cu113", "torchvision==0.11.1+cu113")
+    assert lines(decision.python.bounds) == ("torch==1.10.0+cu113", "torchvision==0.11.1+cu113", "numpy<2")
     assert any("cu113" in option for option in decision.python.options)
     assert decided(tmp_path, {**files, "README.md": readme.replace("1.10.0", "1.2.0")}).python.bounds == ()
 

@@ -98,7 +98,7 @@ def test_what_is_compiled_for_torch_gets_the_cuda_of_its_day(tmp_path: Path) -> 
     (tmp_path / "old").mkdir()
     plan = committed(tmp_path / "old", kernel | setup, "2022-12-01").plan
     assert "cuda:11.7" in plan.base_image
-    assert plan.python.bounds == ("torch==1.13.*",)
+    assert plan.python.bounds == ("torch==1.13.*", "numpy<2")
     (tmp_path / "free").mkdir()
     assert "cuda:12" in committed(tmp_path / "free", TORCH, "2022-12-01").plan.base_image, "the wheel brings its own"
 

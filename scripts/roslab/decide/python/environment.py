@@ -108,13 +108,12 @@ def decide_python(
     conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
     # NumPy 1 from conda is no limit for pip, which replaces it where a package asks for NumPy 2
     before_pip = (each for each in conda_asked if each.key != "numpy" or each.specifier.contains("2.0.0"))
-    numpy = numpy_of((*before_pip, *everything) if manager != "system" else ())
-    if any(bound.key == "numpy" for bound in bounds.answer):
-        numpy = Choice(answer=())
-    limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *numpy.answer)
+    limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0])
     defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number)
     at_root = manager != "system" and any(not project.folder for project in chosen.projects)
     of_lock = locked_releases(evidence.locked if at_root else (), manifests, (*named.answer.first, *limits), number)
+    limits = (*limits, *of_lock.answer)
+    numpy = numpy_of((*before_pip, *everything, *limits) if manager != "system" else ())
     indexes = [*_indexes([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files)]
     indexes = [*indexes, *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option")]
     whole = [file for file in chosen.files if file.file not in repaired.files]
@@ -149,7 +148,7 @@ def decide_python(
         conda_defaults=not pixi and _default_channels(evidence, conda),
         first=first(everything, chosen.projects, cmake=manager != "system"),
         defines=defines.answer,
-        bounds=(*limits, *of_lock.answer),
+        bounds=(*limits, *numpy.answer),
         options=tuple(
             dict.fromkeys((*indexes, *build.answer[1], *_file_options(evidence, chosen, repaired), *chosen.options))
         ),

@@ -76,20 +76,30 @@ def torch_build(
 
 
 def numpy_of(asked: Iterable[Requirement]) -> Choice[tuple[Requirement, ...]]:
-    """Return a limit for NumPy beside a package that is pinned to a release compiled before NumPy 2 existed."""
-    names = {each.key: each for each in asked}
-    numpy = names.get("numpy")
+    """Return a limit for NumPy beside a package that is installed in a release compiled before NumPy 2 existed.
+
+    ``asked`` are the packages and their limits, which pin what the packages themselves leave free. None where NumPy
+    has a limit already, or is asked for in a newer version.
+    """
+    asked = tuple(asked)
+    numpy = [each for each in asked if each.key == "numpy"]
+    if any(each.limited or not each.specifier.contains("1.26.4") for each in numpy):
+        return Choice(answer=())
     for name, first in with_numpy_2().items():
-        pinned = names.get(name)
-        release = Version(pinned.release) if pinned and pinned.release else None
-        asked_new = numpy is not None and (numpy.limited or not numpy.specifier.contains("1.26.4"))
-        if pinned and release and release < Version(first) and not asked_new:
+        older = next((each for each in asked if each.key == name and _older(each, Version(first))), None)
+        if older:
             limit = stated("numpy<2")
-            why = f"{name} {release} was compiled before NumPy 2"
-            place = pinned if pinned.file else None
+            why = f"{name} {older.release or f'before {older.below}'} was compiled before NumPy 2"
+            place = older if older.file else None
             reason = because("dependencies", limit.written, why, place, weight=Weight.BOUND)
             return Choice(answer=(limit,), reasons=(reason,))
     return Choice(answer=())
+
+
+def _older(asked: Requirement, first: Version) -> bool:
+    """Tell whether every release that it allows is older than this one."""
+    known = asked.release or asked.below
+    return known is not None and (Version(known) < first or (not asked.release and Version(known) == first))
 
 
 def _option(row: Framework, cuda: str) -> str:
