@@ -33,7 +33,13 @@ from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, in_full, repair, right, untold
 from roslab.decide.python.too_new import loosened
-from roslab.decide.python.torch_build import OLDEST_PAGE, ON_INDEX, ONE_PAGE_BEFORE, beside_torch, numpy_of, torch_build
+from roslab.decide.python.torch_build import (
+    OLDEST_PAGE,
+    ON_INDEX,
+    ONE_PAGE_BEFORE,
+    decide_build,
+    numpy_of,
+)
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import packages_of, ros_versions, types
@@ -101,10 +107,7 @@ def decide_python(
     )
     wheels = (*exact.answer, *everything) if kind == "cuda" and manager != "system" else ()
     compiled = bool(wheels) and extended
-    below = next((bound.below for bound in bounds.answer if bound.key == "torch"), None)
-    build = torch_build(wheels if compiled else (), cuda, number, evidence.pip_day, oldest=aged, below=below)
-    if not compiled and (on_page := beside_torch(evidence)):
-        build = torch_build(wheels, on_page, number, evidence.pip_day, "conda is asked for CUDA {cuda} beside it")
+    build = decide_build(evidence, chosen, wheels, cuda, number, compiled=compiled, aged=aged, bounds=bounds.answer)
     conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
     # NumPy 1 from conda is no limit for pip, which replaces it where a package asks for NumPy 2
     before_pip = (each for each in conda_asked if each.key != "numpy" or each.specifier.contains("2.0.0"))

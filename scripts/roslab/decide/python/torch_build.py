@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from packaging.version import Version
 
 from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.decision import Choice, Reason
+from roslab.decide.python.packages import Chosen
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.frameworks import Framework, framework, newest_on_cuda, oldest_on_cuda, with_numpy_2
+from roslab.knowledge.frameworks import (
+    Framework,
+    framework,
+    newest_framework,
+    newest_on_cuda,
+    oldest_on_cuda,
+    with_numpy_2,
+)
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
@@ -34,6 +42,31 @@ def beside_torch(evidence: Evidence) -> str | None:
     """
     torch = conda_torch(evidence)
     return next((m.value for m in evidence.mentions if m.topic == "cuda" and (m.file, m.line) in torch), None)
+
+
+def decide_build(
+    evidence: Evidence,
+    chosen: Chosen,
+    wheels: Sequence[Requirement],
+    cuda: str | None,
+    python: str | None,
+    *,
+    compiled: bool,
+    aged: bool,
+    bounds: Iterable[Requirement],
+) -> Choice[Build]:
+    """Return limits and pip's options for the torch among the ``wheels``; extensions may be ``compiled`` against it.
+
+    ``aged``: the code is of a torch that is older than every CUDA with an image.
+    """
+    day, below = evidence.pip_day, next((bound.below for bound in bounds if bound.key == "torch"), None)
+    if compiled:
+        return torch_build(wheels, cuda, python, day, oldest=aged, below=below)
+    if on_page := beside_torch(evidence):
+        return torch_build(wheels, on_page, python, day, "conda is asked for CUDA {cuda} beside it")
+    said = (*chosen.options, *(option for file in chosen.files for option in file.options))
+    known = any("download.pytorch.org" in option for option in said)
+    return newer_wheel(() if known else wheels, cuda, python, day, below)
 
 
 def torch_build(
@@ -73,6 +106,32 @@ def torch_build(
     which = "the oldest torch that was built with it, for code of older ones" if oldest else _NEWEST
     reason = _why(limit, f"{why.format(cuda=cuda)}: {which}", torch)
     return Choice(answer=((limit,), options), reasons=(reason,))
+
+
+def newer_wheel(
+    asked: Iterable[Requirement], cuda: str | None, python: str | None, day: str | None, below: str | None
+) -> Choice[Build]:
+    """Return the index of a torch for the image's generation of CUDA where pip's index has it for an older one.
+
+    Nothing is compiled against it, so its wheel brings CUDA, and any of that generation runs with the image's driver.
+    Wheels of CUDA 10 have no code for GPUs since Ampere:
+    https://docs.nvidia.com/cuda/ampere-compatibility-guide/, read 2026-11-25.
+    """
+    torch = next((each for each in asked if each.key == "torch"), None)
+    if torch is None or torch.url or cuda is None or (torch.release and Version(torch.release).local):
+        return Choice(answer=((), ()))
+    row = framework("torch", torch.release) if torch.release else newest_framework("torch", day, python, below)
+    fits = row is not None and torch.specifier.contains(torch.release or f"{row.first}.0")
+    major = Version(cuda).major
+    if row is None or not fits or Version(row.cuda[0]).major >= major:
+        return Choice(answer=((), ()))
+    newer = max((each for each in row.cuda if Version(each).major == major), key=Version, default=None)
+    if newer is None:
+        return Choice(answer=((), ()))
+    limits = () if torch.release else (stated(f"torch=={row.first}.*"),)
+    why = f"PyPI has torch {torch.release or row.first} for CUDA {row.cuda[0]}, which knows no GPU since Ampere"
+    reason = _why(limits[0] if limits else torch, f"{why}: that of CUDA {newer} is taken", torch)
+    return Choice(answer=(limits, (_option(row, newer),)), reasons=(reason,))
 
 
 def numpy_of(asked: Iterable[Requirement]) -> Choice[tuple[Requirement, ...]]:
