@@ -19,7 +19,7 @@ class Dropped:
     below: str
     """The first release without it."""
     define: str
-    """A macro that puts the new name in its place, ``""`` where there is none."""
+    """A macro that puts the new name in its place, ``""`` where there is none: ``NAME=TEXT`` or ``NAME(...)=TEXT``."""
     what: str
     hint: str
     """Every match holds it."""

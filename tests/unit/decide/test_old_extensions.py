@@ -75,3 +75,32 @@ def test_what_a_script_of_a_page_compiles(tree: Tree) -> None:
     found = tree(files)
     assert bounds(found) == {"torch==1.7.*"}
     assert found.python.defines == MACRO
+
+
+SUBMODULE = '[submodule "points"]\n\tpath = points\n\turl = https://github.com/acme/points.git\n'
+STREAM = "THCState_getCurrentStream(...)=c10::cuda::getCurrentCUDAStream()"
+
+
+@pytest.mark.parametrize(
+    ("torch", "more", "defines"),
+    [
+        ("1.0", {".gitmodules": SUBMODULE}, (*MACRO, STREAM)),
+        ("1.0", {}, MACRO),  # what is compiled can be read
+        ("1.6", {".gitmodules": SUBMODULE, "lib/ops/a.cu": "void f() {}\n"}, ()),  # its code knows the new names
+        ("1.8", {".gitmodules": SUBMODULE}, MACRO),  # the image has that torch itself
+    ],
+)
+def test_what_a_missing_submodule_compiles_is_as_old_as_the_torch_that_a_page_names(
+    tree: Tree, torch: str, more: dict[str, str], defines: tuple[str, ...]
+) -> None:
+    files = {
+        "README.md": f"# Net\n## Requirements\n* PyTorch {torch}\n\n## Install\n```\nsh build.sh\n```\n",
+        "build.sh": "cd points/lib\npython setup.py install\ncd ../../lib/ops/\npython setup.py install\n",
+        "train.py": "import torch\n",
+        "lib/ops/setup.py": SETUP,
+        "lib/ops/a.cu": CHECK,
+    }
+    found = tree({**files, **more})
+    assert found.python.defines == defines
+    told = [each for each in found.warnings if each.file == ".gitmodules" and "may have" in each.message]
+    assert len(told) == (STREAM in defines)

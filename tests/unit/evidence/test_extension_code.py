@@ -32,6 +32,7 @@ def found(tmp_path: Path, files: dict[str, str], sources: str = "'src/a.cpp'") -
         ("\n  dim3 grid(std::min(THCCeilDiv(size, 512L), 4096L));\n", "1.11"),
         ('\nAT_DISPATCH_FLOATING_TYPES(input.type(), "f", [&] {\n', "2.6"),
         ('\nAT_DISPATCH_FLOATING_TYPES_AND_HALF(\n    boxes->type(), "f", [&] {\n', "2.6"),
+        ("\n  cudaStream_t stream = THCState_getCurrentStream(state);\n", "1.5"),
         ("\n#define CHECK_CUDA(x) AT_CHECK(x.type().is_cuda(), #x)\n", "1.5"),
     ],
 )

@@ -489,6 +489,16 @@ def test_old_extensions_are_compiled_with_the_macros_that_they_need(plan: Callab
     assert "CPPFLAGS" not in dockerfile(plan())
 
 
+@pytest.mark.parametrize("projects", [(), ("ops",)])
+def test_a_macro_with_arguments_stands_in_a_header(plan: Callable[..., Plan], projects: tuple[str, ...]) -> None:
+    text = dockerfile(plan(python_projects=projects, defines=("A=B", "STREAM(...)=now()")))
+    header = text.index("/usr/local/share/roslab/older-names.h\n#define A B\n#define STREAM(...) now()\nEOF\n")
+    for name in ("CPPFLAGS", "NVCC_APPEND_FLAGS"):
+        assert text.rindex(f"{name}=") > header
+    assert text.count("-include /usr/local/share/roslab/older-names.h") == 2
+    assert "-DA=B" not in text
+
+
 def test_pip_compiles_with_what_the_base_lacks() -> None:
     def apt(**changes: Any) -> tuple[str, ...]:
         python = Python(version="3.10", manager=changes.pop("manager", "venv"), pip=(stated("mpi4py"),))

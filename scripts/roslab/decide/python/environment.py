@@ -93,7 +93,7 @@ def decide_python(
     kept = dict(_kept(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
     extended = kind == "cuda" and manager != "system" and (extends_torch(evidence, chosen) or bool(by_script(evidence)))
-    aged = extended and older_torch((pin.requirement for pin in pins), cuda)
+    aged = older_torch((pin.requirement for pin in pins), cuda) if extended else None
     if aged:
         chosen = replace(chosen, guessed=without_release(chosen.guessed))
     named = named_frameworks(chosen.guessed if manager != "system" else (), number)
@@ -107,12 +107,14 @@ def decide_python(
     )
     wheels = (*exact.answer, *everything) if kind == "cuda" and manager != "system" else ()
     compiled = bool(wheels) and extended
-    build = decide_build(evidence, chosen, wheels, cuda, number, compiled=compiled, aged=aged, bounds=bounds.answer)
+    build = decide_build(
+        evidence, chosen, wheels, cuda, number, compiled=compiled, aged=bool(aged), bounds=bounds.answer
+    )
     conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
     # NumPy 1 from conda is no limit for pip, which replaces it where a package asks for NumPy 2
     before_pip = (each for each in conda_asked if each.key != "numpy" or each.specifier.contains("2.0.0"))
     limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0])
-    defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number)
+    defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number, aged)
     at_root = manager != "system" and any(not project.folder for project in chosen.projects)
     of_lock = locked_releases(evidence.locked if at_root else (), manifests, (*named.answer.first, *limits), number)
     limits = (*limits, *of_lock.answer)

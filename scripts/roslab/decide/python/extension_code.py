@@ -15,6 +15,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject
 from roslab.evidence.old_code import OldCode
 from roslab.evidence.removed_name import Removed
+from roslab.knowledge.extension_code import dropped
 from roslab.knowledge.frameworks import newest_framework
 from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
@@ -42,14 +43,20 @@ def with_bounds(evidence: Evidence, kind: Kind) -> Evidence:
 
 
 def decide_defines(
-    evidence: Evidence, chosen: Iterable[PythonProject], asked: Iterable[Requirement], python: str | None
+    evidence: Evidence,
+    chosen: Iterable[PythonProject],
+    asked: Iterable[Requirement],
+    python: str | None,
+    aged: str | None = None,
 ) -> Choice[tuple[str, ...]]:
     """Return the macros with which old code compiles, where nothing else keeps it from the releases that are installed.
 
-    ``asked`` are the packages and their limits.
+    ``asked`` are the packages and their limits. ``aged`` is the torch that the code is for, where it is replaced by a
+    newer one: what a submodule compiles that is not checked out is as old, and nobody can read it here.
     """
     asked = tuple(asked)
-    uses = [use for use in _compiled(evidence, chosen) if _too_new(use, asked, evidence.pip_day, python)]
+    found = [*_compiled(evidence, chosen), *(_unread(evidence, aged) if aged else ())]
+    uses = [use for use in found if _too_new(use, asked, evidence.pip_day, python)]
     if any(not use.define for use in uses):
         return Choice(answer=())
     first = {use.define: use for use in reversed(uses)}
@@ -65,6 +72,22 @@ def _compiled(evidence: Evidence, chosen: Iterable[PythonProject]) -> Iterator[O
             yield use
 
 
+def _unread(evidence: Evidence, aged: str) -> Iterator[OldCode]:
+    """Yield all that macros bring back of what a torch still had, for the first submodule that is not checked out."""
+    absent = next((git for git in evidence.sources if git.kind == "submodule" and git.absent), None)
+    for row in dropped() if absent else ():
+        if absent and row.package == "torch" and row.define and Version(aged) < Version(row.below):
+            yield OldCode(
+                script="",
+                package="torch",
+                below=row.below,
+                define=row.define,
+                what=row.what,
+                file=absent.file,
+                line=absent.line,
+            )
+
+
 def _too_new(use: OldCode, asked: tuple[Requirement, ...], day: str | None, python: str | None) -> bool:
     """Tell whether the release that is installed is one that has dropped it."""
     said = [each for each in asked if each.key == use.package and not each.url]
@@ -78,5 +101,6 @@ def _too_new(use: OldCode, asked: tuple[Requirement, ...], day: str | None, pyth
 
 
 def _warning(use: OldCode) -> Warning_:
-    why = f"the C++ code has {use.what}, which {use.package} dropped with {use.below}"
+    has = "the C++ code has" if use.script else "the C++ code of a submodule that is not checked out may have"
+    why = f"{has} {use.what}, which {use.package} dropped with {use.below}"
     return warn(f"{why}; it is compiled with -D{use.define}", use)

@@ -11,14 +11,14 @@ from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
 
-def older_torch(asked: Iterable[Requirement], cuda: str | None) -> bool:
-    """Tell whether a list or a sentence of a page has a torch whose wheels are all for an older CUDA than the image's.
+def older_torch(asked: Iterable[Requirement], cuda: str | None) -> str | None:
+    """Return the release of a torch in a list or a sentence of a page whose wheels are all for an older CUDA.
 
     Such a torch refuses to compile for the GPUs of CUDA 11 (https://github.com/lkeab/BCNet/issues/23, read 2026-11-23).
     What a command or a manifest pins is meant as it stands.
     """
-    said = (each for each in asked if each.key == "torch" and each.role == "listed" and each.release)
-    return cuda is not None and any(_before(each.release or "", cuda) for each in said)
+    said = (each.release for each in asked if each.key == "torch" and each.role == "listed" and each.release)
+    return next((release for release in said if cuda is not None and _before(release, cuda)), None)
 
 
 def without_release(guessed: Iterable[Requirement]) -> tuple[Requirement, ...]:

@@ -7,6 +7,9 @@ from roslab.render import quote
 from roslab.render.layers import shell
 from roslab.values.secret import SSH
 
+OLDER_NAMES = "/usr/local/share/roslab/older-names.h"
+"""A header that both compilers include before each file."""
+
 
 def settings(plan: Plan) -> str:
     """Say how pip builds: from wheels where there are any, for GPUs that no build sees, with git over https."""
@@ -26,6 +29,7 @@ def settings(plan: Plan) -> str:
         lines.append("ENV " + " \\\n    ".join(f"{name}={quote.docker(value)}" for name, value in pairs))
     if python.defines and not plan.workspace.python_projects:
         lines.append("# A script compiles C++ that is written for an older release")
+        lines += [text] if (text := older_names(plan)) else []
         lines.append("ENV " + " \\\n    ".join(f"{name}={quote.docker(flags)}" for name, flags in macros(plan)))
     if python.git_hosts:
         # A build with a key uses the addresses of ssh as they are
@@ -45,8 +49,17 @@ def macros(plan: Plan) -> tuple[tuple[str, str], ...]:
     setuptools gives CPPFLAGS to the host's compiler only, whatever the language; nvcc reads its own.
     https://docs.nvidia.com/cuda/cuda-compiler-driver-nvcc/#nvcc-environment-variables.
     """
-    flags = " ".join(f"-D{name}" for name in plan.python.defines)
+    names = plan.python.defines
+    flags = f"-include {OLDER_NAMES}" if older_names(plan) else " ".join(f"-D{name}" for name in names)
     return (("CPPFLAGS", flags), ("NVCC_APPEND_FLAGS", flags)) if flags else ()
+
+
+def older_names(plan: Plan) -> str:
+    """Write the macros to a header where one of them takes arguments: not every build tool quotes its parentheses."""
+    if not any("(" in name for name in plan.python.defines):
+        return ""
+    lines = ("#define " + quote.checked(name).replace("=", " ", 1) for name in plan.python.defines)
+    return shell.heredoc(OLDER_NAMES, "\n".join(lines))
 
 
 def variables(plan: Plan) -> str:

@@ -231,7 +231,8 @@ def projects(plan: Plan) -> str:
     commands += [f"{pip} --no-deps{_own(alone, copied)}"] if alone else []
     run = shell.run(*commands, secrets=secrets.for_pip(plan))
     editable = "" if copied.issuperset(folders) else ", editable"
-    return f"# The repository's own Python packages{editable}\nUSER root\n{run}"
+    header = f"{text}\n" if (text := building.older_names(plan)) else ""
+    return f"# The repository's own Python packages{editable}\nUSER root\n{header}{run}"
 
 
 def _own(folders: Sequence[str], copied: frozenset[str]) -> str:
