@@ -9,6 +9,7 @@ import pytest
 from roslab.decide.decision import Decision
 
 Tree = Callable[[dict[str, str]], Decision]
+SETUP = "from setuptools import setup\nsetup(name='play', install_requires=['numpy'])\n"
 PAGE = {"README.md": "# Run\n```\npython play.py\n```\n"}
 
 
@@ -23,7 +24,12 @@ def test_a_package_behind_a_login_is_told_where_the_code_imports_it(tree: Tree) 
     [
         ({"play.py": "import numpy\nimport acme_arm\nimport acme_hand\n"}, "acme_arm, acme_hand"),
         ({"play.py": "try:\n    import acme_arm\nexcept ImportError:\n    pass\n"}, ""),
-        ({"play.py": "import acme_arm\n", "requirements.txt": "numpy\n"}, ""),
+        ({"play.py": "import acme_arm\n", "requirements.txt": "numpy\n"}, "acme_arm"),
+        ({"play.py": "import acme_arm\n", "requirements.txt": "acme-robots\n"}, ""),
+        ({"play.py": "import acme_arm\n", "requirements.txt": "acme_arm_driver\n"}, ""),
+        ({"play.py": "import rospy\nimport tf2_ros\n", "requirements.txt": "numpy\n"}, ""),
+        ({"play.py": "try:\n    import acme_arm\nexcept ImportError:\n    pass\n", "setup.py": SETUP}, ""),
+        ({"play.py": '"""You can\nimport the top of it.\n"""\nimport numpy\n', "setup.py": SETUP}, ""),
         ({"tests/test_play.py": "import acme_arm\n"}, ""),
         ({"play.py": "import acme_arm\n", "README.md": "```\npip install acme-arm\n```\n"}, ""),
         (
@@ -31,13 +37,49 @@ def test_a_package_behind_a_login_is_told_where_the_code_imports_it(tree: Tree) 
                 "play.py": "import translate\n",
                 ".gitmodules": '[submodule "down"]\n\tpath = down\n\turl = https://github.com/a/down.git\n',
             },
+            "translate",
+        ),
+        (
+            {
+                "play.py": "import down_ops\n",
+                ".gitmodules": '[submodule "down"]\n\tpath = down\n\turl = https://github.com/a/down.git\n',
+            },
             "",
         ),
     ],
 )
-def test_a_module_of_no_table_is_told_once_where_nothing_is_declared(
-    tree: Tree, files: dict[str, str], names: str
-) -> None:
+def test_a_module_of_no_table_is_told_once(tree: Tree, files: dict[str, str], names: str) -> None:
     said = [w.message for w in tree({**PAGE, "play.py": "import numpy\n", **files}).warnings if "no table" in w.message]
     assert len(said) == bool(names)
     assert not names or f"brings it: {names}; " in said[0]
+
+
+@pytest.mark.parametrize(
+    ("more", "unless"),
+    [
+        ({}, "brings it: acme_arm; name the package"),
+        ({"requirements.txt": "numpy\n"}, "; unless a declared package brings it, name the package under `pip`"),
+        (
+            {
+                "requirements.txt": "numpy\n",
+                ".gitmodules": '[submodule "down"]\n\tpath = down\n\turl = https://github.com/a/down.git\n',
+            },
+            "; unless a declared package or a submodule brings it, name",
+        ),
+    ],
+)
+def test_what_else_may_bring_it_is_said(tree: Tree, more: dict[str, str], unless: str) -> None:
+    found = tree({**PAGE, "play.py": "import numpy\nimport acme_arm\n", **more})
+    ((message, file, line),) = [(w.message, w.file, w.line) for w in found.warnings if "no table" in w.message]
+    assert (file, line) == ("play.py", 2)
+    assert unless in message
+
+
+def test_a_module_that_is_compiled_from_its_repository_comes_after_torch(tree: Tree) -> None:
+    code = "import torch\nimport pointnet2_ops.pointnet2_modules as ops\ntorch.zeros(1).cuda()\n"
+    found = tree({**PAGE, "play.py": code, "requirements.txt": "torch\n"})
+    (asked,) = [each for each in found.python.pip_guessed if each.key == "pointnet2-ops"]
+    assert asked.vcs
+    assert asked.url.endswith("#subdirectory=pointnet2_ops_lib")
+    assert "-devel-" in found.base_image
+    assert [each.key for each in found.python.first] == ["torch"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
@@ -14,17 +14,20 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.not_on_index import not_on_index
-from roslab.values.name import canonicalize_name
+from roslab.knowledge.released import released
+from roslab.values.name import bare_name, canonicalize_name
 
 MOST = 8
 """Most modules that are named in one warning."""
+SHORTEST = 4
+"""Fewest letters of a beginning that two names have in common by more than chance."""
 
 
 def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
     """Yield a warning for each imported module that pip's index is known to lack, and one for those of no table.
 
-    The second only where no manifest declares anything, and no submodule is missing: both may bring modules of any
-    name.
+    Where a manifest declares packages, or a submodule is missing, the warning says that one of them may bring such a
+    module; a module whose name begins like one of them is not told.
     """
     known = known_names(evidence, chosen.files, chosen.projects, chosen.conda) | {asked.key for asked in chosen.guessed}
     known |= {canonicalize_name(git.name.rpartition("/")[2]) for git in evidence.sources if git.kind != "link"}
@@ -41,8 +44,22 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
             yield warn(f"the code imports {used.name}, which pip cannot install: {row.why}; {then}", used)
         elif row is None and used.name not in imports():
             unknown.append(used)
+    absent = [git.name for git in evidence.sources if git.kind == "submodule" and git.absent]
     declared = chosen.files or chosen.conda or any(project.requirements for project in chosen.projects)
-    if unknown and not (declared or any(git.kind == "submodule" and git.absent for git in evidence.sources)):
+    if declared or absent:
+        stems = {part for name in known for part in name.split("-")} | {bare_name(name) for name in known}
+        unknown = [each for each in unknown if not _begins_like(each.name, stems)]
+        ros = (released("noetic") | released("humble")) if unknown else frozenset[str]()
+        unknown = [each for each in unknown if each.name not in ros]  # a part for robots, without which the rest runs
+    if unknown:
         names = ", ".join(each.name for each in unknown[:MOST]) + (", …" if unknown[MOST:] else "")
         message = f"imported and declared nowhere, and no table knows which package brings it: {names}"
-        yield warn(f"{message}; name the package under `pip` in roslab.yaml if it is needed", unknown[0])
+        others = [*(["a declared package"] if declared else []), *(["a submodule"] if absent else [])]
+        unless = f"unless {' or '.join(others)} brings it, " if others else ""
+        yield warn(f"{message}; {unless}name the package under `pip` in roslab.yaml if it is needed", unknown[0])
+
+
+def _begins_like(module: str, stems: Set[str]) -> bool:
+    """Tell whether a module has the beginning of a package's name, or that of it."""
+    name = bare_name(module)
+    return any(len(stem) >= SHORTEST and (name.startswith(stem) or stem.startswith(name)) for stem in stems)

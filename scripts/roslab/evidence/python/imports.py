@@ -24,7 +24,7 @@ from roslab.values.pattern import pattern
 
 _IMPORT = pattern(
     r"^(?P<indent>[ \t]*)(?:import[ \t]+(?P<plain>[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?"
-    r"(?:[ \t]*,[ \t]*[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?)*)"
+    r"(?:[ \t]*,[ \t]*[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?)*)(?=[ \t]*(?:[#;,\\\r]|$))"
     r"|from[ \t]+(?P<module>[A-Za-z_][\w.]*)[ \t]+import\b)",
     re.MULTILINE,
 )
