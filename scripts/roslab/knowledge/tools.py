@@ -56,6 +56,19 @@ def _lenient(line: str) -> str:
     return f"pip<{OLD_METADATA}{mark}{marker}"
 
 
+def why_bounded(line: str) -> str:
+    """Return why a requirement line of pip or its companions leaves out the newest versions, ``""`` if it does not."""
+    pin, _, marker = line.partition(";")
+    if "<" not in pin or marker.strip().startswith("python_version >="):  # for a newer Python than the image's alone
+        return ""
+    of_python = {each for tools in _table().values() for each in tools.installers if "<" in each.partition(";")[0]}
+    if pin in python2_installers() or line.startswith(tuple(of_python)):
+        return "newer ones do not run on the image's Python"
+    if pin.startswith("pip<"):
+        return "newer ones refuse packages whose versions or requirements are written as in their time"
+    return "packages that are built here do not work with newer ones"
+
+
 @cache
 def python2_installers() -> tuple[str, ...]:
     """Return the last installers that run on Python 2.7, whose first pip knows no markers."""

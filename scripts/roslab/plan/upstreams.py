@@ -9,6 +9,7 @@ from roslab.knowledge.distros import distro
 from roslab.knowledge.keys import expires
 from roslab.knowledge.os_releases import ends, has_ended, moved_to, release_of
 from roslab.knowledge.ros_packages import first_source
+from roslab.knowledge.tools import why_bounded
 from roslab.plan.author_bases import Base
 from roslab.plan.package_sources import PackageSources, RosSource
 from roslab.values.dataclass import dataclass
@@ -84,12 +85,14 @@ def _of_base(
             why="its key was replaced in April 2022, and images of before do not know the new one",
             instead="left out where the image does not know its key; CUDA is in the image",
         )
-    if bounded := [pin for line in installers if "<" in (pin := line.partition(";")[0])]:
-        yield Upstream(
-            name="today's pip, setuptools and wheel",
-            why="they do not run on the image's Python",
-            instead=", ".join(bounded),
-        )
+    bounded: dict[str, dict[str, None]] = {}
+    for line in installers:
+        if why := why_bounded(line):
+            bounded.setdefault(why, {})[line.partition(";")[0]] = None
+    for why, pins in bounded.items():
+        names = list(dict.fromkeys(pin.partition("<")[0] for pin in pins))
+        listed = " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+        yield Upstream(name=f"today's {listed}", why=why, instead=", ".join(pins))
 
 
 def _ros(source: RosSource, tag: str | None) -> Iterator[Upstream]:

@@ -6,7 +6,7 @@ import pytest
 
 from roslab.knowledge.frameworks import framework_on_cuda, tabled
 from roslab.knowledge.guesses import same_module, tooling
-from roslab.knowledge.tools import python2_installers, tool_image
+from roslab.knowledge.tools import for_old_packages, python2_installers, python_tools, tool_image, why_bounded
 
 
 @pytest.mark.parametrize(
@@ -43,3 +43,23 @@ def test_packages_that_share_the_rows_of_a_framework() -> None:
 def test_pins_of_tools() -> None:
     assert python2_installers()[0] == "pip<21"
     assert tool_image("micromamba").startswith("mambaorg/micromamba:")
+
+
+@pytest.mark.parametrize(
+    ("version", "lines"),
+    [
+        ("3.10", {"pip<24.1": "metadata"}),
+        ("3.8", {"pip<24.1": "metadata", "setuptools<76": "python", "wheel<0.46": "python"}),
+        ("3.6", {"pip<22": "python", "setuptools<60": "python", "wheel<0.38": "python"}),
+        ("3.7", {"pip<24.1": "python", "setuptools<69": "python", "wheel<0.43": "python"}),
+    ],
+)
+def test_why_an_installer_is_not_today_s(version: str, lines: dict[str, str]) -> None:
+    found = for_old_packages(python_tools(version, None)).installers
+    words = {"python": "do not run on the image's Python", "metadata": "refuse packages"}
+    told = {line.partition(";")[0]: why for line in found if (why := why_bounded(line))}
+    assert {pin: next(kind for kind, text in words.items() if text in why) for pin, why in told.items()} == lines
+    assert all(words["python"] in why_bounded(line) for line in python2_installers())
+    beside = ('pip<21; python_version < "3"', 'pip<24.1; python_version < "3.8" and python_version >= "3"')
+    assert all(words["python"] in why_bounded(line) for line in beside)
+    assert "do not work with newer ones" in why_bounded("setuptools<70")
