@@ -65,3 +65,44 @@ def test_what_a_backend_refuses_is_not_installed(
     if "numpy" in project and not installed:
         asked = [*decision.python.pip, *decision.python.pip_guessed]
         assert [str(each.specifier) for each in asked if each.key == "numpy"] == ["<2,>=1.24"]
+
+
+def test_what_it_declares_must_install(tree: Tree) -> None:
+    found = tree({"pyproject.toml": POETRY.format(more=""), "train.py": "import numpy\n", "README.md": README})
+    assert [each.written for each in found.python.pip] == ["numpy>=1.24,<2"]
+    assert found.python.pip_guessed == ()
+    said = next(each for each in found.reasons if each.answer == "numpy>=1.24,<2" and "declares it" in each.reason)
+    assert (said.file, said.line) == ("pyproject.toml", 6)
+
+
+def test_a_requirements_file_beside_it_is_the_one_that_counts(tree: Tree) -> None:
+    files = {"pyproject.toml": POETRY.format(more=""), "requirements.txt": "scipy\n", "train.py": "import numpy\n"}
+    found = tree({**files, "README.md": README})
+    assert found.python.requirements == ("requirements.txt",)
+    assert found.python.pip == ()
+    assert [each.key for each in found.python.pip_guessed] == ["numpy"]
+
+
+def test_its_lock_is_heeded(tree: Tree) -> None:
+    lock = '[[package]]\nname = "numpy"\nversion = "1.24.3"\n\n[[package]]\nname = "scipy"\nversion = "1.10.1"\n'
+    files = {"pyproject.toml": POETRY.format(more=""), "poetry.lock": lock, "train.py": "import numpy\n"}
+    assert [each.written for each in tree({**files, "README.md": README}).python.bounds] == ["numpy==1.24.3"]
+
+
+def test_a_torch_of_the_lock_for_the_cuda_of_the_image(tree: Tree) -> None:
+    project = POETRY.format(more="").replace('numpy = "^1.24"', 'torch = "^1.7"').replace('"^3.9"', '">=3.8,<3.10"')
+    lock = '[[package]]\nname = "torch"\nversion = "1.10.1"\n'
+    files = {"pyproject.toml": project, "poetry.lock": lock, "train.py": "import torch\ntorch.zeros(1).cuda()\n"}
+    python = tree({**files, "README.md": README}).python
+    assert [each.written for each in python.bounds] == ["torch==1.10.1", "numpy<2"]
+    assert python.options == ("--find-links https://download.pytorch.org/whl/cu113/torch_stable.html",)
+
+
+def test_what_it_needs_for_an_extra_is_declared_too(tree: Tree) -> None:
+    more = POETRY.format(more="") + '[tool.poetry.extras]\nsim = ["acme-sim"]\n'
+    more = more.replace('numpy = "^1.24"', 'numpy = "^1.24"\nacme-sim = {version = "^1.0", optional = true}')
+    code = "import numpy\nimport acme_sim\nimport other_thing\n"
+    found = tree({"pyproject.toml": more, "train.py": code, "README.md": README})
+    assert not [each for each in (*found.python.pip, *found.python.pip_guessed) if each.key == "acme-sim"]
+    (told,) = [each.message for each in found.warnings if "no table" in each.message]
+    assert "brings it: other_thing;" in told

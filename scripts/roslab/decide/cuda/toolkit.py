@@ -67,4 +67,5 @@ def _asked(evidence: Evidence, chosen: Chosen) -> Iterable[Requirement]:
         if environment.file == chosen.conda:
             yield from environment.requirements
             yield from of_conda(environment)
+    yield from chosen.declared
     yield from chosen.guessed

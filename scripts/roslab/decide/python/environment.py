@@ -31,7 +31,7 @@ from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
-from roslab.decide.python.refused import Repaired, in_full, repair, right, untold
+from roslab.decide.python.refused import Repaired, in_full, of_pages, repair, right, untold
 from roslab.decide.python.too_new import loosened
 from roslab.decide.python.torch_build import (
     OLDEST_PAGE,
@@ -107,16 +107,17 @@ def decide_python(
     )
     wheels = (*exact.answer, *everything) if kind == "cuda" and manager != "system" else ()
     compiled = bool(wheels) and extended
+    at_root = manager != "system" and (bool(chosen.declared) or any(not p.folder for p in chosen.projects))
+    locked = evidence.locked if at_root else ()
     build = decide_build(
-        evidence, chosen, wheels, cuda, number, compiled=compiled, aged=bool(aged), bounds=bounds.answer
+        evidence, chosen, wheels, cuda, number, compiled=compiled, aged=bool(aged), bounds=bounds.answer, locked=locked
     )
     conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
     # NumPy 1 from conda is no limit for pip, which replaces it where a package asks for NumPy 2
     before_pip = (each for each in conda_asked if each.key != "numpy" or each.specifier.contains("2.0.0"))
     limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0])
     defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number, aged)
-    at_root = manager != "system" and any(not project.folder for project in chosen.projects)
-    of_lock = locked_releases(evidence.locked if at_root else (), manifests, (*named.answer.first, *limits), number)
+    of_lock = locked_releases(locked, manifests, (*named.answer.first, *limits), number)
     limits = (*limits, *of_lock.answer)
     numpy = numpy_of((*before_pip, *everything, *limits) if manager != "system" else ())
     indexes = [*_indexes([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files)]
@@ -209,7 +210,9 @@ def _interpreter(version: str | None) -> Interpreter:
 
 def _repaired(evidence: Evidence, chosen: Chosen, python: str | None) -> Repaired:
     names = {canonicalize_name(project.name) for project in chosen.projects if project.name}
-    return repair(evidence, chosen.files, chosen.projects, names, python)
+    repaired = repair(evidence, chosen.files, chosen.projects, names, python)
+    more = right(loosened(chosen.declared, python), of_pages(evidence, _own_names(evidence)))
+    return replace(repaired, requirements=(*repaired.requirements, *more))
 
 
 def _own_names(evidence: Evidence) -> set[str]:
@@ -237,7 +240,7 @@ def _of_manifests(evidence: Evidence, chosen: Chosen) -> list[Requirement]:
     """Return what the chosen files, projects and environment ask for."""
     found = [asked for file in with_includes(evidence, chosen.files) for asked in file.requirements]
     found += [asked for project in chosen.projects for asked in project.requirements if asked.role in {"", "source"}]
-    return [*found, *_of_environment(evidence, chosen)]
+    return [*found, *chosen.declared, *_of_environment(evidence, chosen)]
 
 
 def _of_environment(evidence: Evidence, chosen: Chosen) -> Iterator[Requirement]:
@@ -273,6 +276,9 @@ def _reasons(chosen: Chosen) -> Iterator[Reason]:
         yield because("dependencies", file.file, "requirements of the project", file, weight=Weight.MANIFEST)
     for project in chosen.projects:
         yield because("dependencies", project.folder or ".", "installable project", project, weight=Weight.MANIFEST)
+    for asked in chosen.declared:
+        why = f"{asked.file} declares it; its backend finds no module to install"
+        yield because("dependencies", asked.text, why, asked, weight=Weight.MANIFEST)
     for asked in chosen.guessed:
         why = _WHY.get(asked.origin, "named in an install line")
         yield because("dependencies", asked.text, why, asked, weight=Weight.GUESS)

@@ -16,6 +16,7 @@ from roslab.knowledge.frameworks import imports
 from roslab.knowledge.not_on_index import not_on_index
 from roslab.knowledge.released import released
 from roslab.values.name import bare_name, canonicalize_name
+from roslab.values.requirement import Requirement
 
 MOST = 8
 """Most modules that are named in one warning."""
@@ -29,7 +30,9 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
     Where a manifest declares packages, or a submodule is missing, the warning says that one of them may bring such a
     module; a module whose name begins like one of them is not told.
     """
-    known = known_names(evidence, chosen.files, chosen.projects, chosen.conda) | {asked.key for asked in chosen.guessed}
+    known = known_names(evidence, chosen.files, chosen.projects, chosen.conda) | {
+        asked.key for asked in (*chosen.declared, *chosen.guessed, *_extras(evidence))
+    }
     known |= {canonicalize_name(git.name.rpartition("/")[2]) for git in evidence.sources if git.kind != "link"}
     known |= {part for name in known for part in name.split("-")}
     unknown: list[Dependency] = []
@@ -45,7 +48,8 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
         elif row is None and used.name not in imports():
             unknown.append(used)
     absent = [git.name for git in evidence.sources if git.kind == "submodule" and git.absent]
-    declared = chosen.files or chosen.conda or any(project.requirements for project in chosen.projects)
+    declared = bool(chosen.files or chosen.conda or chosen.declared)
+    declared = declared or any(project.requirements for project in chosen.projects)
     if declared or absent:
         stems = {part for name in known for part in name.split("-")} | {bare_name(name) for name in known}
         unknown = [each for each in unknown if not _begins_like(each.name, stems)]
@@ -57,6 +61,12 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
         others = [*(["a declared package"] if declared else []), *(["a submodule"] if absent else [])]
         unless = f"unless {' or '.join(others)} brings it, " if others else ""
         yield warn(f"{message}; {unless}name the package under `pip` in roslab.yaml if it is needed", unknown[0])
+
+
+def _extras(evidence: Evidence) -> Iterator[Requirement]:
+    """Yield what the projects ask for in extras: who needs such a module knows where it comes from."""
+    for project in evidence.python:
+        yield from (asked for asked in project.requirements if asked.role == "extra")
 
 
 def _begins_like(module: str, stems: Set[str]) -> bool:

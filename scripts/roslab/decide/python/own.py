@@ -112,7 +112,7 @@ def outvoted(own: Choice[OwnPython], ubuntu: str | None, ros_distro: str | None)
 
 def _plain(evidence: Evidence, config: Config, kind: Kind, chosen: Chosen) -> bool:
     """Tell whether it is a compiled program without any Python of its own."""
-    installs = chosen.files or chosen.projects or chosen.guessed or chosen.conda
+    installs = chosen.files or chosen.projects or chosen.declared or chosen.guessed or chosen.conda
     if config.base.python or config.pip or config.pip3 or evidence.programs:
         return False
     return kind == "cpp" or (kind == "cuda" and not installs)

@@ -21,6 +21,8 @@ class Chosen:
 
     files: tuple[RequirementFile, ...] = ()
     projects: tuple[PythonProject, ...] = ()
+    declared: tuple[Requirement, ...] = ()
+    """What a project at the root needs whose backend refuses to install it: pip installs these alone."""
     guessed: tuple[Requirement, ...] = ()
     options: tuple[str, ...] = ()
     conda: str | None = None
@@ -32,15 +34,17 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     conda = conda_file(evidence, config, kind)
     files = requirement_files(evidence, config, kind, conda)
     folders = projects(evidence, kind, conda, files)
-    manifests = bool(files or conda or any(project.requirements for project in folders))
-    known = known_names(evidence, files, folders, conda)
     ros = kind in {"ros1", "ros2"}
+    declared = () if ros or files or conda or folders else tuple(_of_refused(evidence))
+    manifests = bool(files or conda or declared or any(project.requirements for project in folders))
+    known = known_names(evidence, files, folders, conda) | {each.key for each in declared}
     loose = frozenset() if ros or conda else loose_names(evidence, files, folders)
     more = tuple(each for each in extras(evidence, folders, files) if each.key not in known)
     known |= {each.key for each in more}
     return Chosen(
         files=files,
         projects=folders,
+        declared=declared,
         guessed=(
             *more,
             *of_pages(evidence, files),
@@ -49,6 +53,12 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
         options=tuple(dict.fromkeys(_options(evidence))),
         conda=conda,
     )
+
+
+def _of_refused(evidence: Evidence) -> Iterator[Requirement]:
+    for project in evidence.python:
+        if project.refused and not project.folder:
+            yield from (asked for asked in project.requirements if asked.role in {"", "source"})
 
 
 def with_guess(chosen: Chosen, guess: Requirement) -> Chosen:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from packaging.version import Version
 
@@ -12,6 +12,7 @@ from roslab.decide.python.packages import Chosen
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.evidence.facts import Evidence
+from roslab.evidence.locked import Locked
 from roslab.knowledge.frameworks import (
     Framework,
     framework,
@@ -54,10 +55,12 @@ def decide_build(
     compiled: bool,
     aged: bool,
     bounds: Iterable[Requirement],
+    locked: Iterable[Locked],
 ) -> Choice[Build]:
     """Return limits and pip's options for the torch among the ``wheels``; extensions may be ``compiled`` against it.
 
-    ``aged``: the code is of a torch that is older than every CUDA with an image.
+    ``locked`` are releases of a lock: where nothing is compiled its torch is taken. ``aged``: the code is of a torch
+    that is older than every CUDA with an image.
     """
     day, below = evidence.pip_day, next((bound.below for bound in bounds if bound.key == "torch"), None)
     if compiled:
@@ -66,7 +69,20 @@ def decide_build(
         return torch_build(wheels, on_page, python, day, "conda is asked for CUDA {cuda} beside it")
     said = (*chosen.options, *(option for file in chosen.files for option in file.options))
     known = any("download.pytorch.org" in option for option in said)
-    return newer_wheel(() if known else wheels, cuda, python, day, below)
+    return newer_wheel(() if known else _as_locked(wheels, locked, python), cuda, python, day, below)
+
+
+def _as_locked(asked: Iterable[Requirement], locked: Iterable[Locked], python: str | None) -> Iterator[Requirement]:
+    """Yield the packages, a free torch in the release of a lock, if it has one alone and ``python`` runs it."""
+    found = {each.requirement.release for each in locked if each.requirement.key == "torch"}
+    release = next(iter(found)) if len(found) == 1 else None
+    row = framework("torch", release) if release else None
+    for each in asked:
+        free = each.key == "torch" and not each.release and not each.url
+        if free and release and row and python and row.runs_with(python) and each.specifier.contains(release):
+            yield stated(f"torch=={release}", each.origin, each.file, each.line)
+        else:
+            yield each
 
 
 def torch_build(

@@ -17,14 +17,17 @@ def python(table: dict[str, Any]) -> str | None:
     return _as_written(_first(said)) or None if isinstance(said, str) else None
 
 
-def lines(table: dict[str, Any]) -> Iterator[str]:
-    """Yield each dependency, once per alternative, except those of extras and those in the tree."""
+def lines(table: dict[str, Any], extra: frozenset[str] | None = None) -> Iterator[str]:
+    """Yield each dependency, once per alternative, except those of extras and those in the tree.
+
+    With ``extra`` those alone that an extra of these names asks for.
+    """
     for name, said in table.items():
-        if name == "python":
+        if name == "python" or (extra is not None and name not in extra):
             continue
         for value in said if isinstance(said, list) else [said]:
             described = value if isinstance(value, dict) else {"version": value}
-            if described.get("optional") or (required := _required(name, described)) is None:
+            if (extra is None and described.get("optional")) or (required := _required(name, described)) is None:
                 continue
             condition = " and ".join(_conditions(described))
             yield f"{required} ; {condition}" if condition else required

@@ -81,6 +81,17 @@ def _finder(text: str) -> Callable[[str], int]:
     return line_of
 
 
+def _finder_of_keys(text: str) -> Callable[[str], int]:
+    """Return a function that tells the line of Poetry's key for a requirement."""
+
+    def line_of(wanted: str) -> int:
+        name = re.match(r"[\w.-]*", wanted)
+        found = re.search(rf"^[ \t]*[\"']?{re.escape(name[0] if name else wanted)}[\"']?[ \t]*=", text, re.MULTILINE)
+        return text.count("\n", 0, found.start()) + 1 if found else 1
+
+    return line_of
+
+
 def _listed(
     lines: Iterable[Any], path: str, line_of: Callable[[str], int], *, extra: str | None = None, role: Role = ""
 ) -> list[Requirement]:
@@ -233,7 +244,11 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
     for name in [dynamic] if isinstance(dynamic, str) else dynamic if isinstance(dynamic, list) else []:
         asked += from_file(repository, folder, str(name))
     python = project.get("requires-python") or poetry.python(_table(of_poetry, "dependencies"))
-    asked += _listed(poetry.lines(_table(of_poetry, "dependencies")), path, line_of)
+    own = _table(of_poetry, "dependencies")
+    asked += _listed(poetry.lines(own), path, _finder_of_keys(text))
+    for extra, names in _table(of_poetry, "extras").items():
+        lines = poetry.lines(own, extra=frozenset(map(str, names)) if isinstance(names, list) else frozenset())
+        asked += _listed(lines, path, _finder_of_keys(text), extra=extra)
     scripts = {**_table(of_poetry, "scripts"), **_table(project, "scripts")}
     build = _list(_table(data, "build-system"), "requires")
     name = project.get("name") or of_poetry.get("name")
