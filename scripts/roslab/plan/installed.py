@@ -8,6 +8,7 @@ from packaging.version import Version
 
 from roslab.decide.decision import Decision
 from roslab.knowledge.distros import python_of_ubuntu
+from roslab.plan.compiled import compiled
 from roslab.plan.proof import Proof
 from roslab.plan.run import WORKSPACES
 from roslab.plan.workspace import ROS_TOOLS, WORKSPACE, Workspace
@@ -111,6 +112,7 @@ def installed(decision: Decision, place: Workspace) -> list[Proof]:
         found.append(Proof(name="declared packages of Python 2 are installed", command=command))
     if decision.compiles:
         found += _libraries(decision, place, own=own)
+    found += compiled(decision, place)
     return [replace(proof, rung=0, required=not own, entrypoint=not own) for proof in found]
 
 
