@@ -65,7 +65,14 @@ def test_what_is_cloned_keeps_its_place_and_is_built_beside_torch(tmp_path: Path
 
 
 def test_of_a_version_that_is_gone_another_one_is_taken(tmp_path: Path) -> None:
-    calls = _run(tmp_path, "carla==0.9.10", refused="carla==0.9.10\n")
-    assert calls[:3] == ["--no-cache-dir carla==0.9.10", "--no-cache-dir --no-build-isolation carla==0.9.10",
-                         "--no-cache-dir carla"]  # fmt: skip
+    calls = _run(tmp_path, "carla==0.9.10", refused="carla==0.9.10\ncarla==0.9.10.*\n")
+    assert calls[:4] == ["--no-cache-dir carla==0.9.10", "--no-cache-dir --no-build-isolation carla==0.9.10",
+                         "--no-cache-dir carla==0.9.10.*", "--no-cache-dir carla"]  # fmt: skip
     assert not (tmp_path / "left-out.txt").exists()
+
+
+def test_of_a_version_whose_releases_have_more_numbers_one_of_them_is_taken(tmp_path: Path) -> None:
+    calls = _run(tmp_path, "carla==0.9.10", "torch==1.7.1+cu110", refused="carla==0.9.10\ntorch==1.7.1+cu110\n")
+    assert calls[2:3] == ["--no-cache-dir carla==0.9.10.*"]
+    assert calls[3:6] == ["--no-cache-dir torch==1.7.1+cu110", "--no-cache-dir --no-build-isolation torch==1.7.1+cu110",
+                          "--no-cache-dir torch"]  # fmt: skip

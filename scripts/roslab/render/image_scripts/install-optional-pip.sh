@@ -2,8 +2,8 @@
 # usage: install-optional-pip PYTHON [OPTION...] -- PACKAGE...
 # Installs each package that pip finds, with the given options: those of a version that a page names first. For the
 # others nothing is replaced that pip has installed by then. Of one that has not the exact version which a page names,
-# another version is taken; what cannot be built by itself is built beside what is there (torch). The others are named
-# and left out.
+# one whose numbers begin so is taken (4.2.0 is 4.2.0.34), else any; what cannot be built by itself is built beside what
+# is there (torch). The others are named and left out.
 set -euo pipefail
 
 python="$1"
@@ -35,6 +35,15 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
   arguments=(${limits[@]+"${limits[@]}"} "${package}")
   if "${pip[@]}" "${arguments[@]}" || "${pip[@]}" --no-build-isolation "${arguments[@]}"; then continue; fi
   name="${package%%==*}"
+  case "${package#"${name}"}" in
+    == | *[!0-9.=]*) ;;
+    ==*)
+      if "${pip[@]}" "${package}.*"; then
+        echo "roslab: pip cannot install ${package} here: a version of ${package}.* is taken" >&2
+        continue
+      fi
+      ;;
+  esac
   if [ "${name}" != "${package}" ] && "${pip[@]}" "${name}"; then
     echo "roslab: pip cannot install ${package} here: another version is taken" >&2
     continue
