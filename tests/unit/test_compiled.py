@@ -51,7 +51,7 @@ def test_where_a_page_runs_a_script_that_compiles(tmp_path: Path, install: str, 
     page = f"# Net\n## Install\n```\n{install}\n```\n## Run\n```\npython train.py\n```\n"
     put(tmp_path, {**FILES, "README.md": page})
     found = [proof for proof in plan_repository(tmp_path).plan.proofs if proof.name == NAME]
-    assert [(proof.rung, proof.required) for proof in found] == [(0, True)] * proved
+    assert [(proof.rung, proof.required) for proof in found] == [(0, False)] * proved
 
 
 def test_a_script_that_compiles_no_python_needs_no_proof(tmp_path: Path) -> None:

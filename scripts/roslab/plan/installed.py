@@ -112,8 +112,9 @@ def installed(decision: Decision, place: Workspace) -> list[Proof]:
         found.append(Proof(name="declared packages of Python 2 are installed", command=command))
     if decision.compiles:
         found += _libraries(decision, place, own=own)
-    found += compiled(decision, place)
-    return [replace(proof, rung=0, required=not own, entrypoint=not own) for proof in found]
+    sure = [replace(proof, rung=0, required=not own, entrypoint=not own) for proof in found]
+    # Told alone: which programs need an extension nobody knows, and one that the command needs keeps it from starting
+    return [*sure, *(replace(proof, rung=0, required=False) for proof in compiled(decision, place))]
 
 
 def _libraries(decision: Decision, place: Workspace, *, own: bool) -> list[Proof]:
