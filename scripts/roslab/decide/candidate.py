@@ -7,6 +7,7 @@ import shlex
 from collections.abc import Sequence
 
 from roslab.values.dataclass import dataclass
+from roslab.values.python_options import program_of_python
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -54,5 +55,5 @@ def program_of(argv: tuple[str, ...]) -> tuple[str, ...]:
     if argv[0] in {"bash", "sh"}:
         return argv[:2]
     if argv[0].startswith("python"):
-        return ("python3", *argv[1 : 3 if argv[1:2] == ("-m",) else 2])
+        return ("python3", *program_of_python(argv)[0])
     return argv[:words]

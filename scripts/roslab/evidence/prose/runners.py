@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from roslab.evidence.lex.shell import Command
 from roslab.values.pattern import pattern
+from roslab.values.python_options import program_of_python
 
 _PYTHON = pattern(r"^i?python\d?(?:\.\d+)?$")
 _MANAGERS = frozenset({"uv", "poetry", "pipenv", "pdm", "rye", "hatch", "conda", "mamba", "micromamba"})
@@ -30,6 +31,7 @@ _RUNNER_VALUED = frozenset(
 
 def started(command: Command) -> Command:
     """Return what ``uv run``, ``mpirun`` or ``xvfb-run`` starts, as Python starts it; other commands as they are."""
+    command = _plain(command)
     words, lines = command.words, command.lines
     if words[0].startswith("./") and words[0].endswith(".py"):
         return command._replace(words=("python", words[0].removeprefix("./"), *words[1:]), lines=(lines[0], *lines))
@@ -63,6 +65,19 @@ def by_ros(program: str, words: tuple[str, ...]) -> bool:
     if program in SIMULATORS and (not SIMULATORS[program] or (verbs[:1] and verbs[0] in SIMULATORS[program])):
         return any(map(_WORLD.fullmatch, words))
     return program in {"roslaunch", "rosrun"} or (program == "ros2" and verbs[-1:] in _VERBS)
+
+
+def _plain(command: Command) -> Command:
+    """Return a call of a module without the options of Python before it: ``python -um demo`` is ``python -m demo``."""
+    words, lines = command.words, command.lines
+    if words[1:2] == ("-m",) or not _PYTHON.match(words[0].rpartition("/")[2]):
+        return command
+    program, rest = program_of_python(words)
+    if program[:1] != ("-m",) or len(program) == 1:
+        return command
+    return command._replace(
+        words=(words[0], *program, *words[rest:]), lines=(lines[0], lines[rest - 1], lines[rest - 1], *lines[rest:])
+    )
 
 
 def _begins(word: str) -> bool:
