@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Set
+from collections.abc import Iterable, Iterator, Set
 
 from roslab.config.model import Kind
 from roslab.decide.notebooks import opened
@@ -11,6 +11,7 @@ from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports, released_together, tabled
@@ -56,10 +57,7 @@ def guesses(
     tools = tooling("installers") | tooling("developers")
     heavy = bool(known & {"torch", "tensorflow", "jax"})
     offered = _linked(evidence)
-    strengths = {"used"} if manifests else {"used", "optional"}
-    for dependency in evidence.code:
-        if dependency.namespace != "import" or dependency.strength not in strengths or places.test(dependency.file):
-            continue
+    for dependency in _imported(evidence, manifests=manifests):
         package, apt = imports().get(dependency.name) or (None, None)
         linked = offered.get(canonicalize_name(dependency.name)) if dependency.strength == "used" else None
         if linked and dependency.name not in imports() and not (ros or places.aside(dependency.file)):
@@ -73,8 +71,21 @@ def guesses(
         by_apt = bool(apt) or dependency.name in ros_modules()
         if ros and (by_apt or (name in _FRAMEWORKS and dependency.role != "node")):
             continue  # a ROS image's Python is the system's: what apt has comes from there
-        found[name] = stated(package, "import", dependency.file, dependency.line)
+        version = (dependency.version or "") if dependency.role == "told" else ""
+        found[name] = stated(package + version, "import", dependency.file, dependency.line)
     return tuple(found.values())[:MAX_GUESSES]
+
+
+def _imported(evidence: Evidence, *, manifests: bool) -> Iterator[Dependency]:
+    """Yield the imports that count: those that may fail where no manifest is, or where the code says what to install.
+
+    A framework beside a manifest is not among these: it is another way to do the same.
+    """
+    for each in evidence.code:
+        told = each.role == "told" and each.name not in _FRAMEWORKS
+        counts = each.strength == "used" or (each.strength == "optional" and (told or not manifests))
+        if each.namespace == "import" and counts and not places.test(each.file):
+            yield each
 
 
 def _linked(evidence: Evidence) -> dict[str, Requirement]:

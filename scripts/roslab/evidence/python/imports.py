@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 
 from roslab.evidence import places
@@ -14,12 +14,14 @@ from roslab.evidence.lex.lines import first_line
 from roslab.evidence.python import notebooks
 from roslab.evidence.python.modules import Module, modules
 from roslab.evidence.python.own_folder import own_folder
+from roslab.evidence.python.told import told
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.standard_modules import standard_modules
 from roslab.knowledge.typelibs import typelibs
 from roslab.knowledge.windows import shown
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
+from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 
 _IMPORT = pattern(
@@ -41,13 +43,15 @@ _ROS = pattern(r"^(?:import|from) r(?:os|cl)py\b", re.MULTILINE)
 def read(repository: Repository) -> tuple[Dependency, ...]:
     """Return what the tree's Python files import from outside the tree and the standard library.
 
-    Each name once, at its first place; ``optional`` if it is only imported inside a function or a ``try``. A framework
-    that a node of ROS imports has the role ``node``.
+    Each name once, at its first place; ``optional`` if it is only imported inside a function or a ``try``: then it has
+    the role ``told`` where the module says how to install it. A framework that a node of ROS imports has the role
+    ``node``.
     Calls that open windows are included, each library's once for a file, the package of a plain ``python`` if the
     first line of a program starts that, and those of the libraries of GObject that a program asks for.
     """
     local, sorted_in = _local(repository)
     found: dict[str, Dependency] = {}
+    said: dict[str, Dependency] = {}
     for module in modules(repository):
         file, text = module.file, module.text
         if "" not in found and (started := _started(file, text)):
@@ -60,6 +64,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
             )
         found |= {f"{each.name} {each.role}": each for each in _typelibs(module)}
         statements = [(match, _modules_of(match, sorted_in)) for match in _imports(text)]
+        said = {**_told(module, statements), **said}
         node = any(not _OF_NODES.isdisjoint(tops) for _, tops in statements) and _of_node(module)
         for match, tops in statements:
             for top in tops:
@@ -79,6 +84,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                     line=text.count("\n", 0, match.start()) + 1,
                     role=role,
                 )
+    _add_told(said, found)
     _add_notebooks(repository, local, sorted_in, found)
     return tuple(sorted(found.values(), key=lambda dependency: (dependency.file, dependency.line)))
 
@@ -90,6 +96,39 @@ def _started(file: File, text: str) -> Dependency | None:
     return Dependency(
         namespace="apt", name="python-is-python3", strength="used", file=file.path, line=1, role="shebang"
     )
+
+
+def _told(module: Module, statements: Iterable[tuple[re.Match[str], list[str]]]) -> dict[str, Dependency]:
+    """Return what a module imports inside a function or a ``try`` and tells to install; no test's."""
+    file, text = module.file, module.text
+    if not (said := told(text)) or places.test(file.path):
+        return {}
+    found: dict[str, Dependency] = {}
+    for match, tops in statements:
+        for top in tops if match["indent"] else ():
+            package, _ = known_imports().get(top) or (None, None)
+            names = [canonicalize_name(name) for name in (package, top) if name]
+            version = next((said[name] for name in names if name in said), None)
+            if version is not None:
+                line = text.count("\n", 0, match.start()) + 1
+                found[top] = Dependency(
+                    namespace="import",
+                    name=top,
+                    strength="optional",
+                    file=file.path,
+                    line=line,
+                    version=version or None,
+                    role="told",
+                )
+    return found
+
+
+def _add_told(said: Mapping[str, Dependency], found: dict[str, Dependency]) -> None:
+    """Put what is told to be installed in the place of an import that may fail, or of a test's."""
+    for name, each in said.items():
+        known = found.get(name)
+        if known and not known.role and (known.strength != "used" or places.test(known.file)):
+            found[name] = each
 
 
 def _of_node(module: Module) -> bool:
