@@ -244,7 +244,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         vcs=sources.answer.vcs,
         submodules=() if own.answer else sources.answer.submodules,
         inside=inside.answer,
-        python_path=python_path(evidence, config, kind.answer),
+        python_path=python_path(evidence, config, kind.answer, python.answer.projects, command.answer.page),
         variables=() if own.answer else variables.answer,
         scripts=() if own.answer else scripts.answer,
         downloads=() if own.answer else downloads.answer,

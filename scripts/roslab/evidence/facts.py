@@ -188,7 +188,7 @@ class Mention:
 
     topic: Literal[
         "distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command", "date",
-        "vcs_file", "compiled", "step", "build_script", "python_path", "variable", "exported", "gazebo",
+        "vcs_file", "compiled", "step", "build_script", "python_path", "from_root", "variable", "exported", "gazebo",
         "image_built", "image_pulled", "pointed", "included", "reference", "libtorch", "fetched", "unpacked",
     ]  # fmt: skip
     value: str

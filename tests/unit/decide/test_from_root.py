@@ -1,0 +1,64 @@
+"""Programs in a folder that import what lies at the root."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PROGRAM = "{imports}\nif __name__ == '__main__':\n    main()\n"
+WALK = {"walk/__init__.py": "", "walk/net.py": "", "requirements.txt": "numpy\n"}
+
+
+def tools(imports: str) -> dict[str, str]:
+    return {"tools/train.py": PROGRAM.format(imports=imports)}
+
+
+@pytest.mark.parametrize(
+    ("imports", "more"),
+    [
+        ("from walk.net import Net", {}),
+        ("import numpy\nimport walk", {}),
+        ("from walk import (\n    net,\n)", {}),
+        ("import shared", {"shared.py": ""}),
+        ("from parts import arm", {"parts/arm.py": ""}),
+        ("import walk", {"setup.py": "", "README.md": "```\npython tools/train.py --fast\n```\n"}),
+    ],
+)
+def test_the_root_is_on_the_path(tree: Tree, imports: str, more: dict[str, str]) -> None:
+    assert tree({**WALK, **tools(imports), **more}).python_path == (".",)
+
+
+@pytest.mark.parametrize(
+    ("imports", "more"),
+    [
+        ("import numpy", {}),
+        ("import sys\nsys.path.append('.')\nimport walk", {}),
+        ("import _paths\nimport walk", {"tools/_paths.py": "import sys\nsys.path.insert(0, ROOT)\n"}),
+        ("import walk", {"tools/walk.py": ""}),
+        ("import walk", {"tools/walk/__init__.py": ""}),
+        ("import walk", {"setup.py": "from setuptools import setup\nsetup(name='walk', packages=['walk'])\n"}),
+        ("import code", {"code/__init__.py": ""}),
+        ("import gym", {"gym/envs/arm.py": ""}),
+        ("import walk", {"README.md": "```\npython -m tools.train\n```\n"}),
+        ("import walk", {"README.md": "```\npython start.py\n```\n", "start.py": PROGRAM.format(imports="")}),
+        (
+            "import walk",
+            {
+                "README.md": "```\npython start.py\n```\n",
+                "start.py": PROGRAM.format(imports=""),
+                "tools/README.md": "```\npython train.py\n```\n",
+            },
+        ),
+    ],
+)
+def test_where_python_finds_it_or_nobody_starts_the_program(tree: Tree, imports: str, more: dict[str, str]) -> None:
+    assert tree({**WALK, **tools(imports), **more}).python_path == ()
+
+
+def test_a_page_may_name_the_root_itself(tree: Tree) -> None:
+    page = "```\nexport PYTHONPATH=$PWD:$PYTHONPATH\npython tools/train.py\n```\n"
+    assert tree({**WALK, **tools("import walk"), "README.md": page}).python_path == (".",)
