@@ -34,13 +34,14 @@ Role = Literal[
     "file",
     "option",
     "listed",
+    "bounded",
 ]
 """``""``: to be installed as it stands; ``editable``: from a URL, with ``-e``; ``repaired``: pip would refuse the way
 its author spells it; ``member``, ``source``: uv has it in the same tree, or from elsewhere than the index; ``extra``,
 ``test``: only for those who ask for more; ``python2``: by Python 2's pip; ``conda``: by ``conda install``, or among
 conda's own packages. ``project``, ``file``, ``environment`` and ``option`` name no package: a path to install, a
 requirements file, a conda environment's file, an option of pip's. ``listed``: a page names it, and no command
-installs it."""
+installs it; ``bounded``: a sentence of it limits the version of what something else asks for."""
 _NO_PACKAGE = frozenset({"project", "file", "option", "environment", "channel"})
 _EXACT = frozenset({"==", "===", "~="})
 _UPPER = frozenset({"<", "<="})

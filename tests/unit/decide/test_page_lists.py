@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from roslab.decide.decision import Decision
-from roslab.evidence.prose.page_lists import blocks, said
+from roslab.evidence.prose.page_lists import blocks, bounded, said
 
 Tree = Callable[[dict[str, str]], Decision]
 
@@ -58,6 +58,54 @@ def test_what_is_read(text: str, found: list[str]) -> None:
 )
 def test_a_block_that_pip_is_to_be_given(text: str, found: list[str]) -> None:
     assert [asked.written for asked in blocks(text, "README.md")] == found
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("It is important to use `atari-py<=0.2.5` and also `gym <= 0.19.0`.\n", ["atari-py<=0.2.5", "gym<=0.19.0"]),
+        ("This needs `numpy==1.19.5`. Enjoy!\n", ["numpy==1.19.5"]),
+        ("Do not use `gym<0.20`.\n", []),
+        ("If it stops, use `gym<0.20`.\n", []),
+        ("There is a bug when using `gym<0.20`.\n", []),
+        ("The ROMs of [`atari-py==0.2.5`](https://x.org).\n", []),
+        ("You should call `check(gym<0.20)`, then `x<1`-like.\n", ["x<1"]),
+        ("```\nuse `gym<0.20`\n```\n", []),
+        ("Please use `gym>=0.20`.\n", []),
+    ],
+)
+def test_a_limit_in_a_sentence(text: str, found: list[str]) -> None:
+    assert [asked.written for asked in bounded(text, "README.md")] == found
+
+
+@pytest.mark.parametrize(
+    ("files", "asked"),
+    [
+        ({"README.md": "Make sure to use `gym<=0.19.0`.\n```\npip install gym\n```\n"}, ["gym<=0.19.0"]),
+        ({"README.md": "Make sure to use `gym<=0.19.0`.\n", "requirements.txt": "gym\n"}, ["gym<=0.19.0"]),
+        ({"README.md": "Make sure to use `gym<=0.19.0`.\n", "play.py": "import gym\n"}, ["gym<=0.19.0"]),
+        ({"README.md": "Make sure to use `gym<=0.19.0`.\n", "requirements.txt": "gym==0.18\n"}, []),
+        ({"README.md": "Make sure to use `attrs<=19`.\n", "requirements.txt": "gym\n"}, []),
+    ],
+)
+def test_a_limit_counts_for_what_something_asks_for(tree: Tree, files: dict[str, str], asked: list[str]) -> None:
+    found = tree({"play.py": "import scipy\n", **files}).python
+    assert [each.text for each in found.pip_guessed if each.name in {"gym", "attrs"}] == asked
+
+
+@pytest.mark.parametrize(
+    ("said", "version"),
+    [
+        ("The python version upto `3.7.9` has been reported to work.", "3.7"),
+        ("Written for Python **3.8**.", "3.8"),
+        ("The Python version is 3.9.", "3.9"),
+        ("Python version <= `3.8`", "3.8"),
+        ("Python up to 3.8", "3.8"),
+        ("Python until 2023", "3.10"),
+    ],
+)
+def test_a_word_or_markup_may_stand_before_the_number(tree: Tree, said: str, version: str) -> None:
+    assert tree({"play.py": "import scipy\n", "README.md": f"# Walk\n{said}\n"}).python.version == version
 
 
 def test_a_list_gives_versions_and_what_nothing_imports(tree: Tree) -> None:

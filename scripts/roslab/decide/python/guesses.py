@@ -112,9 +112,13 @@ def _repository(url: str) -> str:
 
 
 def _specific(pin: Pin) -> tuple[int, int, int]:
-    """Return the sort key for mentions of a package: pinned ones first, then those nearest to the root."""
+    """Return the sort key for mentions of a package: those with a version first, then those nearest to the root."""
     authored = pin.requirement.file.lower().rpartition("/")[2]
-    return (not pin.release, pin.requirement.file.count("/"), "docker" in authored)
+    return (
+        not (pin.release or pin.requirement.role == "bounded"),
+        pin.requirement.file.count("/"),
+        "docker" in authored,
+    )
 
 
 def loose_names(

@@ -92,7 +92,7 @@ def _of_prose(evidence: Evidence) -> Iterator[Pin]:
     for asked in said:  # from "conda install" only packages that pip has too
         if not asked.role or (asked.role == "conda" and asked.key in known):
             yield Pin(asked, 1)
-    yield from _of_lists(evidence)
+    yield from _of_lists(evidence, {asked.key for asked in said})
 
 
 def _images(evidence: Evidence) -> Iterator[AuthorDockerfile]:
@@ -111,13 +111,26 @@ def _of_lock(evidence: Evidence) -> Iterator[Pin]:
             yield Pin(each.requirement, 0)
 
 
-def _of_lists(evidence: Evidence) -> Iterator[Pin]:
-    """Yield what a page lists: what the code imports, and of a program of Python alone the rest too."""
+def _of_lists(evidence: Evidence, named: set[str]) -> Iterator[Pin]:
+    """Yield what a page lists: what the code imports, and of a program of Python alone the rest too.
+
+    The versions of its sentences count for what the code imports, a manifest asks for, or a line installs (``named``).
+    """
     used = {d.name for d in evidence.code if d.namespace == "import"}
     imported = {canonicalize_name(package) for name, (package, _) in imports().items() if package and name in used}
     whole = bool(used) and not (evidence.requirements or evidence.conda or evidence.cmake)
+    named = named | {asked.key for file in evidence.requirements for asked in file.requirements}
+    named |= {asked.key for project in evidence.python for asked in project.requirements}
+    named |= {asked.key for environment in evidence.conda for asked in environment.requirements}
     for asked in evidence.listed:
-        if whole or asked.key in imported or any(same_module(asked.key, other) for other in imported):
+        if asked.role == "bounded" and asked.key not in {*named, *imported}:
+            continue
+        if (
+            whole
+            or asked.role == "bounded"
+            or asked.key in imported
+            or any(same_module(asked.key, other) for other in imported)
+        ):
             yield Pin(asked, 1)
 
 

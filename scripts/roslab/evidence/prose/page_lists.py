@@ -45,6 +45,16 @@ _BY_PIP = pattern(
 _LINE = pattern(
     r"^(['\"]?)[A-Za-z][\w.-]*(?:\[[\w,-]+\])?(?:\s?(?:[<>=!~]=|[<>])\s?[\d.*]+(?:,\s?(?:[<>=!~]=|[<>])\s?[\d.*]+)*)?\1$"
 )
+_BOUNDED = pattern(r"`([A-Za-z][\w.-]*\s?(?:<=|==|~=|<)\s?\d+(?:\.\d+)*)`")
+"""A requirement that is all there is between backticks."""
+_TO_USE = pattern(
+    r"\b(?:us(?:e|ing)|must|should|please|make sure|ensure|install(?:ed|ing)?|downgrad(?:e|ing)|pin(?:ned)?)\b",
+    re.IGNORECASE,
+)
+_TROUBLE = pattern(
+    r"\b(?:if|alternatively|optional(?:ly)?|bugs?|issues?|errors?|fail\w*|broken?|warnings?|deprecated)\b",
+    re.IGNORECASE,
+)
 _AT_LEAST = frozenset({">=", "≥", ">"})
 MAX_LINE = 400
 MAX_PARAGRAPH = 4000
@@ -54,7 +64,7 @@ def read(repository: Repository) -> tuple[Requirement, ...]:
     """Return what the pages at the root list or name with a version, each once."""
     pages = (file for file in readme.pages(repository) if "/" not in file.path)
     texts = tuple((readme.text_of(repository, file), file.path) for file in pages)
-    return tuple(dict.fromkeys(asked for page in texts for asked in (*blocks(*page), *said(*page))))
+    return tuple(dict.fromkeys(asked for page in texts for asked in (*blocks(*page), *said(*page), *bounded(*page))))
 
 
 def blocks(text: str, file: str) -> Iterator[Requirement]:
@@ -66,6 +76,23 @@ def blocks(text: str, file: str) -> Iterator[Requirement]:
         block = list(_block(lines, number))
         if block and all(len(words) <= MAX_LINE and _LINE.match(words) for _, words in block):
             yield from (stated(words.strip("'\""), "prose", file, at) for at, words in block)
+
+
+def bounded(text: str, file: str) -> Iterator[Requirement]:
+    """Yield each requirement in a sentence that tells to use it: "it is important to use `gym<=0.19.0`".
+
+    It has the role ``bounded``: it only counts for a package that something else asks for.
+    """
+    fenced = False
+    for number, line in enumerate(text.split("\n"), start=1):
+        fenced = fenced != (line.lstrip()[:3] in {"```", "~~~"})
+        if fenced or "`" not in line or len(line) > MAX_PARAGRAPH or not _BOUNDED.search(line):
+            continue
+        for sentence in _SENTENCE.split(line):
+            meant = _MEANT.search(sentence) or _TO_USE.search(sentence)
+            if len(sentence) <= MAX_LINE and meant and not (_NOT.search(sentence) or _TROUBLE.search(sentence)):
+                for match in _BOUNDED.finditer(sentence):
+                    yield stated(match[1], "prose", file, number, role="bounded")
 
 
 def _block(lines: list[str], number: int) -> Iterator[tuple[int, str]]:
