@@ -213,7 +213,7 @@ def old_setuptools() -> tuple[tuple[str, str, str, str], ...]:
 
 @cache
 def unstated() -> dict[str, str]:
-    """Return what a pip package needs and does not ask pip for, since people choose their build of it."""
+    """Return what a pip package needs and does not ask pip for: people choose their build, or it came first."""
     return {row["pip"]: row["needs"] for row in rows("unstated")}
 
 

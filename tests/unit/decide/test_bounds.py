@@ -94,6 +94,22 @@ def test_what_was_compiled_against_numpy_1_keeps_numpy_2_out(tmp_path: Path) -> 
     assert limits(both, "matplotlib", "numpy") == ["matplotlib<3.6", "numpy<1.24"]
 
 
+@pytest.mark.parametrize(
+    ("code", "bound"),
+    [
+        ("app = socketio.Middleware(sio, app)\n", "python-socketio<5"),
+        ("app = socketio.WSGIApp(sio, app)\n", None),
+        ("import imageio\nimageio.plugins.ffmpeg.download()\n", "imageio<2.5"),
+        ("ffmpeg.download()\n", None),
+        ("from atari_py import get_game_path\n", "gym<0.20"),
+    ],
+)
+def test_names_of_one_package_alone(tmp_path: Path, code: str, bound: str | None) -> None:
+    (tmp_path / "a.py").write_text(code, encoding="utf-8")
+    found = removed.read(Repository.open(tmp_path))
+    assert [use.bound.text for use in found] == ([bound] if bound else [])
+
+
 def test_every_row_is_whole() -> None:
     for row, removal in zip(rows("removals"), removals(), strict=True):
         assert Requirement(row["bound"]).name == row["package"]

@@ -27,6 +27,24 @@ def test_the_framework_behind_a_library(tree: Tree, listed: str, guessed: list[s
     assert found.version == python
 
 
+@pytest.mark.parametrize(
+    ("files", "gym"),
+    [
+        ({"README.md": "```\npip install atari-py gym\n```\n"}, ["gym<0.20"]),
+        ({"README.md": "```\npip install gym atari-py==0.2.6\n```\n"}, ["gym<0.20"]),
+        ({"README.md": "```\npip install gym==0.21 atari-py\n```\n"}, ["gym==0.21"]),
+        ({"README.md": "```\npip install gym\n```\n"}, ["gym"]),
+        ({"requirements.txt": "gym\natari-py\n"}, ["gym<0.20"]),
+        ({"requirements.txt": "gym<0.25\natari-py\n"}, []),
+    ],
+)
+def test_an_emulator_that_newer_versions_of_its_user_do_not_take(
+    tree: Tree, files: dict[str, str], gym: list[str]
+) -> None:
+    found = tree({"play.py": "import gym\n", **files}).python
+    assert [each.written for each in found.pip_guessed if each.name == "gym"] == gym
+
+
 def test_the_repository_itself_is_no_package_to_fetch(tree: Tree) -> None:
     own = "[project]\nname = 'high-way'\nversion = '1'\ndependencies = ['numpy']\n"
     page = "```\npip install git+https://github.com/lab/HighWay\npip install git+https://github.com/lab/other\n```\n"

@@ -11,6 +11,7 @@ from roslab.evidence.facts import AuthorDockerfile, CondaEnvironment, Evidence
 from roslab.knowledge.frameworks import conda_names, framework_on_cuda, imports, released_together, tabled, unstated
 from roslab.knowledge.guesses import same_module
 from roslab.values.conda import CondaPackage
+from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -54,13 +55,23 @@ def pins(evidence: Evidence) -> tuple[Pin, ...]:
 
 
 def _unstated(found: list[Pin]) -> Iterator[Pin]:
-    """Yield what packages need and do not ask pip for, each as a line of a page beside theirs, unless it is named."""
+    """Yield what packages need and do not ask pip for, each as a line of a page beside theirs, unless it is named.
+
+    What is named in any version gets the limit of the package that needs it, but for frameworks: other rules pin them.
+    """
     names = {tabled(pin.name) for pin in found if pin.trust}
+    limited = {tabled(pin.name) for pin in found if pin.trust and pin.requirement.limited}
     for pin in found:
         needs = unstated().get(pin.name) if pin.trust else None
-        if needs and (asked := stated(needs, "prose", pin.requirement.file, pin.requirement.line)).key not in names:
-            names.add(asked.key)
+        if needs is None:
+            continue
+        asked = stated(needs, "prose", pin.requirement.file, pin.requirement.line)
+        if asked.key not in names:
             yield Pin(asked, 1)
+        elif asked.limited and asked.key not in limited and not framework_on_cuda(asked.key):
+            yield Pin(replace(asked, role="bounded"), 1)
+        names.add(asked.key)
+        limited.add(asked.key)
 
 
 def _of_files(evidence: Evidence) -> Iterator[Pin]:
