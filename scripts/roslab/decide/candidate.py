@@ -34,6 +34,8 @@ class Candidate:
     """Variables that the page starts it with, ``NAME=VALUE``."""
     installed: bool = False
     """pip installs the program with the repository."""
+    of_python: bool = False
+    """It is a shell script that starts a program of Python."""
 
 
 def there(candidate: Candidate) -> str:

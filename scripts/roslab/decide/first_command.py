@@ -52,7 +52,8 @@ _EVALUATES = pattern(
 _SHOWS = pattern(r"(?:^|[_.-])(?:visuali[sz]\w*|vis|viz)(?:[_.-]|$)|^(?:view|show)[_-]\w", re.IGNORECASE)
 """The name of a file of Python that shows what another one made; a launch file of that name may be a demonstration."""
 _TEST = pattern(r"(?:^|[_.-])tests?(?:[_.-]|$)", re.IGNORECASE)
-"""The name of a test; a README of Python calls prediction so, and its tests are in folders of their own."""
+"""The name of a test; a README of Python calls prediction so, also a script that starts it, and its tests are in
+folders of their own."""
 _CLOUD = pattern(
     r"\b(?:azure|aws|gcp|cloud|clusters?|slurm|kubernetes|singularity|docker(?! container)|colab)\b", re.IGNORECASE
 )
@@ -178,7 +179,9 @@ def _after(candidate: Candidate) -> bool:
     place = program_of(candidate.argv)[-1].rpartition("/")[0].rpartition("/")[2]
     of_results = bool(python and _OF_RESULTS.fullmatch(place))
     of_results = of_results or (python and any(map(_EVALUATES.fullmatch, candidate.argv)))
-    return of_results or _named(candidate, _AFTER) or _named(candidate, _SHOWS if python else _TEST)
+    if of_results or _named(candidate, _AFTER):
+        return True
+    return not candidate.of_python and _named(candidate, _SHOWS if python else _TEST)
 
 
 def _purpose(candidate: Candidate) -> bool:

@@ -67,6 +67,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     )
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
     said = [m for m in said if not (places.vendored(m.file) or about_trouble(m.heading))]
+    of_python = {m.value for m in evidence.mentions if m.topic == "runs"} if not (ros or compiled) else set()
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
     pointed = pointed_launches(evidence)
     beside = tree.compiled if compiled and not ros else {}  # programs that a page starts in its build folder
@@ -93,6 +94,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 blanks=blanks,
                 variables=mention.variables,
                 installed=argv[0] in tree.installed and not ros,
+                of_python=argv[0] == "bash" and not of_python.isdisjoint(argv[1:2]),
             )
 
 

@@ -144,3 +144,37 @@ def test_a_program_starts_where_its_own_packages_find_their_files(
 ) -> None:
     files = {**PYTHON, "tools/run.py": PROGRAM, "tools/cfgs/a.yaml": "rate: 1\n", file: "A = 'cfgs/a.yaml'\n"}
     assert tree({**files, "README.md": f"# Usage\n```\n{page}\n```\n"}).command == started
+
+
+PREDICTS = "#!/bin/bash\nset -e\nexport OUT=out\npython -m net.predict --test\n"
+
+
+@pytest.mark.parametrize(
+    ("script", "command"),
+    [
+        (PREDICTS, ("bash", "scripts/test_demo.sh")),
+        ("CUDA_VISIBLE_DEVICES=0 python3 $1 --eval\n", ("bash", "scripts/test_demo.sh")),
+        ("python -m pytest tests\n", ("bash", "scripts/train.sh")),
+        ("python setup.py test\n", ("bash", "scripts/train.sh")),
+        ("pytest\n", ("bash", "scripts/train.sh")),
+        ("# python net/predict.py\necho ok\n", ("bash", "scripts/train.sh")),
+    ],
+)
+def test_a_script_named_like_a_test_that_starts_a_program_of_python(
+    tree: Tree, script: str, command: tuple[str, ...]
+) -> None:
+    page = "# Demo\n```\nbash scripts/test_demo.sh\n```\n# Training\n```\nbash scripts/train.sh\n```\n"
+    files = {
+        "net/predict.py": "import numpy\n",
+        "scripts/test_demo.sh": script,
+        "scripts/train.sh": "python net/a.py\n",
+    }
+    assert tree({**files, "README.md": page}).command == command
+
+
+def test_such_a_script_of_compiled_code_is_a_test(tree: Tree) -> None:
+    page = "# Demo\n```\nbash scripts/run_test.sh\nbash scripts/run_all.sh\n```\n"
+    cmake = "cmake_minimum_required(VERSION 3.5)\nproject(align CXX)\nadd_executable(align a.cpp)\n"
+    files = {"CMakeLists.txt": cmake, "a.cpp": "int main() {}\n", "scripts/run_all.sh": "python plot.py\n"}
+    found = tree({**files, "scripts/run_test.sh": "python check.py\n", "README.md": page})
+    assert found.command == ("bash", "scripts/run_all.sh")

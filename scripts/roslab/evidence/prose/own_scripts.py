@@ -19,6 +19,12 @@ MAX_SIZE = 64 * 1024
 _COMPILES = pattern(r"\b(?:c?make|ninja|g\+\+|gcc|clang|nvcc|cython|setup\.py|build_ext)\b")
 _COMPILER = pattern(r"(?:=|\s|/)(clang)(?:\+\+)?(?=[\s\"'}]|$)", re.MULTILINE)
 _TERMINAL = pattern(r"^[ \t]*(x-terminal-emulator|xterm)[ \t]", re.MULTILINE)
+_PYTHON = pattern(
+    r"^[ \t]*(?:(?:exec|time|nohup|CUDA_VISIBLE_DEVICES=\S+|srun)[ \t]+)*python[\d.]*[ \t]+"
+    r"(?!-c\b|(?:-m[ \t]+)?(?:pip|pytest|unittest|nose)\b|(?:\S*/)?setup\.py\b)[\w./$-]",
+    re.MULTILINE,
+)
+"""A line that starts a program of Python, which is no test of the code and installs nothing."""
 _ASKS = pattern(
     r"\b(?:sudo|apt|apt-get|yum|dnf|brew|docker|conda|mamba|catkin\w*|colcon|rosdep|roslaunch|wget|curl|gdown|scp|"
     r"xcodebuild|emcc|idf\.py)\b|\bread\s+-|\binput\(|rm\s+-rf?\s+[/~]"
@@ -63,3 +69,10 @@ def called(mention: Mention, repository: Repository) -> Iterator[Dependency]:
         yield Dependency(
             namespace="apt", name=name, strength="used", file=mention.file, line=mention.line, role="script"
         )
+
+
+def of_python(mention: Mention, repository: Repository) -> Iterator[Mention]:
+    """Yield the shell script that a command of a page runs, if it starts a program of Python."""
+    script = next((file for file in mention.files[:1] if file.endswith((".sh", ".bash"))), None)
+    if script and _PYTHON.search(repository.read(script, limit=MAX_SIZE)):
+        yield replace(mention, topic="runs", value=script)

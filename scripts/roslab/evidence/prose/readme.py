@@ -24,7 +24,7 @@ from roslab.evidence.prose.in_containers import started_in
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import merge
 from roslab.evidence.prose.own_files import with_files
-from roslab.evidence.prose.own_scripts import called, checked
+from roslab.evidence.prose.own_scripts import called, checked, of_python
 from roslab.evidence.prose.preformatted import as_markdown
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.shells import leads_elsewhere
@@ -171,6 +171,7 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
     elif not leads_elsewhere(told := with_files(mention, repository), repository):
         yield told
         yield from fetched_by(told, repository)
+        yield from of_python(told, repository)
 
 
 def pages(repository: Repository) -> tuple[File, ...]:
