@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import shlex
 from collections.abc import Sequence
+from typing import Literal
 
 from roslab.values.dataclass import dataclass
 from roslab.values.python_options import program_of_python
@@ -28,6 +29,8 @@ class Candidate:
     """The folder that it has to be started in."""
     cut: bool = False
     """Arguments that the reader fills in were left out, and they have no default."""
+    demands: Literal["required", "open", ""] = ""
+    """What the program says of an option that was left out so: it stops without it, or may."""
     blanks: tuple[str, ...] = ()
     """Names of arguments with a value that the reader fills in (``map:=…``): they are left out."""
     variables: tuple[str, ...] = ()

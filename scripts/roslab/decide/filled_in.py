@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
+from typing import NamedTuple
 
 from roslab.decide.blank_launches import BLANK
 from roslab.decide.candidate import is_component
@@ -44,8 +45,18 @@ _MORE = frozenset({*_AMOUNTS, "OF", "THE", "YOUR", "NAME", "VALUE", "ID", "LIST"
 """Words that may stand beside the name of an option in a value that only says what belongs there."""
 
 
-def filled(command: str, files: tuple[str, ...]) -> tuple[tuple[str, ...], bool, tuple[str, ...]]:
-    """Return the words of a command without the values that the reader fills in, whether that leaves a gap, and names.
+class Filled(NamedTuple):
+    """A command without the values that the reader fills in."""
+
+    words: tuple[str, ...]
+    gap: tuple[str, ...]
+    """The options that went with their values, ``""`` for anything else but ``map:=PATH``: these leave a gap."""
+    blanks: tuple[str, ...]
+    """Names of arguments that a launch file may have a default for: ``map:=PATH``."""
+
+
+def filled(command: str, files: tuple[str, ...]) -> Filled:
+    """Return a command without the values that the reader fills in.
 
     ``map:=PATH`` is left out whole, as the launch file may have a default, and its name returned; an option goes with
     its value, and what follows an argument that is left out, with it. Words that name the program stay, and so do
@@ -53,7 +64,8 @@ def filled(command: str, files: tuple[str, ...]) -> tuple[tuple[str, ...], bool,
     """
     kept: list[str] = []
     blanks: list[str] = []
-    gap = positional = False
+    gap: list[str] = []
+    positional = False
     words = _BRACKETS.sub(_blank, command).split()
     words = words[1:] if words[:1] == words[1:2] else words  # ``roslaunch roslaunch``
     for said, following in itertools.zip_longest(words, words[1:], fillvalue=""):
@@ -69,14 +81,15 @@ def filled(command: str, files: tuple[str, ...]) -> tuple[tuple[str, ...], bool,
             kept.append(word)
             continue
         keyed = _named(kept[:-1]) and bool(_KEY.fullmatch(kept[-1])) and "=" not in word
+        option = word.partition("=")[0] if word.startswith("-") else kept[-1] if value else ""
         if keyed or (value and (":=" not in word or kept[-1] in {"-p", "-r"})):
             kept.pop()  # the option goes with it: ``-p map:=PATH``, and ``MODEL.WEIGHTS PATH``
         if ":=" not in word:
-            gap = True
+            gap.append(option)
             positional = positional or not (value or keyed or word.startswith("-"))
         else:
             blanks.append(word.partition(":=")[0])
-    return tuple(kept), gap, tuple(blanks)
+    return Filled(tuple(kept), tuple(gap), tuple(blanks))
 
 
 def _names_option(option: str, word: str) -> bool:

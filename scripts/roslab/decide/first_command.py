@@ -97,7 +97,21 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     ordered = sorted(
         kept, key=lambda c: _order(c, pages[c.file], gap=c.line >= gaps.get((c.file, c.heading), c.line + 1))
     )
+    ordered.sort(key=lambda c: _stops(c, kept))
     return _filled_in(ordered[0], rest) if ordered else None
+
+
+def _stops(candidate: Candidate, others: Iterable[Candidate]) -> bool:
+    """Tell whether a program stops without what was left out, and the same page starts another one whole.
+
+    One that may go on without it is only behind a program that is given files of the tree.
+    """
+    if not candidate.demands:
+        return False
+    whole = [c for c in others if c.file == candidate.file and not c.cut and not _lacks(c)]
+    whole = [c for c in whole if c.argv[0].startswith("python") or c.installed]
+    given = (not {*c.files}.isdisjoint(c.argv[len(program_of(c.argv)) :]) for c in whole)
+    return bool(whole) if candidate.demands == "required" else any(given)
 
 
 def _before_all(written: Sequence[Candidate], rest: Sequence[Candidate]) -> list[Candidate]:

@@ -68,13 +68,16 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
     said = [m for m in said if not (places.vendored(m.file) or about_trouble(m.heading))]
     of_python = {m.value for m in evidence.mentions if m.topic == "runs"} if not (ros or compiled) else set()
+    options = {(m.file, m.value): m.text for m in evidence.mentions if m.topic == "option"}
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
     pointed = pointed_launches(evidence)
     beside = tree.compiled if compiled and not ros else {}  # programs that a page starts in its build folder
     nearest = min((m.file.count("/") for m in said if not m.heading.endswith(CONTAINER)), default=0)
     for mention in said:
-        whole, cut, blanks = filled(mention.value, mention.files)
+        whole, gap, blanks = filled(mention.value, mention.files)
         whole = with_the_one_named(whole, mention, pointed)
+        program = next((file for file in mention.files if file.endswith(".py")), "")
+        told = {options.get((program, name), "") for name in gap}
         argv = _runnable(whole, mention, tree, ros=ros, compiled=compiled)
         if argv is not None and not fetching & {*argv[:2]}:
             strong = not compiled or not any(places.example(part) for part in argv[:2])
@@ -90,7 +93,8 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 heading=mention.heading,
                 files=mention.files,
                 inside=mention.inside if argv[0].startswith(("python", "bash")) or argv[0] in beside else "",
-                cut=cut,
+                cut=bool(gap) and told != {"default"},
+                demands="required" if "required" in told else "open" if "open" in told else "",
                 blanks=blanks,
                 variables=mention.variables,
                 installed=argv[0] in tree.installed and not ros,
