@@ -42,6 +42,7 @@ from roslab.evidence.prose import (
     worked_on,
 )
 from roslab.evidence.prose.merged import merge
+from roslab.evidence.prose.named_notebooks import with_notebooks
 from roslab.evidence.python import (
     called,
     clones,
@@ -93,6 +94,7 @@ def gather(repository: Repository) -> Evidence:
     if any(own.has(manifest.file) for manifest in manifests) or any("/" not in p.file for p in cmake_projects):
         own = repository  # of what is compiled, the submodules are a part
     prose = merge(reader(own) for reader in PROSE)
+    said = pointed.read(own)
     python_projects = project.read(repository)
     programs = {name for each in python_projects if not places.vendored(each.file) for name, _ in each.scripts}
     programs |= {name for each in cmake_projects if not manifests for name, _ in each.executables}
@@ -138,10 +140,10 @@ def gather(repository: Repository) -> Evidence:
         mentions=(
             *distro_names.read(repository),
             *branch_tables.read(own),
-            *prose.mentions,
+            *with_notebooks(prose.mentions, said),
             *linked.read(own, prose.mentions),
             *readme.named(own, programs),
-            *pointed.read(own),
+            *said,
             *for_reference.read(own),
             *((*included.read(own), *gazebo.read(own)) if manifests else ()),
             *print_statement.read(own),

@@ -408,6 +408,34 @@ def test_a_notebook_that_a_page_names_is_served_where_no_page_runs_anything(
     assert any(each.key == "notebook" for each in decision.python.pip_guessed) == served
 
 
+@pytest.mark.parametrize(
+    ("page", "opened"),
+    [
+        ("# Run\nLook at `nb/more.ipynb`:\n```\njupyter notebook\n```\n", "nb/more.ipynb"),
+        ("# Run\nDo `jupyter lab`, and open `more.ipynb`.\n", "nb/more.ipynb"),
+        ("# Run\nSee demo.ipynb.\n\nSee more.ipynb.\n```\njupyter notebook --port 8000\n```\n", "nb/more.ipynb"),
+        ("# Data\nSee demo.ipynb and more.ipynb.\n# Run\n```\njupyter notebook\n```\n", ""),
+        ("# About\nThe server is jupyter notebook, for demo.ipynb and more.ipynb.\n", ""),
+    ],
+)
+def test_a_server_of_notebooks_opens_the_one_that_its_section_names(tree: Tree, page: str, opened: str) -> None:
+    decision = tree(
+        {"demo.ipynb": NOTEBOOK, "nb/more.ipynb": NOTEBOOK, "train.py": "import numpy\n", "README.md": page}
+    )
+    served = ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser", opened)
+    assert (decision.command == served) == bool(opened)
+    assert any(each.key == "notebook" for each in decision.python.pip_guessed) == bool(opened)
+
+
+def test_a_named_notebook_is_beside_the_program_that_the_page_runs(tree: Tree) -> None:
+    page = "# Run\nSee demo.ipynb.\n```\njupyter notebook\n```\n# Drive\n```\npython train.py\n```\n"
+    files = {"demo.ipynb": NOTEBOOK, "train.py": "import numpy\n", "README.md": page}
+    decision = tree(files)
+    assert decision.command == ("python", "train.py")
+    assert ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser", "demo.ipynb") in decision.command_candidates
+    assert any(each.key == "notebook" for each in decision.python.pip_guessed)
+
+
 IN_JULIA = '{"cells": [], "metadata": {"kernelspec": {"language": "julia"}}, "nbformat": 4, "nbformat_minor": 4}'
 
 

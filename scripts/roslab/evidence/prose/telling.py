@@ -30,7 +30,7 @@ SIGNS: Signs = tuple(
         (".sh", r"\b(?:ba)?sh\s+\S+\.sh\b"),
         ("streamlit", r"\bstreamlit\s+run\s"),
         ("colcon", r"\bcolcon\b"),
-        ("jupyter", r"\bjupyter[ -](?:notebook|lab)\s"),
+        ("jupyter", r"\bjupyter[ -](?:notebook|lab)(?:[\s`]|$)"),
         ("cd", r"\b(?:ros)?cd\s"),
         ("conda", r"\bconda\b"),
         ("mamba", r"\b(?:micro)?mamba\b"),
