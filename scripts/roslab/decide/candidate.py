@@ -31,6 +31,8 @@ class Candidate:
     """Arguments that the reader fills in were left out, and they have no default."""
     demands: Literal["required", "open", ""] = ""
     """What the program says of an option that was left out so: it stops without it, or may."""
+    absent: tuple[str, ...] = ()
+    """Arguments that name a file which neither the tree nor a download has, each after its option."""
     blanks: tuple[str, ...] = ()
     """Names of arguments with a value that the reader fills in (``map:=…``): they are left out."""
     variables: tuple[str, ...] = ()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
+from roslab.decide.absent import variant
 from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.sections import about_running, shows, starts
 from roslab.evidence.prose.runners import SIMULATORS
@@ -75,7 +76,8 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     that the tree lacks comes after what needs none, except for Python, whose READMEs usually name data; another
     that is given with blanks to fill in comes last, one of Python after what other sections of its page run whole;
     programs that only serve others are never returned. What is named like a test is returned where a section about
-    running it has nothing else: the purpose may be to test. A quick start may evaluate.
+    running it has nothing else: the purpose may be to test. A quick start may evaluate. Of two calls of a program in
+    one section, the one that needs no file which nothing brings.
     """
     written = [c for c in candidates if c.strong and not _helps(c) and not upkeep(c)]
     written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in _LAUNCHERS]
@@ -98,7 +100,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
         kept, key=lambda c: _order(c, pages[c.file], gap=c.line >= gaps.get((c.file, c.heading), c.line + 1))
     )
     ordered.sort(key=lambda c: _stops(c, kept))
-    return _filled_in(ordered[0], rest) if ordered else None
+    return variant(_filled_in(ordered[0], rest), rest) if ordered else None
 
 
 def _stops(candidate: Candidate, others: Iterable[Candidate]) -> bool:

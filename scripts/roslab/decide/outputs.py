@@ -15,6 +15,11 @@ _OUTPUT = pattern(
 _BELOW_HOME = pattern(r"~/(?=[\w.])")
 
 
+def writes(option: str) -> bool:
+    """Tell whether an option is named like one for what the program writes."""
+    return bool(_OUTPUT.fullmatch(option))
+
+
 def written_below(option: str, word: str) -> str:
     """Return an output folder in the reader's home, which the program makes, as one where the program is started.
 

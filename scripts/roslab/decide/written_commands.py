@@ -6,6 +6,7 @@ import posixpath
 from collections.abc import Iterator, Mapping
 
 from roslab.config.model import Kind
+from roslab.decide.absent import absent
 from roslab.decide.blank_launches import LAUNCH, pointed_launches, with_a_launch_file, with_the_one_named
 from roslab.decide.candidate import Candidate, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
@@ -69,6 +70,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     said = [m for m in said if not (places.vendored(m.file) or about_trouble(m.heading))]
     of_python = {m.value for m in evidence.mentions if m.topic == "runs"} if not (ros or compiled) else set()
     options = {(m.file, m.value): m.text for m in evidence.mentions if m.topic == "option"}
+    fetched = {file for m in evidence.mentions if m.topic in {"fetched", "unpacked"} for file in m.files} - {"", "."}
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
     pointed = pointed_launches(evidence)
     beside = tree.compiled if compiled and not ros else {}  # programs that a page starts in its build folder
@@ -95,6 +97,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 inside=mention.inside if argv[0].startswith(("python", "bash")) or argv[0] in beside else "",
                 cut=bool(gap) and told != {"default"},
                 demands="required" if "required" in told else "open" if "open" in told else "",
+                absent=absent(argv, mention.files, fetched),
                 blanks=blanks,
                 variables=mention.variables,
                 installed=argv[0] in tree.installed and not ros,
