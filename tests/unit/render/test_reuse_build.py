@@ -195,8 +195,11 @@ done
     ("tool", "includes", "code", "tried"),
     [
         ("catkin", {"a": "a/Level.h", "b": "b/LevelConfig.h"}, 0, "aabab"),
+        ("catkin", {"a": "a/with_custom_points.h"}, 0, "aa"),
+        ("catkin", {"L": "L/Point_cloud.h"}, 0, "LL"),
         ("catkin", {"a": "a/NoSuch.h"}, 1, "aa"),
         ("catkin", {"a": "nowhere/Level.h"}, 1, "a"),
+        ("catkin", {"a": "nowhere/some_header.h"}, 1, "a"),
         ("colcon", {"a": "a/Level.h"}, 1, "a"),
     ],
 )

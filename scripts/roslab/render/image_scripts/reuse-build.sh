@@ -79,7 +79,7 @@ compile() {
   local said header package folder targets tried=' '
   said="$(mktemp)"
   until "$@" 2>&1 | tee "${said}"; do
-    header="$(sed --quiet 's#.*fatal error: \([a-z][a-z0-9_]*/[A-Z][A-Za-z0-9]*\.h\): No such file.*#\1#p' "${said}" | head -n 1)"
+    header="$(sed --quiet 's#.*fatal error: \([A-Za-z0-9_]*/[A-Za-z0-9_]*\.h\): No such file.*#\1#p' "${said}" | head -n 1)"
     package="${header%%/*}"
     case "$1" in
       catkin_make) folder=build ;;
