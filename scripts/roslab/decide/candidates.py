@@ -12,6 +12,7 @@ from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import NOTEBOOK
+from roslab.decide.startable_launches import unstartable
 from roslab.decide.system.switches import given
 from roslab.decide.written_commands import written
 from roslab.evidence import places
@@ -36,7 +37,10 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         yield _cut(each, demands)
     if ros:
         launched = tuple(_launched(evidence, kind, calls))
-        yield from (_cut(each, demands) for each in launched or _nodes(evidence, kind))
+        nodes = tuple(_nodes(evidence, kind))
+        vain = unstartable(evidence, programs=bool(nodes)) if launched else frozenset()
+        yield from (replace(each, cut=True) if each.file in vain else _cut(each, demands) for each in launched)
+        yield from nodes if all(each.file in vain for each in launched) else ()
     elif compiled:
         yield from _compiled(evidence)
     elif not evidence.programs:
@@ -76,7 +80,7 @@ def _launched(evidence: Evidence, kind: Kind, calls: Mapping[str, tuple[str, ...
 
 
 def _nodes(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
-    """Yield the programs that the packages compile or install, for a repository without launch files."""
+    """Yield the programs that the packages compile or install, for a repository without launch files to start."""
     start = ("rosrun",) if kind == "ros1" else ("ros2", "run")
     packages = in_packages(evidence)
     for project in evidence.cmake:

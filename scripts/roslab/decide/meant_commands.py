@@ -9,10 +9,9 @@ from roslab.decide.candidate import Candidate
 from roslab.decide.launch_calls import launch_calls
 from roslab.decide.scripts import NOTEBOOK, RUNS
 from roslab.decide.sections import about_running
+from roslab.decide.startable_launches import known
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
-from roslab.knowledge.distros import distros
-from roslab.knowledge.released import released
 from roslab.values.pattern import pattern
 
 _DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "simulation", "sim", "system", "example")
@@ -83,19 +82,11 @@ def whole_of(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate |
         started = candidate.argv[0] == "roslaunch" or candidate.argv[:2] == ("ros2", "launch")
         if started and not candidate.strong and name not in brought and len(named.get(name, ())) == 1:
             below = _below(name, named)
-            if all(_known(launch, evidence) for each in {name, *below} for launch in named[each]):
+            if all(known(launch, evidence) for each in {name, *below} for launch in named[each]):
                 sizes.append((len(below), candidate))
     sizes.sort(key=lambda each: -each[0])
     alone = sizes and sizes[0][0] >= FEWEST and (len(sizes) == 1 or sizes[1][0] < sizes[0][0])
     return sizes[0][1] if alone else None
-
-
-def _known(launch: LaunchFile, evidence: Evidence) -> bool:
-    """Tell whether all packages that a launch file starts are known."""
-    asked = {manifest.name for manifest in evidence.manifests}
-    asked |= {dependency.name for manifest in evidence.manifests for dependency in manifest.dependencies}
-    started = {dependency.name for dependency in launch.dependencies if dependency.namespace == "ros"} - asked
-    return not started or any(started <= released(name) for name in distros())
 
 
 def _below(name: str, named: Mapping[str, list[LaunchFile]]) -> set[str]:

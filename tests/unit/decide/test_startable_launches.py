@@ -1,0 +1,69 @@
+"""A launch file that cannot start, or that starts nothing of the repository, is not guessed to be the program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = {
+    "package.xml": (
+        "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend>"
+        "<run_depend>lab_driver</run_depend></package>"
+    ),
+    "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\nadd_executable(demo_node a.cpp)\n",
+    "a.cpp": "int main() {}\n",
+}
+NODE = ("rosrun", "demo", "demo_node")
+LAUNCH = ("roslaunch", "demo", "dataset.launch")
+OWN = '<node pkg="demo" type="demo_node" name="a"/>'
+
+
+def command(tree: Tree, launch: str, more: dict[str, str] | None = None) -> tuple[str, ...] | str:
+    return tree({**PACKAGE, "launch/dataset.launch": f"<launch>{launch}</launch>", **(more or {})}).command
+
+
+@pytest.mark.parametrize(
+    "launch",
+    [
+        f'{OWN}<node pkg="nobodys_filter" type="x" name="b"/>',
+        f'{OWN}<rosparam file="$(find nobodys_filter)/a.yaml"/>',
+        '<node pkg="rviz" type="rviz" name="b"/>',
+    ],
+)
+def test_the_one_compiled_program_comes_before_it(tree: Tree, launch: str) -> None:
+    assert command(tree, launch) == NODE
+
+
+def test_else_it_is_a_shell(tree: Tree) -> None:
+    more = {"CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n"}
+    assert command(tree, '<node pkg="nobodys_filter" type="x" name="b"/>', more) == ("bash",)
+
+
+@pytest.mark.parametrize(
+    ("launch", "more"),
+    [
+        (OWN, {}),
+        (f'{OWN}<node pkg="lab_driver" type="x" name="b"/>', {}),  # a package.xml asks for it
+        (f'{OWN}<node pkg="topic_tools" type="drop" name="b"/>', {}),
+        (f'{OWN}<arg name="a" default="1"/><node if="$(arg a)" pkg="nobodys_filter" type="x" name="b"/>', {}),
+        (
+            f'{OWN}<node pkg="nobodys_filter" type="x" name="b"/>',  # a clone may hold it
+            {"README.md": "```\ncd ws/src\ngit clone https://github.com/lab/filters.git\n```\n"},
+        ),
+        (f'{OWN}<node pkg="nobodys_filter" type="x" name="b"/>', {"README.md": "`roslaunch demo dataset.launch`\n"}),
+        (
+            '<node pkg="rviz" type="rviz" name="b"/>',  # launch files are all that it has
+            {"CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n"},
+        ),
+        (
+            '<node pkg="rviz" type="rviz" name="b"/><include file="$(dirname)/other.launch.xml"/>',
+            {"launch/other.launch.xml": f"<launch>{OWN}</launch>"},
+        ),
+    ],
+)
+def test_what_may_start_is_guessed_as_ever(tree: Tree, launch: str, more: dict[str, str]) -> None:
+    assert command(tree, launch, more) == LAUNCH
