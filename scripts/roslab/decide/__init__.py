@@ -105,7 +105,12 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
 
     packages = of_one_ros(packages_of(evidence), evidence, kind.answer)
     layout = decide_layout(evidence, kind.answer, packages)
-    target = Target(ros_distro=distro, ubuntu=base.answer.ubuntu, cuda="cuda" in base.answer.image)
+    target = Target(
+        ros_distro=distro,
+        ubuntu=base.answer.ubuntu,
+        cuda="cuda" in base.answer.image,
+        modules=evidence.cmake_modules,
+    )
     sources = decide_sources(
         evidence,
         config,

@@ -23,6 +23,8 @@ class Target:
     ubuntu: str | None
     cuda: bool = False
     """The base has CUDA's compiler."""
+    modules: frozenset[str] = frozenset()
+    """What files of the tree find for CMake: it then needs no configuration file of a library."""
 
     def ros(self, name: str) -> str:
         """Return the apt name of a ROS package."""
@@ -56,10 +58,17 @@ def resolve(dependency: Dependency, target: Target) -> Resolved:
     if dependency.namespace in {"cmake", "pkg-config", "link"}:
         found = library(dependency.namespace, dependency.name, target.ubuntu)
         if found is not None:
-            return _library(found, target)
+            own = dependency.namespace == "cmake" and dependency.name in target.modules
+            return _library((own and _by_link(found, dependency.name, target)) or found, target)
         if dependency.namespace != "link":
             return _ros(dependency.name, target)
     return Resolved(known=False)
+
+
+def _by_link(found: Library, name: str, target: Target) -> Library | None:
+    """Return the package of a library that is compiled for its configuration file alone, where there is one."""
+    linked = library("link", name.lower(), target.ubuntu) if found.recipe and not found.apt else None
+    return linked if linked and linked.apt else None
 
 
 def _library(found: Library, target: Target) -> Resolved:
