@@ -37,7 +37,7 @@ from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.sought import tried, without
 from roslab.decide.ros.sources import decide_sources, with_recipes
-from roslab.decide.ros.workspace import names_of, of_one_ros, packages_of
+from roslab.decide.ros.workspace import manifests_of, names_of, of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.system.apt_sources import decide_apt_sources
 from roslab.decide.system.guards import required_by_command
@@ -253,7 +253,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         variables=() if own.answer else variables.answer,
         scripts=() if own.answer else scripts.answer,
         downloads=() if own.answer else downloads.answer,
-        packages=tuple(m.file for m in packages.built if m.name not in left_out) if kind.answer in _ROS else (),
+        packages=manifests_of(packages, left_out) if kind.answer in _ROS else (),
         package_names=names_of(packages, kind.answer, left_out, build_tool.answer),
         by_pages=by_pages(
             evidence,

@@ -52,6 +52,8 @@ class CMakeProject:
     """It calls ``project()`` and no CMakeLists.txt above it adds its folder."""
     added: bool = False
     """A CMakeLists.txt above it, which is not about tests alone, adds its folder."""
+    always: bool = False
+    """Those above it add its folder under no condition, from the one that is called first."""
     languages: tuple[str, ...]
     macros: tuple[str, ...]
     """Macro families that it calls: ``catkin``, ``ament``, ``rosbuild``, ``cuda``."""

@@ -35,14 +35,17 @@ class Translated:
 
 
 def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Dependency, ...]:
-    """Return the keys of the packages that are built, each once and sorted, their conditions evaluated."""
+    """Return the keys of the packages that are built, and of those that they add, each once and sorted.
+
+    Their conditions are evaluated.
+    """
     variables = {
         "ROS_VERSION": "1" if kind == "ros1" else "2",
         "ROS_DISTRO": target.ros_distro or "",
         "ROS_PYTHON_VERSION": "2" if target.ubuntu in ubuntus_with_python2() and kind == "ros1" else "3",
     }
     found: dict[str, Dependency] = {}
-    for manifest in packages.built:
+    for manifest in (*packages.built, *packages.nested):
         for dependency in manifest.dependencies:
             if dependency.role in _NOT_INSTALLED or dependency.name in packages.names:
                 continue

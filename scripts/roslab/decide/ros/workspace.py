@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator
 from functools import cache
 from typing import Literal
 
@@ -41,6 +41,8 @@ class Packages:
     """Names of all packages, also of those not built: none of them is a key for rosdep."""
     doubles: tuple[str, ...] = ()
     """Folders with packages of names that are built already, or of the other ROS: a tool that finds them stops."""
+    nested: tuple[PackageManifest, ...] = ()
+    """Of those left out, the ones inside a package whose CMakeLists.txt adds their folders whatever the options are."""
 
 
 def packages_of(evidence: Evidence) -> Packages:
@@ -48,7 +50,10 @@ def packages_of(evidence: Evidence) -> Packages:
     if any(map(of_rosbuild, evidence.manifests)):
         return _of_rosbuild(evidence.manifests, whole=built_by_rosbuild(evidence))
     return _packages(
-        evidence.manifests, tuple(p.file for p in evidence.cmake), tuple(p.folder for p in evidence.python)
+        evidence.manifests,
+        tuple(p.file for p in evidence.cmake),
+        tuple(p.folder for p in evidence.python),
+        tuple(p.file for p in evidence.cmake if p.always),
     )
 
 
@@ -83,8 +88,13 @@ def _of_rosbuild(manifests: tuple[PackageManifest, ...], *, whole: bool) -> Pack
 
 
 @cache
-def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], python: tuple[str, ...]) -> Packages:
-    """Sort the manifests; ``cmake`` are the CMakeLists.txt, ``python`` the folders that Python's tools can install."""
+def _packages(
+    manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], python: tuple[str, ...], always: tuple[str, ...]
+) -> Packages:
+    """Sort the manifests; ``cmake`` are the CMakeLists.txt, ``python`` the folders that Python's tools can install.
+
+    ``always``: those CMakeLists.txt that others add whatever the options are.
+    """
     built: list[PackageManifest] = []
     assets: list[PackageManifest] = []
     left_out: list[PackageManifest] = []
@@ -121,7 +131,19 @@ def _packages(manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], py
         left_out=tuple(left_out),
         names=frozenset(m.name for m in manifests if m.name),
         doubles=tuple(sorted(doubles - {""})),
+        nested=tuple(_added_to(built, left_out, {file.rpartition("/")[0] for file in always})),
     )
+
+
+def _added_to(
+    built: Iterable[PackageManifest], others: Iterable[PackageManifest], always: Collection[str]
+) -> Iterator[PackageManifest]:
+    """Yield the manifests inside packages that are built, in folders that these always add."""
+    folders = {manifest.file.rpartition("/")[0] for manifest in built}
+    for manifest in others:
+        folder = manifest.file.rpartition("/")[0]
+        if manifest.name and not manifest.ignored and folder in always and _below(folder, folders):
+            yield manifest
 
 
 def _other_workspaces(manifests: tuple[PackageManifest, ...]) -> set[str]:
@@ -240,3 +262,11 @@ def names_of(packages: Packages, kind: Kind, left_out: Collection[str], build_to
     if build_tool == "catkin_make_isolated":
         built = [manifest for manifest in built if types(manifest, 1) != {"cmake"}]
     return tuple(sorted(manifest.name for manifest in built if manifest.name and manifest.name not in left_out))
+
+
+def manifests_of(packages: Packages, left_out: Collection[str]) -> tuple[str, ...]:
+    """Return the files whose keys are installed: of what is built, and of what that adds; without those left out."""
+    built = [manifest for manifest in packages.built if manifest.name not in left_out]
+    folders = {manifest.file.rpartition("/")[0] for manifest in built}
+    nested = [m.file for m in packages.nested if _below(m.file.rpartition("/")[0], folders)]
+    return tuple(sorted([*(manifest.file for manifest in built), *nested]))

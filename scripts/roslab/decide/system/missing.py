@@ -221,11 +221,13 @@ def skipping(build_tool: BuildTool, packages: tuple[str, ...]) -> tuple[str, ...
 
 
 def _required(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
-    """Yield each package with what its own CMakeLists.txt requires and no file of the tree finds."""
+    """Yield each package with what its own CMakeLists.txt, and those it always adds, require and no file here finds."""
     named = {manifest.file.rpartition("/")[0]: manifest.name for manifest in packages.built}
     for project in evidence.cmake:
-        package = named.get(project.file.rpartition("/")[0]) if "/" in project.file else named.get("")
-        if package:
+        folder = project.file.rpartition("/")[0]
+        while project.always and folder and folder not in named:
+            folder = folder.rpartition("/")[0]
+        if package := named.get(folder):
             yield from ((package, asked) for asked in _outside(project, evidence, packages))
 
 

@@ -76,14 +76,18 @@ def host_options(apt: Iterable[str], ubuntu: str | None) -> tuple[str, ...]:
 def code_needs(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     """Yield what CMake files look for, except in vendored code and in packages that are not built.
 
-    What an option switches off with which a page configures the project is left out, too.
+    What an option switches off with which a page configures the project is left out, too. Of vendored code that is
+    always a part of the build, what it requires.
     """
     options = given(evidence)
     skipped = frozenset((*(m.file.rpartition("/")[0] for m in packages.left_out if m.ignored), *packages.doubles))
     for project in evidence.cmake:
-        if places.vendored(project.file) or _inside(project.file, skipped):
+        vendored = places.vendored(project.file)
+        if (vendored and not project.always) or _inside(project.file, skipped):
             continue
         for dependency in project.dependencies:
+            if vendored and dependency.strength != "declared":
+                continue
             unasked = dependency.role == "test" or switched_off(dependency, options)
             if not unasked and dependency.name not in packages.names:
                 yield dependency

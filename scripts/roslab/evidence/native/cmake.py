@@ -133,6 +133,8 @@ class _Added:
     """The conditions that an option decides."""
     within: bool = False
     """It is a part of a project that is not about tests alone."""
+    always: bool = False
+    """No condition stands before it, nor before the one that adds it."""
 
 
 def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CMakeProject:
@@ -147,7 +149,8 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             adds = True
             switches = tuple(filter(cmake_needs.of_an_option, (*above.switches, *call.conditions)))
             within = above.within or not places.test(file.path)
-            there = _Added(options=dict(options), switches=switches, within=within)
+            always = (above.always or file.folder not in added) and not (call.conditions or call.in_function)
+            there = _Added(options=dict(options), switches=switches, within=within, always=always)
             added.setdefault(_joined(file.folder, call.words[0]), there)
         elif call.name == "include":
             _include(call, repository, file, reading)
@@ -164,6 +167,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         top_level=(reading.name is not None or (adds and not file.folder and reading.minimum is not None))
         and file.folder not in added,
         added=above.within,
+        always=above.always,
         languages=tuple(dict.fromkeys(reading.languages)),
         macros=tuple(reading.macros | ({"cuda": None} if "CUDA" in reading.languages else {})),
         executables=tuple((reading.outputs.get(name, name), line) for name, line in reading.executables.items()),

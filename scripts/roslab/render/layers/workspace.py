@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import posixpath
+from collections.abc import Iterable, Iterator
 
 from roslab.plan.plan import Plan
 from roslab.plan.workspace import WORKSPACE, RosBuild
@@ -71,9 +72,24 @@ def _complete(plan: Plan) -> str:
 
 def rosdep_folders(plan: Plan) -> list[str]:
     """Return the folders of the image whose package.xml files name what is installed."""
-    folders = [manifests.FOLDER] if manifests.of_rosdep(plan) else []
+    folders = [manifests.FOLDER, *_nested(manifests.of_rosdep(plan))] if manifests.of_rosdep(plan) else []
     cloned = [f"{WS}/src"] if plan.workspace.sources else []
     return folders + (cloned or ([source_folder(plan)] if plan.workspace.submodules else []))
+
+
+def _nested(files: Iterable[str]) -> Iterator[str]:
+    """Yield the folders of manifests inside other packages, where rosdep does not look by itself.
+
+    https://github.com/ros-infrastructure/catkin_pkg (packages.py: find_package_paths), 2026-11-25
+    """
+    folders = {posixpath.dirname(name) for name in files if posixpath.basename(name) == "package.xml"}
+    for folder in sorted(folders - {""}):
+        above = folder
+        while above:
+            above = posixpath.dirname(above)
+            if above in folders:
+                yield quote.shell(posixpath.join(manifests.FOLDER, folder))
+                break
 
 
 def copy_source(plan: Plan) -> str:
