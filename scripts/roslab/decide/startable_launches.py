@@ -9,7 +9,7 @@ from roslab.decide.ros.source_names import plain
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
 from roslab.knowledge.distros import distros
-from roslab.knowledge.released import released
+from roslab.knowledge.released import ever_released, released
 from roslab.knowledge.ros_sources import ros_sources
 
 
@@ -48,7 +48,7 @@ def _lacks(launch: LaunchFile, ours: AbstractSet[str | None], families: frozense
     return any(
         asked.namespace == "ros"
         and asked.strength != "optional"
-        and not (asked.name in ours or asked.name in _ever() or ros_sources(asked.name, launch.ros))
+        and not (asked.name in ours or asked.name in ever_released() or ros_sources(asked.name, launch.ros))
         and asked.name.partition("_")[0] not in families
         for asked in launch.dependencies
     )
@@ -70,12 +70,6 @@ def _of_tree(evidence: Evidence) -> set[str | None]:
 
 def _asked(evidence: Evidence) -> set[str]:
     return {dependency.name for manifest in evidence.manifests for dependency in manifest.dependencies}
-
-
-@cache
-def _ever() -> frozenset[str]:
-    """Return what any distribution of ROS released."""
-    return frozenset(name for distro in distros() for name in released(distro))
 
 
 @cache

@@ -25,6 +25,12 @@ def released(distro: str) -> frozenset[str]:
 
 
 @cache
+def ever_released() -> frozenset[str]:
+    """Return the names of the packages that any distribution released."""
+    return frozenset(name for distro in distros() for name in released(distro))
+
+
+@cache
 def rosdep_keys() -> frozenset[str]:
     """Return the keys of rosdep's own tables that have a package for some Ubuntu."""
     return released("rosdep")

@@ -56,6 +56,9 @@ def test_nothing_unknown_is_needed(tree: Tree) -> None:
     known = SHOWN | {"launch/demo.launch": LAUNCH.replace("acme_control", "map_server")}
     alone = PAGE.replace("git clone https://github.com/me/demo.git\n", "")
     assert not cloned(tree(known | {"README.md": alone}))
+    for module, there in (("numpy", []), ("torch", []), ("acme_control", [("vehicles", None)])):
+        code = {"scripts/a.py": f"#!/usr/bin/env python3\nimport {module}\n"}
+        assert cloned(tree(known | {"README.md": alone} | code)) == there
     assert cloned(tree(SHOWN | {"README.md": alone})) == [("vehicles", None)]
 
 

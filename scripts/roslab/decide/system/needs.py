@@ -14,6 +14,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.cuda_toolkits import host_compilers
 from roslab.knowledge.frameworks import imports
+from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
@@ -145,10 +146,13 @@ def started(evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
 def _of_ros(module: str) -> bool:
     """Tell whether a ROS package of a module's name may bring it: none does where Ubuntu has it by another name.
 
-    ``serial`` is pyserial's, which apt has too, and ROS's serial is a library of C++.
+    ``serial`` is pyserial's, which apt has too, and ROS's serial is a library of C++. Of a name that PyPI has, like
+    ``numpy``, only one that was released is a package of ROS.
     """
     package, apt = imports().get(module, (None, None))
-    return not (package and apt) or canonicalize_name(package) == canonicalize_name(module)
+    if package and apt and canonicalize_name(package) != canonicalize_name(module):
+        return False
+    return not package or module in ever_released()
 
 
 def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependency]:
