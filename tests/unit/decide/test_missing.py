@@ -35,6 +35,15 @@ def test_a_package_that_no_other_needs_is_left_out(tree: Tree) -> None:
     assert (told.file, told.line) == ("driver/CMakeLists.txt", 4)
 
 
+def test_all_that_a_package_lacks_is_told(tree: Tree) -> None:
+    both = f"{SDK}find_package(acme_messages REQUIRED)\nfind_package(acme_robot_sdk REQUIRED)\n"
+    decision = tree(package("driver", both) | package("planner"))
+    assert decision.left_out == ("driver",)
+    told = [(warning.message, warning.line) for warning in decision.warnings if "acme_" in warning.message]
+    assert [line for _, line in told] == [4, 5]
+    assert all("driver is left out of the build" in message for message, _ in told)
+
+
 @pytest.mark.parametrize(
     "files",
     [

@@ -108,7 +108,10 @@ def decide_missing(
     ]
     options = given(evidence) if switch else ""
     off = {switch_of(asked, options): asked for _, asked in unmet if switch and switch_of(asked, options)}
-    lacking = {package: asked for package, asked in unmet if switch_of(asked, options) not in off}
+    lacking: dict[tuple[str, str], Dependency] = {}
+    for package, asked in unmet:
+        if switch_of(asked, options) not in off:
+            lacking.setdefault((package, asked.name), asked)
     tests = _of_tests(evidence, target, packages, names) if switch else {}
     keyed = {d.name for manifest in packages.built for d in manifest.dependencies}  # these are told as keys
     unsure_of = [
@@ -122,21 +125,21 @@ def decide_missing(
     left = {name: place for name, place in left.items() if name not in started}
     out: dict[str, None] = dict.fromkeys(left)
     warnings: list[Warning_] = []
-    for package, asked in lacking.items():
+    for (package, name), asked in lacking.items():
         if package in left:
             continue
         with_it = _needing(package, packages)
         kept = {m.name for m in packages.built} - out.keys() - {*with_it}
-        if build_tool in _SKIP and kept and not {*with_it} & {*started}:
+        if build_tool in _SKIP and (package in out or kept) and not {*with_it} & {*started}:
             out |= dict.fromkeys(with_it)
             others = f", and with it {', '.join(with_it[1:])}" if with_it[1:] else ", which no other package needs"
             then = f": {package} is left out of the build{others}"
         else:
-            where = (tried or {}).get(asked.name)
+            where = (tried or {}).get(name)
             unless = f"; the build looks for it in {where}, and where it is not there," if where else ":"
             then = f"{unless} {build_tool} will stop at {package}"
         hint = "give its repository under `source` in roslab.yaml"
-        warnings.append(warn(f"nothing is known that brings {asked.name}, which CMake requires{then}; {hint}", asked))
+        warnings.append(warn(f"nothing is known that brings {name}, which CMake requires{then}; {hint}", asked))
     warnings += [warn(_PERHAPS.format(asked.name), asked) for asked in unsure_of]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
     warnings += [warn(_TESTS.format(asked.name, option), asked) for option, asked in tests.items()]
