@@ -31,6 +31,8 @@ _WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
 """Fewest words of a command that starts something."""
 _BESIDE = pattern(r"\./[\w.+-]+")
 _ABOVE = pattern(r"^(--?[\w-]+=)?(?:\.\./)+(?=[\w-])")
+_NO_NODES = ("python", "bash", "jupyter")
+"""What starts a program that may be no node: of a shell script nobody knows."""
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 """Files that serve a project without being its purpose."""
 
@@ -41,7 +43,7 @@ def written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> tup
     So is a file of Python that no package has, beside nodes or on a page below the root of a repository of ROS.
     """
     found = tuple(_said(evidence, kind, ros=ros, compiled=compiled))
-    nodes = ros and any(each.strong and not each.argv[0].startswith("python") for each in found)
+    nodes = ros and any(each.strong and not each.argv[0].startswith(_NO_NODES) for each in found)
     folders = tuple(f"{m.file.rpartition('/')[0]}/" for m in packages_of(evidence).built if "/" in m.file)
     lone = [c.argv[0].startswith("python") and not c.argv[1].startswith(folders) for c in found]
     weak = [(nodes or (ros and "/" in c.file)) and outside for c, outside in zip(found, lone, strict=True)]

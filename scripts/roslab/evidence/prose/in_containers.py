@@ -14,7 +14,9 @@ from roslab.values.pattern import pattern
 
 CONTAINER = "Docker container image"
 """The title below which such a command is kept: what a page starts without a container comes before it."""
-_ENGINES = frozenset({"docker", "podman", "nvidia-docker", "docker-compose"})
+ENGINES = ("docker", "podman", "singularity", "apptainer")
+"""What the line of a page has that starts something in a container."""
+_ENGINES = frozenset({*ENGINES, "nvidia-docker", "docker-compose"})
 _VERBS = frozenset({"run", "exec"})
 _PYTHON = pattern(r"python[23]?(?:\.\d+)?")
 _SHELL = pattern(r"(?:/bin/|/usr/bin/)?(?:ba)?sh")

@@ -20,7 +20,7 @@ from roslab.evidence.prose.comments import commented_out, without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of, under
-from roslab.evidence.prose.in_containers import started_in
+from roslab.evidence.prose.in_containers import ENGINES, started_in
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import merge
 from roslab.evidence.prose.own_files import with_files
@@ -202,7 +202,7 @@ def _read(text: str, file: File) -> Prose:
     for line, code, heading in _code(text):
         collector.heading = heading
         collector.text(code, line)
-        contained += started_in(code, line, heading, file.path) if "docker" in code or "podman" in code else ()
+        contained += started_in(code, line, heading, file.path) if any(engine in code for engine in ENGINES) else ()
     collector.sources = [*asides.marked(collector.sources, text), *_links(text, file, collector.sources)]
     found = collector.prose()
     said = (

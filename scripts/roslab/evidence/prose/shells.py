@@ -20,9 +20,10 @@ _OPENS = pattern(
 )
 """A shell with a file of its own to begin with, as a robot's ``baxter.sh`` opens it, or one that waits for a person."""
 _CONTAINER = pattern(
-    r"^[ \t]*(?:\w+=[\"']?)?(?:(?:sudo|exec|eval|then|else)[ \t]+)*(?:\w+=\S*[ \t]+)*(?:nvidia-)?(?:docker|podman)"
+    r"^[ \t]*(?:\w+=[\"']?)?(?:(?:sudo|exec|eval|then|else)[ \t]+)*(?:\w+=\S*[ \t]+)*"
+    r"(?:(?:nvidia-)?docker|podman|singularity|apptainer)"
     r"(?:-compose|[ \t]+(?:compose|container|image|buildx))?[ \t]+(?:-[\w-]+(?:[ =][^\s-]\S*)?[ \t]+)*"
-    r"(?:run|exec|start|up|build|pull)(?![\w-])"
+    r"(?:run|exec|start|up|build|pull|shell)(?![\w-])"
 )
 """The host's engine, also in a variable that is called later: ``RUN_COMMAND="docker run …"``."""
 _INSTALLS = pattern(
