@@ -32,6 +32,7 @@ from roslab.decide.python.paths import python_path
 from roslab.decide.python.pins import pins
 from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
+from roslab.decide.ros.filled_refs import with_refs
 from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.named import by_pages
@@ -72,7 +73,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
     cuda = decide_cuda(evidence, config, pins(evidence))
-    evidence = one_way(evidence, cuda.answer.version)
+    evidence = with_refs(one_way(evidence, cuda.answer.version), distro)
     mentioned = pins(evidence)
     version = decide_version(evidence, config, kind.answer, pins=mentioned, ros_distro=distro, cuda=cuda.answer.version)
     base = decide_base(

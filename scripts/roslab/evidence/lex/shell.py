@@ -16,6 +16,8 @@ from roslab.values.pattern import pattern
 
 UNKNOWN = "\x00"
 """In a word, this stands for a value that only a running shell knows."""
+DISTRO = "\x02distro\x03"
+"""In a text, this stands for the distribution of ROS that the image has: ``{distro}`` in a word."""
 MAX_LOGICAL = 20_000
 """Most characters of one logical line; a longer one is data."""
 MAX_VALUE = 4_000
@@ -148,7 +150,7 @@ def commands(text: str, line: int = 1, variables: Mapping[str, str] | None = Non
 
 def _filled(text: str) -> str:
     # The braces of the token would be read as a group of commands, so private characters replace them for now.
-    return text.replace("ros-{distro}-", "ros-\x02distro\x03-")
+    return text.replace("ros-{distro}-", f"ros-{DISTRO}-")
 
 
 @dataclass

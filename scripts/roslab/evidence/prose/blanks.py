@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from roslab.evidence.lex.shell import DISTRO
 from roslab.values.pattern import pattern
 
 _RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
@@ -28,6 +29,23 @@ _CHOSEN = tuple(
 """A sentence that gives the values of a name in the commands of its page: replace `METHOD` with one of `bc`, `iql`."""
 
 _RELEASE = pattern(r"distro|version|release|ubuntu|cuda", re.IGNORECASE)
+
+_BRANCH = pattern(
+    r"""(?<=\s)(?P<option>-b\s+|--branch[\s=]\s*|checkout\s+)(?P<before>[\w./-]{0,40})(?:
+        <(?:your[-_ ]?)?(?:ros[-_ ]?)?(?:distro(?:[-_ ]?name)?|distribution|ros[-_ ]?version)>
+      | "?\$\{?ROS_DISTRO\}?"? | \{(?:ros[-_ ]?)?distro\}
+      | (?-i:(?:YOUR_)?(?:ROS_?DISTRO|ROS_VERSION))
+    )(?=[-_./\s"]|$)""",
+    re.VERBOSE | re.IGNORECASE,
+)
+"""A branch that is called after the reader's distribution of ROS: ``--branch <YOUR_ROS_VERSION>-devel``."""
+
+
+def with_distro(text: str) -> str:
+    """Return a command with ``{distro}``, as the shell's lexer has it, for the distribution in what git checks out."""
+    if "git" not in text or not ("distro" in text.lower() or "version" in text.lower()):
+        return text
+    return _BRANCH.sub(lambda match: f"{match['option']}{match['before']}{DISTRO}", text)
 
 
 def chosen(text: str) -> str:

@@ -14,7 +14,7 @@ from roslab.values.pattern import pattern
 _TAKES = frozenset({"checkout", "switch"})
 _NEW = frozenset({"-b", "-B", "-c", "-C", "--orphan", "--create"})
 """Options that are followed by the name of a branch that is made here: the repository has none of that name."""
-_REF = pattern(r"\w[\w./-]*")
+_REF = pattern(r"(?:\w|\{distro\})(?:[\w./-]|\{distro\}){0,200}")
 
 
 def checked_out(words: Sequence[str]) -> str | None:

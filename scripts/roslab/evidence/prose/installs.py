@@ -82,6 +82,7 @@ class Collector:
     def logical(self, text: str, line: int) -> None:
         """Read one logical line."""
         if telling(text):
+            text = text if "ROS_DISTRO" in self.variables else blanks.with_distro(text)
             text = blanks.filled(text, of_page=self.source == "readme")
             for command in commands(text, line, self.variables):
                 for topic, value in steps(command, self.heading, self.folder):
@@ -217,7 +218,8 @@ class Collector:
         url = next((w for w in words if _URL.match(w) and UNKNOWN not in w and "<" not in w), None)
         if url is None:
             return
-        branch = next((words[i + 1] for i, w in enumerate(words[:-1]) if w in {"-b", "--branch"}), None)
+        apart = [part for word in words for part in (word.split("=", 1) if word.startswith("--branch=") else (word,))]
+        branch = next((apart[i + 1] for i, w in enumerate(apart[:-1]) if w in {"-b", "--branch"}), None)
         into, url = folder_after(url, words, self.folder), url.rstrip(".,;)")
         name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
         self.cloned, self.options, self.configured = len(self.sources), "", False
