@@ -33,6 +33,7 @@ from roslab.decide.python.pins import pins
 from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.filled_refs import with_refs
+from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.named import by_pages
@@ -198,7 +199,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         kind.answer,
         taken=(*sources.answer.names, *packages.names, *(each.name for each in downloads.answer)),
         addresses=(source.repo or "" for source in (*sources.answer.sources, *sources.answer.submodules)),
-        folder_name=folder_name,
+        itself=names_of_itself(evidence, folder_name, packages.names),
         added=repositories.answer,
     )
     test = decide_test(config)

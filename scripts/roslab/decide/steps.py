@@ -8,7 +8,6 @@ from collections.abc import Iterable, Iterator
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import warn
-from roslab.decide.ros.clones import own_names
 from roslab.decide.ros.source_names import address, itself_in, plain
 from roslab.decide.system.by_everybody import PAGES
 from roslab.evidence import places
@@ -30,20 +29,20 @@ def decide_steps(
     *,
     taken: Iterable[str],
     addresses: Iterable[str],
-    folder_name: str,
+    itself: set[str],
     added: Iterable[str] = (),
 ) -> Choice[None]:
     """Return warnings about what pages and scripts install by other means than apt, pip, conda and known sources.
 
-    ``taken`` are names and ``addresses`` are addresses of what the image has, ``folder_name`` is the
-    repository's, and ``added`` are the package sources that the image gets.
+    ``taken`` are names and ``addresses`` are addresses of what the image has, ``itself`` are names of the
+    repository, and ``added`` are the package sources that the image gets.
     """
     if config.compatible or config.custom:
         return Choice(answer=None)
     names = {plain(name) for name in taken}
     there = {address(each) for each in addresses}
     lists = _lists(evidence) if config.vcs is None else ()
-    cloned = _cloned(evidence, kind, names, there, own_names(evidence, folder_name))
+    cloned = _cloned(evidence, kind, names, there, itself)
     return Choice(answer=None, warnings=(*_fetched(evidence, names, {*added}), *lists, *cloned))
 
 

@@ -57,6 +57,8 @@ class GitSource:
     """The titles of the page that a clone line stands under."""
     aside: bool = False
     """Its section, or the sentence above it, says that not everybody needs it."""
+    itself: bool = False
+    """The page has its name for a title, or it is the first below a sentence that says to clone this repository."""
     beside: bool = False
     """It is cloned into the ``src`` of a workspace, beside the repository itself."""
     absent: bool = False

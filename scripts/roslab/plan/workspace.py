@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import shlex
+from collections.abc import Iterator
 from typing import Literal, get_args
 
 from roslab.config.model import Config, Custom, Source, WorkspaceTool
 from roslab.decide.decision import Decision, Download
+from roslab.decide.ros.source_names import address
 from roslab.decide.system.missing import skipping
+from roslab.knowledge.ros_sources import alone
 from roslab.values.dataclass import dataclass, replace
 
 RosTool = Literal[WorkspaceTool, "rosmake"]
@@ -45,6 +48,8 @@ class RosBuild:
     """Packages that are built with what they need; all of the workspace where none is named."""
     jobs: int | None = None
     """Most compilers that may run at once, where the author says so."""
+    unsure: tuple[str, ...] = ()
+    """Sisters whose packages are not known before they are cloned: one may have the name of one in the repository."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -182,6 +187,15 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
         ignored=decision.ignored if own else (),
         named=decision.by_pages.packages if own else (),
         jobs=decision.by_pages.jobs if own else None,
+        unsure=() if config.compatible or tool == "rosmake" else tuple(_unsure(sisters)),
+    )
+
+
+def _unsure(sisters: tuple[Source, ...]) -> Iterator[str]:
+    """Yield the sisters of which no table knows that their root is the package."""
+    single = {address(url) for url in alone()}
+    yield from (
+        source.name for source in sisters if source.build != "cmake" and address(source.repo or "") not in single
     )
 
 

@@ -150,7 +150,7 @@ def test_every_script_is_called_by_some_dockerfile() -> None:
     folder = Path(image_scripts.__path__[0])
     calls = "".join(path.read_text() for path in folder.parent.rglob("*.py"))
     names = sorted(path.stem for path in folder.glob("*.sh"))
-    assert len(names) == 30
+    assert len(names) == 31
     assert [name for name in names if not re.search(rf"""["'/]{name}["' ]""", calls)] == []
 
 
@@ -428,12 +428,22 @@ def test_the_tests_of_sisters_are_not_compiled() -> None:
     with_sister: dict[str, Any] = {"source": (sister,), "ros_distro": "jazzy", "build_tool": "colcon"}
     text = dockerfile(plan(**with_sister))
     assert " && leave-out-tests src/sister \\\n" in text
-    assert "COPY --from=scripts /compile-jobs /reuse-build /leave-out-tests /build-needed /usr/local/bin/" in text
+    scripts = "/compile-jobs /reuse-build /leave-out-doubles /leave-out-tests /build-needed"
+    assert f"COPY --from=scripts {scripts} /usr/local/bin/" in text
     for stated_by in (
         dockerfile(plan(Config(cmake_options="-DBUILD_TESTING=ON"), **with_sister)),
         dockerfile(plan(**{**with_sister, "source": ()})),
     ):
         assert "leave-out-tests" not in stated_by
+
+
+def test_packages_that_a_sister_has_twice_are_hidden_before_the_build() -> None:
+    text = dockerfile(plan(source=(SISTER,)))
+    clone, hidden, build = positions(text, "git clone", " && leave-out-doubles src/sister \\\n", "catkin_make -j")
+    assert clone < hidden < build
+    known = dataclasses.replace(SISTER, repo="https://github.com/ethz-asl/eigen_catkin.git")
+    assert "leave-out-doubles" not in dockerfile(plan(source=(known,)))
+    assert "leave-out-doubles" not in dockerfile(plan(Config(compatible="later"), source=(SISTER,)))
 
 
 def test_colcon_is_told_of_each_sister(tmp_path: Path) -> None:

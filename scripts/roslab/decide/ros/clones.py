@@ -12,11 +12,6 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.libraries import library
-from roslab.values.pattern import pattern
-
-_LIST = pattern(r"(?<![\w./~-])[\w./~-]+\.(?:repos|rosinstall)\b")
-_FOLDERS = frozenset({"src", "ws", ".", "..", "~"})
-"""Folders of a workspace, which no repository is called by."""
 
 
 def clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
@@ -30,22 +25,6 @@ def clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
     found = [git for git in found if not git.installed and "/archive/" not in git.url]
     found = [git for git in found if not dockerfiles.get(git.file) or ros_distro in dockerfiles[git.file]]
     return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))
-
-
-def own_names(evidence: Evidence, folder_name: str) -> set[str]:
-    """Return the names of the repository, in lower case: its folder's, its origin's, and those that pages give it.
-
-    A page gives it one where it imports a list of repositories from a clone, and the tree has that list there.
-    """
-    lists = {git.file for git in evidence.sources if git.kind == "vcs"}
-    names = {folder_name, address(evidence.origin).rpartition("/")[2]}
-    for mention in evidence.mentions if lists else ():
-        if mention.topic == "vcs_file" and mention.source in {"readme", "script", "ci"}:
-            for path in _LIST.findall(mention.text):
-                parts = path.lstrip("./").split("/")
-                below = (n for n in range(1, len(parts)) if "/".join(parts[n:]) in lists)
-                names |= {parts[n - 1] for n in below}
-    return {name.lower() for name in names} - {"", *_FOLDERS}
 
 
 def beside(evidence: Evidence, ros_distro: str | None) -> Iterator[GitSource]:

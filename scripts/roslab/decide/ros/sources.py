@@ -8,9 +8,10 @@ from collections.abc import Iterable, Iterator
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind, Source
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
-from roslab.decide.ros.clones import clones, for_unknown, linked, own_names, unreleased, with_itself
+from roslab.decide.ros.clones import clones, for_unknown, linked, unreleased, with_itself
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.in_tree import in_tree
+from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.sought import with_sought
 from roslab.decide.ros.source_names import address, asked_for, drifts, fixed_at, itself_in, plain, wanted_names
 from roslab.decide.ros.vcs_files import vcs_files
@@ -75,7 +76,7 @@ def decide_sources(
     chosen.in_tree(evidence, config)
     if kind not in {"ros1", "ros2"}:
         return chosen.choice(())
-    itself = own_names(evidence, folder_name) | {name.lower() for name in own if len(own) == 1}
+    itself = names_of_itself(evidence, folder_name, own)
     known = released(ros_distro or "") | own
     lacking = bool(unreleased(needed, known | rosdep_keys()))
     files = vcs_files(evidence, config, ros_distro, lacking=lacking, itself=itself)

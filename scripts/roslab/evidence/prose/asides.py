@@ -6,8 +6,9 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from roslab.evidence.dependency import GitSource
-from roslab.evidence.prose.headings import fence, heading_of, title_of
+from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, title_of
 from roslab.values.dataclass import replace
+from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
 
 _SAID = pattern(
@@ -24,7 +25,15 @@ _TITLES = pattern(
     re.IGNORECASE,
 )
 """Titles of sections that not everybody follows."""
+_ITSELF = pattern(
+    r"\b(?:clon|download|check(?:ing)? ?out|fetch)\w*\b[^.]{0,20}\b(?:this|our)\b[^.]{0,20}"
+    r"\b(?:repo|package|project|code)",
+    re.IGNORECASE,
+)
+"""What a page says above the line that clones the repository that it is about."""
 _ITEM = pattern(r"\s*(?:[-*+]|\d{1,2}[.)])\s")
+_TOP = 30
+"""Lines in which the first title of a page is looked for."""
 MOST = 3
 """Most lines of a sentence."""
 
@@ -38,14 +47,30 @@ def marked(sources: Iterable[GitSource], text: str) -> list[GitSource]:
     lines = text.split("\n")
     title = title_of(lines)
     named = heading_of(lines[title - 1], "") if title else None
-    return [_marked(git, lines, named[1] if named else "") for git in sources]
+    found = [_marked(git, lines, named[1] if named else "") for git in sources]
+    first = {_block(lines, git.line): git.line for git in reversed(found)}
+    called = next((bare_name(each[1]) for line in lines[:_TOP] if (each := heading_of(line[:MAX_LINE], ""))), None)
+    return [
+        replace(
+            git,
+            itself=bare_name(git.name) == called or (git.itself and first[_block(lines, git.line)] == git.line),
+        )
+        for git in found
+    ]
+
+
+def _block(lines: Sequence[str], line: int) -> int:
+    """Return the line that begins a line's block, the line itself outside of one."""
+    begins = _fence_of(lines, min(line, len(lines)) - 1)
+    return line if begins is None else begins
 
 
 def _marked(git: GitSource, lines: Sequence[str], title: str) -> GitSource:
+    itself = any(_ITSELF.search(line) for line in _above(lines, git))
     sections = [each for each in git.heading.split(" / ") if each != title]
     if any(map(_TITLES.search, sections)):
-        return replace(git, aside=True, beside=False)
-    return replace(git, aside=any(_SAID.search(line) for line in _above(lines, git)))
+        return replace(git, aside=True, beside=False, itself=itself)
+    return replace(git, itself=itself, aside=any(_SAID.search(line) for line in _above(lines, git)))
 
 
 def _above(lines: Sequence[str], git: GitSource) -> Iterator[str]:

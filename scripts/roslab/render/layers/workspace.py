@@ -19,6 +19,9 @@ ROSMAKE = "rosmake-workspace"
 BUILD_CACHE = "/var/cache/roslab-build"
 WITHOUT_TESTS = "leave-out-tests"
 NEEDED = "build-needed"
+WITHOUT_DOUBLES = "leave-out-doubles"
+_SCRIPTS = (WITHOUT_DOUBLES, WITHOUT_TESTS, NEEDED)
+"""Scripts that are called where the workspace is compiled."""
 HOLDING = "clone-holding"
 """The script that keeps a repository where it holds what the workspace lacks."""
 UNKNOWN = "clone-unknown"
@@ -176,7 +179,7 @@ def compile_workspace(plan: Plan) -> str:
     if build is None:
         return ""
     run = shell.run(f"source {setups(plan)[0]}", *_commands(plan, build, again=_needed(plan)), *_without_logs(build))
-    called = [name for name in (WITHOUT_TESTS, NEEDED) if name in run]
+    called = [name for name in _SCRIPTS if name in run]
     called += ["compile-jobs", ROSMAKE] if ROSMAKE in run else []
     scripts = "".join(map(shell.copy_script, called))
     return f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{scripts}{run}"
@@ -195,7 +198,7 @@ def compile_again(plan: Plan) -> str:
         return ""
     kept = secrets.Secrets(mounts=(tree_mount(plan),))
     run = shell.run(f". {setups(plan)[0]}", *_commands(plan, build, again=f"{_needed(plan)}reuse-build "), secrets=kept)
-    scripts = ("compile-jobs", "reuse-build", *(name for name in (WITHOUT_TESTS, NEEDED) if name in run))
+    scripts = ("compile-jobs", "reuse-build", *(name for name in _SCRIPTS if name in run))
     script = f"COPY --from=scripts{''.join(f' /{name}' for name in scripts)} /usr/local/bin/\n"
     run = run.replace(shell.copy_script("compile-jobs"), "")
     return f"WORKDIR {WS}\n{script}{run}"
@@ -217,7 +220,8 @@ def tree_mount(plan: Plan) -> str:
 
 
 def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
-    return [*_ignoring(plan, build), *_building(plan, build, again)]
+    unsure = [f"{WITHOUT_DOUBLES}{words(f'src/{name}' for name in build.unsure)}"] if build.unsure else []
+    return [*_ignoring(plan, build), *unsure, *_building(plan, build, again)]
 
 
 def _ignoring(plan: Plan, build: RosBuild) -> list[str]:

@@ -1,0 +1,44 @@
+#!/bin/bash
+# usage: leave-out-doubles FOLDER...
+# Hides the packages in these folders of a workspace, which were cloned, that the rest of it has too, or a folder before:
+# a build tool stops where two packages have one name. It runs in the workspace.
+set -euo pipefail
+
+# Lists the packages below a folder that a build tool finds: not those inside another, nor those that a marker hides
+packages() {
+  local manifest folder above name
+  while read -r manifest; do
+    folder="${manifest%/package.xml}" above="${manifest%/*}"
+    while [ -n "${above}" ]; do
+      if [ -e "${above}/CATKIN_IGNORE" ] || [ -e "${above}/COLCON_IGNORE" ]; then continue 2; fi
+      if [ "${above}" != "${folder}" ] && [ -e "${above}/package.xml" ]; then continue 2; fi
+      if [[ "${above}" != */* ]]; then break; fi
+      above="${above%/*}"
+    done
+    name="$(sed --quiet 's:.*<name>[[:space:]]*\([^<]*[^<[:space:]]\)[[:space:]]*<.*:\1:p' "${manifest}" | head -n 1)"
+    if [ -n "${name}" ]; then printf '%s\t%s\n' "${name}" "${folder}"; fi
+  done < <(find "$1" -name .git -prune -o -name package.xml -print | sort)
+}
+
+declare -A seen=()
+while IFS=$'\t' read -r name folder; do
+  for cloned in "$@"; do
+    if [[ "${folder}/" = "${cloned}/"* ]]; then continue 2; fi
+  done
+  seen["${name}"]="${folder}"
+done < <(packages src)
+for cloned in "$@"; do
+  if [ ! -d "${cloned}" ]; then continue; fi
+  mapfile -t found < <(packages "${cloned}")
+  if [ "${#found[@]}" -eq 0 ]; then continue; fi
+  for each in "${found[@]}"; do
+    name="${each%%$'\t'*}" folder="${each#*$'\t'}"
+    if [ -z "${seen["${name}"]:-}" ]; then continue; fi
+    echo "roslab: left out: ${folder}, for ${seen["${name}"]} is a package called ${name}, too"
+    touch "${folder}/CATKIN_IGNORE" "${folder}/COLCON_IGNORE"
+  done
+  for each in "${found[@]}"; do
+    name="${each%%$'\t'*}"
+    if [ -z "${seen["${name}"]:-}" ]; then seen["${name}"]="${each#*$'\t'}"; fi
+  done
+done
