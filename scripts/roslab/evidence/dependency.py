@@ -59,6 +59,8 @@ class GitSource:
     """Its section, or the sentence above it, says that not everybody needs it."""
     itself: bool = False
     """The page has its name for a title, or it is the first below a sentence that says to clone this repository."""
+    holds: bool = False
+    """A link that a page gives for its dependencies: they can be found there."""
     beside: bool = False
     """It is cloned into the ``src`` of a workspace, beside the repository itself."""
     absent: bool = False

@@ -11,6 +11,7 @@ from roslab.decide.decision import Decision
 Tree = Callable[[dict[str, str]], Decision]
 
 LAB = "https://github.com/lab"
+OTHER = "Used with https://github.com/other/control"
 
 
 def _package(name: str, *needed: str) -> dict[str, str]:
@@ -43,6 +44,19 @@ def _sought(decision: Decision) -> dict[str, tuple[str, ...]]:
         (f"Used with {LAB}/control.\nAs https://github.com/ros-planning/navigation.\n", [f"{LAB}/control"]),
         ("Used with https://github.com/other/control.\n", ["https://github.com/other/control"]),
         ("Used with https://github.com/other/control and https://github.com/third/more.\n", []),
+        (
+            f"{OTHER}. The whole dependencies and a demo can be found in: **https://github.com/third/whole**\n",
+            ["https://github.com/third/whole"],
+        ),
+        (
+            f"Used with {LAB}/control. All required packages are available\nat [whole](https://github.com/third/whole).\n",
+            ["https://github.com/third/whole", f"{LAB}/control"],
+        ),
+        (
+            f"Dependencies can be found below. {OTHER} and https://github.com/third/more.\n",
+            [],
+        ),
+        ("The paper can be found in https://github.com/other/a and https://github.com/third/more.\n", []),
         (f"[quad_x]({LAB}/drivers_to_real)\n", [f"{LAB}/drivers_to_real"]),
         ("", []),
     ],

@@ -123,11 +123,12 @@ def _addresses(
 def _linked(evidence: Evidence, here: str, known: AbstractSet[str]) -> Iterator[GitSource]:
     """Yield the repositories of the same owner that pages at the root link to; of others, the only one that they do.
 
+    Before all, those of anybody that a page says to hold the dependencies.
     Not one with the name of what is known, as of one of the repository's own packages, which is what it was made from.
     """
     owner = here.rpartition("/")[0]
     links = (git for git in evidence.sources if git.kind == "link" and "/" not in git.file)
     others = {address(git.url): git for git in links if plain(git.name) not in known and address(git.url) != here}
-    for url, git in others.items():
-        if len(others) == 1 or (owner and url.rpartition("/")[0] == owner):
+    for url, git in sorted(others.items(), key=lambda each: not each[1].holds):
+        if git.holds or len(others) == 1 or (owner and url.rpartition("/")[0] == owner):
             yield git

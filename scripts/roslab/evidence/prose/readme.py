@@ -7,14 +7,23 @@ everything else together, and does not read the other two.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterator
 from functools import cache
 
 from roslab.evidence import places
-from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention, Prose
 from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logical_lines, without_remarks
-from roslab.evidence.prose import apt_scripts, asides, downloads, exports, generated, libtorch, mentions, python_path
+from roslab.evidence.prose import (
+    apt_scripts,
+    asides,
+    downloads,
+    exports,
+    generated,
+    libtorch,
+    links,
+    mentions,
+    python_path,
+)
 from roslab.evidence.prose.blanks import BLANK, chosen
 from roslab.evidence.prose.comments import commented_out, without_comments
 from roslab.evidence.prose.configured import of_another
@@ -65,13 +74,6 @@ _CLONED = pattern(
     re.IGNORECASE,
 )
 """A sentence that has the reader clone a repository by its address."""
-MAX_LINKS = 100
-MAX_DEPTH = 3
-"""Of a page whose links count: that of a package may name the library that it alone needs."""
-_LINK = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?!\.?[\w/-])")
-"""A page of a repository itself, not of a file in it."""
-_PINNED = pattern(r"(?:\.git)?\)?[ \t]{0,3}(?:@|\(?(?:at )?commit)[ \t]{0,3}`?\[?`?([0-9a-f]{7,40})(?![\w.])")
-"""The commit behind a link: ``[odd](https://…/odd) @ 84bfc56``."""
 _NAMED_PYTHON = pattern(
     r"\b(?:run|runn?ing|start|launch|execute|use)\b(?:\s+(?:the|a|script|file|program|our)){0,3}\s+"
     r"`{1,3}([\w./-]+\.py(?: [^`\n]{0,200})?)`{1,3}(?!`|\s+as\b)",
@@ -203,7 +205,7 @@ def _read(text: str, file: File) -> Prose:
         collector.heading = heading
         collector.text(code, line)
         contained += started_in(code, line, heading, file.path) if any(engine in code for engine in ENGINES) else ()
-    collector.sources = [*asides.marked(collector.sources, text), *_links(text, file, collector.sources)]
+    collector.sources = [*asides.marked(collector.sources, text), *links.read(text, file, collector.sources)]
     found = collector.prose()
     said = (
         *mentions.read(text, file.path, "readme"),
@@ -211,28 +213,6 @@ def _read(text: str, file: File) -> Prose:
         *libtorch.read(file.path, text),
     )
     return found._replace(mentions=(*found.mentions, *contained, *said))
-
-
-def _links(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
-    """Return the repositories that a page links to: one of them may be a library that CMake asks for by its name.
-
-    What the page clones at one ref alone is meant at that ref.
-    """
-    refs: dict[str, set[str | None]] = {}
-    for git in cloned:
-        refs.setdefault(git.url.rstrip("/").removesuffix(".git"), set()).add(git.ref)
-    found: dict[str, GitSource] = {}
-    for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
-        url, name = match[0].removesuffix(".git"), match[1].removesuffix(".git").rstrip(".")
-        line = text.count("\n", 0, match.start()) + 1
-        pinned = _PINNED.match(text, match.end())
-        if url not in found or (pinned and not found[url].ref):
-            said = refs.get(url, set())
-            ref = pinned[1] if pinned else next(iter(said)) if len(said) == 1 else None
-            found[url] = GitSource(
-                name=name, url=url, ref=ref, strength="prose", file=file.path, line=line, kind="link"
-            )
-    return list(found.values())[:MAX_LINKS]
 
 
 def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int, str, str]]:

@@ -1,0 +1,58 @@
+"""The repositories that a page links to: one of them may be a library, or hold what the page's own needs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from roslab.evidence.dependency import GitSource
+from roslab.repository.checkout import File
+from roslab.values.dataclass import replace
+from roslab.values.pattern import pattern
+
+MAX_LINKS = 100
+MAX_DEPTH = 3
+"""Of a page whose links count: that of a package may name the library that it alone needs."""
+_LINK = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?!\.?[\w/-])")
+"""A page of a repository itself, not of a file in it."""
+_PINNED = pattern(r"(?:\.git)?\)?[ \t]{0,3}(?:@|\(?(?:at )?commit)[ \t]{0,3}`?\[?`?([0-9a-f]{7,40})(?![\w.])")
+"""The commit behind a link: ``[odd](https://…/odd) @ 84bfc56``."""
+BEFORE = 240
+"""Most characters of a sentence before a link."""
+_HOLDS = pattern(
+    r"\b(?:dependenc(?:y|ies)|prerequisites?|(?:required|needed|necessary|missing) packages?)\b[^.]{0,80}"
+    r"\b(?:found|available|released|provided|located|hosted|included|published|contained)\b[^.]{0,20}"
+    r"\b(?:in|at|on|under|from|by|here)\b[^.]{0,60}$",
+    re.IGNORECASE,
+)
+"""A sentence that says where the dependencies are, up to the link."""
+
+
+def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
+    """Return the repositories that a page links to: one of them may be a library that CMake asks for by its name.
+
+    What the page clones at one ref alone is meant at that ref.
+    """
+    refs: dict[str, set[str | None]] = {}
+    for git in cloned:
+        refs.setdefault(git.url.rstrip("/").removesuffix(".git"), set()).add(git.ref)
+    found: dict[str, GitSource] = {}
+    for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
+        url, name = match[0].removesuffix(".git"), match[1].removesuffix(".git").rstrip(".")
+        line = text.count("\n", 0, match.start()) + 1
+        pinned = _PINNED.match(text, match.end())
+        if url not in found or (pinned and not found[url].ref):
+            said = refs.get(url, set())
+            ref = pinned[1] if pinned else next(iter(said)) if len(said) == 1 else None
+            found[url] = GitSource(
+                name=name, url=url, ref=ref, strength="prose", file=file.path, line=line, kind="link"
+            )
+        if not found[url].holds and _holds(text, match.start()):
+            found[url] = replace(found[url], holds=True)
+    return list(found.values())[:MAX_LINKS]
+
+
+def _holds(text: str, start: int) -> bool:
+    """Tell whether the sentence before a link says that the dependencies are there."""
+    before = text[max(0, start - BEFORE) : start].rpartition("\n\n")[2]
+    return bool(_HOLDS.search(before.rpartition("://")[2]))
