@@ -52,6 +52,7 @@ from roslab.decide.system.needs import code_needs, host_options, started
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, with_libraries
+from roslab.decide.unset_variables import decide_unset
 from roslab.decide.variables import decide_variables
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.cpu import told
@@ -229,6 +230,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         *(kind, release, base, build_tool, layout, python, cuda, own, mended, command, test, platforms),
         *(sources, system, inside),
         *(() if own.answer else (repositories, scripts, missing, steps, variables, downloads)),
+        *(() if own.answer else (decide_unset(evidence, config, command.answer.command, variables.answer),)),
     )
     return Decision(
         kind=kind.answer,

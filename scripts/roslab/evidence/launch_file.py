@@ -28,3 +28,5 @@ class LaunchFile:
     """The names of other files that it names, as it does to include them: ``map.launch``."""
     demands: tuple[str, ...] = ()
     """Arguments without a default, without which it is not started."""
+    variables: tuple[tuple[str, int], ...] = ()
+    """Variables of the environment without which it does not start, each with its line."""

@@ -15,6 +15,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import end_of_line, lines_with, matches_at, matching_lines
+from roslab.evidence.ros import launch_variables
 from roslab.knowledge.compiled import programs
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
@@ -110,6 +111,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 gui=any(matches_at(_GUI, text, *_VIEWERS)),
                 includes=tuple(sorted({*_included(text)} - {file.name})),
                 demands=_demanded(text) if xml else _declared(text) if python else (),
+                variables=launch_variables.needed(text, _conditional) if xml else (),
                 **_tested(text, repository if old else None),
             )
         )

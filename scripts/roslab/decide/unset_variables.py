@@ -1,0 +1,44 @@
+"""Variables that the launch file of the default command needs and that nothing sets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslab.config.model import Config
+from roslab.decide.decision import Choice, Warning_
+from roslab.decide.launch_calls import launch_calls
+from roslab.evidence.facts import Evidence
+from roslab.evidence.launch_file import LaunchFile
+from roslab.knowledge.machine_variables import of_every_image
+
+
+def decide_unset(
+    evidence: Evidence, config: Config, command: tuple[str, ...] | str, there: Iterable[tuple[str, str]]
+) -> Choice[None]:
+    """Return a warning for each variable without which the default command stops at once; ``there``: those it has.
+
+    What it starts by including it is not read.
+    """
+    launch = None if isinstance(command, str) or config.compatible else _started(evidence, command)
+    if launch is None:
+        return Choice(answer=None)
+    given = {name for name, _ in (*there, *config.env)}
+    told = [
+        Warning_(
+            message=f"the default command needs the variable {name}, which nothing sets, and stops without it: set it "
+            "under `env` in roslab.yaml",
+            file=launch.file,
+            line=line,
+        )
+        for name, line in launch.variables
+        if name not in given and not of_every_image(name)
+    ]
+    return Choice(answer=None, warnings=tuple(told))
+
+
+def _started(evidence: Evidence, argv: tuple[str, ...]) -> LaunchFile | None:
+    """Return the launch file of the tree that a command starts."""
+    words = argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
+    calls = launch_calls(evidence)
+    found = (each for each in evidence.launch if (call := calls.get(each.file)) and words[: len(call)] == call)
+    return next(found, None) if words else None
