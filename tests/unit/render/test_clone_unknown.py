@@ -99,6 +99,13 @@ def test_a_list_that_is_no_yaml_stops_nothing(image: Path) -> None:
     assert _run(image, "numeric") == (0, ["docs", "lib", "numeric"])
 
 
+def test_what_is_no_name_of_a_package_of_ros_is_not_tried(image: Path) -> None:
+    _manifest(image / "lab/libboosted-dev", "libboosted-dev")
+    _commit(image / "lab/libboosted-dev")
+    _manifest(image / "ws/src/lib", "lib", "libboosted-dev")
+    assert _run(image, "libboosted-dev") == (1, ["docs", "lib"])
+
+
 def test_nothing_is_tried_twice(image: Path) -> None:
     assert _run(image, "numeric", "nowhere")[0] == 0
     assert _run(image, "numeric", "nowhere")[0] == 1

@@ -77,6 +77,7 @@ try() { # PACKAGE URL [REF]
 
 new=''
 for key in "$@"; do
+  if [[ ! "${key}" =~ ^[a-z][a-z0-9_]*$ || "${key}" =~ ^(lib|python) ]]; then continue; fi # no package of ROS
   manifest="${asked["${key}"]:-}"
   if [ -z "${manifest}" ] || grep --quiet --line-regexp --fixed-strings "${key}" "${tried}"; then continue; fi
   echo "${key}" >>"${tried}"
