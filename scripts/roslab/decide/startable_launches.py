@@ -48,7 +48,7 @@ def _lacks(launch: LaunchFile, ours: AbstractSet[str | None], families: frozense
     return any(
         asked.namespace == "ros"
         and asked.strength != "optional"
-        and not (asked.name in ours or asked.name in ever_released() or ros_sources(asked.name, launch.ros))
+        and not (asked.name in ours or ever_released(asked.name) or ros_sources(asked.name, launch.ros))
         and asked.name.partition("_")[0] not in families
         for asked in launch.dependencies
     )

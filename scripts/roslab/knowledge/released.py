@@ -25,9 +25,13 @@ def released(distro: str) -> frozenset[str]:
 
 
 @cache
-def ever_released() -> frozenset[str]:
-    """Return the names of the packages that any distribution released."""
-    return frozenset(name for distro in distros() for name in released(distro))
+def _ever() -> str:
+    return "".join(f" {found['packages']} " for distro in distros() if (found := row("released", distro)))
+
+
+def ever_released(package: str) -> bool:
+    """Tell whether any distribution released a package of this name."""
+    return f" {package} " in _ever()
 
 
 @cache

@@ -10,6 +10,8 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import distros
 from roslab.values.pattern import pattern
 
+_BETWEEN = frozenset("-_.")
+"""What may stand between the words of a name."""
 _EXTRA = pattern(
     r"(?<![a-z])(?:nightly|tools?|simulat\w*|extras?|optionals?|ci|test(?:s|ing)?|debug|doc(?:s|umentation)?|develop\w*|"
     r"ssh|upstream|examples?|demos?)(?![a-z])",
@@ -77,10 +79,11 @@ def _plainest(files: list[str], itself: AbstractSet[str]) -> list[str]:
 
 def _without(name: str, itself: AbstractSet[str]) -> str:
     """Return a file's name without the repository's own in front, whatever stands between the words of either."""
-    spelled = (
-        "[-_.]?".join(map(re.escape, re.sub(r"[-_.]", "", own))) for own in sorted(itself, key=len, reverse=True)
-    )
-    return next((name[match.end() :] for own in spelled if (match := re.match(own, name))), name)
+    letters = [place for place, letter in enumerate(name) if letter not in _BETWEEN]
+    bare = "".join(name[place] for place in letters)
+    spelled = ("".join(letter for letter in own if letter not in _BETWEEN) for own in itself)
+    longest = max((len(own) for own in spelled if own and bare.startswith(own)), default=0)
+    return name[letters[longest - 1] + 1 :] if longest else name
 
 
 def _name(path: str) -> str:

@@ -152,7 +152,7 @@ def _of_ros(module: str) -> bool:
     package, apt = imports().get(module, (None, None))
     if package and apt and canonicalize_name(package) != canonicalize_name(module):
         return False
-    return not package or module in ever_released()
+    return not package or ever_released(module)
 
 
 def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependency]:

@@ -29,7 +29,7 @@ def _said() -> re.Pattern[str]:
 
 def named(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "script", "launch"]) -> Iterator[Mention]:
     """Yield the releases that a text names, each with its line: ``Gazebo Harmonic``, ``gz-harmonic``."""
-    if not any(sign in text for sign in _SIGNS):
+    if not any(sign in text for sign in _SIGNS) or not any(map(text.lower().__contains__, gazebo_releases())):
         return
     for number, match in enumerate(_said().finditer(text)):
         if number >= MOST:
