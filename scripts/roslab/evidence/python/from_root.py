@@ -17,6 +17,7 @@ _IMPORT = pattern(
     r"import[ \t]+([A-Za-z_]\w*)(?:\.(\w+))?)",
 )
 _PATH = "sys.path"
+_TABLES = ("[project]", "[build-system]", "[tool.poetry]")
 
 
 def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mention]:
@@ -26,6 +27,8 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
     it is started (https://docs.python.org/3/library/sys.html#sys.path, read 2026-11-25), unless the program or a module
     beside it adds to that path.
     """
+    if _installs(repository):
+        return
     run = {file for mention in mentions if mention.topic == "command" for file in mention.files}
     names = _at_root(repository)
     for module in modules(repository) if names else ():
@@ -40,6 +43,13 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
             yield Mention(
                 topic="from_root", value=name, source="code", file=file.path, line=line, text=f"import {name}"
             )
+
+
+def _installs(repository: Repository) -> bool:
+    """Tell whether pip can install the repository itself, whose packages are found from anywhere then."""
+    manifest = repository.read("pyproject.toml") if repository.has("pyproject.toml") else ""
+    setup = repository.read("setup.py") if repository.has("setup.py") else ""
+    return "setup(" in setup or any(table in manifest for table in _TABLES)
 
 
 def _at_root(repository: Repository) -> frozenset[str]:
