@@ -18,6 +18,8 @@ FORGET = (
 """End a step of apt: what holds the time of the build or the machine's inodes goes. apt's record of what each call
 installed stays, without its times: ``roslab lock`` reads it. The lists are in a mount, and so in no layer."""
 SET_JOBS = f"jobs={JOBS}"
+CHECKOUT = "checkout-branch"
+"""The script that checks out a branch which may be gone."""
 _PRINTING = ("compile-jobs", "index-as-of", "pip-cache")
 """Scripts that print what a command says with it."""
 
@@ -51,6 +53,7 @@ def run(*commands: str, comment: str = "", secrets: Secrets = NONE, around: Arou
     body += " \\\n && ".join((*secrets.commands, *around.first, *commands, *around.last))
     said = "\n".join((*secrets.commands, *around.first, *commands))
     scripts = "".join(copy_script(name) for name in _PRINTING if f'"$({name}' in said)
+    scripts += copy_script(CHECKOUT) if f"{CHECKOUT} " in said else ""
     return f"{comment_lines(comment)}{scripts}{around.before}RUN {body}"
 
 
