@@ -54,6 +54,8 @@ class PythonPlan:
     day: str | None = None
     clones: bool = False
     """pip installs from repositories of git."""
+    native_parts: tuple[decision.NativePart, ...] = ()
+    compiled_modules: tuple[str, ...] = ()
 
 
 def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> PythonPlan:
@@ -93,6 +95,8 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         defines=python.defines,
         day=python.day,
         clones=compiling.git,
+        native_parts=python.native_parts,
+        compiled_modules=python.compiled_modules,
     )
 
 

@@ -150,7 +150,7 @@ def test_every_script_is_called_by_some_dockerfile() -> None:
     folder = Path(image_scripts.__path__[0])
     calls = "".join(path.read_text() for path in folder.parent.rglob("*.py"))
     names = sorted(path.stem for path in folder.glob("*.sh"))
-    assert len(names) == 33
+    assert "create-user" in names
     assert [name for name in names if not re.search(rf"""["'/]{name}["' ]""", calls)] == []
 
 

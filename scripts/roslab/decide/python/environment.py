@@ -24,6 +24,7 @@ from roslab.decide.python.lost import lost
 from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, left_to_parts, with_includes
 from roslab.decide.python.named_frameworks import named_frameworks
+from roslab.decide.python.native_parts import decide_native_parts
 from roslab.decide.python.old_setuptools import setuptools_of
 from roslab.decide.python.older_torch import older_torch, without_release
 from roslab.decide.python.own import OwnPython, manager_of, of_ubuntu, outvoted
@@ -115,13 +116,16 @@ def decide_python(
     conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
     # NumPy 1 from conda is no limit for pip, which replaces it where a package asks for NumPy 2
     before_pip = (each for each in conda_asked if each.key != "numpy" or each.specifier.contains("2.0.0"))
-    limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0])
+    native = decide_native_parts(everything, chosen.guessed, chosen.projects, evidence.pip_day)
+    limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *native.answer.bounds)
     defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number, aged)
     of_lock = locked_releases(locked, manifests, (*named.answer.first, *limits), number)
     limits = (*limits, *of_lock.answer)
     numpy = numpy_of((*before_pip, *everything, *limits) if manager != "system" else ())
-    indexes = [*_indexes([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files)]
-    indexes = [*indexes, *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option")]
+    indexes = [
+        *_indexes([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files),
+        *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option"),
+    ]
     whole = [file for file in chosen.files if file.file not in repaired.files]
     conda = chosen.conda if manager == "conda" else None
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
@@ -152,7 +156,7 @@ def decide_python(
         conda_limits=in_conda.answer,
         setuptools=older.answer,
         conda_defaults=not pixi and _default_channels(evidence, conda),
-        first=first(everything, chosen.projects, cmake=manager != "system"),
+        first=first((*everything, *native.answer.brought), chosen.projects, cmake=manager != "system"),
         defines=defines.answer,
         bounds=(*limits, *numpy.answer),
         options=tuple(
@@ -161,6 +165,8 @@ def decide_python(
         pip_options=lists.options,
         python2=lists.python2,
         python2_options=lists.python2_options,
+        native_parts=native.answer.parts,
+        compiled_modules=native.answer.modules,
     )
     return Choice(
         answer=answer,
@@ -178,6 +184,7 @@ def decide_python(
             *older.reasons,
             *in_conda.reasons,
             *of_lock.reasons,
+            *native.reasons,
         ),
         warnings=(
             *told(answer),
@@ -185,6 +192,7 @@ def decide_python(
             *repaired.warnings,
             *defines.warnings,
             *lists.warnings,
+            *native.warnings,
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
             *lost(evidence, kind, chosen),
             *ignored_environments(evidence, kind, chosen),
