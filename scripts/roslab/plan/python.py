@@ -39,8 +39,6 @@ class PythonPlan:
     conda_old_pip: str = ""
     conda_pip_below: str = ""
     conda_limits: tuple[str, ...] = ()
-    git_hosts: tuple[str, ...] = ()
-    """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
     cloned_files: tuple[str, ...] = ()
     setuptools: str = ""
     copied: tuple[str, ...] = ()
@@ -85,7 +83,6 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_old_pip=python.conda_old_pip,
         conda_pip_below=python.conda_pip_below,
         conda_limits=python.conda_limits,
-        git_hosts=compiling.hosts,
         cloned_files=python.cloned_files,
         setuptools=python.setuptools.written if python.setuptools else "",
         copied=compiling.copied,
