@@ -124,3 +124,13 @@ def test_a_clone_that_is_looked_for_is_as_old_as_the_repository(tree: Tree) -> N
     files["CITATION.cff"] = "cff-version: 1.2.0\ntitle: MPC\ndate-released: 2019-05-20\n"
     (source,) = (each for each in tree(files).source if each.holding)
     assert (source.name, source.build, source.ref) == ("quad_x", "catkin_make", None)
+
+
+def test_of_keys_that_a_clone_may_hold_one_warning_tells(tree: Tree) -> None:
+    page = "ROS Noetic.\n\n    cd ~/catkin_ws/src\n    git clone https://github.com/lab/mpc\n"
+    page += "    git clone https://github.com/other/drivers\n    catkin_make\n"
+    decision = tree(_git(f"{LAB}/mpc") | _package("mpc", "quad_x", "quad_y", "quad_z") | {"README.md": page})
+    told = [each for each in decision.warnings if "rosdep has no key" in each.message]
+    assert [(each.file, each.line) for each in told] == [("mpc/package.xml", 1)]
+    assert told[0].message.startswith("rosdep has no keys quad_x, quad_y and quad_z for ROS noetic: one of the cloned")
+    assert "may hold them; else correct the names, or give" in told[0].message

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
@@ -16,8 +16,10 @@ from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import ubuntus, ubuntus_with_python2
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
+from roslab.values.pattern import pattern
 
+_NO_KEY = pattern(r"rosdep has no key (\S+) for ROS (\S+): (.+)")
 _NOT_INSTALLED = frozenset({"doc"})
 """rosdep leaves documentation alone."""
 
@@ -117,6 +119,24 @@ def of_an_apt_source(keys: Sequence[str], target: Target, evidence: Evidence) ->
     message = f"rosdep has no key {', '.join(keys)} for ROS {target.ros_distro}"
     hint = f"what `{step.value}` adds to apt may have them; run it under `custom` in roslab.yaml"
     return warn(f"{message}: {hint}, or give their repositories under `source`", step)
+
+
+def together(warnings: Iterable[Warning_]) -> Iterator[Warning_]:
+    """Yield the warnings, those about several keys of which the same is said as one, at the place of the first."""
+    alike: dict[tuple[str, str], list[tuple[Warning_, str]]] = {}
+    for warning in warnings:
+        match = _NO_KEY.fullmatch(warning.message)
+        said = (match[2], match[3]) if match else (warning.message, f"{warning.file}:{warning.line}")
+        alike.setdefault(said, []).append((warning, match[1] if match else ""))
+    for (distro, hint), found in alike.items():
+        first, _ = found[0]
+        if len(found) == 1 or not found[0][1]:
+            yield from (warning for warning, _ in found)
+            continue
+        names = [name for _, name in found]
+        plural = hint.replace(" hold it", " hold them").replace("correct the name", "correct the names")
+        keys = f"{', '.join(names[:-1])} and {names[-1]}"
+        yield replace(first, message=f"rosdep has no keys {keys} for ROS {distro}: {plural}")
 
 
 def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, tried: str) -> str:

@@ -13,6 +13,7 @@ from roslab.decide.ros.keys import (
     declared_keys,
     of_an_apt_source,
     own_packages,
+    together,
     translate,
 )
 from roslab.decide.ros.source_names import address
@@ -123,8 +124,8 @@ def decide_system(
     defined = ((each, False) for listed in own.values() for each in listed)
     needed = (*defined, *needs(evidence, packages, kind, target.ros_distro))
     in_apt = _named_in_apt(found, needed)
-    if together := of_an_apt_source(tuple(found.unknown), target, evidence):
-        found.warnings = [*(each for each in found.warnings if each not in found.unknown.values()), together]
+    if instead := of_an_apt_source(tuple(found.unknown), target, evidence):
+        found.warnings = [*(each for each in found.warnings if each not in found.unknown.values()), instead]
     by_hand = frozenset(address(git.url) for git in evidence.sources if git.installed)
     known = frozenset({key.name for key in keys} - in_apt | packages.names | sisters | set(config.skip_keys))
     for dependency, trusted in needed:
@@ -154,7 +155,7 @@ def decide_system(
             brought=dropped,
         ),
         reasons=(*said, *_explained(found.declared, kept, keys)),
-        warnings=tuple(found.warnings),
+        warnings=tuple(together(found.warnings)),
     )
 
 
