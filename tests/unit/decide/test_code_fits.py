@@ -177,3 +177,22 @@ def test_constants_that_cv_bridge_still_brings(tree: Tree, header: str, name: st
     files = ros1("", f'#include "b.h"\nvoid f() {{ g({name}); }}\n', "Tested with ROS Noetic")
     found = tree(files | {"src/b.h": '#include "c.h"\n', "src/c.h": header, "src/d.cpp": f"{header}int d;\n"})
     assert found.ros_distro == distro
+
+
+@pytest.mark.parametrize(
+    ("code", "ubuntu"),
+    [
+        ("#include <opencv2/core/core.hpp>\n", "xenial"),
+        ("#include <opencv2/opencv.hpp>\n", "xenial"),
+        ("#include <opencv2/calib3d.hpp>\n", "jammy"),
+        ("#include <opencv2/videoio.hpp>\n", "jammy"),
+        ("void f() { E = cv::findEssentialMat(a, b, K); }\n", "jammy"),
+        ("void f() { cv::Mat E = findEssentialMat(a, b, K); }\n", "jammy"),
+        ("cv::Mat findEssentialMat(int a);\n", "xenial"),
+        ("#if __has_include(<opencv2/core.hpp>)\n#include <opencv2/core.hpp>\n#endif\n", "xenial"),
+    ],
+)
+def test_what_the_opencv_of_an_old_ubuntu_lacks(tree: Tree, code: str, ubuntu: str) -> None:
+    cmake = "cmake_minimum_required(VERSION 2.8.3)\nproject(demo)\nadd_executable(a a.cpp)\n"
+    files = {"CMakeLists.txt": cmake, "a.cpp": code, "README.md": "Tested on Ubuntu 16.04.\n"}
+    assert tree(files).ubuntu == ubuntu

@@ -122,7 +122,7 @@ def too_old_here(evidence: Evidence, apt: Iterable[str], target: Target) -> tupl
         if not (oldest and ubuntu and packaged and installed & {*packaged.apt}):
             continue
         newer = any(Version(release) >= Version(oldest) for release in releases(name))
-        if newer and not fits(limit.library, ubuntu, at_least=oldest, below=None):
+        if newer and not fits(limit.library, ubuntu, at_least=oldest, below=None, ros=bool(target.ros_distro)):
             found[name] = Dependency(
                 namespace="include", name=limit.what, strength="used", file=limit.file, line=limit.line
             )
