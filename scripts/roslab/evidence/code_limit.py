@@ -15,3 +15,5 @@ class CodeLimit:
     what: str
     file: str
     line: int
+    cuda: bool = False
+    """CUDA's compiler alone sees the place."""

@@ -29,7 +29,9 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     ros, asked = bool(packages_of(evidence).built), tuple(_asked(evidence))
     on_gpu = any("cuda" in project.macros for project in _built(evidence))
     compiled = _compiled_in_workflows(evidence)
-    limits = [limit for limit in evidence.limits if not _disproved(limit, compiled, evidence, ros=ros)]
+    seen = on_gpu or not evidence.cmake  # a CMake project may leave its CUDA out
+    limits = [limit for limit in evidence.limits if seen or not limit.cuda]
+    limits = [limit for limit in limits if not _disproved(limit, compiled, evidence, ros=ros)]
     found: dict[str, dict[str, None]] = {ubuntu: {} for ubuntu in ubuntus().values()}
     for ubuntu, lacks in found.items():
         for limit in limits:

@@ -94,7 +94,7 @@ def of_another_release(evidence: Evidence, apt: Iterable[str]) -> tuple[tuple[st
     return tuple(
         (name, Dependency(namespace="include", name=limit.what, strength="used", file=limit.file, line=limit.line))
         for limit in evidence.limits
-        if limit.below and (name := limit.library.lower()) in brought and recipe(name, None)
+        if limit.below and not limit.cuda and (name := limit.library.lower()) in brought and recipe(name, None)
     )
 
 
@@ -119,7 +119,7 @@ def too_old_here(evidence: Evidence, apt: Iterable[str], target: Target) -> tupl
     for limit in evidence.limits:
         name, oldest = limit.library.lower(), limit.at_least
         packaged = library("cmake", limit.library, ubuntu)
-        if not (oldest and ubuntu and packaged and installed & {*packaged.apt}):
+        if limit.cuda or not (oldest and ubuntu and packaged and installed & {*packaged.apt}):
             continue
         newer = any(Version(release) >= Version(oldest) for release in releases(name))
         if newer and not fits(limit.library, ubuntu, at_least=oldest, below=None, ros=bool(target.ros_distro)):

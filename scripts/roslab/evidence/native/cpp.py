@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.native import x86
-from roslab.evidence.native.limits import Signs, tells
+from roslab.evidence.native.limits import CUDA, Signs, tells
 from roslab.knowledge.libraries import library
 from roslab.knowledge.windows import shown as shown_by
 from roslab.repository.checkout import File, Repository, nearest
@@ -43,9 +43,8 @@ def read(
     """Headers of which another include tells nothing more: most are included by many files."""
     for file in _sources(repository):
         text = repository.read_bytes(file, limit=MAX_READ).decode("utf-8", errors="replace")
-        shown = signs if not file.name.endswith((".cu", ".cuh")) else None  # compiled where there is CUDA only
-        if shown:
-            shown.source(file.path, text)
+        if signs:
+            signs.source(file.path, text)
         for opener, place in shown_by(text, "c++").items() if not places.example(file.path) else ():
             at = text.count("\n", 0, place) + 1
             said = Dependency(namespace="call", name=opener, strength="used", file=file.path, line=at, role="build")
@@ -53,11 +52,11 @@ def read(
         position, line = 0, 1
         for match in _includes(text, settled):
             name = match[1]
-            if shown:
-                shown.header(name, file.path, text, match.start(1))
+            if signs:
+                signs.header(name, file.path, text, match.start(1))
             if intrinsics:
                 intrinsics.header(name, file.path, text, match.start())
-            if shown is signs and not tells(name) and not x86.tells(name):
+            if not tells(name) and not x86.tells(name) and not (signs and file.name.endswith(CUDA)):
                 settled.add(name)
             key = name if "/" not in name else "/".join(name.split("/")[:2])
             if name not in outside:

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.lex.lines import matching_lines
+from roslab.evidence.native.unlisted import Unlisted
 from roslab.knowledge.code_limits import Limit, Sign, limits
 from roslab.knowledge.hints import Search
 from roslab.knowledge.kept_names import kept_names
 from roslab.repository.checkout import Repository
-from roslab.values.dataclass import dataclass, field
+from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 
 _STANDARD = pattern(
@@ -28,7 +29,8 @@ _GUARDS = {
 """The file chooses by what is there; by what the words share, which is looked for first."""
 _OLD_NAMES = ("imgproc/types_c.h", "constants_c.h")
 """Headers with the dropped names, as a file includes them that chooses by what is there."""
-
+CUDA = (".cu", ".cuh")
+HEADERS = (".h", ".hpp", ".hh", ".cuh")
 
 MAX_PLACES = 100
 """Most files that are kept for a sign."""
@@ -62,6 +64,8 @@ class Signs:
     """The last parts of the headers that any file includes."""
     includes: dict[str, set[str]] = field(default_factory=dict)
     """What each file includes: headers by their last parts, and those that bring dropped names whole."""
+    by_cuda: set[str] = field(default_factory=set)
+    """The last parts of the headers that files of CUDA include."""
     guarded: bool = False
     """A file of the tree asks for the version of a library: its names tell nothing."""
 
@@ -83,7 +87,7 @@ class Signs:
     def header(self, name: str, path: str, text: str, position: int) -> None:
         """Read an include at a position of a file."""
         self.guarded = self.guarded or name.endswith(_OLD_NAMES)
-        self.included.add(name.rpartition("/")[2])
+        (self.by_cuda if path.endswith(CUDA) else self.included).add(name.rpartition("/")[2])
         self.includes.setdefault(path, set()).add(name if name in kept_names() else name.rpartition("/")[2])
         found = _signs("include", name)
         for limit in found if found and not _conditional(text, position) else ():
@@ -92,7 +96,8 @@ class Signs:
     def all(self, repository: Repository) -> tuple[CodeLimit, ...]:
         """Return the signs of the sources that were read and of the CMake files, each at its first place.
 
-        A header that nothing includes is not compiled: a library that was copied whole has many.
+        A header that nothing includes is not compiled: a library that was copied whole has many. Nor is a source that
+        no list has. What CUDA's compiler alone sees comes after what C++ has.
         """
         if self.guarded:
             self.found = {key: limit for key, limit in self.found.items() if key[0] == "GCC"}
@@ -103,16 +108,31 @@ class Signs:
                     for sign in _signs("standard", match[1]):
                         self._add(sign, file.path, text.count("\n", 0, match.start(1)) + 1)
         kept = {header: self._including(header) for header in kept_names()}
-        first = (
-            next((limit for name, limit in each if self._meant(name, limit.file, kept)), None)
-            for each in self.found.values()
-        )
+        unlisted = Unlisted(repository)
+        first = (next((limit for limit in self._meant(each, kept, unlisted)), None) for each in self.found.values())
         return tuple(limit for limit in first if limit)
 
-    def _meant(self, name: str, file: str, kept: Mapping[str, AbstractSet[str]]) -> bool:
-        """Tell whether a file has a name of a library's: the code defines no such name, and no header keeps it."""
-        brought = any(file in kept[header] and names.match(name) for header, names in kept_names().items())
-        return name not in self.defined and not brought and self._compiled(file)
+    def _meant(
+        self, found: Iterable[tuple[str, CodeLimit]], kept: Mapping[str, AbstractSet[str]], unlisted: Unlisted
+    ) -> Iterator[CodeLimit]:
+        """Yield the places of a sign where it is one of a library's version, those of C++ first.
+
+        The code defines no such name itself, no header keeps it, and the file is compiled.
+        """
+        for cuda in (False, True):
+            for name, limit in found:
+                if name in self.defined or self._of_cuda(limit.file) is not cuda:
+                    continue
+                brought = any(
+                    limit.file in kept[header] and names.match(name) for header, names in kept_names().items()
+                )
+                if not brought and self._compiled(limit.file, unlisted):
+                    yield replace(limit, cuda=cuda)
+
+    def _of_cuda(self, file: str) -> bool:
+        """Tell whether CUDA's compiler alone sees a file: one of its own, or a header that only those include."""
+        name = file.rpartition("/")[2]
+        return file.endswith(CUDA) or (name.endswith(HEADERS) and name in self.by_cuda - self.included)
 
     def _including(self, header: str) -> set[str]:
         """Return the files that include a header, themselves or by headers of the tree."""
@@ -123,9 +143,10 @@ class Signs:
             found |= {path for path, names in self.includes.items() if names & last}
         return found
 
-    def _compiled(self, file: str) -> bool:
+    def _compiled(self, file: str, unlisted: Unlisted) -> bool:
         name = file.rpartition("/")[2]
-        return not name.endswith((".h", ".hpp", ".hh")) or name in self.included
+        included = name in self.included or name in self.by_cuda
+        return included if name.endswith(HEADERS) else included or not unlisted.has(file)
 
     def _add(self, sign: Limit, file: str, line: int, name: str = "") -> None:
         found = CodeLimit(

@@ -1,0 +1,68 @@
+"""Files of code that nothing compiles: a CMakeLists.txt lists its sources by name, and they are not among them."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+_SOURCES = (".cpp", ".cc", ".cxx", ".c", ".cu")
+_LISTS = (
+    "CMakeLists.txt",
+    "Makefile",
+    "makefile",
+    "GNUmakefile",
+    "setup.py",
+    "meson.build",
+    "SConstruct",
+    "SConscript",
+)
+"""What may list the sources of a folder, of which CMake's tells that they are listed by name."""
+_ALSO = (".cmake", ".pro", ".pri", ".bazel", ".gyp", ".gypi")
+MOST = 3_000
+"""Most lists that are read."""
+_COMMENT = pattern(r"#[^\n]*")
+_WORD = pattern(r"[^\s/\"'(){};,:=$]+")
+_CODE = pattern(r"\w\.(?:cpp|cc|cxx|c|cu)\b")
+_ANY = pattern(
+    r"(?i:\bGLOB(?:_RECURSE)?\b|\baux_source_directory\b)|\bwildcard\b|\bglob\(|[*%}][\w-]*\.(?:cpp|cc|cxx|c|cu)\b|"
+    r"\bament_auto_add_\w+\s*\([^)]*\bDIRECTORY\b"
+)
+"""What takes sources of any name."""
+
+
+class Unlisted:
+    """What the lists of a tree tell about its sources; they are read once something is asked."""
+
+    def __init__(self, repository: Repository) -> None:
+        self._repository = repository
+
+    def has(self, path: str) -> bool:
+        """Tell whether no list names a source, though the CMakeLists.txt of its folder, or of one above, names others.
+
+        A name without its ending counts as well: a loop may give the ending.
+        """
+        folder, _, name = path.rpartition("/")
+        if not name.endswith(_SOURCES):
+            return False
+        above = [folder]
+        while above[-1]:
+            above.append(above[-1].rpartition("/")[0])
+        lists = [text for folder in above for name in _LISTS if (text := self._text(folder, name))]
+        if any(map(_ANY.search, lists)):
+            return False
+        by_name = any(_CODE.search(text) for folder in above if (text := self._text(folder, _LISTS[0])))
+        return by_name and not {name, name.rpartition(".")[0]} & self._words
+
+    def _text(self, folder: str, name: str) -> str:
+        path = f"{folder}/{name}" if folder else name
+        return _COMMENT.sub("", self._repository.read(path)) if self._repository.has(path) else ""
+
+    @cached_property
+    def _words(self) -> frozenset[str]:
+        """The words of every list of the tree, with and without their endings."""
+        files = (*self._repository.named(*_LISTS, "BUILD"), *self._repository.suffixed(*_ALSO))[:MOST]
+        texts = (_COMMENT.sub("", self._repository.read(file)) for file in files)
+        words = frozenset(word for text in texts for word in _WORD.findall(text))
+        return words | {word.rpartition(".")[0] for word in words}
