@@ -9,6 +9,7 @@ from roslab.decide.base import decide_base
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.chains import decide_bases
 from roslab.decide.command import decide_command
+from roslab.decide.cuda.for_ubuntu import with_an_image_for
 from roslab.decide.cuda.toolkit import by_script, decide_toolkit
 from roslab.decide.cuda.version import NO_CUDA, decide_cuda
 from roslab.decide.day import decide_days
@@ -78,6 +79,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence = with_refs(one_way(evidence, cuda.answer.version), distro)
     mentioned = pins(evidence)
     version = decide_version(evidence, config, kind.answer, pins=mentioned, ros_distro=distro, cuda=cuda.answer.version)
+    cuda = with_an_image_for(cuda, evidence, config, kind.answer, version.answer.version)
     base = decide_base(
         evidence,
         config,
@@ -207,14 +209,6 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         added=repositories.answer,
     )
     test = decide_test(config)
-    on_x86 = decide_processor(
-        evidence,
-        kind.answer,
-        build_tool.answer,
-        packages,
-        python.answer,
-        as_it_is=bool(own.answer or config.compatible),
-    )
     platforms = decide_platforms(
         evidence,
         config,
@@ -224,7 +218,14 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cuda.answer.version,
         python.answer,
         everything,
-        on_x86,
+        decide_processor(
+            evidence,
+            kind.answer,
+            build_tool.answer,
+            packages,
+            python.answer,
+            as_it_is=bool(own.answer or config.compatible),
+        ),
         () if own.answer else sources.answer.sources,
     )
     choices = (

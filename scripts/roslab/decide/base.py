@@ -10,7 +10,7 @@ from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.day import existed
 from roslab.decide.decision import Choice, MendedBase, Reason
-from roslab.decide.python.base import base_for
+from roslab.decide.python.base import base_for, cuda_ubuntus
 from roslab.decide.reasons import CONFIGURED, because, configured, ranked, strongest
 from roslab.decide.ros.distro_dates import ADOPTED, dated
 from roslab.decide.ros.lower_bounds import bounds
@@ -75,10 +75,13 @@ def decide_base(
     python = None if kind == "cpp" else python  # for C++ the Ubuntu is chosen without regard to Python
     cudnn = cuda.cudnn if cuda.cudnn_named else None
     toolkit = "devel" if base.cuda else toolkit
-    named = _named(evidence, config) if kind == "cuda" and python is None and not base.ubuntu else None
-    asked = named.answer if named else base.ubuntu
-    image, ubuntu, reasons = base_for(kind, cuda.version, cudnn, asked, python, toolkit=toolkit)
-    reasons = (*reasons, named) if named and named.answer == ubuntu else reasons
+    named = named_ubuntus(evidence, config) if kind == "cuda" and python is None and not base.ubuntu else ()
+    having = cuda_ubuntus(cuda.version)
+    best = next((reason for reason in named if reason.answer in having), None)
+    asked = best.answer if best else base.ubuntu
+    lacking = misfits(evidence) if kind == "cuda" and python is None else {}
+    image, ubuntu, reasons = base_for(kind, cuda.version, cudnn, asked, python, toolkit=toolkit, lacking=lacking)
+    reasons = (*reasons, best) if best and best.answer == ubuntu else reasons
     return Choice(answer=BaseImage(image=image, ubuntu=ubuntu), reasons=reasons)
 
 
@@ -198,10 +201,10 @@ def _release(mention: Mention) -> str:
     return ubuntus().get(mention.value, mention.value)
 
 
-def _named(evidence: Evidence, config: Config) -> Reason | None:
-    """Return the Ubuntu that the author names for code that is only compiled, if it compiles there."""
-    best = strongest(each for each in _cpp(evidence, config).reasons if each.question == "ubuntu")
-    return best if best.weight >= Weight.SAID_ELSEWHERE else None
+def named_ubuntus(evidence: Evidence, config: Config) -> tuple[Reason, ...]:
+    """Return the Ubuntus that the author names for code that is only compiled, where it compiles, strongest first."""
+    said = [each for each in _cpp(evidence, config).reasons if each.question == "ubuntu"]
+    return tuple(sorted((r for r in said if r.weight >= Weight.SAID_ELSEWHERE), key=lambda reason: -reason.weight))
 
 
 def _by_date(evidence: Evidence) -> Reason:

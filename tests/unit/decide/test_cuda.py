@@ -254,7 +254,11 @@ def test_a_project_below_the_root_is_compiled_where_no_python_is(
     [
         ("* Ubuntu 18.04 or 20.04\n", "nvidia/cuda:11.8.0-devel-ubuntu18.04"),
         ("Tested on Ubuntu 20.04.\n", "nvidia/cuda:11.8.0-devel-ubuntu20.04"),
-        ("* Ubuntu 14.04\n", "nvidia/cuda:11.8.0-devel-ubuntu22.04"),  # no image of that CUDA
+        ("* Ubuntu 14.04\n", "nvidia/cuda:11.8.0-devel-ubuntu22.04"),  # no image of any CUDA
+        ("Tested on Ubuntu 16.04.\n", "nvidia/cuda:11.3.1-devel-ubuntu16.04"),
+        ("Tested on Ubuntu 14.04 and 16.04.\n", "nvidia/cuda:11.3.1-devel-ubuntu16.04"),
+        ("Tested on Ubuntu 24.04.\n", "nvidia/cuda:12.6.3-devel-ubuntu24.04"),
+        ("Tested on Ubuntu 16.04 with CUDA 11.8.\n", "nvidia/cuda:11.8.0-devel-ubuntu22.04"),
         ("Compile it.\n", "nvidia/cuda:11.8.0-devel-ubuntu22.04"),
     ],
 )
@@ -262,6 +266,23 @@ def test_code_for_cuda_is_compiled_on_the_ubuntu_that_the_page_names(
     tree: Callable[[dict[str, str]], Decision], page: str, image: str
 ) -> None:
     assert tree({**CUDA_BELOW, "README.md": page}).base_image == image
+
+
+OLD = "void f() { cv::imread(name, CV_LOAD_IMAGE_UNCHANGED); }\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "image"),
+    [
+        ("Compile it.\n", "nvidia/cuda:11.8.0-devel-ubuntu18.04"),
+        ("Tested on Ubuntu 20.04.\n", "nvidia/cuda:11.8.0-devel-ubuntu18.04"),
+        ("Tested on CUDA 12.2.\n", "nvidia/cuda:12.2.2-devel-ubuntu22.04"),  # all of its images lack it
+    ],
+)
+def test_no_ubuntu_on_which_the_code_does_not_compile(
+    tree: Callable[[dict[str, str]], Decision], page: str, image: str
+) -> None:
+    assert tree({"demo.cu": OLD, "README.md": page}).base_image == image
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
+
 from packaging.version import Version
 
 from roslab.config.model import Kind
@@ -35,14 +38,17 @@ def base_for(
     python_version: str | None,
     *,
     toolkit: Toolkit = "devel",
+    lacking: Mapping[str, tuple[str, ...]] = MappingProxyType({}),
 ) -> tuple[str, str | None, tuple[Reason, ...]]:
     """Return the image, its Ubuntu codename (``None`` on Debian) and why.
 
     ``ubuntu`` is what the configuration asks for; an Ubuntu from the evidence is only taken if its Python fits.
+    ``lacking``: what code that is compiled for CUDA lacks on an Ubuntu.
     """
     if kind == "cuda":
         # Frameworks expect cuDNN; plain CUDA programs get it if something names it
-        return _cuda(cuda or "11.8", ubuntu, python_version, cudnn=bool(cudnn or python_version), toolkit=toolkit)
+        with_cudnn = bool(cudnn or python_version)
+        return _cuda(cuda or "11.8", ubuntu, python_version, cudnn=with_cudnn, toolkit=toolkit, lacking=lacking)
     if ubuntu is None and (fitting := system_ubuntu(python_version)):
         image = f"ubuntu:{version_of(fitting)}"
         return image, fitting, (_reason(image, f"its own Python is {python_version}"),)
@@ -54,31 +60,51 @@ def base_for(
     return image, None, (_reason(image, f"no Ubuntu has Python {python_version}"),)
 
 
-def cuda_ubuntu(cuda: str, ubuntu: str | None, python_version: str | None) -> str:
+def cuda_ubuntus(cuda: str | None) -> tuple[str, ...]:
+    """Return the Ubuntus for which an image of CUDA exists, of the nearest one for a version that has none."""
+    image = cuda_image(cuda or "11.8")
+    return image.ubuntu if image and image.tag else nearest_cuda_image(cuda or "11.8").ubuntu
+
+
+def cuda_ubuntu(
+    cuda: str,
+    ubuntu: str | None,
+    python_version: str | None,
+    lacking: Mapping[str, tuple[str, ...]] = MappingProxyType({}),
+) -> str:
     """Return the Ubuntu of the CUDA image: the requested one, else the one with that Python, else one in the middle.
+
+    Without a Python it is one on which the code compiles; ``lacking``: what it lacks on others.
 
     For a Python that is newer than that one's, the newest whose own is older still: wheels of such a Python are built
     for its C library.
     """
-    image = cuda_image(cuda)
-    image = image if image and image.tag else nearest_cuda_image(cuda)
-    if ubuntu in image.ubuntu:
+    among = cuda_ubuntus(cuda)
+    if ubuntu in among:
         return str(ubuntu)
-    if python_version is None and "jammy" in image.ubuntu:
-        return "jammy"  # nothing needs an older one, and its CMake is new enough for projects that use CUDA
-    fitting = system_ubuntu(python_version, image.ubuntu)
-    middle = next((name for name in PREFERRED if name in image.ubuntu), image.ubuntu[-1])
-    own = {name: Version(python_of_ubuntu()[name]) for name in image.ubuntu if name in python_of_ubuntu()}
+    if python_version is None:
+        among = tuple(name for name in among if name not in lacking) or among
+        if "jammy" in among:
+            return "jammy"  # nothing needs an older one, and its CMake is new enough for projects that use CUDA
+    fitting = system_ubuntu(python_version, among)
+    middle = next((name for name in PREFERRED if name in among), among[-1])
+    own = {name: Version(python_of_ubuntu()[name]) for name in among if name in python_of_ubuntu()}
     older = [name for name in own if python_version and own[name] < Version(python_version)]
     return fitting or max((middle, *older), key=lambda name: own.get(name, Version("0")))
 
 
 def _cuda(
-    cuda: str, ubuntu: str | None, python_version: str | None, *, cudnn: bool, toolkit: Toolkit
+    cuda: str,
+    ubuntu: str | None,
+    python_version: str | None,
+    *,
+    cudnn: bool,
+    toolkit: Toolkit,
+    lacking: Mapping[str, tuple[str, ...]],
 ) -> tuple[str, str, tuple[Reason, ...]]:
     row = cuda_image(cuda)
     row = row if row and row.tag else nearest_cuda_image(cuda)
-    chosen = cuda_ubuntu(cuda, ubuntu, python_version)
+    chosen = cuda_ubuntu(cuda, ubuntu, python_version, lacking)
     flavour = f"{row.cudnn}-{toolkit}" if cudnn and toolkit != "base" else toolkit
     name = f"nvidia/cuda:{row.tag}-{flavour}-ubuntu{version_of(chosen)}"
     if chosen == ubuntu:
