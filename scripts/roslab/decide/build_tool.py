@@ -20,11 +20,18 @@ class Weight:
 
 
 def _of_cpp(evidence: Evidence) -> Choice[BuildTool]:
-    """Return CMake, or none where make, which is no tool of this table, builds it like a script of the repository."""
+    """Return CMake, or none where make, which is no tool of this table, builds it, or a script of the repository."""
+    return _made(evidence) or Choice(
+        answer="cmake", reasons=(because("build_tool", "cmake", "plain C++", weight=Weight.CPP),)
+    )
+
+
+def _made(evidence: Evidence) -> Choice[BuildTool] | None:
+    """Return none where a Makefile or a script builds the tree."""
     for made in evidence.makefiles:
-        why = because("build_tool", "none", "make builds it, as its Makefile says", made, weight=Weight.CPP)
-        return Choice(answer="none", reasons=(why,))
-    return Choice(answer="cmake", reasons=(because("build_tool", "cmake", "plain C++", weight=Weight.CPP),))
+        said = "a script compiles it, as the README says" if made.script else "make builds it, as its Makefile says"
+        return Choice(answer="none", reasons=(because("build_tool", "none", said, made, weight=Weight.CPP),))
+    return None
 
 
 def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Python) -> Choice[BuildTool]:
@@ -47,4 +54,4 @@ def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Py
         what = "a CMake project, with Python beside it" if beside else "a CMake project, and no Python"
         why = because("build_tool", "cmake", what, top, weight=Weight.CPP)
         return Choice(answer="cmake", reasons=(why,))
-    return choice
+    return (_made(evidence) if kind == "cuda" and no_python else None) or choice

@@ -177,6 +177,8 @@ class OwnScript:
     path: str
     """Of the script, from the root."""
     command: str
+    required: bool = False
+    """Nothing else is built: what fails stops the build."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

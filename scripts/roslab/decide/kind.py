@@ -212,7 +212,7 @@ def _python_place(evidence: Evidence) -> tuple[Placed, str, int] | None:
 def _cpp(evidence: Evidence) -> list[Reason]:
     """Return the reasons that the CMake project nearest to the root gives: C++, or CUDA if it compiles that.
 
-    Without one, those of a Makefile, which is one of C and C++.
+    Without one, those of a Makefile, which is one of C and C++, or of a script that compiles in its place.
     """
     top = top_of(evidence)
     if top is None:
@@ -239,7 +239,8 @@ def _by_make(evidence: Evidence) -> list[Reason]:
     for made in evidence.makefiles[:1]:
         answer = "cuda" if made.cuda and evidence.cuda_files else "cpp"
         weight = Weight.CMAKE_BELOW if made.folder else Weight.MAKE
-        return [because("kind", answer, "a Makefile that compiles C++", made, weight=weight)]
+        what = "a script that compiles C++" if made.script else "a Makefile that compiles C++"
+        return [because("kind", answer, what, made, weight=weight)]
     return []
 
 

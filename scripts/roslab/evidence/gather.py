@@ -21,6 +21,7 @@ from roslab.evidence.native import (
     x86_binaries,
 )
 from roslab.evidence.native import clones as native_clones
+from roslab.evidence.native.asked_modules import of_modules
 from roslab.evidence.native.limits import Signs
 from roslab.evidence.prose import (
     apt_lists,
@@ -106,11 +107,12 @@ def gather(repository: Repository) -> Evidence:
     )
     sources = (*sources, *native_clones.read(repository, sources, cmake_projects))
     lists = submodules.named(requirements.read(repository), own, prose.requirements)
+    made = makefiles.read(own, prose.mentions)
     listed = any(source.kind == "vcs" for source in sources)  # a repository may hold no more than the list of others
     return Evidence(
         manifests=manifests,
         cmake=cmake_projects,
-        makefiles=makefiles.read(own),
+        makefiles=made,
         python=python_projects,
         requirements=lists,
         conda=(*conda.read(own, prose.requirements), *pixi.read(own)),
@@ -155,7 +157,12 @@ def gather(repository: Repository) -> Evidence:
         worked_on=worked_on.read(repository),
         old_code=extension_code.read(own, python_projects),
         bounds=removed.read(own),
-        limits=(*signs.all(repository), *limits.read(repository), *gpus.read(repository)),
+        limits=(
+            *signs.all(repository),
+            *of_modules(cmake_projects, made),
+            *limits.read(repository),
+            *gpus.read(repository),
+        ),
         cmake_modules=cmake.modules(repository),
         copies=copies.read(repository, manifests),
         cuda_files=cpp.cuda_files(repository),

@@ -1,4 +1,4 @@
-"""What one Makefile tells."""
+"""What one Makefile tells, or a script that compiles in its place."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from roslab.values.dataclass import dataclass
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Makefile:
-    """A Makefile that compiles C or C++, of a tree without CMake."""
+    """A Makefile that compiles C or C++, of a tree without CMake, or a script of the shell that a page runs for it."""
 
     file: str
     line: int
@@ -17,8 +17,14 @@ class Makefile:
     """The libraries that it links: ``fftw3`` of ``-lfftw3``."""
     cuda: bool
     """It calls CUDA's compiler."""
+    modules: tuple[str, ...] = ()
+    """What it asks pkg-config for."""
+    script: str | None = None
+    """How a script is called; ``None`` for a Makefile."""
+    called_in: str | None = None
+    """The folder in which a page calls it, ``None`` for its own."""
 
     @property
     def folder(self) -> str:
         """The folder in which it is run, ``""`` for the root."""
-        return self.file.rpartition("/")[0]
+        return self.file.rpartition("/")[0] if self.called_in is None else self.called_in

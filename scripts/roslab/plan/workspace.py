@@ -72,6 +72,17 @@ class Program:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class Script:
+    """A command that compiles something in the repository."""
+
+    folder: str
+    """Of the repository, ``""`` for its own."""
+    command: str
+    required: bool
+    """Nothing else is built: what fails stops the build."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Workspace:
     """The repository's place, and what is compiled."""
 
@@ -87,8 +98,7 @@ class Workspace:
     """Submodules that are not checked out: cloned into the repository's folder, each at the path that is its name."""
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of the repository, each with CMake's options, that are compiled where they lie before all else."""
-    scripts: tuple[tuple[str, str], ...] = ()
-    """Folders of the repository, ``""`` for its own, each with a command that compiles something there."""
+    scripts: tuple[Script, ...] = ()
     downloads: tuple[Download, ...] = ()
     """Files that are fetched into the repository's folder before its source is copied."""
     python_path: tuple[str, ...] = ()
@@ -134,7 +144,9 @@ def workspace(
         sources=sisters,
         submodules=decision.submodules,
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
-        scripts=tuple((script.folder, script.command) for script in decision.scripts),
+        scripts=tuple(
+            Script(folder=each.folder, command=each.command, required=each.required) for each in decision.scripts
+        ),
         downloads=decision.downloads,
         python_path=decision.python_path,
         variables=decision.variables,

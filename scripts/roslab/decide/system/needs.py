@@ -38,13 +38,23 @@ def needs(
         started_by = dependency.role == "shebang" and kind in {"ros1", "ros2"}  # others have a `python` of their own
         if dependency.namespace == "include" or started_by or dependency.role in _OF_CODE:
             yield dependency, False
-    for made in evidence.makefiles if kind in {"cpp", "cuda"} else ():
-        for name in made.linked:
-            yield Dependency(namespace="link", name=name, strength="used", file=made.file, line=1, role="build"), False
+    for dependency in _made(evidence) if kind in {"cpp", "cuda"} else ():
+        yield dependency, False
     for dependency in started(evidence, kind):
         yield dependency, False
     for dependency in _installed(evidence, ros_distro):
         yield dependency, False
+
+
+def _made(evidence: Evidence) -> Iterator[Dependency]:
+    """Yield what Makefiles link and ask pkg-config for, and that program itself."""
+    for made in evidence.makefiles:
+        for name in made.linked:
+            yield Dependency(namespace="link", name=name, strength="used", file=made.file, line=1, role="build")
+        for name in made.modules:
+            yield Dependency(namespace="pkg-config", name=name, strength="used", file=made.file, line=1, role="build")
+        if made.modules:
+            yield Dependency(namespace="apt", name="pkg-config", strength="used", file=made.file, line=1, role="make")
 
 
 def compiler_of_cuda(evidence: Evidence, packages: Packages, kind: Kind, ubuntu: str | None) -> Iterator[Dependency]:

@@ -104,12 +104,26 @@ def _part(project: CMakeProject, *, found: bool, options: str = "") -> OwnScript
 
 
 def _made(evidence: Evidence) -> Choice[tuple[OwnScript, ...]]:
-    """Return the call of make in each folder whose Makefile builds the project."""
+    """Return the call of make in each folder whose Makefile builds the project, or the scripts that do in its place.
+
+    Of scripts the first is the build: without what it makes, the image has nothing to run.
+    """
     made = evidence.makefiles
     why = "its Makefile compiles the project"
     return Choice(
-        answer=tuple(OwnScript(folder=each.folder, path=each.file, command="make") for each in made),
-        reasons=tuple(because("source", each.file, why, each, weight=WEIGHT) for each in made),
+        answer=tuple(
+            OwnScript(
+                folder=each.folder,
+                path=each.file,
+                command=each.script or "make",
+                required=each.script is not None and each is made[0],
+            )
+            for each in made
+        ),
+        reasons=tuple(
+            because("source", each.file, "the README runs it to compile" if each.script else why, each, weight=WEIGHT)
+            for each in made
+        ),
     )
 
 

@@ -50,6 +50,7 @@ _HOW = {
     "typelib": "a program asks for a library of GObject, which needs {}",
     "shebang": "the first line of a program names {}",
     "named": "the page names {}",
+    "make": "what compiles the project calls {}",
     "script": "a script that the page compiles with names {}",
 }
 

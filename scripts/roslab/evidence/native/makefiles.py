@@ -1,12 +1,18 @@
-"""Makefiles that authors write by hand: what they compile and link. They are searched by patterns, not run."""
+"""Makefiles that authors write by hand: what they compile and link. They are searched by patterns, not run.
+
+So are the scripts that a page runs where no Makefile compiles the tree.
+"""
 
 from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Iterable
 
 from roslab.evidence import places
+from roslab.evidence.facts import Mention
 from roslab.evidence.makefile import Makefile
+from roslab.evidence.native import compile_scripts
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -23,8 +29,6 @@ _OTHERS = pattern(
     r"arm-none-eabi-\w+|avr-\w+|obj-m|platformio)\b"
 )
 """What a Makefile for something else calls: for another build tool, documents, firmware, the kernel."""
-_NVCC = pattern(r"\b(?:nvcc|NVCC)\b")
-_LINKED = pattern(r"(?<![\w-])-l([A-Za-z][\w+.-]{0,60})")
 _OUTPUT = pattern(r"(?<!\w)-o\s+(?:[\w.-]+/){0,4}([A-Za-z][\w-]{0,60})(?=\s|$)", re.MULTILINE)
 _TARGET = pattern(
     r"^(?:(?:\w+_)?(?:TARGETS?|EXEC\w*|BIN(?:ARY|ARIES)?|PROG\w*|OUTPUT|APP\w*|EXE))\s*[:?]?=\s*([\w./ -]{1,300})$",
@@ -46,8 +50,8 @@ _TASKS = frozenset(
 """Targets that are no files."""
 
 
-def read(repository: Repository) -> tuple[Makefile, ...]:
-    """Return the Makefile at the root, else those of the folders below it.
+def read(repository: Repository, mentions: Iterable[Mention] = ()) -> tuple[Makefile, ...]:
+    """Return the Makefile at the root, else those of the folders below it, else the scripts that a page compiles with.
 
     None where CMake or ROS builds the tree, or where it has more Python than C and C++.
     """
@@ -56,7 +60,8 @@ def read(repository: Repository) -> tuple[Makefile, ...]:
     if _number(repository, ".py") > _number(repository, *_SOURCES):
         return ()
     found = [each for file in _files(repository) if (each := _makefile(file, repository))]
-    return tuple([each for each in found if not each.folder] or found[:MOST])
+    own = [each for each in found if not each.folder] or found[:MOST]
+    return tuple(own) or compile_scripts.read(repository, mentions)
 
 
 def _number(repository: Repository, *suffixes: str) -> int:
@@ -88,8 +93,9 @@ def _makefile(file: File, repository: Repository) -> Makefile | None:
         file=file.path,
         line=1,
         programs=tuple(dict.fromkeys(name for name in names if "." not in name and name not in _TASKS)),
-        linked=tuple(dict.fromkeys(_LINKED.findall(text))),
-        cuda=bool(_NVCC.search(text)),
+        linked=compile_scripts.linked(text),
+        cuda=compile_scripts.for_cuda(text),
+        modules=compile_scripts.modules(text),
     )
 
 

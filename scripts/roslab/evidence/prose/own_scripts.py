@@ -16,7 +16,7 @@ from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
-_COMPILES = pattern(r"\b(?:c?make|ninja|g\+\+|gcc|clang|nvcc|cython|setup\.py|build_ext)\b")
+_COMPILES = pattern(r"\b(?:c?make|ninja|gcc|clang|nvcc|cython|setup\.py|build_ext)\b|\bg\+\+(?!\w)")
 _COMPILER = pattern(r"(?:=|\s|/)(clang)(?:\+\+)?(?=[\s\"'}]|$)", re.MULTILINE)
 _TERMINAL = pattern(r"^[ \t]*(x-terminal-emulator|xterm)[ \t]", re.MULTILINE)
 _PYTHON = pattern(

@@ -161,15 +161,18 @@ def compile_inside(plan: Plan) -> str:
 
 
 def own_scripts(plan: Plan) -> str:
-    """Run what compiles something beside the program; what fails is told and stops nothing."""
+    """Run what compiles something; what fails beside the program is told and stops nothing."""
     if not plan.workspace.scripts:
         return ""
     runs = []
-    for folder, command in plan.workspace.scripts:
-        where = quote.shell_with_user(f"{source_folder(plan)}/{folder}".rstrip("/"))
-        left_out = quote.shell(f"roslab: left out: {command} failed")
-        runs.append(shell.run(f"cd {where}", f"{{ {command} || echo {left_out}; }}"))
+    for script in plan.workspace.scripts:
+        where = quote.shell_with_user(f"{source_folder(plan)}/{script.folder}".rstrip("/"))
+        left_out = quote.shell(f"roslab: left out: {script.command} failed")
+        command = script.command if script.required else f"{{ {script.command} || echo {left_out}; }}"
+        runs.append(shell.run(f"cd {where}", command))
     head = "# What is compiled beside the program: by scripts that the README runs, and in other folders"
+    if plan.workspace.scripts[0].required:
+        head = "# What the script of the repository compiles"
     return "\n".join([head, "USER root", *runs, own_home(plan)])
 
 
