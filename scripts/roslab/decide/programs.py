@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
@@ -18,6 +18,11 @@ _ASIDE = (places.vendored, places.test, places.example, places.documentation)
 MOST_BESIDE = 16
 """Most projects beside the first that are compiled."""
 _TEST = pattern(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
+
+_SHORT = 5
+"""Names of so many letters, which differ by one of them, are different words."""
+_OF_TESTS = pattern(r"g(?:test|mock)|catch2?|doctest|(?:google)?benchmark|unit_?test|boost_unit_test", re.IGNORECASE)
+"""Libraries that tests and benchmarks are written with."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -73,18 +78,35 @@ def found_by(project: CMakeProject) -> frozenset[str]:
 
 
 def compiled(evidence: Evidence) -> tuple[Compiled, ...]:
-    """Return the programs of the top-level CMake project and of the folders that it adds, without tests."""
+    """Return the programs of the top-level CMake project and of the folders that it adds, without tests.
+
+    Where every program is named like one, the project has no others, and they are none: ``test_pipeline``.
+    """
     top = top_of(evidence)
     if top is None:
         return ()
     found: dict[str, Compiled] = {}
-    for project in _inside(evidence, top):
+    projects = tuple(_inside(evidence, top))
+    named = _named_like_tests(projects)
+    for project in projects:
         usual, placed = _folder(project, evidence, top), dict(project.placed)
         for name, line in project.executables:
-            if _NAME.fullmatch(name) and not _TEST.search(name):
+            if _NAME.fullmatch(name) and (named or not _TEST.search(name)):
                 folder = _whole(placed[name], top) if name in placed else usual
                 found.setdefault(name, Compiled(name=name, folder=folder, file=project.file, line=line))
     return tuple(found.values())
+
+
+def _named_like_tests(projects: Iterable[CMakeProject]) -> bool:
+    """Tell whether all programs are named like tests, and nothing is one: no call, library or option of CMake says it.
+
+    Those of a library that has nothing else to run are made for CTest, with a library of tests, or wait for an option.
+    """
+    programs = [(project, name) for project in projects for name, _ in project.executables]
+    asked = [asked for project in projects for asked in project.dependencies]
+    tested = any(project.tests or project.optional for project in projects)
+    tested = tested or any(each.role == "test" or _OF_TESTS.match(each.name) for each in asked)
+    return not tested and all(_TEST.search(name) for _, name in programs)
 
 
 def _inside(evidence: Evidence, top: CMakeProject) -> Iterator[CMakeProject]:
@@ -143,3 +165,17 @@ def _owner(path: str, folders: Mapping[str, str | None]) -> str | None:
         if path in folders:
             return folders[path]
     return None
+
+
+def one_letter_off(name: str, among: Iterable[str]) -> str | None:
+    """Return the only one of these names that has a letter more, less or another one: ``test_pipline``, as mistyped."""
+    near = [other for other in among if len(name) > _SHORT and _alike(name, other)]
+    return near[0] if len(near) == 1 else None
+
+
+def _alike(name: str, other: str) -> bool:
+    """Tell whether two names differ by one letter; what counts differs by a digit: ``stage1``, ``stage2``."""
+    start = posixpath.commonprefix((name, other))
+    left, right = name[len(start) :], other[len(start) :]
+    same = left[1:] == right[1:] or left[1:] == right or left == right[1:]
+    return same and not any(char.isdigit() for char in (*left[:1], *right[:1]))

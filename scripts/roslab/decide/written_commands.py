@@ -12,7 +12,7 @@ from roslab.decide.candidate import Candidate, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
 from roslab.decide.launch_calls import call_of, launch_calls
 from roslab.decide.programs import compiled as programs_of
-from roslab.decide.programs import in_packages
+from roslab.decide.programs import in_packages, one_letter_off
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import bare, script_of, task_of
 from roslab.decide.sections import about_trouble
@@ -201,6 +201,9 @@ def _built(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
     name = argv[0].rpartition("/")[2]
     if name in tree.made and argv[0].startswith("./"):  # it lies where make was called, or below
         return (f"./{posixpath.normpath(posixpath.join(tree.made[name], argv[0]))}", *argv[1:])
+    if name not in tree.compiled and tree.kind == "cpp" and "/" in argv[0] and argv[0] not in tree.programs:
+        name = one_letter_off(name, tree.compiled) or name
+        argv = (posixpath.join(posixpath.dirname(argv[0]), name), *argv[1:])
     if name not in tree.compiled:
         return None
     if tree.kind == "cpp" and _BESIDE.fullmatch(argv[0]):  # the page is in its build folder, the image at the root
