@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from roslab.evidence.lex.constants import FALSE, stays_off
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
@@ -26,6 +27,7 @@ _OPENERS = frozenset({"if", "while", "function", "macro", "foreach", "block"})
 _CONTROL = _OPENERS - {"while", "block"} | {
     *("elseif", "else", "endif", "endforeach", "endfunction", "endmacro", "set", "list", "option")
 }
+_NEVER = "NEVER "
 MAX_WORDS = 400
 """Most words of one call; a longer one is a list of source files."""
 MAX_EXPANSION = 200
@@ -64,6 +66,7 @@ def calls(text: str, names: frozenset[str], options: dict[str, bool] | None = No
     scope = _Scope(options={} if options is None else options)
     beginnings = tuple(name[:-1] for name in names if name.endswith("*"))
     text = f"\n{text}"
+    scope.text = text
     position, line, total = 0, 0, 0
     for match in _CALL.finditer(text):
         name = match[1].lower()
@@ -77,7 +80,7 @@ def calls(text: str, names: frozenset[str], options: dict[str, bool] | None = No
         if total > MAX_TOTAL:
             return
         scope.enter(name, raw)
-        if asked:
+        if asked and not scope.never:
             yield Call(
                 name=name,
                 words=tuple(_filled(raw, scope.variables)),
@@ -97,6 +100,15 @@ class _Scope:
     """Those that are declared, and whether each is on."""
     conditions: list[str] = field(default_factory=list)
     stack: list[str] = field(default_factory=list)
+    text: str = ""
+    """The whole file."""
+    off: set[str] = field(default_factory=set)
+    """Variables that are false from the beginning to the end."""
+
+    @property
+    def never(self) -> bool:
+        """The calls here are those of no build: they wait for a variable that is never set."""
+        return bool(self.off) and any(condition.startswith(_NEVER) for condition in self.conditions)
 
     def enter(self, name: str, words: list[str]) -> None:
         """Apply a call that changes the state (``set``, ``if`` …)."""
@@ -115,7 +127,7 @@ class _Scope:
                 self.stack.pop()
             if name == "endif" and self.conditions:
                 self.conditions.pop()
-        elif words:
+        elif words and not self.never:
             self._assign(name, words)
 
     def _assign(self, name: str, words: list[str]) -> None:
@@ -126,6 +138,9 @@ class _Scope:
         if name == "set" and len(words) <= MAX_EXPANSION:
             values = (w for w in _filled(words[1:], self.variables) if w not in {"CACHE", "PARENT_SCOPE", "FORCE"})
             self.variables[words[0]] = tuple(values)[:MAX_EXPANSION]
+            alone = len(words) == 2 and not self.stack and words[0] not in self.options
+            if alone and words[1].upper() in FALSE and stays_off(self.text, words[0]):
+                self.off.add(words[0])
             if words[0] in self.options and self.variables[words[0]][:1] in {("ON",), ("TRUE",), ("1",)}:
                 self.options[words[0]] = True
         elif name == "list" and len(words) > 2 and words[0].upper() == "APPEND":
@@ -136,10 +151,16 @@ class _Scope:
             self.options.setdefault(words[0], on)
 
     def _condition(self, words: list[str]) -> str:
-        """Return a condition's text: ``OFF NAME`` of an option that is off by default, else ``ON NAME``."""
+        """Return a condition's text: ``OFF NAME`` of an option that is off by default, else ``ON NAME``.
+
+        ``NEVER …`` is one that a variable which stays false decides.
+        """
         name = words[0].removeprefix("${").removesuffix("}") if len(words) == 1 else ""
         if name in self.options:
             return f"{'ON' if self.options[name] else 'OFF'} {name}"
+        joined = all(word == "AND" for word in words[1::2])
+        if self.off and (name in self.off or (joined and not self.off.isdisjoint(words[::2]))):
+            return _NEVER + " ".join(words)[:MAX_VALUE]
         return " ".join(words)[:MAX_VALUE]
 
 

@@ -75,7 +75,8 @@ _OTHER = r"(?:WIN32|MSVC|APPLE|ANDROID|IOS|MINGW|CYGWIN|EMSCRIPTEN)"
 _SYSTEM = r"(?:\$\{)?CMAKE_SYSTEM_NAME\}? (?:STREQUAL|MATCHES)"
 _ELSEWHERE = pattern(rf"^(?:{_OTHER}\b|{_SYSTEM} (?!Linux))")
 _HERE = pattern(
-    rf"^(?:ON \w|LINUX$|UNIX\b(?! AND (?:{_OTHER}))|NOT \(?{_OTHER}(?: (?:OR|AND) {_OTHER}){{0,6}}\)?$|NOT {_OTHER}\b|"
+    rf"^(?:ON \w|NOT \(NEVER [\w ]+\)$|LINUX$|UNIX\b(?! AND (?:{_OTHER}))|"
+    rf"NOT \(?{_OTHER}(?: (?:OR|AND) {_OTHER}){{0,6}}\)?$|NOT {_OTHER}\b|"
     rf"{_SYSTEM} Linux$|NOT \({_SYSTEM} (?:Windows|Darwin|Android|iOS|Emscripten)\)$)"
 )
 _SWITCH = pattern(r"^(?:ON|OFF) \w+$")
