@@ -33,6 +33,18 @@ def test_headers_of_the_tree_and_the_language_are_left_out(tmp_path: Path) -> No
     assert [(d.name, d.line) for d in cpp.read(repository)] == [("Eigen/Core", 4), ("ceres/ceres.h", 5)]
 
 
+def test_a_header_that_is_included_where_it_is_there_is_no_need(tmp_path: Path) -> None:
+    code = (
+        "#if __has_include(<mkl/mkl.h>)\n#include <mkl/mkl.h>\n#else\n#include <fftw3.h>\n#endif\n"
+        "#if defined(A) && __has_include(<a/a.h>)\n#if B\n#include <a/a.h>\n#endif\n#endif\n"
+        "#ifdef C\n#include <c/c.h>\n#endif\n"
+    )
+    files = {"a.cpp": code, "b.cpp": "#include <b/b.h>\n"}
+    assert [(d.name, d.line) for d in cpp.read(tree(tmp_path, files))] == [("fftw3.h", 4), ("c/c.h", 12), ("b/b.h", 1)]
+    files["b.cpp"] = "#include <mkl/mkl.h>\n"
+    assert "mkl/mkl.h" in [d.name for d in cpp.read(tree(tmp_path, files))]
+
+
 @pytest.mark.parametrize("row", rows("includes"), ids=lambda row: row["header"])
 def test_every_header_of_the_table_is_read(row: dict[str, str], tmp_path: Path) -> None:
     """``<armadillo>`` looks like the standard library's, ``linux/videodev2.h`` like the kernel's."""

@@ -22,6 +22,8 @@ MAX_SOURCES = 2_500
 MAX_SIZE = 1024 * 1024
 _INCLUDE = pattern(r"#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]")
 """It begins with a letter of its own, which is found much faster than the beginning of a line."""
+_ASKS = "__has_include"
+_DIRECTIVE = pattern(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else|endif)\b([^\n]*)", re.MULTILINE)
 _STANDARD = pattern(
     r"^(?:[a-z_]+|c[a-z]+|std\w+\.h|bits/.*|sys/.*|linux/.*|arpa/.*|netinet/.*|net/.*|experimental/.*|(?:math|string|time|errno|signal|unistd|assert|ctype|fcntl|float|limits|inttypes|poll|pthread|termios|dirent|getopt|memory|locale|dlfcn|x86intrin|immintrin|emmintrin|xmmintrin|malloc|sched|wchar|windows)\.h)$"
 )
@@ -45,17 +47,17 @@ def read(
         text = repository.read_bytes(file, limit=MAX_READ).decode("utf-8", errors="replace")
         if signs:
             signs.source(file.path, text)
-        for opener, place in shown_by(text, "c++").items() if not places.example(file.path) else ():
-            at = text.count("\n", 0, place) + 1
-            said = Dependency(namespace="call", name=opener, strength="used", file=file.path, line=at, role="build")
-            opened.setdefault(opener, said)
+        _note_windows(file, text, opened)
         position, line = 0, 1
+        asks = _ASKS in text
         for match in _includes(text, settled):
             name = match[1]
             if signs:
                 signs.header(name, file.path, text, match.start(1))
             if intrinsics:
                 intrinsics.header(name, file.path, text, match.start())
+            if asks and _where_it_is(text, match.start()):
+                continue
             if not tells(name) and not x86.tells(name) and not (signs and file.name.endswith(CUDA)):
                 settled.add(name)
             key = name if "/" not in name else "/".join(name.split("/")[:2])
@@ -69,6 +71,14 @@ def read(
     return (*found.values(), *opened.values())
 
 
+def _note_windows(file: File, text: str, opened: dict[str, Dependency]) -> None:
+    """Note the libraries whose calls in a file open windows, each at its first place."""
+    for opener, place in shown_by(text, "c++").items() if not places.example(file.path) else ():
+        at = text.count("\n", 0, place) + 1
+        said = Dependency(namespace="call", name=opener, strength="used", file=file.path, line=at, role="build")
+        opened.setdefault(opener, said)
+
+
 def _includes(text: str, settled: Collection[str]) -> Iterator[re.Match[str]]:
     """Yield the includes of headers that are not settled; what is commented out is none."""
     for match in _INCLUDE.finditer(text):
@@ -76,6 +86,19 @@ def _includes(text: str, settled: Collection[str]) -> Iterator[re.Match[str]]:
             continue
         if not text[text.rfind("\n", 0, match.start()) + 1 : match.start()].strip(" \t"):
             yield match
+
+
+def _where_it_is(text: str, position: int) -> bool:
+    """Tell whether an include is compiled only where its header, or another one, is there; ``#else`` is for others."""
+    open_: list[bool] = []
+    for match in _DIRECTIVE.finditer(text, 0, position):
+        if match[1].startswith("if"):
+            open_.append(_ASKS in match[2])
+        elif match[1] == "endif":
+            del open_[-1:]
+        elif open_:
+            open_[-1] = _ASKS in match[2]
+    return any(open_)
 
 
 def cuda_files(repository: Repository) -> tuple[str, ...]:
