@@ -147,6 +147,7 @@ def gather(repository: Repository) -> Evidence:
             *readme.named(own, programs),
             *said,
             *for_reference.read(own),
+            *shared_objects.made_on(own),
             *((*included.read(own), *gazebo.read(own)) if manifests else ()),
             *print_statement.read(own),
             *from_root.read(own, prose.mentions),

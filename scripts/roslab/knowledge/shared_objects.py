@@ -32,3 +32,24 @@ def package_of(soname: str) -> str | None:
         return _tabled().get(soname)
     name = f"lib{match[1]}".lower().replace("_", "-")
     return f"{name}{'-' if name[-1].isdigit() else ''}{match[2]}"
+
+
+@cache
+def _of_ubuntus() -> dict[tuple[str, str], frozenset[str]]:
+    return {(row["begins"], row["version"]): frozenset(row["ubuntus"].split()) for row in rows("soname_ubuntus")}
+
+
+def ubuntus_of(soname: str) -> tuple[str, frozenset[str]] | None:
+    """Return the family of a library, ``libopencv_``, and the Ubuntus that have it in this version, if they are known.
+
+    A library that somebody built from source may have the version of one of them as well.
+    """
+    begin, _, version = soname.partition(".so.")
+    return next(
+        (
+            (family, names)
+            for (family, of), names in _of_ubuntus().items()
+            if of == version and begin.startswith(family)
+        ),
+        None,
+    )

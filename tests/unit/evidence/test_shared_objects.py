@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 
 from roslab.evidence.native import shared_objects
+from roslab.knowledge.code_limits import version_of
 from roslab.knowledge.shared_objects import package_of
+from roslab.knowledge.table import rows
 from roslab.pipeline import plan_repository
 from roslab.repository.checkout import Repository
 
@@ -61,3 +63,43 @@ def test_it_is_installed_where_the_base_knows_it(tmp_path: Path) -> None:
     (tmp_path / "slam.py").write_text("import numpy\nimport slam\n")
     (tmp_path / "requirements.txt").write_text("numpy\n")
     assert "libglew2.0" in plan_repository(tmp_path).plan.apt_guessed
+
+
+CV, BOOST, GLEW = "libopencv_core.so.3.2", "libboost_system.so.1.65.1", "libGLEW.so.2.0"
+
+
+@pytest.mark.parametrize(
+    ("files", "ubuntu"),
+    [
+        ({"lib/liba.so": (CV, BOOST, GLEW)}, ["bionic"]),
+        ({"lib/liba.so": (CV, "libopencv_ml.so.3.2"), "lib/libb.so": (BOOST,)}, ["bionic"]),
+        ({"lib/liba.so": ("libopencv_core.so.2.4", "libboost_system.so.1.58.0")}, ["xenial"]),
+        ({"lib/liba.so": (CV, "libopencv_ml.so.3.2")}, []),  # it may be built from source
+        ({"lib/liba.so": (CV, "libboost_system.so.1.58.0")}, []),
+        ({"lib/liba.so": (CV, BOOST), "lib/libb.so": ("libboost_system.so.1.71.0",)}, []),
+        ({"lib/liba.so": ("libc.so.6", "libm.so.6")}, []),
+        ({"lib/liba.so": (CV, BOOST), "lib/libboost_system.so.1.65.1": ()}, []),
+    ],
+)
+def test_the_ubuntu_that_compiled_files_were_made_on(
+    tmp_path: Path, files: dict[str, tuple[str, ...]], ubuntu: list[str]
+) -> None:
+    (tmp_path / "lib").mkdir()
+    for path, needed in files.items():
+        (tmp_path / path).write_bytes(compiled(*needed))
+    assert [each.value for each in shared_objects.made_on(Repository.open(tmp_path))] == ubuntu
+
+
+@pytest.mark.parametrize(("page", "ubuntu"), [("Compile it.", "bionic"), ("Tested on Ubuntu 20.04.", "focal")])
+def test_what_a_page_says_outweighs_it(tmp_path: Path, page: str, ubuntu: str) -> None:
+    (tmp_path / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.5)\nproject(demo)\n")
+    (tmp_path / "README.md").write_text(f"{page}\n")
+    (tmp_path / "libdemo.so").write_bytes(compiled(CV, BOOST))
+    assert plan_repository(tmp_path).decision.ubuntu == ubuntu
+
+
+@pytest.mark.parametrize(("library", "begins"), [("OpenCV", "libopencv_"), ("Boost", "libboost_"), ("PCL", "libpcl_")])
+def test_the_names_agree_with_the_versions_of_the_libraries(library: str, begins: str) -> None:
+    for row in (each for each in rows("soname_ubuntus") if each["begins"] == begins):
+        for ubuntu in row["ubuntus"].split():
+            assert f"{version_of(library, ubuntu)}.".startswith(f"{row['version']}.")

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.knowledge.shared_objects import package_of
+from roslab.evidence.facts import Mention
+from roslab.knowledge.shared_objects import package_of, ubuntus_of
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
@@ -25,16 +26,43 @@ _NEEDED = re.compile(rb"\0(lib[\w+.-]{1,60}\.so(?:\.\d+){1,3})(?=\0)")
 def read(repository: Repository) -> tuple[Dependency, ...]:
     """Return the package of each library that such a file needs and that the tree does not hold itself, once."""
     found: dict[str, Dependency] = {}
+    for path, soname in repository.once(_needed):
+        if apt := package_of(soname):
+            asked = Dependency(namespace="apt", name=apt, strength="used", file=path, line=1, role="linked")
+            found.setdefault(apt, asked)
+    return tuple(found.values())
+
+
+def made_on(repository: Repository) -> tuple[Mention, ...]:
+    """Return the only Ubuntu whose packages have the libraries that these files need, if two libraries tell it.
+
+    One alone may be built from source.
+    """
+    told: dict[str, tuple[str, str, frozenset[str]]] = {}
+    for path, soname in repository.once(_needed):
+        known = ubuntus_of(soname)
+        if known and told.setdefault(known[0], (path, soname, known[1]))[2] != known[1]:
+            return ()  # files of several machines
+    common = frozenset.intersection(*(names for _, _, names in told.values())) if len(told) > 1 else frozenset()
+    if len(common) != 1:
+        return ()
+    (codename,) = common
+    path = next(iter(told.values()))[0]
+    text = f"a compiled file is linked with {' and '.join(soname for _, soname, _ in told.values())}"
+    return (Mention(topic="ubuntu", value=codename, source="code", file=path, line=1, text=text),)
+
+
+def _needed(repository: Repository) -> tuple[tuple[str, str], ...]:
+    """Return what such files need and the tree does not hold: libraries with their versions, each with the file."""
+    found: dict[tuple[str, str], None] = {}
     for file in _files(repository):
         data = repository.read_bytes(file, limit=MAX_SIZE)
         if data[:4] != _MAGIC or data[18:20] not in _MACHINES:
             continue
         for soname in dict.fromkeys(name.decode() for name in _NEEDED.findall(data)):
-            apt = package_of(soname)
-            if apt and not repository.named(soname, soname[: soname.index(".so") + 3]):
-                asked = Dependency(namespace="apt", name=apt, strength="used", file=file.path, line=1, role="linked")
-                found.setdefault(apt, asked)
-    return tuple(found.values())
+            if not repository.named(soname, soname[: soname.index(".so") + 3]):
+                found[file.path, soname] = None
+    return tuple(found)
 
 
 def _files(repository: Repository) -> Iterator[File]:
