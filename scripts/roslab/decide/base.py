@@ -10,6 +10,7 @@ from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.day import existed
 from roslab.decide.decision import Choice, MendedBase, Reason
+from roslab.decide.listed_releases import of_listed_releases
 from roslab.decide.python.base import base_for, cuda_ubuntus
 from roslab.decide.reasons import CONFIGURED, because, configured, ranked, strongest
 from roslab.decide.ros.distro_dates import ADOPTED, dated
@@ -36,6 +37,7 @@ class Weight:
     AUTHORS_IMAGE = 700  # the code ran on it
     SAID: ClassVar = {"ci": 400, "readme": 300, "script": 200}
     SAID_ELSEWHERE = 100
+    LISTED = 60  # has the release of a library that a page lists, where no Ubuntu is named
     NEW_ENOUGH = 50  # has the CMake that the build asks for; what the author names wins: CMake can come from pip
     DATE = 2  # the last commit's time, where nothing else is known
     DEFAULT = 1
@@ -166,8 +168,15 @@ def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
             why = f"the author's image starts from {authored.base}"
             reasons.append(because("ubuntu", codename, why, authored, weight=Weight.AUTHORS_IMAGE))
     reasons += _said(evidence, reasons)
-    reasons = [_compiling(reason, misfits(evidence)) for reason in reasons]
-    reasons = _fitting(_new_enough(reasons, needed_cmake(evidence), misfits(evidence)), misfits(evidence))
+    lacking, demand = misfits(evidence), needed_cmake(evidence)
+    reasons = [_compiling(reason, lacking) for reason in reasons]
+    reasons = _fitting(_new_enough(reasons, demand, lacking), lacking)
+    best = strongest(reasons)
+    if best.weight < Weight.LISTED:
+        weight = Weight.LISTED
+        reasons += of_listed_releases(
+            evidence, best.answer, _usual_first(), lacking=lacking, demand=demand, weight=weight
+        )
     reasons = [each for each in reasons if each.weight >= CONFIGURED or existed(evidence, each.answer)]
     best = strongest(reasons)
     version = next(number for number, codename in ubuntus().items() if codename == best.answer)
@@ -236,13 +245,17 @@ def _fitting(reasons: list[Reason], lacking: dict[str, tuple[str, ...]]) -> list
     """Add the default Ubuntu, else the newest older one, else the oldest newer one, that the code compiles on."""
     if not any(lacking.get(reason.answer) for reason in reasons):
         return reasons
-    names = list(ubuntus().values())
-    default = names.index(DEFAULT_UBUNTU)
-    order = (*reversed(names[: default + 1]), *names[default + 1 :])
-    fitting = next((name for name in order if not lacking.get(name)), None)
+    fitting = next((name for name in _usual_first() if not lacking.get(name)), None)
     if fitting is None:
         return reasons
     return [*reasons, because("ubuntu", fitting, "the code compiles with its libraries", weight=Weight.NEW_ENOUGH)]
+
+
+def _usual_first() -> tuple[str, ...]:
+    """Return the default Ubuntu, the older ones from the newest on, and the newer ones from the oldest on."""
+    names = list(ubuntus().values())
+    default = names.index(DEFAULT_UBUNTU)
+    return (*reversed(names[: default + 1]), *names[default + 1 :])
 
 
 def _new_enough(reasons: list[Reason], demand: Dependency | None, lacking: dict[str, tuple[str, ...]]) -> list[Reason]:

@@ -277,6 +277,8 @@ class Evidence:
     """Upper bounds of Python packages, from removed names that the code uses."""
     limits: tuple[CodeLimit, ...] = ()
     """Versions of compilers and libraries that the C++ code compiles with."""
+    listed_releases: tuple[CodeLimit, ...] = ()
+    """Of libraries, in lists of what a page requires; they are weaker than what the code shows."""
     cmake_modules: frozenset[str] = frozenset()
     """Names that a file of the tree finds for CMake: ``FindNAME.cmake``, ``NAMEConfig.cmake``."""
     copies: tuple[str, ...] = ()

@@ -50,7 +50,7 @@ _HOW = {
     "typelib": "a program asks for a library of GObject, which needs {}",
     "shebang": "the first line of a program names {}",
     "named": "the page names {}",
-    "linked": "a compiled file of the tree is linked with a library of {}",
+    "linked": "a compiled file of the tree is linked with {}",
     "make": "what compiles the project calls {}",
     "script": "a script that the page compiles with names {}",
 }

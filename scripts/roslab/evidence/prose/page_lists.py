@@ -112,6 +112,26 @@ def said(text: str, file: str) -> Iterator[Requirement]:
 
     Only names that the tables know count: a list may name compilers and devices as well.
     """
+    for number, line, item in _lines(text):
+        if item is not None:
+            yield from _listed(item[:MAX_LINE], file, number)
+            continue
+        for sentence in _SENTENCE.split(_plain(line)):
+            if len(sentence) <= MAX_LINE and _MEANT.search(sentence) and not _NOT.search(sentence):
+                for match in _SAID.finditer(sentence):
+                    yield from _asked(match[1], match, file, number)
+
+
+def items(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the items of lists below a title such as "Requirements", with their lines."""
+    return ((number, item[:MAX_LINE]) for number, _, item in _lines(text) if item is not None)
+
+
+def _lines(text: str) -> Iterator[tuple[int, str, str | None]]:
+    """Yield the lines of a page outside of its blocks, each with its number, and with the item of a list that it is.
+
+    Only lists below a title such as "Requirements" have items here.
+    """
     titled = fenced = False
     lines = text.split("\n")
     for number, line in enumerate(lines, start=1):
@@ -125,14 +145,11 @@ def said(text: str, file: str) -> Iterator[Requirement]:
             titled = bool(_TITLE.search(heading[1] if heading else line))
         elif item is None and not line.startswith((" ", "\t")):
             titled = titled if not line.rstrip().endswith(":") else bool(_TITLE.search(line))
-        plain = _MARKUP.sub(lambda match: match[1] or "", line)
-        if item and titled:
-            yield from _listed(_MARKUP.sub(lambda match: match[1] or "", item[1][:MAX_LINE]), file, number)
-            continue
-        for sentence in _SENTENCE.split(plain):
-            if len(sentence) <= MAX_LINE and _MEANT.search(sentence) and not _NOT.search(sentence):
-                for match in _SAID.finditer(sentence):
-                    yield from _asked(match[1], match, file, number)
+        yield number, line, _plain(item[1][:MAX_LINE]) if item and titled else None
+
+
+def _plain(words: str) -> str:
+    return _MARKUP.sub(lambda match: match[1] or "", words)
 
 
 def _listed(item: str, file: str, line: int) -> Iterator[Requirement]:

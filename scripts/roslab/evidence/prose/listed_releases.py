@@ -1,0 +1,51 @@
+"""Releases of libraries in the lists of what a page requires: ``OpenCV3``, ``PCL 1.8``."""
+
+from __future__ import annotations
+
+import re
+
+from packaging.version import Version
+
+from roslab.evidence.code_limit import CodeLimit
+from roslab.evidence.prose import page_lists, readme
+from roslab.knowledge.code_limits import bounds_of
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+_LIBRARIES = {"opencv": "OpenCV", "pcl": "PCL", "boost": "Boost", "eigen": "Eigen3", "ceres": "Ceres"}
+"""What pages call those of which the versions of each Ubuntu are known."""
+_NAMED = pattern(
+    r"^(opencv|pcl|boost|eigen|ceres)(?:[ -]solver)?[\s-]*(?:version\s*|v\.?\s*)?"
+    r"(>=|≥|>|==?)?\s*v?(\d{1,2}(?:\.\d{1,3}){0,2})"
+    r"(?:\.x)?(\+|\s*\(?(?:or|and)\s+(?:newer|later|above|higher|greater|up)\w*\)?)?(?=$|[\s),.;:])",
+    re.IGNORECASE,
+)
+_URL = pattern(r"https?://\S+")
+_OTHER = pattern(r"\d|\b(?:optional(?:ly)?|not|only (?:for|if))\b")
+"""What follows a release that is not the only one, or not needed."""
+
+
+def read(repository: Repository) -> tuple[CodeLimit, ...]:
+    """Return the bounds that lists on the pages at the root give, each library's at its first place.
+
+    A release of a library that changes with its first number is any of that number: of ``OpenCV 3.4`` an Ubuntu with
+    3.2 has enough more often than one with 4.5.
+    """
+    found: dict[str, CodeLimit] = {}
+    for file in (page for page in readme.pages(repository) if "/" not in page.path):
+        for line, item in page_lists.items(readme.text_of(repository, file)):
+            match = _NAMED.match(item.strip())
+            if match is None or _OTHER.search(_URL.sub("", item.strip()[match.end() :]).lower()):
+                continue
+            library, (number, below) = _LIBRARIES[match[1].lower()], bounds_of(_LIBRARIES[match[1].lower()], match[3])
+            least = bool(match[4]) or match[2] in {">=", "≥", ">"}
+            limit = CodeLimit(
+                library=library,
+                at_least=str(Version(number).major) if below and not least else number,
+                below=None if least else below,
+                what=match[0].strip(),
+                file=file.path,
+                line=line,
+            )
+            found.setdefault(library, limit)
+    return tuple(found.values())
