@@ -31,3 +31,23 @@ OLD = "void f() { cv::imread(name, CV_LOAD_IMAGE_UNCHANGED); }\n"
 def test_names_in_sources_of_cuda(tree: Tree, tmp_path: object, files: dict[str, str], refused: bool) -> None:
     tree(files)
     assert ("jammy" in misfits(gather(Repository.open(str(tmp_path))))) is refused
+
+
+KEEPS = "#include <cv_bridge/cv_bridge.h>\n"
+USES = "void f() { cv::cvtColor(a, b, CV_RGB2GRAY); }\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "refused"),
+    [
+        ({"b.cpp": KEEPS, "c.cpp": KEEPS + USES}, False),
+        ({"b.cpp": '#include "k.h"\n', "c.cpp": '#include "k.h"\n' + USES, "k.h": KEEPS}, False),
+        ({"b.cpp": KEEPS, "c.cpp": USES}, True),
+        ({"b.cpp": '#include "k.h"\n', "c.cpp": USES, "k.h": KEEPS}, True),
+    ],
+)
+def test_every_file_that_includes_what_keeps_names_has_them(
+    tree: Tree, tmp_path: object, files: dict[str, str], refused: bool
+) -> None:
+    tree({"CMakeLists.txt": CMAKE, **files})
+    assert ("jammy" in misfits(gather(Repository.open(str(tmp_path))))) is refused

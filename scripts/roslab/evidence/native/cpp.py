@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.native import x86
-from roslab.evidence.native.limits import CUDA, Signs, tells
+from roslab.evidence.native.limits import Signs, tells
 from roslab.knowledge.libraries import library
 from roslab.knowledge.windows import shown as shown_by
 from roslab.repository.checkout import File, Repository, nearest
@@ -41,6 +41,7 @@ def read(
     found: dict[str, Dependency] = {}
     opened: dict[str, Dependency] = {}
     outside: dict[str, bool] = {}
+    inside: dict[str, bool] = {}
     settled: set[str] = set()
     """Headers of which another include tells nothing more: most are included by many files."""
     for file in _sources(repository):
@@ -49,26 +50,32 @@ def read(
             signs.source(file.path, text)
         _note_windows(file, text, opened)
         position, line = 0, 1
-        asks = _ASKS in text
         for match in _includes(text, settled):
             name = match[1]
             if signs:
                 signs.header(name, file.path, text, match.start(1))
             if intrinsics:
                 intrinsics.header(name, file.path, text, match.start())
-            if asks and _where_it_is(text, match.start()):
-                continue
-            if not tells(name) and not x86.tells(name) and not (signs and file.name.endswith(CUDA)):
-                settled.add(name)
             key = name if "/" not in name else "/".join(name.split("/")[:2])
             if name not in outside:
-                outside[name] = not (_standard(name) or _local(repository, name))
-            if key in found or not outside[name]:
+                inside[name] = not _standard(name) and _local(repository, name)
+                outside[name] = not _standard(name) and not inside[name]
+            if not inside[name] and (key in found or not outside[name]) and _is_settled(name, signs):
+                settled.add(name)
+            if key in found or not outside[name] or _where_it_is(text, match.start()):
                 continue
             line += text.count("\n", position, match.start(1))
             position = match.start(1)
             found[key] = Dependency(namespace="include", name=name, strength="used", file=file.path, line=line)
     return (*found.values(), *opened.values())
+
+
+def _is_settled(name: str, signs: Signs | None) -> bool:
+    """Tell whether a header that the tree does not have tells nothing where further files include it.
+
+    One that only files of CUDA include so far may be one of C++ yet.
+    """
+    return not (tells(name) or x86.tells(name)) and (signs is None or name.rpartition("/")[2] in signs.included)
 
 
 def _note_windows(file: File, text: str, opened: dict[str, Dependency]) -> None:

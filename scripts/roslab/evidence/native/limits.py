@@ -43,8 +43,8 @@ def _signs(where: Sign, value: str) -> tuple[Limit, ...]:
 
 
 def tells(header: str) -> bool:
-    """Tell whether a header is a sign: of another one it matters once that a file includes it."""
-    return bool(_signs("include", header))
+    """Tell whether a header is a sign, or keeps names: of another one it matters once that a file includes it."""
+    return bool(_signs("include", header)) or header in kept_names()
 
 
 @cache
