@@ -133,6 +133,39 @@ def test_headers_that_a_newer_ros_2_has_by_another_name(tree: Tree, header: str,
     assert decision.ros_distro == distro
 
 
+@pytest.mark.parametrize(
+    ("line", "page", "distro"),
+    [
+        ("#include <cv_bridge/cv_bridge.hpp>", "", "jazzy"),
+        ("#include <cv_bridge/cv_bridge.hpp>", "Tested with ROS 2 Humble\n", "jazzy"),
+        ("#include <cv_bridge/cv_bridge.hpp>", "Tested with ROS 2 Iron\n", "iron"),
+        ("#include <cv_bridge/cv_bridge.hpp>", "The branch for ROS 2 Rolling\n", "rolling"),
+        ("#include <image_geometry/pinhole_camera_model.hpp>", "", "jazzy"),
+        ("#include <tf2_geometry_msgs/tf2_geometry_msgs.hpp>", "Tested with ROS 2 Foxy\n", "jazzy"),
+        ("#include <tf2_geometry_msgs/tf2_geometry_msgs.h>", "Tested with ROS 2 Jazzy\n", "humble"),
+        ("#include <cv_bridge/cv_bridge.h>", "Tested with ROS 2 Jazzy\n", "humble"),
+        ("#include <cv_bridge/cv_bridge.h>", "", "humble"),
+        ("#ifdef NEW\n#include <cv_bridge/cv_bridge.hpp>\n#endif", "", "humble"),
+        ("#if __has_include(<cv_bridge/cv_bridge.hpp>)\n#include <cv_bridge/cv_bridge.hpp>\n#endif", "", "humble"),
+    ],
+)
+def test_headers_that_rule_a_distribution_of_ros_2_out(tree: Tree, line: str, page: str, distro: str) -> None:
+    files = {"package.xml": PACKAGE.format("ament_cmake"), "CMakeLists.txt": CMAKE.format("ament_cmake", "")}
+    assert tree({**files, "src/a.cpp": f"{line}\n", "README.md": page}).ros_distro == distro
+
+
+def test_headers_of_a_package_of_ros_1_say_nothing_of_ros_2(tree: Tree) -> None:
+    files = {
+        "two/package.xml": PACKAGE.format("ament_cmake"),
+        "two/CMakeLists.txt": CMAKE.format("ament_cmake", ""),
+        "one/package.xml": PACKAGE.format("catkin").replace("demo", "one"),
+        "one/CMakeLists.txt": CMAKE.format("catkin", ""),
+        "one/a.cpp": "#include <cv_bridge/cv_bridge.h>\n",
+        "README.md": "For ROS 2 Jazzy\n",
+    }
+    assert tree(files).ros_distro == "jazzy"
+
+
 def test_a_launch_file_that_names_a_library_of_nodes_is_none_of_them(tree: Tree) -> None:
     made = LAUNCH.replace("from launch_ros", "import rclpy\nfrom launch_ros").format("executable")
     files = {"package.xml": PACKAGE.format("ament_cmake"), "CMakeLists.txt": CMAKE.format("ament_cmake", "")}

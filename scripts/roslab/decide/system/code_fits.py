@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from packaging.version import Version
 
 from roslab.decide.programs import top_of
-from roslab.decide.ros.workspace import packages_of
+from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.evidence import places
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.facts import CMakeProject, Evidence
@@ -88,13 +88,25 @@ def unlaunchable(evidence: Evidence) -> dict[str, frozenset[str]]:
     """Return, for each distribution of ROS 2, what launch files or code have that it does not know: ``executable=``."""
     found: dict[str, frozenset[str]] = {}
     for limit in evidence.limits:
-        for name, release in distros().items() if limit.library in {"launch_ros", "ROS 2"} else ():
+        of_ros2 = limit.library == "launch_ros" or (limit.library == "ROS 2" and not _of_ros1(limit.file, evidence))
+        for name, release in distros().items() if of_ros2 else ():
             oldest, first_without = distro(limit.at_least or ""), distro(limit.below or "")
-            old = oldest is not None and release.released < oldest.released
+            old = oldest is not None and not release.never_ends and release.released < oldest.released
             new = first_without is not None and release.released >= first_without.released
             if release.ros == 2 and (old or new):
                 found[name] = found.get(name, frozenset()) | {limit.what}
     return found
+
+
+def _of_ros1(file: str, evidence: Evidence) -> bool:
+    """Tell whether a file is in a package of ROS 1 alone, whose headers have the same names."""
+    above = [(m.file.rpartition("/")[0], m) for m in evidence.manifests]
+    holding = [(folder, m) for folder, m in above if not folder or file.startswith(f"{folder}/")]
+    if not holding:
+        return False
+    folder, manifest = max(holding, key=lambda each: len(each[0]))
+    macros = (project.macros for project in evidence.cmake if project.file.rpartition("/")[0] == folder)
+    return 2 not in ros_versions(manifest, next(macros, ()))
 
 
 def _asked(evidence: Evidence) -> Iterator[tuple[str, str, str]]:
