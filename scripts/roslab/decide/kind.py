@@ -78,6 +78,8 @@ def decide_kind(evidence: Evidence, config: Config, folder_name: str = "") -> Ch
         reasons.append(configured(config, "kind", "cuda", "base.cuda"))
     reasons += [*_ros(evidence, named=bool(_ROS_NAME.search(folder_name.lower()))), *_python(evidence), *_cpp(evidence)]
     if not reasons:
+        reasons += _built_by_ros(evidence)
+    if not reasons:
         reasons.append(because("kind", "python", "nothing shows what it is: the default", weight=Weight.DEFAULT))
     kind = cast("Kind", strongest(reasons).answer)
     return Choice(answer=kind, reasons=ranked(reasons, kind), warnings=_warnings(evidence, kind))
@@ -170,6 +172,19 @@ def _meta(evidence: Evidence) -> list[Reason]:
     why = f"{len(listed)} repositories to import" + (f", and a ROS {version} distribution is named" if sides else "")
     weight = Weight.OWN_LIST if own else Weight.LIST
     return [because("kind", f"ros{version}", why, (own or listed)[0], weight=weight)]
+
+
+def _built_by_ros(evidence: Evidence) -> list[Reason]:
+    """Return the ROS whose distribution and build tool the text names, of a tree that holds no code of its own.
+
+    Its scripts fetch what is built, or its links lead there.
+    """
+    tools = [m for m in evidence.mentions if m.topic == "build_tool" and m.value in WORKSPACE_TOOLS]
+    sides = [found.ros for m in evidence.mentions if m.topic == "distro" and (found := distro(m.value))]
+    if not tools or len({*sides}) != 1:
+        return []
+    why = f"nothing of its own is compiled; {tools[0].value} builds it, and a ROS {sides[0]} distribution is named"
+    return [because("kind", f"ros{sides[0]}", why, tools[0], weight=Weight.LIST)]
 
 
 def _python(evidence: Evidence) -> list[Reason]:

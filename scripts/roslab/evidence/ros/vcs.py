@@ -1,6 +1,7 @@
-"""Lists of sister repositories: .repos, .rosinstall, vcs files under any name, .gitmodules.
+"""Lists of sister repositories: .repos, .rosinstall, vcs files under any name, .gitman.yml, .gitmodules.
 
 https://github.com/dirk-thomas/vcstool (``repositories:``), https://docs.ros.org/en/independent/api/rosinstall/html/
+https://pypi.org/project/gitman/ (``sources:``)
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ _INLINE = pattern(r"\b(?:url|uri)[ \t]*:", re.MULTILINE)
 _SSH = pattern(r"^(?:ssh://)?(?:[\w.-]+@)([\w.-]+)(?::(?:\d+/)?|/)(.+)$")
 _BEHIND = pattern(r"^https?://([\w.-]+)/(?:https?:/{1,2})?([\w.-]+)/(.+)$")
 _PLAIN_URL = pattern(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
+_GITMAN = frozenset({".gitman.yml", "gitman.yml"})
+"""Its list, at the root: https://pypi.org/project/gitman/"""
 
 SHORTEST = 2
 """Parts of an address at a public host: the owner and the name."""
@@ -99,7 +102,8 @@ def https(url: str, origin: str | None = None) -> str:
 def _files(repository: Repository) -> list[File]:
     files = [f for f in repository.suffixed(".repos", ".rosinstall", ".yaml", ".yml") if 0 < f.size <= MAX_SIZE]
     files += [f for f in repository.named(".rosinstall") if 0 < f.size <= MAX_SIZE]
-    found = {f.path: f for f in files if _SUFFIX.search(f.name.lower()) and not places.vendored(f.path)}
+    named = (f for f in files if _SUFFIX.search(f.name.lower()) or f.path in _GITMAN)
+    found = {f.path: f for f in named if not places.vendored(f.path)}
     others = [f for f in files if f.path not in found and f.path.count("/") <= 2 and f.size <= 64 * 1024]
     others.sort(key=lambda file: (file.path.count("/"), file.path))
     for file in others[:MAX_OTHERS]:
@@ -119,7 +123,11 @@ def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
     text = repository.read(file)
     data = load(text)
     entries = (
-        list(_vcstool(data)) if isinstance(data, dict) else list(_rosinstall(data)) if isinstance(data, list) else []
+        list(_gitman(data) if file.path in _GITMAN else _vcstool(data))
+        if isinstance(data, dict)
+        else list(_rosinstall(data))
+        if isinstance(data, list)
+        else []
     )
     if any("${" in str(part) for entry in entries for part in entry):
         return  # a template that a script of the author fills in
@@ -150,6 +158,23 @@ def _vcstool(data: dict[object, object]) -> Iterator[tuple[str, object, object]]
         for name, entry in listed.items():
             if isinstance(entry, dict) and entry.get("type", "git") == "git":
                 yield str(name), entry.get("url"), entry.get("version")
+
+
+def _gitman(data: dict[object, object]) -> Iterator[tuple[str, object, object]]:
+    """Yield what is listed, at the commits that were locked; ``name`` is the folder, if it has one."""
+    listed = [entry for entry in _entries(data, "sources") if entry.get("type", "git") == "git"]
+    locked = {_folder(entry): entry.get("rev") for entry in _entries(data, "sources_locked")}
+    for entry in listed:
+        yield _folder(entry), entry.get("repo"), locked.get(_folder(entry)) or entry.get("rev")
+
+
+def _entries(data: dict[object, object], key: str) -> list[dict[str, object]]:
+    listed = data.get(key)
+    return [entry for entry in listed if isinstance(entry, dict)] if isinstance(listed, list) else []
+
+
+def _folder(entry: dict[str, object]) -> str:
+    return str(entry.get("name") or str(entry.get("repo")).rstrip("/").rpartition("/")[2].removesuffix(".git"))
 
 
 def _rosinstall(data: list[object]) -> Iterator[tuple[str, object, object]]:
