@@ -187,7 +187,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         build_tool.answer,
         target=target,
         packages=packages,
-        provided=provided(evidence, system.answer, sources.answer, everything),
+        provided=provided(evidence, system.answer, sources.answer, everything, target),
         built=(source.name for source in sources.answer.sources),
         keys=system.answer.rosdep,
         command=command.answer.command,

@@ -251,3 +251,22 @@ def test_the_programs_that_doxygen_calls_are_installed(tree: Tree) -> None:
     files = {"doc/CMakeLists.txt": "find_package(Doxygen REQUIRED dot)\n", "track.cpp": "int main() {}\n"}
     decision = tree(files | {"CMakeLists.txt": cmake})
     assert {"doxygen", "graphviz"} <= {*decision.apt, *decision.apt_guessed}
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("ros-melodic-kobuki-driver", True),
+        ("ros-$ROS1_DISTRO-kobuki-driver", True),
+        ("ros-humble-kobuki-driver", False),
+        ("ros-foxy-kobuki-driver", True),
+    ],
+)
+def test_a_package_that_another_distribution_released_is_not_there(tree: Tree, line: str, told: bool) -> None:
+    page = f"For ROS 2 Humble\n```\nexport ROS1_DISTRO=melodic\nsudo apt install {line}\n```\n"
+    clones = "repositories:\n  more:\n    type: git\n    url: https://github.com/lab/more\n"
+    files = package("driver", "find_package(kobuki_driver REQUIRED)\n") | {"README.md": page}
+    for more in ({}, {"a.repos": clones} | package("driver", "find_package(kobuki_driver REQUIRED)\n", "lab_msgs")):
+        decision = tree(files | more)
+        assert any("kobuki_driver" in warning.message for warning in decision.warnings) == told
+        assert "ros-humble-kobuki-driver" not in decision.apt or not told or "foxy" in line

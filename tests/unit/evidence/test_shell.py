@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from roslab.evidence.gather import gather
 from roslab.evidence.lex.shell import commands, fill_placeholders, logical_lines
 from roslab.evidence.prose.installs import Collector
+from roslab.repository.checkout import Repository
 
 
 def words(text: str) -> list[tuple[str, ...]]:
@@ -119,3 +123,21 @@ def test_words_know_their_lines() -> None:
 )
 def test_hostile_lines_end(text: str) -> None:
     words("apt-get install " + text)
+
+
+@pytest.mark.parametrize(
+    ("page", "name"),
+    [
+        ("export ROS1_DISTRO=melodic\nsudo apt install ros-$ROS1_DISTRO-tf\n", "ros-melodic-tf"),
+        ("export ROS1_DISTRO=melodic # or kinetic\nsudo apt install ros-${ROS1_DISTRO}-tf\n", "ros-melodic-tf"),
+        (
+            "export ROS1_DISTRO=melodic\nexport ROS1_DISTRO=kinetic\nsudo apt install ros-$ROS1_DISTRO-tf\n",
+            "ros-{distro}-tf",
+        ),
+        ("export ROS_DISTRO=melodic\nsudo apt install ros-$ROS_DISTRO-tf\n", "ros-{distro}-tf"),
+        ("sudo apt install ros-$ROS1_DISTRO-tf\n", "ros-{distro}-tf"),
+    ],
+)
+def test_a_page_sets_what_stands_for_a_distribution(tmp_path: Path, page: str, name: str) -> None:
+    (tmp_path / "README.md").write_text(f"# A\n```\n{page}```\n")
+    assert [d.name for d in gather(Repository.open(tmp_path)).prose] == [name]

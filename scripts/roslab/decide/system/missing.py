@@ -14,7 +14,7 @@ from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.sources import Sources
 from roslab.decide.ros.workspace import Packages
-from roslab.decide.system.names import Target, resolve
+from roslab.decide.system.names import Target, resolve, written_for
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.switches import given, switch_of
 from roslab.decide.system.tests import left_to_a_switch
@@ -116,8 +116,9 @@ def decide_missing(
     keyed = {d.name for manifest in packages.built for d in manifest.dependencies}  # these are told as keys
     unsure_of = [
         asked
-        for _, asked in _required(evidence, packages)
-        if cloned and asked.namespace == "ros" and asked.name not in keyed and not resolve(asked, target).known
+        for package, asked in _required(evidence, packages)
+        if cloned and (asked.namespace == "ros" or package in unsure)
+        if asked.name not in keyed and not resolve(asked, target).known
         if not _similar(plain(asked.name), names)
     ]
     started = line_of(command).split()
@@ -159,14 +160,24 @@ def decide_missing(
 
 
 def provided(
-    evidence: Evidence, system: SystemPackages, sources: Sources, installed: Iterable[Requirement]
+    evidence: Evidence, system: SystemPackages, sources: Sources, installed: Iterable[Requirement], target: Target
 ) -> Iterator[str]:
-    """Yield the names of everything that is installed, built or cloned; ``installed`` is what pip and conda bring."""
-    yield from (*system.apt, *system.apt_guessed, *system.brought)
+    """Yield the names of everything that is installed, built or cloned; ``installed`` is what pip and conda bring.
+
+    Not packages of ROS that an install line has for another distribution, and that this one never released.
+    """
+    said = {each.name for each in evidence.prose}
+    guessed = (*system.apt, *system.apt_guessed, *system.brought)
+    yield from (name for name in guessed if name in said or _there(name, target))
     yield from (source.name for source in (*sources.sources, *sources.submodules))
     yield from (git.name for git in evidence.sources if git.kind != "link")
-    yield from (each.name for each in evidence.prose)
+    yield from (name for name in said if written_for(name) == target.ros_distro or _there(name, target))
     yield from (each.key for each in installed if each.name)
+
+
+def _there(name: str, target: Target) -> bool:
+    """Tell whether the image can have a package: of one of ROS, whether its distribution released it."""
+    return written_for(name) is None or target.knows(name.split("-", 2)[-1].replace("-", "_").rstrip("*_"))
 
 
 def _too_old(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslab.evidence.dependency import Dependency
-from roslab.knowledge.distros import ever
+from roslab.knowledge.distros import distro, ever
 from roslab.knowledge.libraries import Library, header, library
 from roslab.knowledge.released import released
 from roslab.values.dataclass import dataclass
@@ -104,8 +104,16 @@ def _apt(name: str, target: Target) -> tuple[str, ...]:
             return ()
         if match[2].endswith("*"):
             return _beginning(match[2].rstrip("*"), target)
+        if _of_the_other_ros(match[1], target) and not target.knows(match[2].replace("-", "_")):
+            return ()
         name = f"ros-{target.ros_distro}-{match[2]}"
     return (name,) if APT_NAME.match(name) else ()
+
+
+def _of_the_other_ros(name: str, target: Target) -> bool:
+    """Tell whether a distribution is one of ROS 1 and the image's of ROS 2, or the other way round."""
+    written, here = distro(name), distro(target.ros_distro or "")
+    return written is not None and here is not None and written.ros != here.ros
 
 
 def _beginning(start: str, target: Target) -> tuple[str, ...]:

@@ -33,6 +33,7 @@ _PLACEHOLDER = pattern(
     )-(?=[a-z0-9])""",
     re.VERBOSE | re.IGNORECASE,
 )
+_OF_VARIABLE = pattern(r"\bros-\$(?:\{(\w+)\}|(\w+))-(?=[a-z0-9])")
 _CAPITALS = pattern(r"^ros-([A-Za-z0-9_]+)-$")
 _TOKEN = pattern(
     r"""(?P<space>[^\S\n]+|\n)
@@ -144,8 +145,15 @@ def logical_lines(text: str, first: int = 1) -> Iterator[tuple[int, str]]:
 def commands(text: str, line: int = 1, variables: Mapping[str, str] | None = None) -> Iterator[Command]:
     """Yield the simple commands of one logical line; ``variables`` are filled in, and assignments are added to them."""
     known = dict(variables or {})
-    for words in _split(_filled(fill_placeholders(text)), line, known):
+    for words in _split(_filled(fill_placeholders(_with_values(text, known))), line, known):
         yield from _unwrapped(words, known)
+
+
+def _with_values(text: str, known: Mapping[str, str]) -> str:
+    """Return the text with the values of variables that stand for a distribution: the image's may be another ROS."""
+    if not known or "ros-$" not in text:
+        return text
+    return _OF_VARIABLE.sub(lambda m: f"ros-{known[m[1] or m[2]]}-" if (m[1] or m[2]) in known else m[0], text)
 
 
 def _filled(text: str) -> str:

@@ -30,6 +30,9 @@ _CHOSEN = tuple(
 
 _RELEASE = pattern(r"distro|version|release|ubuntu|cuda", re.IGNORECASE)
 
+_USED = pattern(r"\bros-\$\{?([A-Za-z_]\w*)\}?-")
+_EXPORTED = pattern(r"^[ \t$>]*export[ \t]+([A-Za-z_]\w*)=([\"']?)([a-z]+)\2[ \t]*(?:[#;&].*)?$", re.MULTILINE)
+
 _BRANCH = pattern(
     r"""(?<=\s)(?P<option>-b\s+|--branch[\s=]\s*|checkout\s+)(?P<before>[\w./-]{0,40})(?:
         <(?:your[-_ ]?)?(?:ros[-_ ]?)?(?:distro(?:[-_ ]?name)?|distribution|ros[-_ ]?version)>
@@ -46,6 +49,20 @@ def with_distro(text: str) -> str:
     if "git" not in text or not ("distro" in text.lower() or "version" in text.lower()):
         return text
     return _BRANCH.sub(lambda match: f"{match['option']}{match['before']}{DISTRO}", text)
+
+
+def distros_of(text: str) -> dict[str, str]:
+    """Return the variables for which a page exports one value, and that stand for a distribution: ``ros-$ROS1-tf``.
+
+    Not ROS's own variable, which stands for whatever the reader has.
+    """
+    if "ros-$" not in text:
+        return {}
+    used = {match[1] for match in _USED.finditer(text)} - {"ROS_DISTRO"}
+    values: dict[str, set[str]] = {}
+    for match in _EXPORTED.finditer(text):
+        values.setdefault(match[1], set()).add(match[3])
+    return {name: next(iter(found)) for name, found in values.items() if name in used and len(found) == 1}
 
 
 def chosen(text: str) -> str:

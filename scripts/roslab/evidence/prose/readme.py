@@ -24,7 +24,7 @@ from roslab.evidence.prose import (
     mentions,
     python_path,
 )
-from roslab.evidence.prose.blanks import BLANK, chosen
+from roslab.evidence.prose.blanks import BLANK, chosen, distros_of
 from roslab.evidence.prose.comments import commented_out, without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
@@ -197,7 +197,7 @@ def _pages(repository: Repository) -> tuple[File, ...]:
 
 
 def _read(text: str, file: File) -> Prose:
-    collector = Collector(file.path, "readme")
+    collector = Collector(file.path, "readme", distros_of(text))
     contained: list[Mention] = []
     if "~~" in text and "~~~" not in text:
         text = _STRUCK.sub(lambda match: "\n" * match[0].count("\n"), text)
