@@ -154,6 +154,15 @@ def test_headers_that_rule_a_distribution_of_ros_2_out(tree: Tree, line: str, pa
     assert tree({**files, "src/a.cpp": f"{line}\n", "README.md": page}).ros_distro == distro
 
 
+def test_a_header_of_what_is_cloned_says_nothing_of_the_distribution(tree: Tree) -> None:
+    files = {"package.xml": PACKAGE.format("ament_cmake"), "CMakeLists.txt": CMAKE.format("ament_cmake", "")}
+    files["src/a.cpp"] = "#include <cv_bridge/cv_bridge.hpp>\n"
+    files["README.md"] = "For ROS 2 Humble\n"
+    assert tree(files).ros_distro == "jazzy"
+    module = '[submodule "vision_opencv"]\npath = src/vision_opencv\nurl = https://github.com/lab/vision_opencv\n'
+    assert tree({**files, ".gitmodules": module}).ros_distro == "humble"
+
+
 def test_headers_of_a_package_of_ros_1_say_nothing_of_ros_2(tree: Tree) -> None:
     files = {
         "two/package.xml": PACKAGE.format("ament_cmake"),

@@ -20,6 +20,9 @@ TOO_OLD_FOR_PIP = frozenset({"trusty"})
 """Here pip cannot install a newer CMake: its own version does not know today's wheels.
 https://github.com/pypa/manylinux#readme (pip 8.1 is the first)"""
 
+_OF_ROS2 = "ROS 2: "
+"""Before the name of a repository of ROS 2, in the place of a library."""
+
 
 def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     """Return, for each Ubuntu, what the code asks for and the Ubuntu does not have: ``PCL 1.9``, ``CMake 3.1``.
@@ -88,14 +91,21 @@ def unlaunchable(evidence: Evidence) -> dict[str, frozenset[str]]:
     """Return, for each distribution of ROS 2, what launch files or code have that it does not know: ``executable=``."""
     found: dict[str, frozenset[str]] = {}
     for limit in evidence.limits:
-        of_ros2 = limit.library == "launch_ros" or (limit.library == "ROS 2" and not _of_ros1(limit.file, evidence))
-        for name, release in distros().items() if of_ros2 else ():
+        told = limit.library == "launch_ros" or (limit.library.startswith(_OF_ROS2) and _of_apt(limit, evidence))
+        for name, release in distros().items() if told else ():
             oldest, first_without = distro(limit.at_least or ""), distro(limit.below or "")
             old = oldest is not None and not release.never_ends and release.released < oldest.released
             new = first_without is not None and release.released >= first_without.released
             if release.ros == 2 and (old or new):
                 found[name] = found.get(name, frozenset()) | {limit.what}
     return found
+
+
+def _of_apt(limit: CodeLimit, evidence: Evidence) -> bool:
+    """Tell whether a header of ROS is the distribution's: no source brings its repository, and no ROS 1 includes it."""
+    repository = limit.library.removeprefix(_OF_ROS2)
+    cloned = {git.name.rpartition("/")[2] for git in evidence.sources if git.kind != "link"}
+    return repository not in cloned and not _of_ros1(limit.file, evidence)
 
 
 def _of_ros1(file: str, evidence: Evidence) -> bool:
