@@ -10,6 +10,7 @@ from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.build_variables import build_variables
 from roslab.knowledge.machine_variables import of_one_machine
 from roslab.knowledge.search_paths import search_paths
 from roslab.values.pattern import pattern
@@ -43,7 +44,7 @@ def decide_variables(
             found.setdefault(name, (given.get(name, value), mention))
     pairs = {name: value for name, (value, _) in found.items()}
     reasons = [
-        because("workspace", f"{name}={value}", f"a page sets it, and {_reader(name)} reads it", place, weight=SET)
+        because("workspace", f"{name}={value}", f"a page sets it, and {_reader(name)} it", place, weight=SET)
         for name, (value, place) in found.items()
     ]
     before = _before(command, evidence) if command else ()
@@ -72,4 +73,7 @@ def _before(command: Candidate, evidence: Evidence) -> tuple[str, ...]:
 
 
 def _reader(name: str) -> str:
-    return "the simulator" if name in search_paths() else "the tree"
+    """Return what reads a variable, in words."""
+    if name in build_variables():
+        return f"the build of {build_variables()[name]} reads"
+    return "the simulator reads" if name in search_paths() else "the tree reads"

@@ -115,3 +115,22 @@ def test_the_default_command_has_the_variables_before_it(
 def test_another_command_on_the_page_sets_nothing(tree: Tree) -> None:
     page = "# Usage\n```\npython train.py\n```\n# Convert\n```\nFORMAT=bag python convert.py\n```\n"
     assert tree({**PROGRAM, "convert.py": PROGRAM["train.py"], "README.md": page}).variables == ()
+
+
+@pytest.mark.parametrize(
+    ("package", "found"),
+    [
+        ('<depend condition="$ARM == six">arm_six</depend>', (("ARM", "six"),)),
+        ("<depend>arm_six</depend>", ()),
+    ],
+)
+def test_a_condition_of_a_package_reads_a_variable(
+    tree: Tree, package: str, found: tuple[tuple[str, str], ...]
+) -> None:
+    xml = BUILT["package.xml"].replace("<export>", f"{package}<export>")
+    assert tree({**BUILT, "package.xml": xml, "README.md": "```\nexport ARM=six\n```\n"}).variables == found
+
+
+def test_a_variable_that_a_sister_repository_reads(tree: Tree) -> None:
+    page = "```\nexport GZ_VERSION=harmonic\ncolcon build\n```\n"
+    assert tree({**BUILT, "README.md": page}).variables == (("GZ_VERSION", "harmonic"),)

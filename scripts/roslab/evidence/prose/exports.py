@@ -9,6 +9,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose import search_paths
 from roslab.evidence.prose.python_path import HERE, folder_of
+from roslab.knowledge.build_variables import build_variables
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
@@ -29,9 +30,10 @@ _OF_OTHERS = pattern(
 """Variables of ROS, of build tools and of one machine."""
 _READS = (
     r"\$ENV\{%s\}|\$\((?:opt)?env\s+%s\b|\b(?:environ|getenv)\b[^\n]{0,8}['\"]%s['\"]|"
-    r"EnvironmentVariable\(\s*(?:name\s*=\s*)?['\"]%s['\"]"
+    r"EnvironmentVariable\(\s*(?:name\s*=\s*)?['\"]%s['\"]|\bcondition\s*=\s*['\"][^'\"<>]*\$%s\b"
 )
-"""``$ENV{NAME}`` of CMake; of launch files ``$(env NAME)``, ``environ['NAME']``, ``EnvironmentVariable('NAME')``."""
+"""``$ENV{NAME}`` of CMake; of launch files ``$(env NAME)``, ``environ['NAME']``, ``EnvironmentVariable('NAME')``; of a
+package.xml ``condition="$NAME == …"``."""
 
 
 def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
@@ -68,9 +70,18 @@ def of_line(repository: Repository, file: File, line: int, code: str, heading: s
 
 
 def _is_read(name: str, repository: Repository) -> bool:
-    """Tell whether CMake or a launch file of the author's reads a variable."""
+    """Tell whether CMake, a package.xml or a launch file of the author's reads a variable, or a sister repository's.
+
+    Those are not cloned before the build.
+    """
+    if name in build_variables():
+        return True
     reads = re.compile(_READS.replace("%s", name))
-    files = [*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake", ".launch", ".xacro")]
+    files = [
+        *repository.named("CMakeLists.txt"),
+        *repository.named("package.xml"),
+        *repository.suffixed(".cmake", ".launch", ".xacro"),
+    ]
     files += [file for file in repository.suffixed(".py", ".xml") if "launch" in file.name]
     files = [file for file in files if not places.vendored(file.path)]
     for file in nearest(files)[:MAX_READERS]:
