@@ -43,6 +43,7 @@ from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.workspace import manifests_of, names_of, of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.system.apt_sources import decide_apt_sources
+from roslab.decide.system.gazebo import with_release
 from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.libraries import decide_libraries
@@ -160,7 +161,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cuda=cuda.answer.version if target.cuda else None,
     )
     sources = with_recipes(sources, libraries)
-    system = with_libraries(system, frozenset(source.name for source, _ in libraries))
+    system = with_release(with_libraries(system, frozenset(s.name for s, _ in libraries)), evidence, target)
 
     repositories = decide_apt_sources(
         evidence, config, frozenset((*system.answer.apt, *system.answer.apt_guessed)), base.answer.ubuntu

@@ -211,7 +211,7 @@ class Decision:
     skip_keys: tuple[str, ...] = ()
     """Keys that name no package or are built from source: rosdep is told to skip them."""
     repositories: tuple[str, ...] = ()
-    """Package sources that a page adds, as lines of apt in which ``signed-by`` is the address of the key."""
+    """Package sources of a page or of what is installed: lines of apt in which ``signed-by`` is the key's address."""
     apt: tuple[str, ...] = ()
     """Declared: must install."""
     apt_guessed: tuple[str, ...] = ()

@@ -2,9 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class AddedSource:
+    """A package source that has packages which no archive of Ubuntu has."""
+
+    packages: re.Pattern[str]
+    ubuntu: tuple[str, ...]
+    """The releases that it has them for; its suites are called so."""
+    url: str
+    components: str
+    key: str
 
 
 @cache
@@ -17,3 +32,18 @@ def known_sources() -> dict[str, str]:
 def keys_of_sources() -> dict[str, str]:
     """Return the address of the key of a host's packages, by https: older pages fetch it without."""
     return {row["host"]: row["key"] for row in rows("apt_sources") if row["key"]}
+
+
+@cache
+def added_sources() -> tuple[AddedSource, ...]:
+    """Return the sources that are added for what is installed, whether a page adds them or not."""
+    return tuple(
+        AddedSource(
+            packages=pattern(row["packages"]),
+            ubuntu=tuple(row["ubuntu"].split()),
+            url=row["url"],
+            components=row["components"],
+            key=row["key"],
+        )
+        for row in rows("added_sources")
+    )

@@ -18,3 +18,9 @@ def gazebo_releases() -> Mapping[str, str]:
 def gazebo_libraries() -> Mapping[str, str]:
     """Return the release for each library that has its number in its name: ``gz-sim8``."""
     return {library: row["name"] for row in rows("gazebo_releases") for library in row["libraries"].split()}
+
+
+@cache
+def gazebo_pairs() -> Mapping[tuple[str, str], str]:
+    """Return, for a distribution and a release that is not its own, what its packages of ros_gz are called."""
+    return {(row["distro"], row["release"]): row["packages"] for row in rows("gazebo_pairs")}

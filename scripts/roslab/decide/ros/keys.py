@@ -91,6 +91,8 @@ def translate(
     if name in rosdep_keys() or name in released(target.ros_distro or ""):
         return Translated()
     found = library("cmake", name, target.ubuntu)
+    if found and found.ros and target.knows(found.ros):
+        found = replace(found, apt=(target.ros(found.ros),))
     if found is None or not (found.apt or found.recipe):
         if key.namespace == "ros":  # of a manifest.xml
             message = f"ROS {target.ros_distro} has no package {name}, and nothing here says where it comes from"

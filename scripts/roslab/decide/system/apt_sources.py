@@ -11,7 +11,7 @@ from roslab.decide.reasons import because, warn
 from roslab.evidence import places
 from roslab.evidence.apt_source import AptSource
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.apt_sources import keys_of_sources, known_sources
+from roslab.knowledge.apt_sources import added_sources, keys_of_sources, known_sources
 from roslab.knowledge.distros import ubuntus
 
 WEIGHT = 40
@@ -55,6 +55,14 @@ def decide_apt_sources(
         line = source.url if ppa else " ".join((f"deb [signed-by={key}]", source.url, suite, *source.components))
         why = f"{_who(source)} installs {asked} from it"
         added.setdefault(line, because("dependencies", source.url, why, source, weight=WEIGHT))
+    for each in added_sources():
+        name = next((name for name in sorted(installed) if each.packages.fullmatch(name)), None)
+        there = any(urlsplit(each.url).hostname == urlsplit(line.split()[-3]).hostname for line in added if " " in line)
+        if name and not there and ubuntu in each.ubuntu:
+            line = f"deb [signed-by={each.key}] {each.url} {ubuntu} {each.components}"
+            added[line] = because(
+                "dependencies", each.url, f"{name} is there, and in no archive of Ubuntu", None, weight=WEIGHT
+            )
     return Choice(answer=tuple(added), reasons=tuple(added.values()), warnings=tuple(told))
 
 

@@ -1,0 +1,73 @@
+"""A release of Gazebo that is not the distribution's own: ros_gz made for it takes the place of the distribution's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.decide.decision import Choice
+from roslab.decide.reasons import because
+from roslab.decide.system.names import Target
+from roslab.decide.system.packages import SystemPackages
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.gazebo_releases import gazebo_libraries, gazebo_pairs, gazebo_releases
+from roslab.values.dataclass import replace
+
+WEIGHT = 400
+"""Weight of the reasons; nothing competes with them."""
+_OWN = "ros_gz"
+
+
+def with_release(choice: Choice[SystemPackages], evidence: Evidence, target: Target) -> Choice[SystemPackages]:
+    """Return the packages with ros_gz of the one release of Gazebo that is needed, where it is made for it.
+
+    The two cannot be installed together. Where a source holds ros_gz, all of that release is installed, which compiling
+    it needs: https://gazebosim.org/docs/harmonic/ros_installation
+    """
+    system, distro = choice.answer, target.ros_distro or ""
+    required = dict(_required(evidence))
+    releases = {*required, *_installed((*system.apt, *system.apt_guessed))}
+    release = next(iter(releases)) if len(releases) == 1 else ""
+    family = gazebo_pairs().get((distro, release))
+    if family is None:
+        return choice
+    own, named = target.ros(_OWN), f"ros-{distro}-{family}"
+
+    def of_release(name: str) -> str:
+        return named + name.removeprefix(own) if name == own or name.startswith(f"{own}-") else name
+
+    keys = tuple(key for key in system.rosdep if key == _OWN or key.startswith(f"{_OWN}_"))
+    keyed = tuple(of_release(target.ros(key)) for key in keys)
+    sources = {git.name.rpartition("/")[2] for git in evidence.sources if git.kind != "link"}
+    whole = (f"gz-{release}",) if _OWN in sources else ()
+    guessed = sorted({of_release(name) for name in system.apt_guessed} - {*keyed, *whole})
+    answer = replace(
+        system,
+        rosdep=tuple(key for key in system.rosdep if key not in keys),
+        skip_keys=tuple(dict.fromkeys((*system.skip_keys, *keys))),
+        apt=tuple(dict.fromkeys((*map(of_release, system.apt), *keyed, *whole))),
+        apt_guessed=tuple(guessed),
+    )
+    new = sorted({*answer.apt, *answer.apt_guessed} - {*system.apt, *system.apt_guessed})
+    why = f"it is for Gazebo {release.capitalize()}, and ROS {distro}'s own ros_gz is for another release"
+    return replace(
+        choice,
+        answer=answer,
+        reasons=(
+            *choice.reasons,
+            *(because("dependencies", n, why, required.get(release), weight=WEIGHT) for n in new),
+        ),
+    )
+
+
+def _required(evidence: Evidence) -> Iterator[tuple[str, Dependency]]:
+    """Yield the releases whose libraries CMake requires, each with the library."""
+    for project in evidence.cmake:
+        for asked in project.dependencies if not places.vendored(project.file) else ():
+            if asked.strength != "optional" and (release := gazebo_libraries().get(asked.name)):
+                yield release, asked
+
+
+def _installed(names: tuple[str, ...]) -> Iterator[str]:
+    yield from (release for release in gazebo_releases() if f"gz-{release}" in names)
