@@ -34,6 +34,7 @@ from roslab.decide.python.pins import pins
 from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.filled_refs import with_refs
+from roslab.decide.ros.included import included
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.layout import decide_layout
@@ -127,6 +128,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             *declared_keys(packages, target, kind.answer),
             *code_needs(evidence, packages),
             *started(evidence, kind.answer),
+            *included(evidence, packages),
         ),
         own=packages.names,
         folder_name=folder_name,

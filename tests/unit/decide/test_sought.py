@@ -134,3 +134,67 @@ def test_of_keys_that_a_clone_may_hold_one_warning_tells(tree: Tree) -> None:
     assert [(each.file, each.line) for each in told] == [("mpc/package.xml", 1)]
     assert told[0].message.startswith("rosdep has no keys quad_x, quad_y and quad_z for ROS noetic: one of the cloned")
     assert "may hold them; else correct the names, or give" in told[0].message
+
+
+_CODE = "#include <ros/ros.h>\n#include <acme_msgs/SetGrid.h>\nint main() {}\n"
+
+
+def _including(code: str, more: str = "") -> dict[str, str]:
+    files = _git(f"{LAB}/mpc") | _package("mpc", "roscpp") | {"README.md": "ROS Noetic.\n"}
+    return files | {"mpc/src/mpc.cpp": code} | ({"mpc/msg/State.msg": "int8 a\n"} if more else {})
+
+
+def test_a_package_whose_messages_the_code_includes_is_looked_for(tree: Tree) -> None:
+    decision = tree(_including(_CODE))
+    assert _sought(decision) == {f"{LAB}/acme_msgs": ("acme_msgs",)}
+    told = next(each for each in decision.warnings if "acme_msgs" in each.message)
+    assert (told.file, told.line) == ("mpc/src/mpc.cpp", 2)
+    assert f"the build looks for it in {LAB}/acme_msgs" in told.message
+    assert decision.left_out == ()
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        "nav_msgs/GridCells.h",  # of the distribution
+        "mpc/State.h",  # its own
+        "acme/Grid.h",  # a library's
+        "acme_msgs/set_grid.h",
+        "acme_msgs/detail/SetGrid.h",
+        "octomap_msgs/Octomap.h",
+    ],
+)
+def test_other_headers_name_no_package(tree: Tree, header: str) -> None:
+    decision = tree(_including(_CODE.replace("acme_msgs/SetGrid.h", header)))
+    assert not _sought(decision)
+    assert not any("includes messages" in warning.message for warning in decision.warnings)
+
+
+@pytest.mark.parametrize(
+    ("path", "code"),
+    [
+        ("mpc/src/mpc.cpp", "#ifdef WITH_ACME\n#include <acme_msgs/SetGrid.h>\n#endif\n"),
+        ("mpc/src/mpc.cpp", "// #include <acme_msgs/SetGrid.h>\n"),
+        ("other/mpc.cpp", _CODE),
+        ("mpc/test/mpc.cpp", _CODE),
+    ],
+)
+def test_what_is_not_always_compiled_names_none(tree: Tree, path: str, code: str) -> None:
+    files = _including("int main() {}\n") | {path: code}
+    assert not _sought(tree(files))
+
+
+def test_a_message_that_one_file_always_includes(tree: Tree) -> None:
+    files = _including("#ifdef WITH_ACME\n#include <acme_msgs/SetGrid.h>\n#endif\n") | {"mpc/src/z.cpp": _CODE}
+    assert [*_sought(tree(files))] == [f"{LAB}/acme_msgs"]
+
+
+def test_the_headers_of_messages_of_ros_2(tree: Tree) -> None:
+    files = _git(f"{LAB}/robo") | {"README.md": "# Robo\n\nROS 2 humble\n"}
+    files["package.xml"] = (
+        '<package format="3"><name>robo</name><buildtool_depend>ament_cmake</buildtool_depend>'
+        "<export><build_type>ament_cmake</build_type></export></package>"
+    )
+    files["CMakeLists.txt"] = "project(robo)\nfind_package(ament_cmake REQUIRED)\n"
+    files["src/a.cpp"] = "#include <acme_msgs/msg/set_grid.hpp>\n#include <std_msgs/msg/string.hpp>\n"
+    assert [*_sought(tree(files))] == [f"{LAB}/acme_msgs"]

@@ -9,6 +9,7 @@ from roslab.config.model import BuildTool, Kind
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import because, warn
+from roslab.decide.ros.included import without_headers
 from roslab.decide.ros.rosbuild import ended_in
 from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import plain
@@ -144,6 +145,10 @@ def decide_missing(
     warnings += [warn(_PERHAPS.format(asked.name), asked) for asked in unsure_of]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
     warnings += [warn(_TESTS.format(asked.name, option), asked) for option, asked in tests.items()]
+    if kind != "cpp":
+        told = {asked.name for _, asked in unmet}
+        there = {*names, *map(plain, known), *told}
+        warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
     asks = _of_program_and_below if kind == "cpp" else _required
     names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - {plain(name) for name in built}
     warnings += _too_old(asks(evidence, packages), target, out.keys(), names, build_tool)

@@ -6,9 +6,10 @@ import re
 from collections.abc import Collection, Iterator
 
 from roslab.evidence import places
-from roslab.evidence.dependency import Dependency
+from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.native import x86
-from roslab.evidence.native.limits import Signs, tells
+from roslab.evidence.native.generated import package_of
+from roslab.evidence.native.limits import Signs, conditional, tells
 from roslab.knowledge.libraries import library
 from roslab.knowledge.windows import shown as shown_by
 from roslab.repository.checkout import File, Repository, nearest
@@ -56,17 +57,20 @@ def read(
                 signs.header(name, file.path, text, match.start(1))
             if intrinsics:
                 intrinsics.header(name, file.path, text, match.start())
+            perhaps = bool(package_of(name)) and conditional(text, match.start())
             key = name if "/" not in name else "/".join(name.split("/")[:2])
             if name not in outside:
                 inside[name] = not _standard(name) and _local(repository, name)
                 outside[name] = not _standard(name) and not inside[name]
-            if not inside[name] and (key in found or not outside[name]) and _is_settled(name, signs):
+            told = key in found and (perhaps or found[key].strength != "optional")
+            if not (inside[name] or perhaps) and (told or not outside[name]) and _is_settled(name, signs):
                 settled.add(name)
-            if key in found or not outside[name] or _where_it_is(text, match.start()):
+            if told or not outside[name] or _where_it_is(text, match.start()):
                 continue
             line += text.count("\n", position, match.start(1))
             position = match.start(1)
-            found[key] = Dependency(namespace="include", name=name, strength="used", file=file.path, line=line)
+            strength: Strength = "optional" if perhaps else "used"
+            found[key] = Dependency(namespace="include", name=name, strength=strength, file=file.path, line=line)
     return (*found.values(), *opened.values())
 
 

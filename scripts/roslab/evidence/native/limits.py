@@ -81,7 +81,7 @@ class Signs:
                 elif match[0] not in names and not _comment(before):
                     names[match[0]] = match.start()
             for name, start in names.items():
-                if not _conditional(text, start):
+                if not conditional(text, start):
                     self._add(limit, path, text.count("\n", 0, start) + 1, name)
 
     def header(self, name: str, path: str, text: str, position: int) -> None:
@@ -90,7 +90,7 @@ class Signs:
         (self.by_cuda if path.endswith(CUDA) else self.included).add(name.rpartition("/")[2])
         self.includes.setdefault(path, set()).add(name if name in kept_names() else name.rpartition("/")[2])
         found = _signs("include", name)
-        for limit in found if found and not _conditional(text, position) else ():
+        for limit in found if found and not conditional(text, position) else ():
             self._add(limit, path, text.count("\n", 0, position) + 1)
 
     def all(self, repository: Repository) -> tuple[CodeLimit, ...]:
@@ -164,7 +164,7 @@ def _guarded(text: str) -> bool:
     return False
 
 
-def _conditional(text: str, position: int) -> bool:
+def conditional(text: str, position: int) -> bool:
     """Tell whether a place is compiled under a condition only, other than the guard of the header itself."""
     open_: list[bool] = []
     for match in _DIRECTIVE.finditer(text, 0, position):

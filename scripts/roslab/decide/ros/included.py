@@ -1,0 +1,59 @@
+"""Packages of ROS whose messages the code includes: their headers are generated, so that the package must be built."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+
+from roslab.decide.decision import Warning_
+from roslab.decide.reasons import warn
+from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.workspace import Packages
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+from roslab.evidence.native.generated import package_of
+from roslab.knowledge.libraries import header
+
+ROLE = "include"
+
+
+def included(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
+    """Yield each package of whose messages code of the built packages includes a header, under no condition."""
+    folders = tuple(manifest.file.rpartition("/")[0] for manifest in packages.built)
+    told: set[str] = set()
+    for each in evidence.code:
+        name = package_of(each.name) if each.namespace == "include" and each.strength != "optional" else ""
+        inside = any(not folder or each.file.startswith(f"{folder}/") for folder in folders)
+        if not name or name in told or not inside or places.aside(each.file) or header(each.name, None):
+            continue
+        if name not in packages.names:
+            told.add(name)
+            yield Dependency(namespace="ros", name=name, strength="declared", file=each.file, line=each.line, role=ROLE)
+
+
+def without_headers(
+    evidence: Evidence,
+    packages: Packages,
+    there: Collection[str],
+    tried: Mapping[str, str],
+    *,
+    build_tool: str,
+    cloned: bool,
+) -> Iterator[Warning_]:
+    """Yield a warning for each of them that nothing brings and that neither a manifest nor CMake names.
+
+    ``there``: names in one spelling that something brings; ``tried``: where the build looks for packages; ``cloned``:
+    repositories are cloned whose packages are not known.
+    """
+    named = {d.name for manifest in packages.built for d in manifest.dependencies}
+    named |= {d.name for project in evidence.cmake for d in project.dependencies}
+    for asked in included(evidence, packages):
+        if asked.name in named or plain(asked.name) in there:
+            continue
+        where = tried.get(asked.name)
+        perhaps = "one of the cloned repositories may hold it" if cloned else ""
+        perhaps = f"the build looks for it in {where}" if where else perhaps
+        what = f"the code includes messages of {asked.name}, which no package.xml asks for and no table knows"
+        where_not = f"{perhaps}, and where it is not there, " if perhaps else ""
+        hint = "give its repository under `source` in roslab.yaml"
+        yield warn(f"{what}: {where_not}{build_tool} will stop where that is compiled; {hint}", asked)
