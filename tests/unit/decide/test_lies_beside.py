@@ -60,3 +60,17 @@ def test_a_library_of_the_table_is_built_as_the_authors_image_has_it(
     }
     (source,) = (each for each in tree(files).source if each.name == "opencv")
     assert (source.ref, "-DWITH_TBB=OFF" in source.cmake_options) == built
+
+
+@pytest.mark.parametrize(
+    ("more", "cloned"),
+    [("../../opencv_contrib/modules", ["opencv"]), ("../../modules", ["opencv_contrib"])],
+)
+def test_modules_of_a_library_are_no_package_of_the_workspace(tree: Tree, more: str, cloned: list[str]) -> None:
+    xml = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><depend>OpenCV</depend></package>"
+    page = "git clone -b 4.5.0 https://github.com/opencv/opencv\n"
+    page += "git clone -b 4.5.0 https://github.com/opencv/opencv_contrib\n"
+    page += f"cd opencv\nmkdir build && cd build\ncmake -DMORE={more} ..\nmake\nsudo make install\n"
+    cmake = "project(demo)\nfind_package(catkin REQUIRED)\nfind_package(OpenCV REQUIRED)\n"
+    decision = tree({"package.xml": xml, "CMakeLists.txt": cmake, "README.md": f"ROS Noetic\n```\n{page}```\n"})
+    assert sorted(source.name for source in decision.source) == cloned

@@ -17,6 +17,7 @@ from roslab.decide.ros.source_names import address, asked_for, drifts, fixed_at,
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
 from roslab.decide.system.by_everybody import told
+from roslab.decide.system.lies_beside import lies_beside
 from roslab.decide.system.switches import given, waits
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
@@ -91,7 +92,8 @@ def decide_sources(
     wanted = wanted_names(needed)
     answered: set[str] = set()
     for git in clones(evidence, ros_distro):
-        asked = None if itself_in(git, itself) or plain(git.name) in own else asked_for(git, wanted, known)
+        other = itself_in(git, itself) or plain(git.name) in own or lies_beside(git, evidence)
+        asked = None if other else asked_for(git, wanted, known)
         if asked is not None:
             answered.add(asked.name)
             chosen.clone(git, asked, known | rosdep_keys())

@@ -24,7 +24,7 @@ def with_beside(source: Source, git: GitSource, evidence: Evidence) -> Source:
         for other in others:
             ref = fixed(other.ref)
             option, _, path = word.partition("=")
-            below = _below(path, {other.name, other.folder, f"{other.name}-{(ref or '').removeprefix('v')}"})
+            below = _below(path, _folders(other))
             if ref and below is not None:
                 folder = shlex.quote(f"../{other.name}")
                 words[index] = f"{option}={ABOVE}/{other.name}{below}"
@@ -32,6 +32,18 @@ def with_beside(source: Source, git: GitSource, evidence: Evidence) -> Source:
                 steps.append(f"git -C {folder} -c advice.detachedHead=false checkout {shlex.quote(ref)}")
                 break
     return replace(source, cmake_options=" ".join(words), prepare=" && ".join(dict.fromkeys(steps)))
+
+
+def lies_beside(git: GitSource, evidence: Evidence) -> bool:
+    """Tell whether a clone has more modules for a library that the same file compiles: no package of a workspace."""
+    libraries = (each for each in evidence.sources if each.installed and each.file == git.file)
+    options = (word for each in libraries if address(each.url) != address(git.url) for word in each.options.split())
+    return not git.installed and any(_below(word.partition("=")[2], _folders(git)) is not None for word in options)
+
+
+def _folders(git: GitSource) -> set[str]:
+    """Return the names that the folder of a clone, or of its archive, has."""
+    return {git.name, git.folder, f"{git.name}-{(fixed(git.ref) or '').removeprefix('v')}"}
 
 
 def _below(path: str, names: set[str]) -> str | None:
