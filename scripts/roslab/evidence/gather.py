@@ -9,6 +9,7 @@ from roslab.evidence.facts import CMakeProject, Evidence, PackageManifest
 from roslab.evidence.native import (
     authors_folders,
     cmake,
+    compared,
     cpp,
     cpu,
     extension_code,
@@ -149,7 +150,7 @@ def gather(repository: Repository) -> Evidence:
             *said,
             *for_reference.read(own),
             *shared_objects.made_on(own),
-            *((*included.read(own), *gazebo.read(own)) if manifests else ()),
+            *((*included.read(own), *gazebo.read(own), *compared.read(own)) if manifests else ()),
             *print_statement.read(own),
             *from_root.read(own, prose.mentions),
             *options.read(own, prose.mentions),

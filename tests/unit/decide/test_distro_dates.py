@@ -149,3 +149,33 @@ def test_the_oldest_ubuntu_that_works_is_not_what_it_was_made_on(tmp_path: Path,
     evidence = gather(Repository.open(tmp_path))
     decided = decide(replace(evidence, mentions=(*evidence.mentions, date)), Config(), folder_name="a")
     assert decided.ubuntu == name
+
+
+_IS = 'if("$ENV{{ROS_DISTRO}}" {}"{}")\n'
+
+
+@pytest.mark.parametrize(
+    ("how", "names", "page", "name"),
+    [
+        ("STREQUAL ", ("indigo", "jade"), "", "indigo"),
+        ("MATCHES ", ("noetic", "melodic"), "", "noetic"),
+        ("STREQUAL ", ("jade",), "", "kinetic"),
+        ("STREQUAL ", ("noetic", "melodic"), "Tested with ROS Kinetic.\n", "kinetic"),
+        ("STREQUAL ", ("humble", "jazzy"), "", "kinetic"),
+        ("STRLESS ", ("noetic", "melodic"), "", "kinetic"),
+        ("# STREQUAL ", ("noetic", "melodic"), "", "kinetic"),
+    ],
+)
+def test_what_cmake_compares_the_distribution_with_tells_a_little(
+    tmp_path: Path, how: str, names: tuple[str, ...], page: str, name: str
+) -> None:
+    (tmp_path / "package.xml").write_text(
+        "<package><name>a</name><buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend></package>"
+    )
+    cmake = "".join(f"{_IS.format(how, each)}endif()\n" for each in names)
+    (tmp_path / "CMakeLists.txt").write_text(f"project(a)\nfind_package(catkin REQUIRED)\n{cmake}")
+    (tmp_path / "README.md").write_text(page)
+    date = Mention(topic="date", value="2018-02-12", source="commit", file=".git/HEAD", line=1, text="")
+    evidence = gather(Repository.open(tmp_path))
+    decided = decide(replace(evidence, mentions=(*evidence.mentions, date)), Config(), folder_name="a")
+    assert decided.ros_distro == name

@@ -6,6 +6,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.day import existed, there
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, ranked, warn
+from roslab.decide.ros.compared import by_comparison
 from roslab.decide.ros.distro_dates import dated, of_its_time
 from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
 from roslab.decide.ros.gazebo import by_gazebo
@@ -51,19 +52,16 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     unlaunched = unlaunchable(evidence)
     unknown = {name: missing | unlaunched.get(name, frozenset()) for name, missing in unknown.items()}
     unknown = {name: missing for name, missing in unknown.items() if existed(evidence, name)} or unknown
-    named = [
-        reason
-        for reason in there(evidence, [*reasons_for(evidence, ros), *by_gazebo(evidence, ros)])
-        if not stale(reason, evidence.day)
-    ]
+    said = [*reasons_for(evidence, ros), *by_gazebo(evidence, ros), *by_comparison(evidence, ros)]
+    named = [reason for reason in there(evidence, said) if not stale(reason, evidence.day)]
     if dated(evidence) and all(_tells_nothing(reason, unknown) for reason in named):
         named = []
     reasons = [_compiling(_fitted(reason, unknown), lacking) for reason in named]
     if config.base.ubuntu and (fitting := distros_of(config.base.ubuntu, 1 if ros == 1 else 2)):
         inside = [reason for reason in reasons if reason.answer in fitting]
         answer = max(inside, key=_order).answer if inside else fitting[0]
-        said = configured(config, "ros_distro", answer, "base.ubuntu")
-        return Choice(answer=distros()[answer], reasons=ranked([said, *reasons], answer))
+        asked = configured(config, "ros_distro", answer, "base.ubuntu")
+        return Choice(answer=distros()[answer], reasons=ranked([asked, *reasons], answer))
     excluded = {name: frozenset(lacking.get(found.ubuntu, ())) for name, found in distros().items()}
     unknown = {name: missing | excluded[name] for name, missing in unknown.items()}
     reasons += _nearest(reasons, unknown, lacking) or _fitting(reasons, unknown)
