@@ -179,3 +179,23 @@ def test_what_cmake_compares_the_distribution_with_tells_a_little(
     evidence = gather(Repository.open(tmp_path))
     decided = decide(replace(evidence, mentions=(*evidence.mentions, date)), Config(), folder_name="a")
     assert decided.ros_distro == name
+
+
+@pytest.mark.parametrize(
+    ("more", "date", "name"),
+    [
+        ("find_package(PCL 1.8 REQUIRED)\n", "2019-02-05", "melodic"),
+        ("find_package(PCL 1.8 REQUIRED)\n", "2021-02-05", "melodic"),
+        ("find_package(PCL 1.8 REQUIRED)\n", "2017-02-05", "noetic"),
+        ("find_package(PCL 1.7 REQUIRED)\n", "2019-02-05", "kinetic"),
+    ],
+)
+def test_what_fits_the_code_is_of_the_time_of_the_last_commit(tmp_path: Path, more: str, date: str, name: str) -> None:
+    (tmp_path / "package.xml").write_text(
+        "<package><name>a</name><buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend></package>"
+    )
+    (tmp_path / "CMakeLists.txt").write_text(f"project(a)\nfind_package(catkin REQUIRED)\n{more}")
+    said = Mention(topic="date", value=date, source="commit", file=".git/HEAD", line=1, text="")
+    evidence = gather(Repository.open(tmp_path))
+    decided = decide(replace(evidence, mentions=(*evidence.mentions, said)), Config(), folder_name="a")
+    assert decided.ros_distro == name

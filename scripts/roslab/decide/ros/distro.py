@@ -7,7 +7,7 @@ from roslab.decide.day import existed, there
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, ranked, warn
 from roslab.decide.ros.compared import by_comparison
-from roslab.decide.ros.distro_dates import dated, of_its_time
+from roslab.decide.ros.distro_dates import dated, of_its_time, supported
 from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
 from roslab.decide.ros.gazebo import by_gazebo
 from roslab.decide.ros.source_names import plain
@@ -241,10 +241,17 @@ def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]])
         answer = max(of_python2, key=lambda found: found.preference).name
         why = f"no distribution is named, and {answer} is the last with Python 2: “{old.text.strip()[:60]}”"
         date = old
-    if unknown.get(answer):
+    if lacks := sorted(unknown.get(answer, ())):
         fitting = [name for name, missing in unknown.items() if not missing]
-        answer = max(fitting, key=_preference, default=answer)
+        then = [name for name in fitting if date and date.topic == "date" and supported(name, date.value)]
         why = "no distribution is named: the default of those that have what the packages declare and the code needs"
+        best = max(then or fitting, key=_preference, default=answer)
+        if then and date:
+            why = (
+                f"no distribution is named; {answer}, which fits the last commit, of {date.value}, has no {lacks[0]}, "
+            )
+            why += f"and {best} was there, too"
+        answer = best
     message = f"nothing says which ROS distribution this is for: {answer} is used; set base.ros in roslab.yaml"
     reason = because("ros_distro", answer, why, date, weight=Weight.DEFAULT)
     return Choice(answer=distros()[answer], reasons=(reason,), warnings=(warn(message),))

@@ -35,6 +35,12 @@ def of_its_time(kind: Kind, date: str | None) -> str:
     return (line[0] if date < line[-1].released else line[-1]).name
 
 
+def supported(name: str, date: str) -> bool:
+    """Tell whether a distribution was out, and had not ended, on a date."""
+    found = distros()[name]
+    return found.eol is not None and found.released <= date <= found.eol
+
+
 def _open(distro: Distro, date: str) -> bool:
     begin = dt.date.fromisoformat(distro.released) + ADOPTED
     return begin.isoformat() <= date <= (distro.eol or date)
