@@ -18,6 +18,7 @@ from roslab.decide.downloads import decide_downloads
 from roslab.decide.kind import decide_kind
 from roslab.decide.nothing import require_something
 from roslab.decide.old_formats import as_it_was, narrowed
+from roslab.decide.outside import decide_outside
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.processor import decide_processor
 from roslab.decide.proof import compiled, decide_test, rostests, runs_ctest
@@ -238,6 +239,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         *(sources, system, inside),
         *(() if own.answer else (repositories, scripts, missing, steps, variables, downloads)),
         *(() if own.answer else (decide_unset(evidence, config, command.answer.command, variables.answer),)),
+        *(() if own.answer else (decide_outside(evidence, config, kind.answer),)),
     )
     return Decision(
         kind=kind.answer,

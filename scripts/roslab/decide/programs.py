@@ -5,13 +5,15 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from typing import TypeVar
 
-from roslab.decide.ros.workspace import packages_of
+from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.evidence import places
 from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
+Owner = TypeVar("Owner")
 _NAME = pattern(r"[A-Za-z0-9_.+-]+")
 _FOLDER = pattern(r"[A-Za-z0-9_.+/-]+")
 _ASIDE = (places.vendored, places.test, places.example, places.documentation)
@@ -146,20 +148,38 @@ def _whole(written: str, top: CMakeProject) -> str:
 
 
 def in_packages(evidence: Evidence) -> dict[str, str]:
-    """Return the programs that the CMakeLists.txt of each package compiles; of a name that two packages have, none."""
+    """Return the programs that the CMakeLists.txt of each package compiles; of a name that two packages have, none.
+
+    Nor one that only a build outside of a workspace makes.
+    """
+    outside = {(place.file, place.name) for place in outside_of_packages(evidence)}
     folders = {manifest.file.rpartition("/")[0]: manifest.name for manifest in packages_of(evidence).built}
     found: dict[str, str] = {}
     twice: set[str] = set()
     for project in evidence.cmake:
         package = _owner(project.file, folders)
         for name, _ in project.executables if package else ():
-            if found.setdefault(name, package or "") != package:
+            if (project.file, name) not in outside and found.setdefault(name, package or "") != package:
                 twice.add(name)
     return {name: package for name, package in found.items() if name not in twice}
 
 
-def _owner(path: str, folders: Mapping[str, str | None]) -> str | None:
-    """Return the package that a file lies in, at any depth."""
+def outside_of_packages(evidence: Evidence) -> tuple[Compiled, ...]:
+    """Return the programs below packages that CMake makes only outside of a workspace of their ROS."""
+    macros = {project.file.rpartition("/")[0]: project.macros for project in evidence.cmake}
+    made_for = {m.file.rpartition("/")[0]: m for m in packages_of(evidence).built}
+    versions = {folder: ros_versions(m, macros.get(folder, ())) for folder, m in made_for.items()}
+    found = []
+    for project in evidence.cmake:
+        ros = _owner(project.file, versions) if project.outside else None
+        for name, line in project.executables if ros else ():
+            if all((name, each) in project.outside for each in ros or ()):
+                found.append(Compiled(name=name, folder=_place(project), file=project.file, line=line))
+    return tuple(found)
+
+
+def _owner(path: str, folders: Mapping[str, Owner]) -> Owner | None:
+    """Return what stands for the package that a file lies in, at any depth."""
     while path:
         path = path.rpartition("/")[0]
         if path in folders:

@@ -80,6 +80,8 @@ class CMakeProject:
     """Programs that are built only where a package was found, each with the package's name in lower case."""
     optional: tuple[tuple[str, str], ...] = ()
     """Programs that are built only where a variable is set, each with it; ``OFF NAME`` for an option that is not."""
+    outside: tuple[tuple[str, int], ...] = ()
+    """Programs that a workspace of ROS 1 or 2 does not make, by conditions of the build tool, each with that ROS."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

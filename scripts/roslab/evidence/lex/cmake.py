@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator
 
 from roslab.evidence.lex.constants import FALSE, stays_off
+from roslab.evidence.lex.truth import workspace_holds
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
@@ -28,6 +29,8 @@ _CONTROL = _OPENERS - {"while", "block"} | {
     *("elseif", "else", "endif", "endforeach", "endfunction", "endmacro", "set", "list", "option")
 }
 _NEVER = "NEVER "
+_ON = frozenset({("ON",), ("TRUE",), ("1",), ("YES",)})
+_OFF = frozenset({("OFF",), ("FALSE",), ("0",), ("NO",)})
 MAX_WORDS = 400
 """Most words of one call; a longer one is a list of source files."""
 MAX_EXPANSION = 200
@@ -104,6 +107,8 @@ class _Scope:
     """The whole file."""
     off: set[str] = field(default_factory=set)
     """Variables that are false from the beginning to the end."""
+    decided: dict[str, str] = field(default_factory=dict)
+    """Variables that are on where a condition of the build tool holds, each with that condition."""
 
     @property
     def never(self) -> bool:
@@ -120,8 +125,8 @@ class _Scope:
                 values = tuple(_looped(words[1:], self.variables))[:MAX_EXPANSION]
                 self.variables[words[0]] = (" ".join(values),)  # one word stands for all iterations
         elif name in {"elseif", "else"} and self.conditions:
-            negated = f"NOT ({self.conditions[-1]})"[:MAX_VALUE]
-            self.conditions[-1] = self._condition(words) if name == "elseif" else negated
+            other = f"NOT ({self.conditions[-1]})"[:MAX_VALUE]
+            self.conditions[-1] = self._condition(words) if name == "elseif" else other
         elif name.startswith("end") and name[3:] in _OPENERS:
             if self.stack:
                 self.stack.pop()
@@ -141,6 +146,7 @@ class _Scope:
             alone = len(words) == 2 and not self.stack and words[0] not in self.options
             if alone and words[1].upper() in FALSE and stays_off(self.text, words[0]):
                 self.off.add(words[0])
+            self._decide(words[0], self.variables[words[0]][:1])
             if words[0] in self.options and self.variables[words[0]][:1] in {("ON",), ("TRUE",), ("1",)}:
                 self.options[words[0]] = True
         elif name == "list" and len(words) > 2 and words[0].upper() == "APPEND":
@@ -150,18 +156,39 @@ class _Scope:
             on = len(words) > 2 and words[-1].upper() in {"ON", "TRUE", "1", "YES"}
             self.options.setdefault(words[0], on)
 
+    def _decide(self, name: str, value: tuple[str, ...]) -> None:
+        """Note a variable that the branches of a condition of the build tool set."""
+        here = self.conditions[-1] if self.conditions else ""
+        if workspace_holds(here, 1) is None or value not in _ON | _OFF:
+            self.decided.pop(name, None)
+            return
+        on = here if value in _ON else negated(here)
+        if self.decided.setdefault(name, on) != on:
+            del self.decided[name]
+
     def _condition(self, words: list[str]) -> str:
         """Return a condition's text: ``OFF NAME`` of an option that is off by default, else ``ON NAME``.
 
-        ``NEVER …`` is one that a variable which stays false decides.
+        ``NEVER …`` is one that a variable which stays false decides; of a variable that a condition of the build tool
+        decides, it is that condition.
         """
         name = words[0].removeprefix("${").removesuffix("}") if len(words) == 1 else ""
+        if (last := words[-1].removeprefix("${").removesuffix("}") if words else "") in self.decided:
+            if len(words) == 1:
+                return self.decided[last]
+            if len(words) == 2 and words[0] == "NOT":
+                return negated(self.decided[last])
         if name in self.options:
             return f"{'ON' if self.options[name] else 'OFF'} {name}"
         joined = all(word == "AND" for word in words[1::2])
         if self.off and (name in self.off or (joined and not self.off.isdisjoint(words[::2]))):
             return _NEVER + " ".join(words)[:MAX_VALUE]
         return " ".join(words)[:MAX_VALUE]
+
+
+def negated(condition: str) -> str:
+    """Return the text of a condition's opposite."""
+    return condition[len("NOT (") : -1] if condition.startswith("NOT (") else f"NOT ({condition})"[:MAX_VALUE]
 
 
 def _looped(words: list[str], variables: dict[str, tuple[str, ...]]) -> Iterator[str]:

@@ -77,6 +77,33 @@ def _comparison(value: str | None, words: list[str]) -> Truth:
         return None
 
 
+_OF_TOOL = pattern(
+    r"(?:DEFINED )?(?:(CATKIN_DEVEL_PREFIX|catkin_FOUND)|(ament_cmake_FOUND)|(ENV\{ROS_(?:VERSION|DISTRO)\}))|"
+    r"[\"']?\$ENV\{ROS_VERSION\}[\"']? (?:STREQUAL|EQUAL|VERSION_EQUAL) [\"']?([12])[\"']?"
+)
+"""What a workspace of catkin sets or finds; one of ament; any; the ROS that it asks for."""
+
+
+def workspace_holds(condition: str, ros: int) -> Truth:
+    """Tell whether a condition holds in a workspace of ROS 1 or 2; ``None`` where the build tool does not decide it.
+
+    https://docs.ros.org/en/noetic/api/catkin/html/dev_guide/generated_cmake_api.html
+    """
+    if condition.startswith("NOT (") and condition.endswith(")"):
+        return _not(workspace_holds(condition[len("NOT (") : -1], ros))
+    each = re.split(r"\s+OR\s+", condition[:_LONGEST])
+    return _any(_all(_of_tool(term, ros) for term in re.split(r"\s+AND\s+", part)) for part in each)
+
+
+def _of_tool(written: str, ros: int) -> Truth:
+    bare = written.removeprefix("NOT ")
+    match = _OF_TOOL.fullmatch(bare)
+    if match is None:
+        return None
+    holds = match[3] is not None or ros == (1 if match[1] else 2 if match[2] else int(match[4]))
+    return holds == (bare == written)
+
+
 def macros_hold(condition: str, defined: Callable[[str], bool]) -> Truth:
     """Tell whether the condition of an ``#if`` holds; ``defined``: of other names, whether the build defines them."""
     text = _DEFINED.sub(lambda match: f"<{match[1] or match[2]}>", condition[:_LONGEST].partition("//")[0])

@@ -12,6 +12,7 @@ from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, included
 from roslab.evidence.native.output_folder import output_folder
+from roslab.evidence.native.outside import of_workspace, outside_of_workspaces
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
@@ -80,6 +81,9 @@ class _Reading:
 
     switches: tuple[str, ...] = ()
     """The conditions of options under which its folder is added."""
+    by_tool: tuple[str, ...] = ()
+    """Those of the build tool."""
+    outside: dict[tuple[str, int], None] = field(default_factory=dict)
     name: str | None = None
     minimum: Dependency | None = None
     languages: list[str] = field(default_factory=list)
@@ -131,6 +135,8 @@ class _Added:
     """Those that are declared, and whether each is on."""
     switches: tuple[str, ...] = ()
     """The conditions that an option decides."""
+    by_tool: tuple[str, ...] = ()
+    """Those that the build tool decides."""
     within: bool = False
     """It is a part of a project that is not about tests alone."""
     always: bool = False
@@ -140,7 +146,7 @@ class _Added:
 def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CMakeProject:
     """Read one file; the folders that it adds go into ``added``, so parents must be read first."""
     above = added.get(file.folder, _Added())
-    reading = _Reading(switches=above.switches)
+    reading = _Reading(switches=above.switches, by_tool=above.by_tool)
     adds = False
     options = dict(above.options)
     for call in calls(repository.read(file), _NAMES, options):
@@ -150,7 +156,8 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             switches = tuple(filter(cmake_needs.of_an_option, (*above.switches, *call.conditions)))
             within = above.within or not places.test(file.path)
             always = (above.always or file.folder not in added) and not (call.conditions or call.in_function)
-            there = _Added(options=dict(options), switches=switches, within=within, always=always)
+            by_tool = (*above.by_tool, *filter(of_workspace, call.conditions))
+            there = _Added(options=dict(options), switches=switches, by_tool=by_tool, within=within, always=always)
             added.setdefault(_joined(file.folder, call.words[0]), there)
         elif call.name == "include":
             _include(call, repository, file, reading)
@@ -182,6 +189,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         placed=tuple(_placed(reading)),
         linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
         guards=tuple((reading.outputs.get(name, name), package) for name, package in reading.guards),
+        outside=tuple((reading.outputs.get(name, name), ros) for name, ros in reading.outside),
         optional=tuple((reading.outputs.get(name, name), variable) for name, variable in reading.optional),
         lacks=bool(reading.named) and not any(repository.has(_joined(file.folder, name)) for name in reading.named),
     )
@@ -209,7 +217,7 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         _place_programs(call, path.rpartition("/")[0], reading)
         reading.dependencies += cmake_needs.files(told, path)
     elif name == "cmake_minimum_required":
-        reading.minimum = reading.minimum or _minimum(call, path)
+        reading.minimum = reading.minimum or cmake_since.minimum(call, path)
     elif name == "enable_language":
         reading.languages += words[:1]
     elif name in _EXECUTABLE and words and _TARGET.match(words[0]):
@@ -229,9 +237,11 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
 def _program(call: Call, reading: _Reading) -> None:
     """Note a program with its files, and the packages that its conditions ask for."""
     name, *files = call.words
+    before = name in reading.executables
     reading.executables.setdefault(name, call.line)
     reading.placed.setdefault(name, reading.at_once)
     reading.named.update(word for word in files if _CODE.match(word))
+    outside_of_workspaces(name, (*reading.by_tool, *call.conditions), reading.outside, again=before)
     for condition in call.conditions:
         switch = condition.removeprefix("ON ")
         reading.optional |= {(name, switch): None} if _SWITCH.fullmatch(switch) else {}
@@ -282,16 +292,6 @@ def _placed(reading: _Reading) -> Iterator[tuple[str, str]]:
         where = place or reading.at_last
         if where and where != reading.programs_in:
             yield reading.outputs.get(name, name), where
-
-
-def _minimum(call: Call, path: str) -> Dependency | None:
-    """Read ``VERSION 3.15...3.28 FATAL_ERROR``: the first number is required, the second is about policies."""
-    version = next((m[1] for word in call.words if (m := re.match(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)", word))), None)
-    if version is None or call.conditions:
-        return None
-    return Dependency(
-        namespace="cmake", name="CMake", strength="declared", file=path, line=call.line, role="build", version=version
-    )
 
 
 def _joined(folder: str, path: str) -> str:

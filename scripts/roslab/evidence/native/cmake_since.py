@@ -51,6 +51,16 @@ def note(call: Call, path: str, into: dict[str, Dependency]) -> None:
     )
 
 
+def minimum(call: Call, path: str) -> Dependency | None:
+    """Return the release that is required, of ``VERSION 3.15...3.28`` the first: the second is for policies."""
+    version = next((m[1] for word in call.words if (m := re.match(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)", word))), None)
+    if version is None or call.conditions:
+        return None
+    return Dependency(
+        namespace="cmake", name="CMake", strength="declared", file=path, line=call.line, role="build", version=version
+    )
+
+
 def _has(call: Call, words: tuple[str, ...]) -> bool:
     """Tell whether words stand in a call, of a module or of a subcommand at its beginning."""
     if call.name in {*_MODULE, "list", "string", "file", "set"}:
