@@ -154,6 +154,14 @@ def test_headers_that_rule_a_distribution_of_ros_2_out(tree: Tree, line: str, pa
     assert tree({**files, "src/a.cpp": f"{line}\n", "README.md": page}).ros_distro == distro
 
 
+def test_a_header_does_not_outweigh_what_the_authors_image_starts_from(tree: Tree) -> None:
+    files = {"package.xml": PACKAGE.format("ament_cmake"), "CMakeLists.txt": CMAKE.format("ament_cmake", "")}
+    files["src/a.cpp"] = "#include <cv_bridge/cv_bridge.h>\n"
+    files["README.md"] = "Tested with ROS 2 Humble\n"
+    files["Dockerfile"] = "FROM ros:jazzy\nCOPY . /ws/src/demo\nRUN colcon build\n"
+    assert tree(files).ros_distro == "jazzy"
+
+
 def test_a_header_of_what_is_cloned_says_nothing_of_the_distribution(tree: Tree) -> None:
     files = {"package.xml": PACKAGE.format("ament_cmake"), "CMakeLists.txt": CMAKE.format("ament_cmake", "")}
     files["src/a.cpp"] = "#include <cv_bridge/cv_bridge.hpp>\n"

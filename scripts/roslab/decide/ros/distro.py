@@ -12,7 +12,7 @@ from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
 from roslab.decide.ros.gazebo import by_gazebo
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
-from roslab.decide.system.code_fits import misfits, unlaunchable
+from roslab.decide.system.code_fits import misfits, unincluded, unlaunchable
 from roslab.decide.system.names import Target
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
@@ -49,19 +49,22 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     ros = 1 if kind == "ros1" else 2
     unknown = _unknown_keys(evidence, ros)
     lacking = misfits(evidence)
-    unlaunched = unlaunchable(evidence)
+    unlaunched, headers = unlaunchable(evidence), unincluded(evidence)
     unknown = {name: missing | unlaunched.get(name, frozenset()) for name, missing in unknown.items()}
     unknown = {name: missing for name, missing in unknown.items() if existed(evidence, name)} or unknown
-    said = [*reasons_for(evidence, ros), *by_gazebo(evidence, ros), *by_comparison(evidence, ros)]
-    named = [reason for reason in there(evidence, said) if not stale(reason, evidence.day)]
+    every = [*reasons_for(evidence, ros), *by_gazebo(evidence, ros), *by_comparison(evidence, ros)]
+    named = [reason for reason in there(evidence, every) if not stale(reason, evidence.day)]
     if dated(evidence) and all(_tells_nothing(reason, unknown) for reason in named):
         named = []
-    reasons = [_compiling(_fitted(reason, unknown), lacking) for reason in named]
+    included = {name: missing | headers.get(name, frozenset()) for name, missing in unknown.items()}
+    fitted = (_fitted(reason, unknown if _built(reason) else included) for reason in named)
+    reasons = [_compiling(reason, lacking) for reason in fitted]
+    unknown = included
     if config.base.ubuntu and (fitting := distros_of(config.base.ubuntu, 1 if ros == 1 else 2)):
         inside = [reason for reason in reasons if reason.answer in fitting]
         answer = max(inside, key=_order).answer if inside else fitting[0]
-        asked = configured(config, "ros_distro", answer, "base.ubuntu")
-        return Choice(answer=distros()[answer], reasons=ranked([asked, *reasons], answer))
+        said = configured(config, "ros_distro", answer, "base.ubuntu")
+        return Choice(answer=distros()[answer], reasons=ranked([said, *reasons], answer))
     excluded = {name: frozenset(lacking.get(found.ubuntu, ())) for name, found in distros().items()}
     unknown = {name: missing | excluded[name] for name, missing in unknown.items()}
     reasons += _nearest(reasons, unknown, lacking) or _fitting(reasons, unknown)
@@ -182,12 +185,17 @@ def _compiling(reason: Reason, lacking: dict[str, tuple[str, ...]]) -> Reason:
     Where CI or the author's image builds it, the libraries may come from elsewhere, but no CMake that pip lacks too.
     """
     missing = () if _moved(reason.answer, lacking) else lacking.get(distros()[reason.answer].ubuntu, ())
-    if reason.weight > Weight.RECOMMENDED and reason.weight != Weight.BRANCH:
+    if _built(reason):
         missing = tuple(what for what in missing if what.startswith("CMake "))
     if not missing:
         return reason
     text = f"{reason.reason}; but {reason.answer} has no {missing[0]}"
     return replace(reason, reason=text, weight=max(Weight.DEFAULT, reason.weight - Weight.LACKS_A_KEY))
+
+
+def _built(reason: Reason) -> bool:
+    """Tell whether CI or the author's image builds with a distribution: what it lacks may come from elsewhere."""
+    return reason.weight > Weight.RECOMMENDED and reason.weight != Weight.BRANCH
 
 
 def _moved(name: str, lacking: dict[str, tuple[str, ...]]) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from packaging.version import Version
 
@@ -88,12 +88,21 @@ def _compiled(library: str, evidence: Evidence) -> bool:
 
 
 def unlaunchable(evidence: Evidence) -> dict[str, frozenset[str]]:
-    """Return, for each distribution of ROS 2, what launch files or code have that it does not know: ``executable=``."""
+    """Return, for each distribution of ROS 2, what launch files have that it does not know: ``executable=``."""
+    return _unknown_to(limit for limit in evidence.limits if limit.library == "launch_ros")
+
+
+def unincluded(evidence: Evidence) -> dict[str, frozenset[str]]:
+    """Return, for each distribution of ROS 2, the headers of ROS that the code includes and that it does not have."""
+    of_ros2 = (limit for limit in evidence.limits if limit.library.startswith(_OF_ROS2))
+    return _unknown_to(limit for limit in of_ros2 if _of_apt(limit, evidence))
+
+
+def _unknown_to(limits: Iterable[CodeLimit]) -> dict[str, frozenset[str]]:
     found: dict[str, frozenset[str]] = {}
-    for limit in evidence.limits:
-        told = limit.library == "launch_ros" or (limit.library.startswith(_OF_ROS2) and _of_apt(limit, evidence))
-        for name, release in distros().items() if told else ():
-            oldest, first_without = distro(limit.at_least or ""), distro(limit.below or "")
+    for limit in limits:
+        oldest, first_without = distro(limit.at_least or ""), distro(limit.below or "")
+        for name, release in distros().items():
             old = oldest is not None and not release.never_ends and release.released < oldest.released
             new = first_without is not None and release.released >= first_without.released
             if release.ros == 2 and (old or new):
