@@ -142,7 +142,8 @@ def decide_missing(
             then = f"{unless} {build_tool} will stop at {package}"
         hint = "give its repository under `source` in roslab.yaml"
         warnings.append(warn(f"nothing is known that brings {name}, which CMake requires{then}; {hint}", asked))
-    warnings += [warn(_PERHAPS.format(asked.name), asked) for asked in unsure_of]
+    first = {asked.name: asked for asked in reversed(unsure_of)}
+    warnings += [warn(_PERHAPS.format(name), first[name]) for name in dict.fromkeys(d.name for d in unsure_of)]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
     warnings += [warn(_TESTS.format(asked.name, option), asked) for option, asked in tests.items()]
     if kind != "cpp":
