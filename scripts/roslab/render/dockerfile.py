@@ -74,6 +74,7 @@ TODAY = Order(
         system.libraries,
         cloned.sister_sources,
         cloned.submodules,
+        building.variables,  # conditions of a package.xml read them, too
         workspace.rosdep,  # 4. what the manifests name
         system.package_data,
         system.header_links,
@@ -83,7 +84,6 @@ TODAY = Order(
         cloned_files.install,
         python.guessed_packages,
         native_parts.compile_modules,
-        building.variables,
         downloads.bring,
     ),
     source=(

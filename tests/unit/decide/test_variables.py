@@ -45,7 +45,8 @@ def test_what_a_page_exports_and_the_tree_reads(tree: Tree, page: str, found: tu
 def test_the_build_has_the_variable(tree: Tree) -> None:
     decision = tree({**BUILT, "README.md": "```\nexport DEVICE=imu-1\ncolcon build\n```\n"})
     text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
-    assert 0 < text.index("ENV DEVICE=imu-1") < text.index("colcon build")
+    assert 0 < text.index("ENV DEVICE=imu-1") < text.index("install-rosdep-keys /tmp/manifests")
+    assert text.index("ENV DEVICE=imu-1") < text.index("colcon build")
 
 
 def test_roslab_yaml_has_the_last_word(tmp_path: Path) -> None:
