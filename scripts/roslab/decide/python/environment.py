@@ -51,6 +51,7 @@ from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.name import canonicalize_name
 from roslab.values.origin import Place
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 from roslab.values.version import minor_of
@@ -58,6 +59,8 @@ from roslab.values.version import minor_of
 _WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}
 _ALONE = "conda alone has it: it comes from there, with the Python"
 _WITH_LOCAL_VERSIONS = frozenset({"torch", "torchvision", "torchaudio"})
+_PLACES = pattern(r"--(?:extra-index-url|find-links) https?://")
+"""An option that adds a place to look for packages; a folder is found from the file alone."""
 
 
 def decide_python(
@@ -129,6 +132,9 @@ def decide_python(
         setuptools_of((*everything, *conda_asked) if manager != "system" else ()),
         limits_of(evidence, conda),
     )
+    compiled_first = first(everything, chosen.projects, cmake=manager != "system")
+    by_name = bool(compiled_first or declared or chosen.guessed or chosen.projects)
+    of_files = _file_options(evidence, chosen, repaired, by_name=by_name)
     answer = Python(
         version=number,
         manager=manager,
@@ -152,12 +158,10 @@ def decide_python(
         conda_limits=in_conda.answer,
         setuptools=older.answer,
         conda_defaults=not pixi and _default_channels(evidence, conda),
-        first=first(everything, chosen.projects, cmake=manager != "system"),
+        first=compiled_first,
         defines=defines.answer,
         bounds=(*limits, *numpy.answer),
-        options=tuple(
-            dict.fromkeys((*indexes, *build.answer[1], *_file_options(evidence, chosen, repaired), *chosen.options))
-        ),
+        options=tuple(dict.fromkeys((*indexes, *build.answer[1], *of_files, *chosen.options))),
         pip_options=lists.options,
         python2=lists.python2,
         python2_options=lists.python2_options,
@@ -255,7 +259,7 @@ def _indexes(asked: Sequence[Requirement], files: Sequence[RequirementFile]) -> 
     That is one with a local version (``+cu113``), and each release before 1.0
     (https://github.com/beholdergan/Beholder-GAN/issues/7, read 2026-11-24).
     """
-    in_files = " ".join(option for file in files for option in file.options)
+    in_files = " ".join(option for file in files for option in file.options if _PLACES.match(option))
     for each in asked:
         release = Version(each.release) if each.release and each.key in _WITH_LOCAL_VERSIONS and not each.url else None
         build = release.local or (OLDEST_PAGE if each.key == "torch" and release < ON_INDEX else "") if release else ""
@@ -265,10 +269,15 @@ def _indexes(asked: Sequence[Requirement], files: Sequence[RequirementFile]) -> 
             yield f"--find-links {page}/torch_stable.html" if old else f"--extra-index-url {page}"
 
 
-def _file_options(evidence: Evidence, chosen: Chosen, repaired: Repaired) -> list[str]:
-    """Return the pip options in files whose lines are installed one by one."""
+def _file_options(evidence: Evidence, chosen: Chosen, repaired: Repaired, *, by_name: bool) -> list[str]:
+    """Return the pip options in files whose lines are installed one by one, and the further indexes of the others.
+
+    ``by_name``: something is installed in a step of its own. It may be a package of such a file, which only they have.
+    """
     broken = [file for file in chosen.files if file.file in repaired.files]
-    return [option for file in with_includes(evidence, broken) for option in file.options]
+    whole = [file for file in chosen.files if file not in broken] if by_name else []
+    further = [each for file in with_includes(evidence, whole) for each in file.options if _PLACES.match(each)]
+    return [*(option for file in with_includes(evidence, broken) for option in file.options), *further]
 
 
 def _reasons(chosen: Chosen) -> Iterator[Reason]:
