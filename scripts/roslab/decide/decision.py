@@ -121,6 +121,8 @@ class Python:
     """The first pip that is too new for the conda file, which names it in any version."""
     conda_limits: tuple[str, ...] = ()
     """What conda must not take, if it takes that package at all: ``mkl<2024.1`` beside an old torch."""
+    conda_cuda: str = ""
+    """The CUDA of the drivers for which conda takes packages; ``""``: as on the machine that builds."""
     setuptools: Requirement | None = None
     """The setuptools of the environment, where a package is too old for newer ones."""
     first: tuple[Requirement, ...] = ()

@@ -39,6 +39,7 @@ class PythonPlan:
     conda_old_pip: str = ""
     conda_pip_below: str = ""
     conda_limits: tuple[str, ...] = ()
+    conda_cuda: str = ""
     git_hosts: tuple[str, ...] = ()
     """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
     cloned_files: tuple[str, ...] = ()
@@ -83,6 +84,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_old_pip=python.conda_old_pip,
         conda_pip_below=python.conda_pip_below,
         conda_limits=python.conda_limits,
+        conda_cuda=python.conda_cuda,
         git_hosts=compiling.hosts,
         cloned_files=python.cloned_files,
         setuptools=python.setuptools.written if python.setuptools else "",

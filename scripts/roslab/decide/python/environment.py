@@ -12,6 +12,7 @@ from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.conda_alone import conda_alone
 from roslab.decide.python.conda_channels import no_channels, told
+from roslab.decide.python.conda_cuda import cuda_of_conda
 from roslab.decide.python.conda_limits import limits_of
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
 from roslab.decide.python.extension_code import decide_defines
@@ -156,6 +157,7 @@ def decide_python(
         conda_old_pip=old_pip(evidence, conda),
         conda_pip_below=pip_below(evidence, conda),
         conda_limits=in_conda.answer,
+        conda_cuda=cuda_of_conda(evidence, kind, conda, cuda) if conda or alone.specs else "",
         setuptools=older.answer,
         conda_defaults=not pixi and _default_channels(evidence, conda),
         first=compiled_first,

@@ -111,6 +111,8 @@ def _conda(plan: Plan) -> str:
     more = "CONDA_CHANNELS=defaults " if python.conda_defaults else ""
     if python.conda_limits:  # they hold only for what is taken: arm64 has no mkl
         more += f"MAMBA_PINNED_PACKAGES={quote.shell(','.join(python.conda_limits))} "
+    if python.conda_cuda:
+        more += f"CONDA_OVERRIDE_CUDA={quote.shell(python.conda_cuda)} "
     lists, file = locks.conda(plan)
     pip_part = conda_lines.pip_part(plan, interpreter(plan))
     if file:
