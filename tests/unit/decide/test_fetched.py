@@ -158,3 +158,17 @@ def test_a_requirement_file_includes_what_is_not_there(tree: Tree, line: str, cl
     assert found.python.cloned_files == ((line,) if cloned else ())
     told = [each for each in found.warnings if each.message.startswith(f"{line} is included")]
     assert [(each.file, each.line) for each in told] == ([] if cloned else [("requirements.txt", 1)])
+
+
+@pytest.mark.parametrize("path", ["path/to/demo", "/path/to/demo", "your/path/to/demo"])
+def test_a_path_of_the_reader_s_leaves_the_folder_that_the_page_was_in(tree: Tree, path: str) -> None:
+    page = f"```\ncd sub/knn\npip install -e .\n```\n```\ncd {path}\npip install -e .\n```\n"
+    setup = "from setuptools import setup\nsetup(name='demo')\n"
+    decision = tree({".gitmodules": MODULES, "README.md": page, "run.py": "import munch\n", "setup.py": setup})
+    assert set(decision.python.projects) == {".", "sub/knn"}
+
+
+def test_a_folder_below_the_one_that_the_page_is_in_stays_there(tree: Tree) -> None:
+    page = "```\ncd sub/knn\n```\n```\ncd path/inner\npip install -e .\n```\n"
+    decision = tree({".gitmodules": MODULES, "README.md": page, "run.py": "import munch\n"})
+    assert decision.python.projects == ("sub/knn/path/inner",)
