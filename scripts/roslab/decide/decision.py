@@ -101,6 +101,8 @@ class Python:
     """Every file that ``requirements`` and ``conda_file`` need to be read: what they include, their constraints."""
     projects: tuple[str, ...] = ()
     """Folders to ``pip install``, ``.`` for the root; installed in this order, editable, after the source is copied."""
+    unseen: tuple[str, ...] = ()
+    """Those of ``projects`` that lie in submodules which are not checked out: they may be none."""
     alone: tuple[str, ...] = ()
     """Those of ``projects`` to install without their dependencies, because one of these cannot be had anywhere."""
     conda_file: str | None = None

@@ -43,6 +43,7 @@ class PythonPlan:
     git_hosts: tuple[str, ...] = ()
     """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
     cloned_files: tuple[str, ...] = ()
+    unseen: tuple[str, ...] = ()
     setuptools: str = ""
     copied: tuple[str, ...] = ()
     """Own projects that are not installed editable."""
@@ -87,6 +88,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_cuda=python.conda_cuda,
         git_hosts=compiling.hosts,
         cloned_files=python.cloned_files,
+        unseen=python.unseen,
         setuptools=python.setuptools.written if python.setuptools else "",
         copied=compiling.copied,
         cuda_architectures=compiling.architectures,

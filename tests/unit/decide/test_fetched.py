@@ -172,3 +172,27 @@ def test_a_folder_below_the_one_that_the_page_is_in_stays_there(tree: Tree) -> N
     page = "```\ncd sub/knn\n```\n```\ncd path/inner\npip install -e .\n```\n"
     decision = tree({".gitmodules": MODULES, "README.md": page, "run.py": "import munch\n"})
     assert decision.python.projects == ("sub/knn/path/inner",)
+
+
+@pytest.mark.parametrize(
+    ("there", "said"), [(("setup.py",), "pip"), (("pyproject.toml",), "pip"), ((), "left out")], ids=str
+)
+def test_a_folder_that_nobody_has_seen_is_installed_if_it_is_a_project(
+    tmp_path: Path, there: tuple[str, ...], said: str
+) -> None:
+    (tmp_path / ".gitmodules").write_text(MODULES, encoding="utf-8")
+    (tmp_path / "README.md").write_text("```\npip install sub/knn\npip install -e .\n```\n", encoding="utf-8")
+    (tmp_path / "run.py").write_text("import munch\n", encoding="utf-8")
+    (tmp_path / "setup.py").write_text("from setuptools import setup\nsetup(name='a')\n", encoding="utf-8")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    _, _, block = text.partition("# The repository's own Python packages")
+    assert "--editable .\n" in block  # a project that was read is installed, whatever comes
+    _, _, command = block.partition("if [ -e ./sub/knn/")
+    command = f"if [ -e ./sub/knn/{command.partition('; fi')[0]}; fi"
+    for name in there:
+        (tmp_path / "sub/knn").mkdir(parents=True)
+        (tmp_path / "sub/knn" / name).touch()
+    stand_in = 'python3() { echo "pip $*"; }; pip-cache() { echo --no-cache-dir; };\n'
+    done = subprocess.run(["bash", "-c", stand_in + command], cwd=tmp_path, check=True, capture_output=True, text=True)
+    assert said in done.stdout
+    assert ("--editable ./sub/knn" in done.stdout) == bool(there)

@@ -16,7 +16,7 @@ from roslab.decide.python.conda_cuda import cuda_of_conda
 from roslab.decide.python.conda_limits import limits_of
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
 from roslab.decide.python.extension_code import decide_defines
-from roslab.decide.python.fetched import cloned_files
+from roslab.decide.python.fetched import cloned_files, unseen
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.ignored_environments import ignored_environments
@@ -147,6 +147,7 @@ def decide_python(
         cloned_files=cloned_files(evidence, chosen.files),
         manifests=beside(evidence, whole, conda),
         projects=tuple(project.folder or "." for project in chosen.projects),
+        unseen=unseen(evidence, chosen.projects),
         alone=repaired.alone,
         conda_file=conda,
         conda_specs=pixi.specs if pixi else alone.specs,
