@@ -196,3 +196,21 @@ def test_a_folder_that_nobody_has_seen_is_installed_if_it_is_a_project(
     done = subprocess.run(["bash", "-c", stand_in + command], cwd=tmp_path, check=True, capture_output=True, text=True)
     assert said in done.stdout
     assert ("--editable ./sub/knn" in done.stdout) == bool(there)
+
+
+@pytest.mark.parametrize(
+    ("goes", "program"),
+    [("cd sub/knn\n", "src/train.py"), ("cd demo/sub/knn\ncd sub/knn\n", "src/train.py"), ("", "sub/knn/src/train.py")],
+)
+def test_a_page_starts_a_program_of_a_submodule(tree: Tree, goes: str, program: str) -> None:
+    page = f"# Use\n```\n{goes}python {program} --steps 5\n```\n"
+    decision = tree({".gitmodules": MODULES, "README.md": page, "lib/part.py": "import munch\n"})
+    assert decision.command_candidates[0] == ("python", "sub/knn/src/train.py", "--steps", "5")
+    started = "cd sub/knn && exec python src/train.py --steps 5"
+    assert decision.command == (started if goes else decision.command_candidates[0])
+
+
+def test_a_program_that_nothing_has_is_not_started(tree: Tree) -> None:
+    page = "# Use\n```\ncd sub\npython src/train.py\n```\n"
+    decision = tree({".gitmodules": MODULES, "README.md": page, "lib/part.py": "import munch\n"})
+    assert not decision.command_candidates
