@@ -37,6 +37,8 @@ class Range(NamedTuple):
 
     pythons: frozenset[str]
     reason: Reason
+    trust: int | None = None
+    """``Pin.trust`` of a pin; ``None`` for what is no pin."""
 
 
 def ranges(evidence: Evidence, pins: Iterable[Pin], aside: set[str]) -> Iterator[Range]:
@@ -139,7 +141,7 @@ def _pinned(pin: Pin) -> Iterator[Range]:
         why = f"{asked.written} has wheels for Python {row.python_min} to {row.python_max}"
         reason = because("python", f"{row.python_min}…{row.python_max}", why, asked, weight=Weight.PINS + pin.trust)
         lowest = Version(row.python_min) if pin.release else Version("0")
-        yield Range(_between(lowest, Version(row.python_max)), reason)
+        yield Range(_between(lowest, Version(row.python_max)), reason, pin.trust)
 
 
 def _newest_allowed(pin: Pin) -> Framework | None:
@@ -156,7 +158,7 @@ def _ended(pin: Pin) -> Iterator[Range]:
     if newest:
         why = f"{pin.name} ended, and has wheels up to Python {newest}"
         reason = because("python", f"≤ {newest}", why, pin.requirement, weight=Weight.PINS + pin.trust)
-        yield Range(_between(Version("0"), Version(newest)), reason)
+        yield Range(_between(Version("0"), Version(newest)), reason, pin.trust)
 
 
 def _lowest(pin: Pin) -> Iterator[Range]:
@@ -166,7 +168,7 @@ def _lowest(pin: Pin) -> Iterator[Range]:
     if row is not None:
         why = f"{asked.written} needs Python {row.python_min} or newer"
         reason = because("python", f"≥ {row.python_min}", why, asked, weight=Weight.LOWER_BOUND + pin.trust)
-        yield Range(_between(Version(row.python_min), _ANY), reason)
+        yield Range(_between(Version(row.python_min), _ANY), reason, pin.trust)
 
 
 def _up_to(row: Framework, answer: str, why: str, at: Placed, weight: int) -> Range:

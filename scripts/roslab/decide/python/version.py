@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from itertools import groupby
 
 from packaging.version import Version
 
@@ -80,10 +81,18 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
 
 
 def _fitting(known: tuple[Range, ...]) -> list[str]:
-    """Return the Pythons that fit all ranges; one that contradicts those before it, the more trusted, is left out."""
+    """Return the Pythons that fit all ranges; one that contradicts those before it, the more trusted, is left out.
+
+    Of pins that are trusted alike those count that most agree on: robots raise single lines of old lists.
+    """
     fitting = list(PREFERRED)
-    for each in known:
-        fitting = [python for python in fitting if python in each.pythons] or fitting
+    for trust, alike in groupby(known, key=lambda each: each.trust):
+        group = tuple(alike)
+        if trust is not None:
+            fits = {python: sum(python in each.pythons for each in group) for python in fitting}
+            fitting = [python for python in fitting if fits[python] == max(fits.values())]
+        for each in group:
+            fitting = [python for python in fitting if python in each.pythons] or fitting
     return fitting
 
 
