@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
+from operator import gt, lt, ne
 from typing import NamedTuple
 
 from packaging.version import Version
@@ -27,6 +28,8 @@ _TRUSTED = 3
 _CLASSIFIER = pattern(r"Python :: (\d\.\d+)")
 _THREE = pattern(r"Python :: 3(?:$|\s)")
 """Python 3, whichever."""
+_LEFT = pattern(r"(<|>|!=)([\d.]+)")
+_SIDES: dict[str, Callable[[Version, Version], bool]] = {"<": lt, ">": gt, "!=": ne}
 _ANY = Version("99")
 _AFTER = 2
 """A project most likely still runs this many minor versions after its newest classifier."""
@@ -68,6 +71,16 @@ def ranges_at_least(evidence: Evidence) -> Iterator[Range]:
         if mention.topic == "python" and only_oldest(evidence, mention):
             reason = because("python", f"≥ {mention.value}", f"“{mention.text[:80]}”", mention, weight=Weight.USED)
             yield Range(_between(Version(mention.value), _ANY), reason)
+
+
+def ranges_left(evidence: Evidence) -> Iterator[Range]:
+    """Yield the Pythons that pages leave where they say that one does not work: below ``3.8 or higher``."""
+    for mention in evidence.mentions:
+        sign = _LEFT.match(mention.value) if mention.topic == "no_python" else None
+        if sign:
+            why = f"“{mention.text[:80]}”"
+            reason = because("python", f"{sign[1]} {sign[2]}", why, mention, weight=Weight.USED)
+            yield Range(_beside(sign[1], Version(sign[2])), reason)
 
 
 def only_oldest(evidence: Evidence, mention: Mention) -> bool:
@@ -181,6 +194,10 @@ def _between(lowest: Version, highest: Version) -> frozenset[str]:
 
 def _below(version: Version) -> frozenset[str]:
     return _those(lambda python: Version(python) < version)
+
+
+def _beside(sign: str, denied: Version) -> frozenset[str]:
+    return _those(lambda python: _SIDES[sign](Version(python), denied))
 
 
 def _those(fits: Callable[[str], bool]) -> frozenset[str]:

@@ -20,6 +20,7 @@ from roslab.decide.python.ranges import (
     ranges_at_least,
     ranges_by_syntax,
     ranges_by_use,
+    ranges_left,
 )
 from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because, configured, outweighed
@@ -56,7 +57,7 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
     if config.base.python:
         said = configured(config, "python", config.base.python, "base.python")
         return Choice(answer=Wanted(version=config.base.python), reasons=(said,))
-    known = (*ranges(evidence, pins, _telling(evidence)), *ranges_at_least(evidence))
+    known = (*ranges(evidence, pins, _telling(evidence)), *ranges_at_least(evidence), *ranges_left(evidence))
     named = sorted(_named(evidence, pins), key=_order)
     if known or named:  # syntax alone tells nothing of the version that is meant
         meant = {*_fitting(known)} if known else {each.answer for each in named}
