@@ -214,3 +214,11 @@ def test_a_program_that_nothing_has_is_not_started(tree: Tree) -> None:
     page = "# Use\n```\ncd sub\npython src/train.py\n```\n"
     decision = tree({".gitmodules": MODULES, "README.md": page, "lib/part.py": "import munch\n"})
     assert not decision.command_candidates
+
+
+def test_a_package_of_a_submodule_is_not_taken_from_the_index_too(tree: Tree) -> None:
+    modules = MODULES.replace("sub/knn", "sub/trimesh").replace("knn", "trimesh")
+    page = "```\npip install -e sub/trimesh\n```\n"
+    found = tree({".gitmodules": modules, "README.md": page, "run.py": "import trimesh\nimport tqdm\n"}).python
+    assert found.projects == ("sub/trimesh",)
+    assert [each.written for each in found.pip_guessed] == ["tqdm"]
