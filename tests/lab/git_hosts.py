@@ -114,9 +114,13 @@ def _policy() -> Path:
 
 
 def _address(env: dict[str, str]) -> str:
-    """Return `ADDRESS:PORT` on the engine's bridge, which this machine and its containers alone reach."""
+    return f"{bridge(env)}:{facts.number('git', 'port')}"
+
+
+def bridge(env: dict[str, str]) -> str:
+    """Return this machine's address on the engine's bridge, which it and its containers alone reach."""
     inspect = ["docker", "network", "inspect", "bridge", "--format", "{{(index .IPAM.Config 0).Gateway}}"]
-    return f"{run(inspect, env=env).strip()}:{facts.number('git', 'port')}"
+    return run(inspect, env=env).strip()
 
 
 def answers(address: str) -> bool:

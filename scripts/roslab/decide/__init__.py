@@ -199,7 +199,10 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         evidence,
         config,
         kind.answer,
-        taken=(*sources.answer.names, *packages.names, *(each.name for each in downloads.answer)),
+        taken=(
+            *(*sources.answer.names, *packages.names, *(each.name for each in downloads.answer)),
+            *(name for part in python.answer.native_parts for name in part.files),
+        ),
         addresses=(source.repo or "" for source in (*sources.answer.sources, *sources.answer.submodules)),
         itself=names_of_itself(evidence, folder_name, packages.names),
         added=repositories.answer,

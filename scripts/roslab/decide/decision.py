@@ -79,6 +79,32 @@ Manager = Literal["system", "venv", "conda"]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class NativePart:
+    """A library that a package of pip is compiled against and does not bring."""
+
+    name: str
+    """With its version: ``MuJoCo 2.1.0``."""
+    package: str
+    """Of pip."""
+    folder: str
+    """Where the package looks for it, from the home directory."""
+    archive: str
+    unpacks: str
+    """The folder that is in the archive."""
+    key: tuple[str, str] | None = None
+    """A file that it asks for, from the home directory, and its address."""
+    variables: tuple[tuple[str, str], ...] = ()
+    """Variables that tell the package a path, each with that path from the home directory."""
+    guessed: bool = False
+    """Nothing that is declared needs it."""
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """Names of the files where they come from."""
+        return tuple(url.rpartition("/")[2] for url in (self.archive, *(self.key or ())[1:]))
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Python:
     """The Python part of the image."""
 
@@ -140,6 +166,10 @@ class Python:
     python2: tuple[Requirement, ...] = ()
     """Requirements for a Python 2 beside the image's Python (``pip`` in the old formats)."""
     python2_options: tuple[str, ...] = ()
+    native_parts: tuple[NativePart, ...] = ()
+    """Libraries that packages need before they are built, and do not bring."""
+    compiled_modules: tuple[str, ...] = ()
+    """Modules that compile themselves when they are first imported."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -134,6 +134,7 @@ def as_it_was(
 
 def _python(python: Python, config: Config) -> Python:
     """Take the distribution's own Python, as the old formats did."""
+    python = replace(python, native_parts=(), compiled_modules=())
     if config.conda or config.base.python:
         return python
     return replace(python, manager="system", version=None, projects=(), pip_guessed=())

@@ -8,7 +8,7 @@ from packaging.version import Version
 
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.cuda.version import DEFAULT as CUDA
-from roslab.decide.decision import Choice, Python, Reason
+from roslab.decide.decision import Choice, NativePart, Python, Reason
 from roslab.decide.processor import OnX86
 from roslab.decide.reasons import Placed, because, configured, warn
 from roslab.decide.ros.source_names import address
@@ -64,7 +64,7 @@ def decide_platforms(  # noqa: PLR0917 - the order in which the questions are an
         or _of_cuda(kind, base_image, cuda, python)
         or _of_wheels(python, installed)
         or _of_conda(evidence, python)
-        or _of_archives(sources)
+        or _of_archives(sources, python.native_parts)
         or _of_vendors(sources)
         or _of_code(on_x86)
     )
@@ -89,10 +89,13 @@ def _without(platforms: Platforms, reason: Reason, on_x86: OnX86) -> Choice[Plat
     return Choice(answer=replace(platforms, without=words), reasons=(reason,), warnings=(told,))
 
 
-def _of_archives(sources: Iterable[Source]) -> Against | None:
+def _of_archives(sources: Iterable[Source], parts: Iterable[NativePart]) -> Against | None:
     known = amd64_only("archive")
     found = next((source for source in sources if source.zip and source.zip.startswith(known)), None)
-    return (f"{found.name} is an archive for amd64 only", found.place) if found else None
+    if found:
+        return f"{found.name} is an archive for amd64 only", found.place
+    part = next((part for part in parts if not part.guessed and part.archive.startswith(known)), None)
+    return (f"{part.name}, which {part.package} needs, is an archive for amd64 only", None) if part else None
 
 
 def _of_vendors(sources: Iterable[Source]) -> Against | None:

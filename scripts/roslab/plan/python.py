@@ -40,8 +40,6 @@ class PythonPlan:
     conda_pip_below: str = ""
     conda_limits: tuple[str, ...] = ()
     conda_cuda: str = ""
-    git_hosts: tuple[str, ...] = ()
-    """Hosts whose repositories are cloned by https, whatever the protocol of the line that names one."""
     cloned_files: tuple[str, ...] = ()
     unseen: tuple[str, ...] = ()
     setuptools: str = ""
@@ -56,6 +54,8 @@ class PythonPlan:
     day: str | None = None
     clones: bool = False
     """pip installs from repositories of git."""
+    native_parts: tuple[decision.NativePart, ...] = ()
+    compiled_modules: tuple[str, ...] = ()
 
 
 def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> PythonPlan:
@@ -86,7 +86,6 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_pip_below=python.conda_pip_below,
         conda_limits=python.conda_limits,
         conda_cuda=python.conda_cuda,
-        git_hosts=compiling.hosts,
         cloned_files=python.cloned_files,
         unseen=python.unseen,
         setuptools=python.setuptools.written if python.setuptools else "",
@@ -97,6 +96,8 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         defines=python.defines,
         day=python.day,
         clones=compiling.git,
+        native_parts=python.native_parts,
+        compiled_modules=python.compiled_modules,
     )
 
 

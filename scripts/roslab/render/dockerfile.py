@@ -17,6 +17,7 @@ from roslab.render.layers import (
     final,
     locks,
     manifests,
+    native_parts,
     python,
     scripts,
     shell,
@@ -57,6 +58,7 @@ TODAY = Order(
     stages=(
         system.library_stages,  # 3. libraries: a new system package rebuilds none
         downloads.stage,
+        native_parts.stage,
         manifests.stage,
     ),
     image=(
@@ -66,6 +68,7 @@ TODAY = Order(
         system.icub,
         system.newer_cmake,
         building.settings,
+        native_parts.bring,
         python.environment,
         python.jupyter,
         system.libraries,
@@ -79,6 +82,7 @@ TODAY = Order(
         python.packages,
         cloned_files.install,
         python.guessed_packages,
+        native_parts.compile_modules,
         building.variables,
         downloads.bring,
     ),
@@ -86,6 +90,7 @@ TODAY = Order(
         workspace.copy_source,  # 5.
         python.versions,
         python.projects,
+        native_parts.compile_of_projects,
         workspace.own_projects,
         workspace.any_processor,
         workspace.own_scripts,

@@ -83,9 +83,11 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
     lines += _section("upstreams that no longer answer → what replaces them", gone, rows=True)
     lines += _section(
         "from source",
-        (f"{s.name} {s.repo or s.zip or ''} {_ref(s)}".strip() for s in decision.source),
+        (f"{s.name} {s.repo or s.zip or ''} {_ref(s)}".strip() for s in decision.source if not s.holding),
         rows=True,
     )
+    sought = (f"{', '.join(s.holding)} in {s.repo}" for s in decision.source if s.holding)
+    lines += _section("looked for while the image is built", sought, rows=True)
     command = line_of(decision.command)
     others = (said for c in decision.command_candidates if (said := shlex.join(c)) != command)
     lines += _section("other commands", others, rows=True)

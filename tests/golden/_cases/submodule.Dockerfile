@@ -7,6 +7,10 @@ COPY --chmod=755 <<'EOF' /create-user
 @@ _constant/create-user @@
 EOF
 
+COPY <<'EOF' /git-hosts.txt
+@@ _constant/git-hosts.txt @@
+EOF
+
 COPY --chmod=755 <<'EOF' /renew-package-sources
 @@ _constant/renew-package-sources @@
 EOF
@@ -34,6 +38,7 @@ ARG NB_USER=jovyan
 ARG NB_UID=1000
 ENV LANG=C.UTF-8 LC_ALL=C.UTF-8 NB_USER=${NB_USER} NB_UID=${NB_UID}
 COPY --from=scripts /create-user /usr/local/bin/
+COPY --from=scripts /git-hosts.txt /usr/local/share/roslab/
 RUN create-user
 
 # Package sources that answer: this base's release has ended, or its keys may be old

@@ -18,6 +18,7 @@ from roslab.plan.plan import Plan, make_plan
 from roslab.plan.python import PythonPlan
 from roslab.plan.run import Run
 from roslab.plan.workspace import Workspace
+from roslab.render import image_scripts
 
 
 def make(**changes: Any) -> Plan:
@@ -135,3 +136,15 @@ def call(tmp_path: Path) -> Callable[..., Called]:
         return Called(answer.returncode, answer.stdout, answer.stderr, argv, record)
 
     return run
+
+
+@pytest.fixture
+def scripts_on_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Put the scripts of an image on PATH, under the names that they have there; return their folder."""
+    folder = tmp_path / "scripts"
+    folder.mkdir()
+    for script in Path(image_scripts.__path__[0]).glob("*.sh"):
+        (folder / script.stem).write_text(script.read_text())
+        (folder / script.stem).chmod(0o755)
+    monkeypatch.setenv("PATH", f"{folder}:{os.environ['PATH']}")
+    return folder

@@ -7,9 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from roslab.render import image_scripts
-
-SCRIPT = Path(image_scripts.__path__[0]) / "build-needed.sh"
+pytestmark = pytest.mark.usefixtures("scripts_on_path")
 TOOL = """\
 echo built >>attempts
 for manifest in $(find src -name package.xml); do
@@ -47,7 +45,7 @@ def workspace(tmp_path: Path) -> Path:
 def _run(workspace: Path, *options: str) -> tuple[int, int, list[str], str]:
     """Return the exit code, the number of attempts, the packages that were passed by, and what was said."""
     ran = subprocess.run(
-        ["bash", SCRIPT, *options, "src/mine", "bash", "tool"],
+        ["build-needed", *options, "src/mine", "bash", "tool"],
         cwd=workspace,
         capture_output=True,
         text=True,

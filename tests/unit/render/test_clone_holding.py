@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-SCRIPT = Path("scripts/roslab/render/image_scripts/clone-holding.sh").resolve()
+pytestmark = pytest.mark.usefixtures("scripts_on_path")
 
 
 def _manifest(folder: Path, name: str, *needed: str) -> None:
@@ -45,7 +45,7 @@ def _run(tmp_path: Path, *words: str) -> tuple[str, list[str], list[str]]:
     """Return what the script says, the packages that the workspace has, and those that its build tool passes by."""
     workspace = tmp_path / "ws/src"
     workspace.mkdir(parents=True, exist_ok=True)
-    answer = subprocess.run(["bash", SCRIPT, *words], capture_output=True, text=True, cwd=tmp_path, check=True)
+    answer = subprocess.run(["clone-holding", *words], capture_output=True, text=True, cwd=tmp_path, check=True)
     found = sorted(file.parent.name for file in workspace.rglob("package.xml"))
     passed = sorted(file.parent.name for file in workspace.rglob("CATKIN_IGNORE"))
     assert passed == sorted(file.parent.name for file in workspace.rglob("COLCON_IGNORE"))

@@ -12,6 +12,7 @@ import pytest
 from roslab.render import image_scripts
 
 FOLDER = Path(image_scripts.__path__[0])
+pytestmark = pytest.mark.usefixtures("scripts_on_path")
 
 
 def _manifest(folder: Path, name: str, *needed: str) -> None:
@@ -47,7 +48,6 @@ def image(tmp_path: Path) -> Path:
     _git(tmp_path / "ws/src", "clone", "--quiet", (tmp_path / "lab/lib").as_uri())
     binaries = tmp_path / "bin"
     binaries.mkdir()
-    (binaries / "clone-holding").symlink_to(FOLDER / "clone-holding.sh")
     (binaries / "rosdep").write_text(f"#!{sys.executable}\n")
     for program in binaries.iterdir():
         program.chmod(0o755)

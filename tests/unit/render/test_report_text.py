@@ -43,3 +43,16 @@ def test_nothing_is_said_to_be_installed_beside_an_authors_dockerfile(examples: 
         in text
     )
     assert "python3 pose_chain.py     the author's Dockerfile starts it (docker/Dockerfile:11)" in text
+
+
+def test_what_may_be_in_a_repository_is_told_apart_from_what_is_cloned(tmp_path: Path) -> None:
+    package = "<package><name>nav</name><buildtool_depend>catkin</buildtool_depend><depend>nav_lib</depend></package>"
+    (tmp_path / "package.xml").write_text(package)
+    (tmp_path / "CMakeLists.txt").write_text("project(nav)\nfind_package(catkin REQUIRED)\ncatkin_package()\n")
+    (tmp_path / "README.md").write_text("ROS Noetic.\n")
+    (tmp_path / ".git").mkdir()
+    (tmp_path / ".git/config").write_text('[remote "origin"]\n\turl = https://github.com/lab/nav.git\n')
+    planned = plan_repository(tmp_path)
+    text = inspection_text(planned.decision, planned.plan)
+    assert "looked for while the image is built:\n  nav_lib in https://github.com/lab/nav_lib.git\n" in text
+    assert "from source:" not in text

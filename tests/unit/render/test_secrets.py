@@ -83,6 +83,7 @@ def test_every_mount_is_required_and_no_value_stays() -> None:
     text = made(*ALL, custom=Custom(commands=("true",), as_root=False, chained=False, workdir="home"))
     for mount in re.findall(r"--mount=(?!type=cache)\S+", text):
         assert re.search(r"type=(secret|ssh)\b.*required=true", mount), mount
+    text = text[text.index("\n\n\nFROM ") :]  # without the scripts, which are the same in every image
     outside = re.sub(r"^RUN (?:.*\\\n)*.*$|^#.*$", "", text, flags=re.MULTILINE)
     for word in (*ALL, "PIP_EXTRA_INDEX_URL", "GIT_SSH_COMMAND"):
         assert word not in outside
@@ -98,13 +99,6 @@ def test_who_runs_a_step_can_read_its_secrets() -> None:
     assert "target=/root/.netrc \\" in pip
     (own,) = [run for run in re.findall(r"^RUN (?:.*\\\n)*.*$", text, re.MULTILINE) if run.endswith("&& true")]
     assert "target=/home/${NB_USER}/.netrc \\" in own
-
-
-def test_a_build_with_a_key_asks_nothing_of_ssh_by_https(plan: Plans) -> None:
-    for secrets, written in (((), ["git://", "ssh://git@", "git@"]), (("ssh",), ["git://"])):
-        text = dockerfile(plan(git_hosts=("github.com",), secrets=secrets))
-        found = re.findall(r"insteadOf (\S+?)github\.com", text)
-        assert found == written
 
 
 def test_without_secrets_none_is_mounted() -> None:

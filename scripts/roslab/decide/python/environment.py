@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from packaging.version import Version
-
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import by_script, extends_torch
 from roslab.decide.decision import Choice, Python, Reason
@@ -20,11 +18,13 @@ from roslab.decide.python.fetched import cloned_files, unseen
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.ignored_environments import ignored_environments
+from roslab.decide.python.indexes import file_options, indexes_of
 from roslab.decide.python.locked import locked_releases
 from roslab.decide.python.lost import lost
 from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, left_to_parts, with_includes
 from roslab.decide.python.named_frameworks import named_frameworks
+from roslab.decide.python.native_parts import decide_native_parts
 from roslab.decide.python.old_setuptools import setuptools_of
 from roslab.decide.python.older_torch import older_torch, without_release
 from roslab.decide.python.own import OwnPython, manager_of, of_ubuntu, outvoted
@@ -35,9 +35,6 @@ from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, in_full, of_pages, repair, right, untold
 from roslab.decide.python.too_new import loosened
 from roslab.decide.python.torch_build import (
-    OLDEST_PAGE,
-    ON_INDEX,
-    ONE_PAGE_BEFORE,
     decide_build,
     numpy_of,
 )
@@ -45,23 +42,19 @@ from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import packages_of, ros_versions, types
 from roslab.decide.system.cmake_version import from_pip
-from roslab.evidence.facts import Evidence, RequirementFile
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.frameworks import kept_for_build_types
 from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.name import canonicalize_name
 from roslab.values.origin import Place
-from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 from roslab.values.version import minor_of
 
 _WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}
 _ALONE = "conda alone has it: it comes from there, with the Python"
-_WITH_LOCAL_VERSIONS = frozenset({"torch", "torchvision", "torchaudio"})
-_PLACES = pattern(r"--(?:extra-index-url|find-links) https?://")
-"""An option that adds a place to look for packages; a folder is found from the file alone."""
 
 
 def decide_python(
@@ -119,13 +112,16 @@ def decide_python(
     conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
     # NumPy 1 from conda is no limit for pip, which replaces it where a package asks for NumPy 2
     before_pip = (each for each in conda_asked if each.key != "numpy" or each.specifier.contains("2.0.0"))
-    limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0])
+    native = decide_native_parts(everything, chosen.guessed, chosen.projects, evidence.pip_day)
+    limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *native.answer.bounds)
     defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number, aged)
     of_lock = locked_releases(locked, manifests, (*named.answer.first, *limits), number)
     limits = (*limits, *of_lock.answer)
     numpy = numpy_of((*before_pip, *everything, *limits) if manager != "system" else ())
-    indexes = [*_indexes([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files)]
-    indexes = [*indexes, *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option")]
+    indexes = [
+        *indexes_of([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files),
+        *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option"),
+    ]
     whole = [file for file in chosen.files if file.file not in repaired.files]
     conda = chosen.conda if manager == "conda" else None
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
@@ -133,9 +129,9 @@ def decide_python(
         setuptools_of((*everything, *conda_asked) if manager != "system" else ()),
         limits_of(evidence, conda),
     )
-    compiled_first = first(everything, chosen.projects, cmake=manager != "system")
+    compiled_first = first((*everything, *native.answer.brought), chosen.projects, cmake=manager != "system")
     by_name = bool(compiled_first or declared or chosen.guessed or chosen.projects)
-    of_files = _file_options(evidence, chosen, repaired, by_name=by_name)
+    of_files = file_options(evidence, chosen, repaired, by_name=by_name)
     answer = Python(
         version=number,
         manager=manager,
@@ -168,6 +164,8 @@ def decide_python(
         pip_options=lists.options,
         python2=lists.python2,
         python2_options=lists.python2_options,
+        native_parts=native.answer.parts,
+        compiled_modules=native.answer.modules,
     )
     return Choice(
         answer=answer,
@@ -185,6 +183,7 @@ def decide_python(
             *older.reasons,
             *in_conda.reasons,
             *of_lock.reasons,
+            *native.reasons,
         ),
         warnings=(
             *told(answer),
@@ -192,6 +191,7 @@ def decide_python(
             *repaired.warnings,
             *defines.warnings,
             *lists.warnings,
+            *native.warnings,
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
             *lost(evidence, kind, chosen),
             *ignored_environments(evidence, kind, chosen),
@@ -254,33 +254,6 @@ def _of_environment(evidence: Evidence, chosen: Chosen) -> Iterator[Requirement]
     for environment in evidence.conda:
         if environment.file == chosen.conda:
             yield from environment.requirements
-
-
-def _indexes(asked: Sequence[Requirement], files: Sequence[RequirementFile]) -> Iterator[str]:
-    """Yield the index or page with the wheels of a torch that pip's index lacks and whose page no file names.
-
-    That is one with a local version (``+cu113``), and each release before 1.0
-    (https://github.com/beholdergan/Beholder-GAN/issues/7, read 2026-11-24).
-    """
-    in_files = " ".join(option for file in files for option in file.options if _PLACES.match(option))
-    for each in asked:
-        release = Version(each.release) if each.release and each.key in _WITH_LOCAL_VERSIONS and not each.url else None
-        build = release.local or (OLDEST_PAGE if each.key == "torch" and release < ON_INDEX else "") if release else ""
-        if release is not None and build and f"/whl/{build}" not in in_files:
-            page = f"https://download.pytorch.org/whl/{build}"
-            old = each.key == "torch" and release < ONE_PAGE_BEFORE
-            yield f"--find-links {page}/torch_stable.html" if old else f"--extra-index-url {page}"
-
-
-def _file_options(evidence: Evidence, chosen: Chosen, repaired: Repaired, *, by_name: bool) -> list[str]:
-    """Return the pip options in files whose lines are installed one by one, and the further indexes of the others.
-
-    ``by_name``: something is installed in a step of its own. It may be a package of such a file, which only they have.
-    """
-    broken = [file for file in chosen.files if file.file in repaired.files]
-    whole = [file for file in chosen.files if file not in broken] if by_name else []
-    further = [each for file in with_includes(evidence, whole) for each in file.options if _PLACES.match(each)]
-    return [*(option for file in with_includes(evidence, broken) for option in file.options), *further]
 
 
 def _reasons(chosen: Chosen) -> Iterator[Reason]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from roslab.decide.decision import Python
 from roslab.decide.python.manifests import files_of, with_includes
+from roslab.decide.python.native_parts import brought
 from roslab.decide.python.pins import of_conda
 from roslab.decide.python.refused import refused
 from roslab.evidence.facts import CondaEnvironment, Evidence
@@ -12,10 +13,10 @@ from roslab.values.requirement import Requirement
 
 
 def installed(evidence: Evidence, python: Python) -> tuple[Requirement, ...]:
-    """Return each requirement once: the image's own, and those of its files, projects and conda environment.
+    """Return each requirement once: the image's own, those of its files, projects and conda environment.
 
     Requirements that pip cannot find or that do not apply to the image's Python and platforms are left out. conda's
-    packages have the names that pip's index uses.
+    packages have the names that pip's index uses. What declared packages bring follows, where a table says so.
     """
     by_path = {file.file: file for file in evidence.requirements}
     chosen = [by_path[path] for path in python.requirements if path in by_path]
@@ -33,7 +34,8 @@ def installed(evidence: Evidence, python: Python) -> tuple[Requirement, ...]:
     for each in (*first, *beside, *held):
         if not refused(each):
             found.setdefault(each.told, each)
-    return tuple(found.values())
+    declared = [each for each in found.values() if each not in python.pip_guessed]
+    return (*found.values(), *brought(declared, python.day))
 
 
 def _of_conda(evidence: Evidence, environment: CondaEnvironment) -> list[Requirement]:

@@ -22,16 +22,12 @@ leave_out() {
   rm -rf "${folder}"
   exit 0
 }
-tag() { sed --quiet --regexp-extended "s:.*<($2)( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\3:p" "$1"; }
-manifests() { find "$1" -name .git -prune -o -name package.xml -print; }
-
-lacking=("$@")
-while read -r manifest; do
-  name="$(tag "${manifest}" name | head -n 1)"
-  for index in "${!lacking[@]}"; do
-    if [ "${lacking[index]}" = "${name}" ]; then unset "lacking[index]"; fi
-  done
-done < <(if [ -d "${workspace}" ]; then manifests "${workspace}"; fi)
+lacking=()
+for package in "$@"; do
+  if [ ! -d "${workspace}" ] || [ -z "$(workspace-packages needed "${workspace}" "${package}")" ]; then
+    lacking+=("${package}")
+  fi
+done
 if [ "${#lacking[@]}" -eq 0 ]; then
   echo "roslab: ${url} is not needed: the workspace has $*"
   exit 0
@@ -48,27 +44,7 @@ elif [ -n "${day}" ]; then
 fi
 git -C "${folder}" submodule update --init --recursive || leave_out "its submodules cannot be cloned"
 
-declare -A file_of=() kept=()
-while read -r manifest; do
-  name="$(tag "${manifest}" name | head -n 1)"
-  if [ -n "${name}" ]; then file_of["${name}"]="${manifest}"; fi
-done < <(manifests "${folder}")
-queue=("${lacking[@]}")
-while [ "${#queue[@]}" -gt 0 ]; do
-  name="${queue[0]}" queue=("${queue[@]:1}")
-  manifest="${file_of["${name}"]:-}"
-  if [ -z "${manifest}" ] || [ -n "${kept["${name}"]:-}" ]; then continue; fi
-  kept["${name}"]=yes
-  mapfile -t needed < <(tag "${manifest}" '[a-z_]*depend')
-  queue+=("${needed[@]}")
-done
+mapfile -t kept < <(workspace-packages needed "${folder}" "${lacking[@]}" | cut --fields=1)
 if [ "${#kept[@]}" -eq 0 ]; then leave_out "it holds no package called ${lacking[*]}"; fi
-echo "roslab: ${url} brings ${!kept[*]}"
-for name in "${!file_of[@]}"; do
-  if [ -n "${kept["${name}"]:-}" ]; then continue; fi
-  here="$(dirname "${file_of["${name}"]}")"
-  for other in "${!kept[@]}"; do
-    if [[ "$(dirname "${file_of["${other}"]}")/" = "${here}/"* ]]; then continue 2; fi # the marker would hide it
-  done
-  touch "${here}/CATKIN_IGNORE" "${here}/COLCON_IGNORE"
-done
+echo "roslab: ${url} brings ${kept[*]}"
+workspace-packages hide "${folder}" "${kept[@]}" >/dev/null

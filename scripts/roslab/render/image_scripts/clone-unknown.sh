@@ -15,29 +15,16 @@ manifests="$1" workspace="$2" tried=/tmp/clone-unknown
 shift 2
 touch "${tried}"
 
-tag() { sed --quiet --regexp-extended "s:.*<($2)( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\3:p" "$1"; }
-declare -A file_of=() seen=() asked=()
-while read -r manifest; do
-  name="$(tag "${manifest}" name | head -n 1)"
-  if [ -n "${name}" ]; then file_of["${name}"]="${manifest}"; fi
-done < <(find "${workspace}" -name .git -prune -o -name package.xml -print)
-queue=()
-while read -r manifest; do
-  mapfile -t -O "${#queue[@]}" queue < <(tag "${manifest}" '[a-z_]*depend')
-done < <(find "${manifests}" -name package.xml)
-while [ "${#queue[@]}" -gt 0 ]; do
-  found=()
-  for name in "${queue[@]}"; do
-    manifest="${file_of["${name}"]:-}"
-    if [ -z "${manifest}" ] || [ -n "${seen["${name}"]:-}" ]; then continue; fi
-    seen["${name}"]=yes
-    while read -r each; do
-      found+=("${each}")
-      asked["${each}"]="${asked["${each}"]:-${manifest}}" # the first clone that asks
-    done < <(tag "${manifest}" '[a-z_]*depend')
-  done
-  queue=("${found[@]}")
-done
+depends() {
+  sed --quiet --regexp-extended 's:.*<[a-z_]*depend( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\2:p' "$@"
+}
+mapfile -t own < <(find "${manifests}" -name package.xml -exec cat {} + | depends)
+declare -A asked=()
+while IFS=$'\t' read -r _ manifest; do
+  while read -r name; do
+    asked["${name}"]="${asked["${name}"]:-${manifest}}" # the first clone that asks
+  done < <(depends "${manifest}")
+done < <(workspace-packages needed "${workspace}" "${own[@]}")
 
 # Prints NAME URL REF of what the lists of the clones name; the interpreter of rosdep can read YAML
 listed() {

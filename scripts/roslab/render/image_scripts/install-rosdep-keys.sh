@@ -85,6 +85,11 @@ else
   if [ -s "${left_out}" ]; then sed 's/^/roslab: left out: /' "${left_out}"; fi
   install_keys --default-yes
 fi
+# CMake of cloned packages may require more of ROS than their package.xml names
+if [ -n "${complete}" ]; then
+  mapfile -t more < <(required-components "${folders[1]}")
+  if [ "${#more[@]}" -gt 0 ]; then install-optional-apt "${more[@]}"; fi
+fi
 rm "${said}" "${caches}"
 rm -f /tmp/apt-*.bin
 rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}

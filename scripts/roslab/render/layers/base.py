@@ -6,6 +6,7 @@ from roslab.plan.package_sources import PackageSources, RosSource
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import locks, secrets, shell
+from roslab.values.secret import SSH
 
 START = f"""\
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
@@ -16,12 +17,12 @@ ARG TARGETARCH
 ARG NB_USER=jovyan
 ARG NB_UID=1000
 ENV LANG=C.UTF-8 LC_ALL=C.UTF-8 NB_USER=${{NB_USER}} NB_UID=${{NB_UID}}
-{shell.copy_script("create-user")}RUN create-user"""
+{shell.copy_script("create-user")}{shell.copy_data(("git-hosts.txt",))}RUN create-user"""
 
 
-def start(_: Plan) -> str:
+def start(plan: Plan) -> str:
     """Start with bash as the shell, no questions from apt, a UTF-8 locale and the image's user."""
-    return START
+    return f"{START} --ssh" if SSH in plan.secrets else START
 
 
 def package_sources(plan: Plan) -> str:

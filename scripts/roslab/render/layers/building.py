@@ -5,7 +5,6 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
-from roslab.values.secret import SSH
 
 OLDER_NAMES = "/usr/local/share/roslab/older-names.h"
 """A header that both compilers include before each file."""
@@ -31,15 +30,6 @@ def settings(plan: Plan) -> str:
         lines.append("# A script compiles C++ that is written for an older release")
         lines += [text] if (text := older_names(plan)) else []
         lines.append("ENV " + " \\\n    ".join(f"{name}={quote.docker(flags)}" for name, flags in macros(plan)))
-    if python.git_hosts:
-        # A build with a key uses the addresses of ssh as they are
-        closed = [("git://", "/")] + ([] if SSH in plan.secrets else [("ssh://git@", "/"), ("git@", ":")])
-        commands = [
-            f"git config --system --add url.https://{host}/.insteadOf {quote.shell(written + host + end)}"
-            for host in python.git_hosts
-            for written, end in closed
-        ]
-        lines.append(shell.run(*commands, comment="Public repositories that are named by git:// or ssh://"))
     return "\n".join(lines)
 
 

@@ -7,9 +7,11 @@ content: a changed script repeats the steps from its first use on and nothing be
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
+from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.keys import key
 from roslab.knowledge.os_releases import archives
 from roslab.render.layers import shell
@@ -18,7 +20,10 @@ from roslab.values.pattern import pattern
 _FOLDER = Path(__file__).parent.parent / "image_scripts"
 _COPY = pattern(r"^COPY --from=scripts (/.+) /usr/local/(?:bin|share/roslab)/$", re.MULTILINE)
 """What ``shell.copy_script`` and ``shell.copy_data`` write."""
-_TABLES = {"archives.txt": archives}
+_TABLES: dict[str, Callable[[], str]] = {
+    "archives.txt": archives,
+    "git-hosts.txt": lambda: "\n".join(sorted(public_hosts())),
+}
 """Tables of the program's knowledge that scripts read."""
 _WHY = "# What is the same in every image, as small scripts; what belongs to this repository begins below them."
 

@@ -50,7 +50,7 @@ def rosdep(plan: Plan) -> str:
         before += f"{shell.copy_script('write-package-xml')}RUN write-package-xml {manifests.FOLDER}\n"
     complete = _complete(plan) if files else ""
     if complete:
-        before += shell.copy_script(UNKNOWN) + shell.copy_script(HOLDING)
+        before += "".join(map(shell.copy_script, (UNKNOWN, HOLDING, "required-components", "install-optional-apt")))
     return shell.call(
         "install-rosdep-keys",
         (f" --tables {quote.shell(tag)}" if tag else "")

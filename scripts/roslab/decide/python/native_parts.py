@@ -1,0 +1,114 @@
+"""Libraries that packages of pip need and do not bring: the image has them before pip builds the package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from roslab.decide.decision import Choice, NativePart, Reason, Warning_
+from roslab.decide.python.weights import PackageWeight as Weight
+from roslab.decide.reasons import because, warn
+from roslab.evidence.facts import PythonProject
+from roslab.knowledge.native_parts import Native, bringing, natives, series_of
+from roslab.values.dataclass import dataclass
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class NativeParts:
+    """What the image gets beside the packages of pip."""
+
+    parts: tuple[NativePart, ...] = ()
+    modules: tuple[str, ...] = ()
+    """Modules that compile themselves when they are first imported."""
+    brought: tuple[Requirement, ...] = ()
+    """Packages that come with others, as ``brought`` tells."""
+    bounds: tuple[Requirement, ...] = ()
+    """pip constraints: newer versions do not compile these modules."""
+
+
+def brought(asked: Iterable[Requirement], day: str | None) -> tuple[Requirement, ...]:
+    """Return what packages that are asked for have pip install with them, of those that are compiled here.
+
+    ``day``: pip's. What is asked for by itself is not returned.
+    """
+    asked = tuple(asked)
+    named = {each.key for each in asked}
+    found: dict[str, Requirement] = {}
+    for each in asked:
+        row = series_of(each, day, bringing()) if each.package and each.role != "conda" else None
+        if row and row.brings and (not row.extras or set(row.extras) & set(each.extras)):
+            other = stated(row.brings, "table", each.file, each.line)
+            if other.key not in named:
+                found.setdefault(other.key, other)
+    return tuple(found.values())
+
+
+def decide_native_parts(
+    installed: Iterable[Requirement],
+    guessed: Sequence[Requirement],
+    projects: Iterable[PythonProject],
+    day: str | None,
+) -> Choice[NativeParts]:
+    """Return the libraries of all packages in ``installed`` and of the tree's own ``projects``, as of pip's ``day``.
+
+    Some of them are only ``guessed``: pip installs them last, where they are not there. conda's packages bring theirs.
+    The first of several releases of a package counts.
+    """
+    declared = [each for each in installed if each not in guessed]
+    of_declared = brought(declared, day)
+    of_guessed = brought((*declared, *of_declared, *guessed), day)
+    own = [stated(each.name, "build", each.file, each.line) for each in projects if each.name]
+    asked: dict[str, Requirement] = {}
+    for each in (*declared, *of_declared, *own, *guessed, *of_guessed):
+        if each.package and each.role != "conda":
+            asked.setdefault(each.key, each)
+    sure = {each.key for each in (*declared, *of_declared, *own)}
+    names = {row.pip for row in natives()}
+    rows = [(each, series_of(each, day, natives())) for each in asked.values() if each.key in names]
+    found = [(each, row) for each, row in rows if row]
+    bounds = (stated(row.bound) for _, row in found if row.bound)
+    return Choice(
+        answer=NativeParts(
+            parts=tuple(_part(row, guessed=each.key not in sure) for each, row in found if row.part),
+            brought=(*of_declared, *of_guessed),
+            modules=tuple(dict.fromkeys(row.module for _, row in found)),
+            bounds=tuple({each.key: each for each in bounds if not _held(each, asked)}.values()),
+        ),
+        reasons=tuple(_reasons(found)),
+        warnings=tuple(_lacking(each) for each, row in rows if not row),
+    )
+
+
+def _held(bound: Requirement, asked: dict[str, Requirement]) -> bool:
+    """Tell whether the author limits a package by himself, or wants a newer one than a bound leaves."""
+    author = asked.get(bound.key)
+    return author is not None and (author.limited or author.at_least is not None)
+
+
+def _part(row: Native, *, guessed: bool) -> NativePart:
+    return NativePart(
+        name=row.part,
+        package=row.pip,
+        folder=row.folder,
+        archive=row.archive,
+        unpacks=row.unpacks,
+        key=row.key,
+        variables=tuple(zip(row.variables, (row.folder, *(row.key or ())[:1]), strict=True)),
+        guessed=guessed,
+    )
+
+
+def _reasons(found: Iterable[tuple[Requirement, Native]]) -> Iterator[Reason]:
+    for asked, row in found:
+        if row.part:
+            why = f"{asked.written} is compiled against it and does not bring it"
+            yield because("dependencies", row.part, why, asked if asked.file else None, weight=Weight.MANIFEST)
+
+
+def _lacking(asked: Requirement) -> Warning_:
+    message = (
+        f"{asked.written} needs a native library that no row of the tables names, so that the image lacks it: "
+        f"take a newer release of {asked.key}"
+    )
+    return warn(message, asked if asked.file else None)

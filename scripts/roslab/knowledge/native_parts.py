@@ -1,0 +1,103 @@
+"""Libraries that a package of pip is compiled against and does not bring, and packages that bring others with them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+from typing import TypeVar
+
+from packaging.version import Version
+
+from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
+from roslab.values.requirement import Requirement
+from roslab.values.version import version_of
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Series:
+    """Releases of a package for which one row holds: from ``first`` on, to the first of the next row."""
+
+    pip: str
+    first: str
+    newest: str
+    """The newest of these releases that the index has."""
+    since: str
+    """``YYYY-MM-DD``, on which the index got the first of them."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Native(Series):
+    """What a package needs to be compiled and to run."""
+
+    part: str
+    """Name of the library in a sentence, ``""`` where the package brings it."""
+    folder: str
+    """Where it has to be, from the home directory."""
+    archive: str
+    unpacks: str
+    """The folder that is in the archive."""
+    key: tuple[str, str] | None
+    """The file with a key, from the home directory, and its address."""
+    variables: tuple[str, ...]
+    """Variables that name the folder and the file with the key."""
+    bound: str
+    """A limit on a package that compiles it."""
+    module: str
+    """It compiles itself when it is first imported, and then writes beside itself."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Bringing(Series):
+    """A package that has pip install another one."""
+
+    extras: tuple[str, ...]
+    """Those of its extras that do; none: it always does."""
+    brings: str
+    """As a line of requirements, ``""`` for nothing."""
+
+
+Row = TypeVar("Row", bound=Series)
+
+
+@cache
+def natives() -> tuple[Native, ...]:
+    """Return all rows of ``native_parts``."""
+    return tuple(
+        Native(
+            **_series(row),
+            part=row["part"],
+            folder=row["folder"],
+            archive=row["archive"],
+            unpacks=row["unpacks"],
+            key=(row["key"].split()[0], row["key"].split()[1]) if row["key"] else None,
+            variables=tuple(row["variables"].split()),
+            bound=row["bound"],
+            module=row["module"],
+        )
+        for row in rows("native_parts")
+    )
+
+
+@cache
+def bringing() -> tuple[Bringing, ...]:
+    """Return all rows of ``brought_packages``."""
+    return tuple(
+        Bringing(**_series(row), extras=tuple(row["extras"].split()), brings=row["brings"])
+        for row in rows("brought_packages")
+    )
+
+
+def series_of(asked: Requirement, day: str | None, known: Iterable[Row]) -> Row | None:
+    """Return the row for the release that pip takes of a package, on a day or today; ``None`` if there is none."""
+    ours = [row for row in known if row.pip == asked.key]
+    release = version_of(asked.release) if asked.release else None
+    if release:
+        return next((row for row in reversed(ours) if Version(row.first) <= release), None)
+    fitting = [row for row in ours if asked.specifier.contains(row.newest) or asked.specifier.contains(row.first)]
+    then = [row for row in fitting if day is None or row.since <= day]
+    return then[-1] if then else next(iter(fitting), None)
+
+
+def _series(row: dict[str, str]) -> dict[str, str]:
+    return {name: row[name] for name in ("pip", "first", "newest", "since")}

@@ -1,0 +1,45 @@
+#!/bin/bash
+# usage: workspace-packages needed|hide FOLDER [--without PATH] NAME...
+# Of the packages below a folder, but those below a path that is left out:
+#   needed  prints the named ones and what they need in turn, each with its package.xml behind a tab
+#   hide    puts the markers by which catkin and colcon pass by into all but the named ones, and prints their names
+set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
+
+what="$1" folder="$2" without=''
+shift 2
+if [ "${1:-}" = --without ]; then
+  without="$2"
+  shift 2
+fi
+tag() { sed --quiet --regexp-extended "s:.*<($2)( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\3:p" "$1"; }
+
+declare -A file_of=() named=()
+while read -r manifest; do
+  name="$(tag "${manifest}" name | head -n 1)"
+  if [ -n "${name}" ]; then file_of["${name}"]="${manifest}"; fi
+done < <(find "${folder}" \( -name .git -o -path "${without}" \) -prune -o -name package.xml -print)
+
+queue=("$@")
+while [ "${#queue[@]}" -gt 0 ]; do
+  more=()
+  for name in "${queue[@]}"; do
+    manifest="${file_of["${name}"]:-}"
+    if [ -z "${manifest}" ] || [ -n "${named["${name}"]:-}" ]; then continue; fi
+    named["${name}"]=yes
+    if [ "${what}" = hide ]; then continue; fi
+    printf '%s\t%s\n' "${name}" "${manifest}"
+    mapfile -t -O "${#more[@]}" more < <(tag "${manifest}" '[a-z_]*depend')
+  done
+  queue=("${more[@]}")
+done
+if [ "${what}" = needed ]; then exit 0; fi
+
+for name in "${!file_of[@]}"; do
+  here="$(dirname "${file_of["${name}"]}")"
+  if [ -n "${named["${name}"]:-}" ] || [ -e "${here}/CATKIN_IGNORE" ]; then continue; fi
+  for other in "${!named[@]}"; do
+    if [[ "$(dirname "${file_of["${other}"]}")/" = "${here}/"* ]]; then continue 2; fi # the marker would hide it
+  done
+  touch "${here}/CATKIN_IGNORE" "${here}/COLCON_IGNORE"
+  echo "${name}"
+done | sort
