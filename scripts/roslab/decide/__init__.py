@@ -177,7 +177,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         config,
         base.answer.ubuntu,
         (*everything, *(each for project in projects for each in project.build_requires)),
-        command.answer.page,
+        command=command.answer.page,
+        image=base.answer.image,
     )
     downloads = decide_downloads(evidence, config, command.answer.command, folder_name, command.answer.page)
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)

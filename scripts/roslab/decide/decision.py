@@ -127,6 +127,8 @@ class Python:
     """Every file that ``requirements`` and ``conda_file`` need to be read: what they include, their constraints."""
     projects: tuple[str, ...] = ()
     """Folders to ``pip install``, ``.`` for the root; installed in this order, editable, after the source is copied."""
+    unseen: tuple[str, ...] = ()
+    """Those of ``projects`` that lie in submodules which are not checked out: they may be none."""
     alone: tuple[str, ...] = ()
     """Those of ``projects`` to install without their dependencies, because one of these cannot be had anywhere."""
     conda_file: str | None = None
@@ -147,6 +149,8 @@ class Python:
     """The first pip that is too new for the conda file, which names it in any version."""
     conda_limits: tuple[str, ...] = ()
     """What conda must not take, if it takes that package at all: ``mkl<2024.1`` beside an old torch."""
+    conda_cuda: str = ""
+    """The CUDA of the drivers for which conda takes packages; ``""``: as on the machine that builds."""
     setuptools: Requirement | None = None
     """The setuptools of the environment, where a package is too old for newer ones."""
     first: tuple[Requirement, ...] = ()

@@ -18,6 +18,11 @@ from roslab.values.requirement import Requirement
 
 SET = 40
 """Weight of the reason; nothing competes with it."""
+_HOME, _FOLDER = "CUDA_HOME", "/usr/local/cuda"
+"""https://docs.nvidia.com/cuda/cuda-installation-guide-linux/, read 2026-11-26."""
+_WITH_NVCC = pattern(r"(?:^|/)cuda(?:gl)?:[\w.-]*-devel\b")
+_NVCC_OF_CONDA = frozenset({"cuda-nvcc", "cuda-compiler", "cuda-toolkit", "cuda", "cudatoolkit-dev"})
+"""Packages of conda with a compiler of their own, which is found on PATH before the image's."""
 _VALUE = pattern(r"(?!/|~|YOUR|your[_-]|path[/_-]to)[\w.+:,@=%/-]{1,100}")
 """A value that is written out and is no place on the author's machine."""
 
@@ -27,12 +32,15 @@ def decide_variables(
     config: Config,
     ubuntu: str | None,
     asked: Iterable[Requirement],
+    *,
     command: Candidate | None = None,
+    image: str = "",
 ) -> Choice[tuple[tuple[str, str], ...]]:
     """Return each variable with the value that roslab.yaml gives it, else a page first.
 
     After them those that a page starts the default ``command`` with, without those of one machine, and what keeps a
-    new CMake from refusing old code; ``asked``: what pip installs or builds with.
+    new CMake from refusing old code; ``asked``: what pip installs or builds with. Where the base ``image`` has CUDA's
+    compiler, the folder that it lies in: NVIDIA's images do not say it, and build files read it.
     """
     if config.compatible:
         return Choice(answer=())
@@ -53,11 +61,19 @@ def decide_variables(
             pairs[name] = given.get(name, value)
             why = "a page starts the default command with it"
             reasons.append(because("workspace", f"{name}={pairs[name]}", why, command, weight=SET))
+    if _HOME not in {*pairs, *given} and _WITH_NVCC.search(image) and not _NVCC_OF_CONDA & _conda(evidence):
+        pairs[_HOME] = _FOLDER
+        why = f"{image} has CUDA's compiler there, and does not say it"
+        reasons.append(because("workspace", f"{_HOME}={_FOLDER}", why, weight=SET))
     if POLICY not in {*pairs, *given} and (old := refused_by_new(evidence, ubuntu, asked)):
         pairs[POLICY] = str(KEPT_BY_NEW)
         why = f"CMake 4 may be in the image, and refuses code for {old.version}"
         reasons.append(because("workspace", f"{POLICY}={KEPT_BY_NEW}", why, old, weight=SET))
     return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons))
+
+
+def _conda(evidence: Evidence) -> set[str]:
+    return {package.name for environment in evidence.conda for package in environment.packages}
 
 
 def _before(command: Candidate, evidence: Evidence) -> tuple[str, ...]:

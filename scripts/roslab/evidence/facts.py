@@ -191,9 +191,9 @@ class Mention:
     """A mention of a distribution, an Ubuntu, a CUDA or Python version or the like."""
 
     topic: Literal[
-        "distro", "ubuntu", "cuda", "cudnn", "python", "build_tool", "base", "framework", "command", "date",
-        "vcs_file", "compiled", "step", "build_script", "python_path", "from_root", "variable", "exported", "option",
-        "gazebo", "compared",
+        "distro", "ubuntu", "cuda", "cudnn", "python", "no_python", "build_tool", "base", "framework", "command",
+        "date", "vcs_file", "compiled", "step", "build_script", "python_path", "from_root", "variable", "exported",
+        "option", "gazebo", "compared",
         "image_built", "image_pulled", "pointed", "included", "reference", "libtorch", "fetched", "unpacked", "runs",
     ]  # fmt: skip
     value: str

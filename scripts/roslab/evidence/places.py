@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
+
+from roslab.values.pattern import pattern
 
 _VENDORED = frozenset(
     (
@@ -25,6 +28,9 @@ _TEST = frozenset(
 _EXAMPLE = frozenset(
     f"{name}{plural}" for name in ("example", "demo", "sample", "template", "tutorial") for plural in ("", "s")
 )
+
+
+_SCRIPTS = pattern(r"(?:scripts?|notebooks?|tools?|experiments?|benchmarks?)/", re.IGNORECASE)
 
 
 def vendored(path: str) -> bool:
@@ -55,6 +61,11 @@ def sample(path: str) -> bool:
 def aside(path: str) -> bool:
     """Tell whether a path belongs to vendored code, an example or tests, and so is no part of the program itself."""
     return vendored(path) or sample(path)
+
+
+def beside(path: str) -> bool:
+    """Tell whether a path belongs to what only lies beside a library: its scripts, notebooks, examples or tests."""
+    return bool(_SCRIPTS.match(path)) or sample(path)
 
 
 @cache

@@ -39,7 +39,9 @@ class PythonPlan:
     conda_old_pip: str = ""
     conda_pip_below: str = ""
     conda_limits: tuple[str, ...] = ()
+    conda_cuda: str = ""
     cloned_files: tuple[str, ...] = ()
+    unseen: tuple[str, ...] = ()
     setuptools: str = ""
     copied: tuple[str, ...] = ()
     """Own projects that are not installed editable."""
@@ -83,7 +85,9 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_old_pip=python.conda_old_pip,
         conda_pip_below=python.conda_pip_below,
         conda_limits=python.conda_limits,
+        conda_cuda=python.conda_cuda,
         cloned_files=python.cloned_files,
+        unseen=python.unseen,
         setuptools=python.setuptools.written if python.setuptools else "",
         copied=compiling.copied,
         cuda_architectures=compiling.architectures,

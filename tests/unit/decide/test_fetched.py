@@ -158,3 +158,67 @@ def test_a_requirement_file_includes_what_is_not_there(tree: Tree, line: str, cl
     assert found.python.cloned_files == ((line,) if cloned else ())
     told = [each for each in found.warnings if each.message.startswith(f"{line} is included")]
     assert [(each.file, each.line) for each in told] == ([] if cloned else [("requirements.txt", 1)])
+
+
+@pytest.mark.parametrize("path", ["path/to/demo", "/path/to/demo", "your/path/to/demo"])
+def test_a_path_of_the_reader_s_leaves_the_folder_that_the_page_was_in(tree: Tree, path: str) -> None:
+    page = f"```\ncd sub/knn\npip install -e .\n```\n```\ncd {path}\npip install -e .\n```\n"
+    setup = "from setuptools import setup\nsetup(name='demo')\n"
+    decision = tree({".gitmodules": MODULES, "README.md": page, "run.py": "import munch\n", "setup.py": setup})
+    assert set(decision.python.projects) == {".", "sub/knn"}
+
+
+def test_a_folder_below_the_one_that_the_page_is_in_stays_there(tree: Tree) -> None:
+    page = "```\ncd sub/knn\n```\n```\ncd path/inner\npip install -e .\n```\n"
+    decision = tree({".gitmodules": MODULES, "README.md": page, "run.py": "import munch\n"})
+    assert decision.python.projects == ("sub/knn/path/inner",)
+
+
+@pytest.mark.parametrize(
+    ("there", "said"), [(("setup.py",), "pip"), (("pyproject.toml",), "pip"), ((), "left out")], ids=str
+)
+def test_a_folder_that_nobody_has_seen_is_installed_if_it_is_a_project(
+    tmp_path: Path, there: tuple[str, ...], said: str
+) -> None:
+    (tmp_path / ".gitmodules").write_text(MODULES, encoding="utf-8")
+    (tmp_path / "README.md").write_text("```\npip install sub/knn\npip install -e .\n```\n", encoding="utf-8")
+    (tmp_path / "run.py").write_text("import munch\n", encoding="utf-8")
+    (tmp_path / "setup.py").write_text("from setuptools import setup\nsetup(name='a')\n", encoding="utf-8")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    _, _, block = text.partition("# The repository's own Python packages")
+    assert "--editable .\n" in block  # a project that was read is installed, whatever comes
+    _, _, command = block.partition("if [ -e ./sub/knn/")
+    command = f"if [ -e ./sub/knn/{command.partition('; fi')[0]}; fi"
+    for name in there:
+        (tmp_path / "sub/knn").mkdir(parents=True)
+        (tmp_path / "sub/knn" / name).touch()
+    stand_in = 'python3() { echo "pip $*"; }; pip-cache() { echo --no-cache-dir; };\n'
+    done = subprocess.run(["bash", "-c", stand_in + command], cwd=tmp_path, check=True, capture_output=True, text=True)
+    assert said in done.stdout
+    assert ("--editable ./sub/knn" in done.stdout) == bool(there)
+
+
+@pytest.mark.parametrize(
+    ("goes", "program"),
+    [("cd sub/knn\n", "src/train.py"), ("cd demo/sub/knn\ncd sub/knn\n", "src/train.py"), ("", "sub/knn/src/train.py")],
+)
+def test_a_page_starts_a_program_of_a_submodule(tree: Tree, goes: str, program: str) -> None:
+    page = f"# Use\n```\n{goes}python {program} --steps 5\n```\n"
+    decision = tree({".gitmodules": MODULES, "README.md": page, "lib/part.py": "import munch\n"})
+    assert decision.command_candidates[0] == ("python", "sub/knn/src/train.py", "--steps", "5")
+    started = "cd sub/knn && exec python src/train.py --steps 5"
+    assert decision.command == (started if goes else decision.command_candidates[0])
+
+
+def test_a_program_that_nothing_has_is_not_started(tree: Tree) -> None:
+    page = "# Use\n```\ncd sub\npython src/train.py\n```\n"
+    decision = tree({".gitmodules": MODULES, "README.md": page, "lib/part.py": "import munch\n"})
+    assert not decision.command_candidates
+
+
+def test_a_package_of_a_submodule_is_not_taken_from_the_index_too(tree: Tree) -> None:
+    modules = MODULES.replace("sub/knn", "sub/trimesh").replace("knn", "trimesh")
+    page = "```\npip install -e sub/trimesh\n```\n"
+    found = tree({".gitmodules": modules, "README.md": page, "run.py": "import trimesh\nimport tqdm\n"}).python
+    assert found.projects == ("sub/trimesh",)
+    assert [each.written for each in found.pip_guessed] == ["tqdm"]

@@ -960,3 +960,18 @@ def test_a_script_that_gets_the_sister_packages_is_no_default(tree: Tree) -> Non
 def test_a_name_in_capitals_for_what_an_option_is(tree: Tree, said: str, left: tuple[str, ...]) -> None:
     files = {"README.md": f"```\npython train.py {said}\n```\n", "train.py": "import numpy\n"}
     assert tree(files).command == ("python", "train.py", *left)
+
+
+@pytest.mark.parametrize("name", ["pre_process_kitti", "preprocess", "pre-process", "preproc_scans"])
+def test_what_prepares_the_data_is_not_what_is_meant(tree: Tree, name: str) -> None:
+    page = f"# Net\n```\npython {name}.py\n```\n# Training\n```\npython train.py\n```\n"
+    program = 'import numpy\nif __name__ == "__main__":\n    pass\n'
+    decision = tree({"README.md": page, f"{name}.py": program, "train.py": program})
+    assert decision.command == ("python", "train.py")
+
+
+def test_a_name_that_only_begins_so_may_be_meant(tree: Tree) -> None:
+    page = "# Net\n```\npython process.py\n```\n# Training\n```\npython train.py\n```\n"
+    program = 'import numpy\nif __name__ == "__main__":\n    pass\n'
+    decision = tree({"README.md": page, "process.py": program, "train.py": program})
+    assert ("python", "process.py") in decision.command_candidates

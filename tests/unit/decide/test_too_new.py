@@ -35,3 +35,23 @@ def test_one_that_a_project_asks_for(tree: Tree) -> None:
     page = "# Net\n```\nconda create -n net python=3.6\npip install -e .\n```\n"
     found = tree({"setup.py": setup.format("'numpy==1.22.0'"), "net/__init__.py": "", "README.md": page}).python
     assert (found.alone, {each.written for each in found.pip}) == ((".",), {"torch==0.4.1", "numpy"})
+
+
+@pytest.mark.parametrize("first", ["numpy==1.22.0\n{}", "{}numpy==1.22.0\n"])
+@pytest.mark.parametrize("page", ["", PAGE.format("3.7")], ids=["no-page", "a-page"])
+def test_most_pins_tell_the_python_wherever_the_one_stands(tree: Tree, first: str, page: str) -> None:
+    asked = first.format("matplotlib==2.2.2\nscikit-image==0.14.2\nopencv-python==3.4.2.17\n")
+    found = tree({"requirements.txt": asked, "README.md": page, "main.py": "import numpy\n"}).python
+    assert found.version == "3.7"
+    assert [each.written for each in found.pip if each.key == "numpy"] == ["numpy"]
+
+
+def test_of_two_the_first_counts(tree: Tree) -> None:
+    found = tree({"requirements.txt": "numpy==1.22.0\nmatplotlib==2.2.2\n", "main.py": "import numpy\n"}).python
+    assert found.version in {"3.8", "3.9", "3.10"}
+
+
+def test_many_that_are_trusted_less_do_not_outvote_a_list(tree: Tree) -> None:
+    page = "```\npip install matplotlib==2.2.2 scikit-image==0.14.2 opencv-python==3.4.2.17\n```\n"
+    found = tree({"requirements.txt": "numpy==1.22.0\n", "README.md": page, "main.py": "import numpy\n"}).python
+    assert found.version in {"3.8", "3.9", "3.10"}

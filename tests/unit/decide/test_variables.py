@@ -135,3 +135,40 @@ def test_a_condition_of_a_package_reads_a_variable(
 def test_a_variable_that_a_sister_repository_reads(tree: Tree) -> None:
     page = "```\nexport GZ_VERSION=harmonic\ncolcon build\n```\n"
     assert tree({**BUILT, "README.md": page}).variables == (("GZ_VERSION", "harmonic"),)
+
+
+EXTENSION = """\
+import os
+from setuptools import setup
+from torch.utils.cpp_extension import CUDAExtension
+include = os.path.join(os.environ["CUDA_HOME"], "include")
+setup(name="ops", ext_modules=[CUDAExtension("ops", ["ops.cu"])])
+"""
+
+
+def test_an_image_with_the_compiler_of_cuda_tells_where_it_is(tree: Tree) -> None:
+    decision = tree({"setup.py": EXTENSION, "ops.cu": "", "requirements.txt": "torch==1.13.1\n"})
+    assert "-devel" in decision.base_image
+    assert decision.variables == (("CUDA_HOME", "/usr/local/cuda"),)
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"requirements.txt": "torch==1.13.1\n", "main.py": "import torch\n"},
+        {"requirements.txt": "numpy\n", "main.py": "import numpy\n"},
+    ],
+    ids=["no-compiler", "no-cuda"],
+)
+def test_others_have_none(tree: Tree, files: dict[str, str]) -> None:
+    decision = tree(files)
+    assert "-devel" not in decision.base_image
+    assert not decision.variables
+
+
+def test_the_compiler_of_a_conda_environment_is_left_to_be_found(tree: Tree) -> None:
+    packages = "".join(f"  - {each}\n" for each in ("python=3.10", "pytorch=2.1", "cuda-nvcc=12.1"))
+    environment = f"channels: [conda-forge]\ndependencies:\n{packages}"
+    decision = tree({"setup.py": EXTENSION, "ops.cu": "", "environment.yml": environment})
+    assert "-devel" in decision.base_image
+    assert not decision.variables

@@ -538,6 +538,12 @@ def test_a_conda_file_has_its_pip_part_installed_by_the_environment(plan: Callab
     assert "index-as-of" not in without
 
 
+def test_conda_takes_packages_for_the_gpu_while_no_driver_is_there(plan: Callable[..., Plan]) -> None:
+    text = dockerfile(plan(manager="conda", conda_file="environment.yml", conda_cuda="11.3"))
+    assert "CONDA_OVERRIDE_CUDA=11.3 PIP_CACHE_DIR=" in text
+    assert "CONDA_OVERRIDE_CUDA" not in dockerfile(plan(manager="conda", conda_file="environment.yml"))
+
+
 def test_conda_installs_what_a_manifest_of_pixi_names(plan: Callable[..., Plan]) -> None:
     made = plan(
         manager="conda",

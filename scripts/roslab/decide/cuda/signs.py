@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from roslab.decide.cuda.local import of_the_cpu
@@ -14,9 +13,6 @@ from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
-
-_SCRIPTS = pattern(r"(?:scripts?|notebooks?|tools?|experiments?|benchmarks?)/", re.IGNORECASE)
-
 
 _TENSORRT = pattern(r"Nv(?:Infer|OnnxParser)\w*\.h$")
 
@@ -65,7 +61,7 @@ def _named(evidence: Evidence) -> Iterator[Sign]:
             yield Sign(file=asked.file, line=asked.line, why=f"it needs {asked.key}")
     for used in evidence.code:
         name = canonicalize_name(used.name) if used.namespace == "import" and used.strength == "used" else ""
-        if name in names and not ((declares and _aside(used.file)) or (listed and places.sample(used.file))):
+        if name in names and not ((declares and places.beside(used.file)) or (listed and places.sample(used.file))):
             yield Sign(file=used.file, line=used.line, why=f"it needs {name}")
     for environment in evidence.conda:
         for package in environment.packages:
@@ -101,10 +97,6 @@ def _of_the_cpu(evidence: Evidence) -> frozenset[str]:
 
 def _declared(project: PythonProject) -> list[Requirement]:
     return [asked for asked in project.requirements if asked.role not in {"extra", "test"}]
-
-
-def _aside(path: str) -> bool:
-    return bool(_SCRIPTS.match(path)) or places.sample(path)
 
 
 def _to_run(evidence: Evidence) -> Iterator[RequirementFile]:

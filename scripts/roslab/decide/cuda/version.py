@@ -38,7 +38,8 @@ DEFAULT = "11.8"
 _OLDEST = Version("8")
 _WHY = {"tensorflow": "loads it", "torch": "has it in its wheel", "jax": "is built for it"}
 _BUILT_FOR = frozenset({"torch", "torchvision", "torchaudio", "torch-scatter", "mmcv-full", "jaxlib", "cupy"})
-_OF_CONDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda-toolkit", "cuda"})
+OF_CONDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda-toolkit", "cuda-version", "cuda"})
+"""Packages of conda whose version is that of CUDA."""
 _OF_JAX = {"cuda11": "11.8", "cuda12": "12.3"}
 """CUDA by the first letters of a JAX extra. https://docs.jax.dev/en/latest/installation.html, read 2026-08-22."""
 _IMAGE = pattern(r"(?:^|/)cuda(?:gl)?:(\d+\.\d+)|(?:^|/)[\w./-]+:[\w.-]*cuda(\d+\.\d+)")
@@ -151,7 +152,7 @@ def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> It
     yield from _of_indexes(evidence)
     for environment in evidence.conda:
         for package in environment.packages:
-            if package.name in _OF_CONDA and (cuda := minor_of(package.version)):
+            if package.name in OF_CONDA and (cuda := minor_of(package.version)):
                 why = f"the conda environment has {package.written}"
                 weight = Weight.CONDA_BELOW if "/" in environment.file else Weight.CONDA
                 yield because("cuda", cuda, why, environment, weight=weight), ()

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from packaging.version import Version
-
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import by_script, extends_torch
 from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.conda_alone import conda_alone
 from roslab.decide.python.conda_channels import no_channels, told
+from roslab.decide.python.conda_cuda import cuda_of_conda
 from roslab.decide.python.conda_limits import limits_of
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
 from roslab.decide.python.extension_code import decide_defines
-from roslab.decide.python.fetched import cloned_files
+from roslab.decide.python.fetched import cloned_files, unseen
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.ignored_environments import ignored_environments
+from roslab.decide.python.indexes import file_options, indexes_of
 from roslab.decide.python.locked import locked_releases
 from roslab.decide.python.lost import lost
 from roslab.decide.python.machine_lists import machine_lists
@@ -35,9 +35,6 @@ from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, in_full, of_pages, repair, right, untold
 from roslab.decide.python.too_new import loosened
 from roslab.decide.python.torch_build import (
-    OLDEST_PAGE,
-    ON_INDEX,
-    ONE_PAGE_BEFORE,
     decide_build,
     numpy_of,
 )
@@ -45,7 +42,7 @@ from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import packages_of, ros_versions, types
 from roslab.decide.system.cmake_version import from_pip
-from roslab.evidence.facts import Evidence, RequirementFile
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.frameworks import kept_for_build_types
 from roslab.values.dataclass import replace
@@ -58,7 +55,6 @@ from roslab.values.version import minor_of
 
 _WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}
 _ALONE = "conda alone has it: it comes from there, with the Python"
-_WITH_LOCAL_VERSIONS = frozenset({"torch", "torchvision", "torchaudio"})
 
 
 def decide_python(
@@ -123,7 +119,7 @@ def decide_python(
     limits = (*limits, *of_lock.answer)
     numpy = numpy_of((*before_pip, *everything, *limits) if manager != "system" else ())
     indexes = [
-        *_indexes([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files),
+        *indexes_of([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files),
         *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option"),
     ]
     whole = [file for file in chosen.files if file.file not in repaired.files]
@@ -133,6 +129,9 @@ def decide_python(
         setuptools_of((*everything, *conda_asked) if manager != "system" else ()),
         limits_of(evidence, conda),
     )
+    compiled_first = first((*everything, *native.answer.brought), chosen.projects, cmake=manager != "system")
+    by_name = bool(compiled_first or declared or chosen.guessed or chosen.projects)
+    of_files = file_options(evidence, chosen, repaired, by_name=by_name)
     answer = Python(
         version=number,
         manager=manager,
@@ -144,6 +143,7 @@ def decide_python(
         cloned_files=cloned_files(evidence, chosen.files),
         manifests=beside(evidence, whole, conda),
         projects=tuple(project.folder or "." for project in chosen.projects),
+        unseen=unseen(evidence, chosen.projects),
         alone=repaired.alone,
         conda_file=conda,
         conda_specs=pixi.specs if pixi else alone.specs,
@@ -154,14 +154,13 @@ def decide_python(
         conda_old_pip=old_pip(evidence, conda),
         conda_pip_below=pip_below(evidence, conda),
         conda_limits=in_conda.answer,
+        conda_cuda=cuda_of_conda(evidence, kind, conda, cuda) if conda or alone.specs else "",
         setuptools=older.answer,
         conda_defaults=not pixi and _default_channels(evidence, conda),
-        first=first((*everything, *native.answer.brought), chosen.projects, cmake=manager != "system"),
+        first=compiled_first,
         defines=defines.answer,
         bounds=(*limits, *numpy.answer),
-        options=tuple(
-            dict.fromkeys((*indexes, *build.answer[1], *_file_options(evidence, chosen, repaired), *chosen.options))
-        ),
+        options=tuple(dict.fromkeys((*indexes, *build.answer[1], *of_files, *chosen.options))),
         pip_options=lists.options,
         python2=lists.python2,
         python2_options=lists.python2_options,
@@ -255,28 +254,6 @@ def _of_environment(evidence: Evidence, chosen: Chosen) -> Iterator[Requirement]
     for environment in evidence.conda:
         if environment.file == chosen.conda:
             yield from environment.requirements
-
-
-def _indexes(asked: Sequence[Requirement], files: Sequence[RequirementFile]) -> Iterator[str]:
-    """Yield the index or page with the wheels of a torch that pip's index lacks and whose page no file names.
-
-    That is one with a local version (``+cu113``), and each release before 1.0
-    (https://github.com/beholdergan/Beholder-GAN/issues/7, read 2026-11-24).
-    """
-    in_files = " ".join(option for file in files for option in file.options)
-    for each in asked:
-        release = Version(each.release) if each.release and each.key in _WITH_LOCAL_VERSIONS and not each.url else None
-        build = release.local or (OLDEST_PAGE if each.key == "torch" and release < ON_INDEX else "") if release else ""
-        if release is not None and build and f"/whl/{build}" not in in_files:
-            page = f"https://download.pytorch.org/whl/{build}"
-            old = each.key == "torch" and release < ONE_PAGE_BEFORE
-            yield f"--find-links {page}/torch_stable.html" if old else f"--extra-index-url {page}"
-
-
-def _file_options(evidence: Evidence, chosen: Chosen, repaired: Repaired) -> list[str]:
-    """Return the pip options in files whose lines are installed one by one."""
-    broken = [file for file in chosen.files if file.file in repaired.files]
-    return [option for file in with_includes(evidence, broken) for option in file.options]
 
 
 def _reasons(chosen: Chosen) -> Iterator[Reason]:

@@ -43,6 +43,12 @@ def with_fetched(evidence: Evidence) -> Evidence:
     return replace(evidence, python=(*evidence.python, *added.values())) if added else evidence
 
 
+def unseen(evidence: Evidence, projects: Iterable[PythonProject]) -> tuple[str, ...]:
+    """Return the folders of those projects that lie in a missing submodule: whether pip finds one there is unknown."""
+    absent = _absent(evidence)
+    return tuple(project.folder for project in projects if _inside(absent, project.folder) == project.folder != "")
+
+
 def cloned_files(evidence: Evidence, files: Iterable[RequirementFile] = ()) -> tuple[str, ...]:
     """Return the requirement files of missing submodules that the installed ``files`` include, or pages at the root.
 

@@ -143,4 +143,6 @@ def known_names(
             asked += [*environment.requirements, *of_conda(environment)]
     known = {each.key for each in asked if ANY.may(each)}
     known |= {canonicalize_name(project.name) for project in evidence.python if project.name}
+    unseen = (project.folder for project in projects if not project.name)  # most are called as their folder
+    known |= {canonicalize_name(folder.rpartition("/")[2]) for folder in unseen if folder}
     return known | {tabled(name) for name in known}

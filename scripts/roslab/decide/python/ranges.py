@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
+from operator import gt, lt, ne
 from typing import NamedTuple
 
 from packaging.version import Version
@@ -27,6 +28,8 @@ _TRUSTED = 3
 _CLASSIFIER = pattern(r"Python :: (\d\.\d+)")
 _THREE = pattern(r"Python :: 3(?:$|\s)")
 """Python 3, whichever."""
+_LEFT = pattern(r"(<|>|!=)([\d.]+)")
+_SIDES: dict[str, Callable[[Version, Version], bool]] = {"<": lt, ">": gt, "!=": ne}
 _ANY = Version("99")
 _AFTER = 2
 """A project most likely still runs this many minor versions after its newest classifier."""
@@ -37,6 +40,8 @@ class Range(NamedTuple):
 
     pythons: frozenset[str]
     reason: Reason
+    trust: int | None = None
+    """``Pin.trust`` of a pin; ``None`` for what is no pin."""
 
 
 def ranges(evidence: Evidence, pins: Iterable[Pin], aside: set[str]) -> Iterator[Range]:
@@ -66,6 +71,16 @@ def ranges_at_least(evidence: Evidence) -> Iterator[Range]:
         if mention.topic == "python" and only_oldest(evidence, mention):
             reason = because("python", f"≥ {mention.value}", f"“{mention.text[:80]}”", mention, weight=Weight.USED)
             yield Range(_between(Version(mention.value), _ANY), reason)
+
+
+def ranges_left(evidence: Evidence) -> Iterator[Range]:
+    """Yield the Pythons that pages leave where they say that one does not work: below ``3.8 or higher``."""
+    for mention in evidence.mentions:
+        sign = _LEFT.match(mention.value) if mention.topic == "no_python" else None
+        if sign:
+            why = f"“{mention.text[:80]}”"
+            reason = because("python", f"{sign[1]} {sign[2]}", why, mention, weight=Weight.USED)
+            yield Range(_beside(sign[1], Version(sign[2])), reason)
 
 
 def only_oldest(evidence: Evidence, mention: Mention) -> bool:
@@ -139,7 +154,7 @@ def _pinned(pin: Pin) -> Iterator[Range]:
         why = f"{asked.written} has wheels for Python {row.python_min} to {row.python_max}"
         reason = because("python", f"{row.python_min}…{row.python_max}", why, asked, weight=Weight.PINS + pin.trust)
         lowest = Version(row.python_min) if pin.release else Version("0")
-        yield Range(_between(lowest, Version(row.python_max)), reason)
+        yield Range(_between(lowest, Version(row.python_max)), reason, pin.trust)
 
 
 def _newest_allowed(pin: Pin) -> Framework | None:
@@ -156,7 +171,7 @@ def _ended(pin: Pin) -> Iterator[Range]:
     if newest:
         why = f"{pin.name} ended, and has wheels up to Python {newest}"
         reason = because("python", f"≤ {newest}", why, pin.requirement, weight=Weight.PINS + pin.trust)
-        yield Range(_between(Version("0"), Version(newest)), reason)
+        yield Range(_between(Version("0"), Version(newest)), reason, pin.trust)
 
 
 def _lowest(pin: Pin) -> Iterator[Range]:
@@ -166,7 +181,7 @@ def _lowest(pin: Pin) -> Iterator[Range]:
     if row is not None:
         why = f"{asked.written} needs Python {row.python_min} or newer"
         reason = because("python", f"≥ {row.python_min}", why, asked, weight=Weight.LOWER_BOUND + pin.trust)
-        yield Range(_between(Version(row.python_min), _ANY), reason)
+        yield Range(_between(Version(row.python_min), _ANY), reason, pin.trust)
 
 
 def _up_to(row: Framework, answer: str, why: str, at: Placed, weight: int) -> Range:
@@ -179,6 +194,10 @@ def _between(lowest: Version, highest: Version) -> frozenset[str]:
 
 def _below(version: Version) -> frozenset[str]:
     return _those(lambda python: Version(python) < version)
+
+
+def _beside(sign: str, denied: Version) -> frozenset[str]:
+    return _those(lambda python: _SIDES[sign](Version(python), denied))
 
 
 def _those(fits: Callable[[str], bool]) -> frozenset[str]:

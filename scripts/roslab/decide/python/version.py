@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from itertools import groupby
 
 from packaging.version import Version
 
@@ -19,6 +20,7 @@ from roslab.decide.python.ranges import (
     ranges_at_least,
     ranges_by_syntax,
     ranges_by_use,
+    ranges_left,
 )
 from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because, configured, outweighed
@@ -55,7 +57,7 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
     if config.base.python:
         said = configured(config, "python", config.base.python, "base.python")
         return Choice(answer=Wanted(version=config.base.python), reasons=(said,))
-    known = (*ranges(evidence, pins, _telling(evidence)), *ranges_at_least(evidence))
+    known = (*ranges(evidence, pins, _telling(evidence)), *ranges_at_least(evidence), *ranges_left(evidence))
     named = sorted(_named(evidence, pins), key=_order)
     if known or named:  # syntax alone tells nothing of the version that is meant
         meant = {*_fitting(known)} if known else {each.answer for each in named}
@@ -80,10 +82,18 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
 
 
 def _fitting(known: tuple[Range, ...]) -> list[str]:
-    """Return the Pythons that fit all ranges; one that contradicts those before it, the more trusted, is left out."""
+    """Return the Pythons that fit all ranges; one that contradicts those before it, the more trusted, is left out.
+
+    Of pins that are trusted alike those count that most agree on: robots raise single lines of old lists.
+    """
     fitting = list(PREFERRED)
-    for each in known:
-        fitting = [python for python in fitting if python in each.pythons] or fitting
+    for trust, alike in groupby(known, key=lambda each: each.trust):
+        group = tuple(alike)
+        if trust is not None:
+            fits = {python: sum(python in each.pythons for each in group) for python in fitting}
+            fitting = [python for python in fitting if fits[python] == max(fits.values())]
+        for each in group:
+            fitting = [python for python in fitting if python in each.pythons] or fitting
     return fitting
 
 

@@ -17,7 +17,7 @@ from roslab.evidence.prose.configured import options_of, source_of
 from roslab.evidence.prose.install_tree import from_workspace, package_and_program
 from roslab.evidence.prose.runners import by_ros, started
 from roslab.evidence.prose.telling import telling
-from roslab.evidence.prose.workspaces import below_sources, beside, end_of, folder_after, longer, of_packages
+from roslab.evidence.prose.workspaces import below_sources, beside, end_of, folder_after, longer, of_packages, of_reader
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks, setup_asks
 from roslab.knowledge.tools import PIXI
 from roslab.values.dataclass import dataclass, field, replace
@@ -197,7 +197,7 @@ class Collector:
 
     def _cd(self, target: str) -> None:
         self.inside = of_packages(target)
-        if target.startswith(("/", "~", "$", "-")) or UNKNOWN in target or "<" in target:
+        if of_reader(target) or UNKNOWN in target:
             self.folder = "" if target in {"~", "-"} else end_of(target).replace(UNKNOWN, "").strip("/")
             self.whole = below_sources(target)
         else:

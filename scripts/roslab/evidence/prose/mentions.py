@@ -10,6 +10,7 @@ from typing import Literal
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import matches_at
 from roslab.evidence.prose import gazebo
+from roslab.evidence.prose.denied import denied
 from roslab.knowledge.distros import english_words, ever, ubuntus
 from roslab.values.pattern import pattern
 
@@ -42,7 +43,7 @@ def _word(source: str) -> re.Pattern[str]:
     return pattern(rf"(?<![A-Za-z])(?:{source})", re.IGNORECASE)
 
 
-Topic = Literal["distro", "ubuntu", "cuda", "cudnn", "python", "vcs_file"]
+Topic = Literal["distro", "ubuntu", "cuda", "cudnn", "python", "no_python", "vcs_file"]
 
 
 @cache
@@ -118,9 +119,10 @@ def read(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "sc
                 value = f"{value[:-1]}.{value[-1]}"
             line += text.count("\n", position, match.start())
             position = match.start()
-            yield Mention(topic=topic, value=value, source=source, file=file, line=line, text=context)
-            for further in _further(topic, text, match.end()):
-                yield Mention(topic=topic, value=further, source=source, file=file, line=line, text=context)
+            left = denied(text, match.start(), match.end()) if topic == "python" and source == "readme" else ""
+            said: Topic = "no_python" if left else topic
+            for stated in (f"{left}{value}", *(() if left else _further(topic, text, match.end()))):
+                yield Mention(topic=said, value=stated, source=source, file=file, line=line, text=context)
             found += 1
             if found >= MAX_MENTIONS:
                 break

@@ -9,6 +9,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.runners import SIMULATORS
 from roslab.evidence.prose.started_in import beside_build, ends, script_in, started_in
+from roslab.evidence.ros import vcs
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -27,6 +28,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
     words = mention.value.split()
     folder = posixpath.dirname(mention.file)
     found: list[str] = []
+    unseen = ""
     if script := script_in(mention, repository) if mention.inside else None:
         words[script[0]] = script[1]
     for index, word in enumerate(words):
@@ -50,11 +52,33 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
             found += [path] if not run or repository.has(f"{path}/__main__.py") else []
         elif _of_package(word, repository):
             found.append(word)
-    inside = script[2] if script else started_in(mention, words, repository) or beside_build(mention, words, repository)
+        elif words[0].startswith("python") and not found and (place := _unseen(path, mention.inside, repository)):
+            words[index], unseen = place
+            found.append(words[index])
+    inside = script[2] if script else unseen or _folder_of(mention, words, repository)
     if words[0].startswith("python") and words[1:2] == ["-m"] and len(words) > 2:
         file, inside = _module(words[2], mention.inside, repository)
         found += [file] if file else []
     return replace(mention, value=joined(words), files=tuple(found), inside=inside)
+
+
+def _folder_of(mention: Mention, words: list[str], repository: Repository) -> str:
+    """Return the folder that a program has to be started in, ``""`` if any will do."""
+    return started_in(mention, words, repository) or beside_build(mention, words, repository)
+
+
+def _unseen(path: str, folder: str, repository: Repository) -> tuple[str, str] | None:
+    """Return the path of a program in a submodule that is not checked out, and the folder that the page went to.
+
+    The image clones it, so that its programs are there as those of one that is checked out.
+    """
+    if not path.endswith(".py") or path.startswith(("/", "..")):
+        return None
+    for start in reversed(tuple(ends(folder))):  # a page may go to a folder again without having left it
+        whole = posixpath.join(start, path)
+        if any(whole.startswith(f"{name}/") for name in repository.once(vcs.missing)):
+            return whole, start
+    return None
 
 
 def _by_its_program(program: str, path: str, repository: Repository) -> str:

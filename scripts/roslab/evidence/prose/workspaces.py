@@ -16,9 +16,18 @@ _IN_BUILD = pattern(r"[^/]/build[\w-]*/?$")
 """A folder in which CMake builds what the folder above it, whose name tells more, is."""
 
 
+_PATH_TO = pattern(r"(?:^|/)path[/_-]to(?:[/_-]|$)", re.IGNORECASE)
+"""``path/to/NAME`` is ``/path/to/NAME``: where the reader has it, only its end is known."""
+
+
 def end_of(target: str) -> str:
     """Return the name of the folder that ``cd`` goes into by a path of the reader's, with the one above a ``build``."""
     return "/".join(target.rstrip("/").split("/")[-1 - bool(_IN_BUILD.search(target)) :])
+
+
+def of_reader(target: str) -> bool:
+    """Tell whether ``cd`` goes to a place of the reader's, which is none below the folder that the text is in."""
+    return target.startswith(("/", "~", "$", "-")) or "<" in target or bool(_PATH_TO.search(target))
 
 
 def below_sources(target: str) -> str:

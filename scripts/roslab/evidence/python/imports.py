@@ -43,7 +43,8 @@ _ROS = pattern(r"^(?:import|from) r(?:os|cl)py\b", re.MULTILINE)
 def read(repository: Repository) -> tuple[Dependency, ...]:
     """Return what the tree's Python files import from outside the tree and the standard library.
 
-    Each name once, at its first place; ``optional`` if it is only imported inside a function or a ``try``: then it has
+    Each name once, at its first place, one of a script, an example or a test only where no other imports it;
+    ``optional`` if it is only imported inside a function or a ``try``: then it has
     the role ``told`` where the module says how to install it. A framework that a node of ROS imports has the role
     ``node``.
     Calls that open windows are included, each library's once for a file, the package of a plain ``python`` if the
@@ -72,9 +73,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                     continue
                 known = found.get(top)
                 role = "node" if node and top in _OF_NODES and not match["indent"] else ""
-                if known is not None and role and known.role != role:
-                    found[top] = replace(known, role=role, strength="used")
-                if known is not None and (known.strength == "used" or match["indent"]):
+                if known is not None and (match["indent"] or _stays(known, file)):
+                    found[top] = replace(known, role=role, strength="used") if role else known
                     continue
                 found[top] = Dependency(
                     namespace="import",
@@ -82,11 +82,16 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                     strength="optional" if match["indent"] else "used",
                     file=file.path,
                     line=text.count("\n", 0, match.start()) + 1,
-                    role=role,
+                    role=role or (known.role if known else ""),
                 )
     _add_told(said, found)
     _add_notebooks(repository, local, sorted_in, found)
     return tuple(sorted(found.values(), key=lambda dependency: (dependency.file, dependency.line)))
+
+
+def _stays(known: Dependency, file: File) -> bool:
+    """Tell whether a place of an import is as good as this file: a script's, an example's or a test's gives way."""
+    return known.strength == "used" and (not places.beside(known.file) or places.beside(file.path))
 
 
 def _started(file: File, text: str) -> Dependency | None:

@@ -75,6 +75,12 @@ def submodules(repository: Repository) -> tuple[str, ...]:
     return tuple(module.name for file in repository.named(".gitmodules") for module in _submodules(repository, file))
 
 
+def missing(repository: Repository) -> tuple[str, ...]:
+    """Return the paths of the submodules that are not checked out."""
+    modules = (module for file in repository.named(".gitmodules") for module in _submodules(repository, file))
+    return tuple(module.name for module in modules if not _checked_out(repository, module))
+
+
 def https(url: str, origin: str | None = None) -> str:
     """Return a URL that anybody can clone: https in place of ssh and git, relative ones resolved against ``origin``.
 

@@ -111,6 +111,8 @@ def _conda(plan: Plan) -> str:
     more = "CONDA_CHANNELS=defaults " if python.conda_defaults else ""
     if python.conda_limits:  # they hold only for what is taken: arm64 has no mkl
         more += f"MAMBA_PINNED_PACKAGES={quote.shell(','.join(python.conda_limits))} "
+    if python.conda_cuda:
+        more += f"CONDA_OVERRIDE_CUDA={quote.shell(python.conda_cuda)} "
     lists, file = locks.conda(plan)
     pip_part = conda_lines.pip_part(plan, interpreter(plan))
     if file:
@@ -224,15 +226,24 @@ def projects(plan: Plan) -> str:
     isolation = " --no-build-isolation" if plan.python.first else ""
     pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{isolation}{pip_options(plan.python.options)}"
     pip = "".join(f"{name}={quote.shell(flags)} " for name, flags in building.macros(plan)) + pip
-    whole = [folder for folder in folders if folder not in plan.python.alone]
+    unseen = [folder for folder in folders if folder in plan.python.unseen]
+    whole = [folder for folder in folders if folder not in (*plan.python.alone, *unseen)]
     alone = [folder for folder in folders if folder in plan.python.alone]
     copied = frozenset(plan.python.copied)
-    commands = [f"{pip}{_own(whole, copied)}"] if whole else []
+    commands = [_if_there(folder, f"{pip}{_own([folder], copied)}") for folder in unseen]
+    commands += [f"{pip}{_own(whole, copied)}"] if whole else []
     commands += [f"{pip} --no-deps{_own(alone, copied)}"] if alone else []
     run = shell.run(*commands, secrets=secrets.for_pip(plan))
     editable = "" if copied.issuperset(folders) else ", editable"
     header = f"{text}\n" if (text := building.older_names(plan)) else ""
     return f"# The repository's own Python packages{editable}\nUSER root\n{header}{run}"
+
+
+def _if_there(folder: str, install: str) -> str:
+    """Return the command that installs a folder of a submodule, which nobody has seen, if it has something for pip."""
+    has = " || ".join(f"[ -e {quote.shell(f'./{folder}/{name}')} ]" for name in ("setup.py", "pyproject.toml"))
+    left_out = quote.shell(f"roslab: left out: {folder} has neither setup.py nor pyproject.toml")
+    return f"if {has}; then \\\n      {install}; \\\n    else echo {left_out}; fi"
 
 
 def _own(folders: Sequence[str], copied: frozenset[str]) -> str:
