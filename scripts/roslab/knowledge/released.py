@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import cache
 
 from roslab.knowledge.distros import distros
-from roslab.knowledge.table import row
+from roslab.knowledge.table import row, whole
 
 
 @cache
@@ -26,12 +26,14 @@ def released(distro: str) -> frozenset[str]:
 
 @cache
 def _ever() -> str:
-    return "".join(f" {found['packages']} " for distro in distros() if (found := row("released", distro)))
+    """Return the text of the table without rosdep's own keys."""
+    before, _, rest = whole("released").partition("\nrosdep,")
+    return before + rest.partition("\n")[2]
 
 
 def ever_released(package: str) -> bool:
     """Tell whether any distribution released a package of this name."""
-    return f" {package} " in _ever()
+    return any(f"{before}{package}{behind}" in _ever() for before in " ," for behind in " ,")
 
 
 @cache

@@ -23,7 +23,7 @@ def row(name: str, key: str) -> dict[str, str] | None:
 
     The other rows are not parsed; in such a table each stands on a line of its own.
     """
-    text = _text(name)
+    text = whole(name)
     start = text.find(f"\n{key},") + 1
     if not start:
         return None
@@ -33,5 +33,6 @@ def row(name: str, key: str) -> dict[str, str] | None:
 
 
 @cache
-def _text(name: str) -> str:
+def whole(name: str) -> str:
+    """Return the text of ``NAME.csv``, for a search in a large one."""
     return (_FOLDER / f"{name}.csv").read_text(encoding="utf-8")

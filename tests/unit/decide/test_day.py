@@ -86,7 +86,7 @@ def test_a_distribution_that_came_later_is_taken_where_the_author_names_it_alone
 def test_clones_are_of_the_day(tmp_path: Path) -> None:
     source = "source: [{name: sister, repo: 'https://example.org/sister.git', ref: main, build: catkin_make}]\n"
     text = dockerfile(plan(tmp_path, ROS1, f"date: 2022-06-01\n{source}"))
-    assert "checkout main" in text
+    assert "checkout-branch /home/${NB_USER}/ws/src/sister main" in text
     assert "--before=2022-06-01T23:59:59Z" in text
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
+from collections.abc import Set as AbstractSet
 
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
@@ -23,10 +24,9 @@ def included(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     told: set[str] = set()
     for each in evidence.code:
         name = package_of(each.name) if each.namespace == "include" and each.strength != "optional" else ""
-        inside = any(not folder or each.file.startswith(f"{folder}/") for folder in folders)
-        if not name or name in told or not inside or places.aside(each.file) or header(each.name, None):
+        if not name or name in told or name in packages.names or places.aside(each.file) or header(each.name, None):
             continue
-        if name not in packages.names:
+        if any(not folder or each.file.startswith(f"{folder}/") for folder in folders):
             told.add(name)
             yield Dependency(namespace="ros", name=name, strength="declared", file=each.file, line=each.line, role=ROLE)
 
@@ -34,7 +34,7 @@ def included(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
 def without_headers(
     evidence: Evidence,
     packages: Packages,
-    there: Collection[str],
+    there: AbstractSet[str],
     tried: Mapping[str, str],
     *,
     build_tool: str,
@@ -42,13 +42,13 @@ def without_headers(
 ) -> Iterator[Warning_]:
     """Yield a warning for each of them that nothing brings and that neither a manifest nor CMake names.
 
-    ``there``: names in one spelling that something brings; ``tried``: where the build looks for packages; ``cloned``:
-    repositories are cloned whose packages are not known.
+    ``there``: names that something brings, also in one spelling; ``tried``: where the build looks for packages;
+    ``cloned``: repositories are cloned whose packages are not known.
     """
     named = {d.name for manifest in packages.built for d in manifest.dependencies}
     named |= {d.name for project in evidence.cmake for d in project.dependencies}
     for asked in included(evidence, packages):
-        if asked.name in named or plain(asked.name) in there:
+        if asked.name in named or not there.isdisjoint((asked.name, plain(asked.name))):
             continue
         where = tried.get(asked.name)
         perhaps = "one of the cloned repositories may hold it" if cloned else ""

@@ -112,7 +112,7 @@ def _addresses(
         return []
     here = address(evidence.origin) if evidence.origin else ""
     match = _OWNER.match(https(evidence.origin)) if evidence.origin else None
-    found = {https(git.url).removesuffix(".git"): names for git in _linked(evidence, here, {plain(n) for n in known})}
+    found = {https(git.url).removesuffix(".git"): names for git in _linked(evidence, here, known)}
     for name in names if match else ():
         url = f"{match[1]}/{name}" if match else ""
         if address(url) not in {here, *map(address, found)}:
@@ -128,7 +128,11 @@ def _linked(evidence: Evidence, here: str, known: AbstractSet[str]) -> Iterator[
     """
     owner = here.rpartition("/")[0]
     links = (git for git in evidence.sources if git.kind == "link" and "/" not in git.file)
-    others = {address(git.url): git for git in links if plain(git.name) not in known and address(git.url) != here}
+    others = {
+        address(git.url): git
+        for git in links
+        if known.isdisjoint((git.name, plain(git.name))) and address(git.url) != here
+    }
     for url, git in sorted(others.items(), key=lambda each: not each[1].holds):
         if git.holds or len(others) == 1 or (owner and url.rpartition("/")[0] == owner):
             yield git

@@ -148,7 +148,7 @@ def decide_missing(
     warnings += [warn(_TESTS.format(asked.name, option), asked) for option, asked in tests.items()]
     if kind != "cpp":
         told = {asked.name for _, asked in unmet}
-        there = {*names, *map(plain, known), *told}
+        there = names | known | told
         warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
     asks = _of_program_and_below if kind == "cpp" else _required
     names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - {plain(name) for name in built}
