@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -109,3 +110,15 @@ def test_without_clones_nothing_is_tried_twice(tmp_path: Path) -> None:
     _package(tmp_path, "mine", "mine", broken=True)
     (tmp_path / "tool").write_text(TOOL)
     assert _run(tmp_path)[:3] == (1, 1, [])
+
+
+def test_a_workspace_of_nothing_but_clones_is_not_emptied(workspace: Path) -> None:
+    (workspace / "src/clone/docs/broken").touch()
+    shutil.rmtree(workspace / "src/mine")
+    assert _run(workspace)[:3] == (1, 1, [])
+
+
+def test_a_repository_that_needs_none_of_them_hides_none(workspace: Path) -> None:
+    (workspace / "src/clone/docs/broken").touch()
+    (workspace / "src/mine/package.xml").write_text("<package>\n  <name>mine</name>\n</package>\n")
+    assert _run(workspace)[:3] == (1, 1, [])

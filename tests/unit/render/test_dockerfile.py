@@ -18,6 +18,7 @@ from roslab.config.model import Base, Config, Custom, Source
 from roslab.decide.decision import Decision, OwnScript, Python
 from roslab.decide.python.compiling import Compiling
 from roslab.errors import ConfigurationError
+from roslab.pipeline import plan_repository
 from roslab.plan.plan import Plan, from_json, image_name, make_plan, to_json
 from roslab.render import image_scripts
 from roslab.render.dockerfile import OLD_FORMATS, TODAY, dockerfile
@@ -602,3 +603,13 @@ def test_an_old_pip_of_a_conda_file_is_not_taken(plan: Callable[..., Plan], tmp_
     command = command.strip("RUN &\\").replace("/tmp/manifests/environment.yml", str(file))
     subprocess.run(["bash", "-c", command], check=True)
     assert file.read_text() == "dependencies:\n  - pip  # old\n  - 'pip'\n  - pipx=1\n  - pip:\n    - numpy\n"
+
+
+def test_what_only_lists_repositories_gets_what_they_need_in_turn_and_loses_none(tmp_path: Path) -> None:
+    (tmp_path / "all.repos").write_text(
+        "repositories:\n  arm: {type: git, url: 'https://github.com/lab/arm.git', version: humble}\n"
+    )
+    (tmp_path / "README.md").write_text("# ROS 2 Humble\n\n    vcs import src < all.repos\n    colcon build\n")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert " --complete /home/${NB_USER}/ws/src /home/${NB_USER}/ws/src\n" in text
+    assert "build-needed" not in text

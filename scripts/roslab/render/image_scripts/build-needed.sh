@@ -14,6 +14,7 @@ own="$1"
 shift
 
 if "$@"; then exit 0; fi
+if [ ! -d "${own}" ]; then exit 1; fi
 
 # Words may be many: they are handed over by a file
 words="$(mktemp)"
@@ -23,8 +24,9 @@ grep --recursive --no-filename --only-matching --extended-regexp '[A-Za-z][A-Za-
 mapfile -t needed < <(
   xargs --arg-file="${words}" workspace-packages needed src --without "${own}" "${kept[@]}" | cut --fields=1 | sort --unique
 )
-mapfile -t left_out < <(workspace-packages hide src --without "${own}" "${needed[@]}")
 rm "${words}"
+if [ "${#needed[@]}" -eq 0 ]; then exit 1; fi
+mapfile -t left_out < <(workspace-packages hide src --without "${own}" "${needed[@]}")
 if [ "${#left_out[@]}" -eq 0 ]; then exit 1; fi
 echo "roslab: the workspace does not build: once more without packages of cloned repositories that nothing here needs"
 echo "roslab: left out: ${left_out[*]}"

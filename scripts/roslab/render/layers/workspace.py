@@ -48,7 +48,9 @@ def rosdep(plan: Plan) -> str:
     before = manifests.copy(plan, files)
     if old:
         before += f"{shell.copy_script('write-package-xml')}RUN write-package-xml {manifests.FOLDER}\n"
-    complete = _complete(plan) if files else ""
+    complete, folders = _complete(plan), rosdep_folders(plan)
+    if complete and not files:
+        folders = folders * 2  # all that is cloned is wanted
     if complete:
         before += "".join(map(shell.copy_script, (UNKNOWN, HOLDING, "required-components", "install-optional-apt")))
     return shell.call(
@@ -56,7 +58,7 @@ def rosdep(plan: Plan) -> str:
         (f" --tables {quote.shell(tag)}" if tag else "")
         + (f" --skip {quote.shell(skip)}" if skip else "")
         + complete
-        + "".join(f" {folder}" for folder in rosdep_folders(plan)),
+        + "".join(f" {folder}" for folder in folders),
         comment="What the package.xml files name; keys that rosdep does not know stop nothing and are told",
         before=before,
         secrets=secrets.for_both(plan),
@@ -210,7 +212,8 @@ def compile_again(plan: Plan) -> str:
 def _needed(plan: Plan) -> str:
     """Return what builds again without the packages of clones that are not needed, where the first build fails."""
     place = plan.workspace
-    if not place.sources or place.folder == WORKSPACE or place.ros is None or place.ros.tool == "rosmake":
+    beside = place.folder.startswith(f"{WORKSPACE}/src/")  # without packages of its own all clones are what is wanted
+    if not place.sources or not beside or place.ros is None or place.ros.tool == "rosmake":
         return ""
     kept = "".join(f" --keep {name}" for name in dict.fromkeys(_STARTED.findall(line_of(plan.run.command))))
     return f"{NEEDED}{kept} {quote.shell(place.folder.removeprefix(f'{WORKSPACE}/'))} "
