@@ -10,6 +10,7 @@ from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
 
 CONDA = "name: a\ndependencies:\n  - python=3.8\n  - pytorch=1.10.1\n"
+BY_CUDA = "```\nconda install pytorch pytorch-cuda=11.6 -c pytorch -c nvidia\n```\n"
 
 
 @pytest.mark.parametrize(
@@ -23,6 +24,7 @@ CONDA = "name: a\ndependencies:\n  - python=3.8\n  - pytorch=1.10.1\n"
         ({"environment.yml": CONDA}, "setuptools<59.6"),
         ({"environment.yml": CONDA + "  - setuptools=58\n"}, ""),
         ({"requirements.txt": "torch==1.10.1\n", "README.md": "Needs Python 3.7.\n"}, "setuptools<59.6"),
+        ({"README.md": BY_CUDA}, "setuptools<70"),
     ],
 )
 def test_an_old_torch(tmp_path: Path, files: dict[str, str], setuptools: str) -> None:

@@ -51,6 +51,19 @@ def test_what_is_taken(tmp_path: Path, branches: list[str], asked: str, distro: 
     assert (told in ran.stdout) == (taken != asked)
 
 
+def test_a_folder_of_the_branch_s_name(tmp_path: Path) -> None:
+    remote = tmp_path / "remote"
+    (remote / "ros2").mkdir(parents=True)
+    (remote / "ros2" / "a").touch()
+    _git(remote, "init", "--quiet")
+    _git(remote, "add", ".")
+    _git(remote, "commit", "--quiet", "--message", "first")
+    _git(remote, "branch", "ros2")
+    _git(tmp_path, "clone", "--quiet", remote.as_uri(), "clone")
+    subprocess.run(["bash", SCRIPT, tmp_path / "clone", "ros2"], check=True)
+    assert _git(tmp_path / "clone", "rev-parse", "--abbrev-ref", "HEAD") == "ros2"
+
+
 @pytest.mark.parametrize(
     ("ref", "branch"),
     [

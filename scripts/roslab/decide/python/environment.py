@@ -126,7 +126,7 @@ def decide_python(
     conda = chosen.conda if manager == "conda" else None
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
     older, in_conda = (
-        setuptools_of((*everything, *conda_asked) if manager != "system" else ()),
+        setuptools_of((*everything, *conda_asked, *limits) if manager != "system" else ()),
         limits_of(evidence, conda),
     )
     compiled_first = first((*everything, *native.answer.brought), chosen.projects, cmake=manager != "system")

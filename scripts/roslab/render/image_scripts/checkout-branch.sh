@@ -5,7 +5,7 @@
 set -euo pipefail
 
 folder="$1" branch="$2"
-there() { git -C "${folder}" -c advice.detachedHead=false checkout --quiet "$1" 2>/dev/null; }
+there() { git -C "${folder}" -c advice.detachedHead=false checkout --quiet "$1" -- 2>/dev/null; }
 
 if there "${branch}"; then exit 0; fi
 for other in ${ROS_DISTRO:+"${ROS_DISTRO}-devel" "${ROS_DISTRO}"}; do

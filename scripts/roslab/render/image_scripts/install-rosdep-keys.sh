@@ -4,7 +4,7 @@
 #   --tables TAG  use the tables of ros/rosdistro at this tag: newer ones forget a distro some years after its end;
 #                 where they do not answer, the base's own are used
 #   --skip KEYS   keys to install nothing for, separated by spaces
-#   --complete    what repositories that were cloned to the second folder ask for, and nothing has, is cloned there too
+#   --complete    what repositories that were cloned to the last folder ask for, and nothing has, is cloned there too
 #   --before DAY  as of this day (YYYY-MM-DD)
 set -euo pipefail
 
@@ -71,7 +71,7 @@ else
   before='' asked="${skip}"
   while unknown="$(unknown_keys)" && [ "${unknown}" != "${before}" ]; do
     mapfile -t keys <<<"${unknown}"
-    if [ -n "${complete}" ] && clone-unknown --before "${day}" "${folders[0]}" "${folders[1]}" "${keys[@]}"; then
+    if [ -n "${complete}" ] && clone-unknown --before "${day}" "${folders[0]}" "${folders[-1]}" "${keys[@]}"; then
       completed=yes
       continue
     fi
@@ -87,7 +87,7 @@ else
 fi
 # CMake of cloned packages may require more of ROS than their package.xml names
 if [ -n "${complete}" ]; then
-  mapfile -t more < <(required-components "${folders[1]}")
+  mapfile -t more < <(required-components "${folders[-1]}")
   if [ "${#more[@]}" -gt 0 ]; then install-optional-apt "${more[@]}"; fi
 fi
 rm "${said}" "${caches}"
