@@ -45,7 +45,7 @@ def _fetched(part: NativePart) -> list[str]:
 
 
 def _told(part: NativePart, path: str, what: str) -> str:
-    why = f"roslab: left out: {what} is missing: {part.package} is not compiled without it, and no program imports it"
+    why = f"roslab: left out: {what} is missing, and {part.package} cannot be compiled without it"
     return f"{{ [ -e {path} ] || echo {quote.shell(why)}; }}"
 
 
