@@ -1,7 +1,7 @@
 """Lists of sister repositories: .repos, .rosinstall, vcs files under any name, .gitman.yml, .gitmodules.
 
 https://github.com/dirk-thomas/vcstool (``repositories:``), https://docs.ros.org/en/independent/api/rosinstall/html/
-https://pypi.org/project/gitman/ (``sources:``)
+https://gitman.readthedocs.io/ (``sources:``)
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _SSH = pattern(r"^(?:ssh://)?(?:[\w.-]+@)([\w.-]+)(?::(?:\d+/)?|/)(.+)$")
 _BEHIND = pattern(r"^https?://([\w.-]+)/(?:https?:/{1,2})?([\w.-]+)/(.+)$")
 _PLAIN_URL = pattern(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
 _GITMAN = frozenset({".gitman.yml", "gitman.yml"})
-"""Its list, at the root: https://pypi.org/project/gitman/"""
+"""Its list, at the root: https://gitman.readthedocs.io/"""
 
 SHORTEST = 2
 """Parts of an address at a public host: the owner and the name."""
