@@ -8,7 +8,7 @@ from packaging.version import Version
 
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.cuda.version import DEFAULT as CUDA
-from roslab.decide.decision import Choice, NativePart, Python, Reason
+from roslab.decide.decision import Choice, Python, Reason
 from roslab.decide.processor import OnX86
 from roslab.decide.reasons import Placed, because, configured, warn
 from roslab.decide.ros.source_names import address
@@ -16,6 +16,7 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.arm64 import amd64_only, arm64_since, arm64_wheels
 from roslab.knowledge.distros import distro
 from roslab.values.dataclass import dataclass, replace
+from roslab.values.native_part import NativePart
 from roslab.values.requirement import Requirement
 from roslab.values.version import version_of
 

@@ -8,6 +8,7 @@ from roslab.decide import decision
 from roslab.decide.decision import Manager
 from roslab.decide.python.compiling import NOTHING, Compiling
 from roslab.values.dataclass import dataclass
+from roslab.values.native_part import NativePart
 from roslab.values.requirement import Requirement
 
 
@@ -54,7 +55,7 @@ class PythonPlan:
     day: str | None = None
     clones: bool = False
     """pip installs from repositories of git."""
-    native_parts: tuple[decision.NativePart, ...] = ()
+    native_parts: tuple[NativePart, ...] = ()
     compiled_modules: tuple[str, ...] = ()
 
 

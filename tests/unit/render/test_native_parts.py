@@ -13,12 +13,12 @@ from pathlib import Path
 
 import pytest
 
-from roslab.decide.decision import NativePart
 from roslab.pipeline import plan_repository
 from roslab.plan.plan import Plan
 from roslab.render import image_scripts
 from roslab.render.dockerfile import dockerfile
 from roslab.render.layers import native_parts
+from roslab.values.native_part import NativePart
 from serving import served
 
 SCRIPTS = Path(image_scripts.__path__[0])

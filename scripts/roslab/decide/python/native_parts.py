@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from roslab.decide.decision import Choice, NativePart, Reason, Warning_
+from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because, warn
 from roslab.evidence.facts import PythonProject
 from roslab.knowledge.native_parts import Native, bringing, natives, series_of
 from roslab.values.dataclass import dataclass
+from roslab.values.native_part import NativePart
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 

@@ -8,6 +8,7 @@ from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
 from roslab.decide.ros.distro_dates import dated
 from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.distros import distros
 from roslab.knowledge.gazebo_releases import gazebo_libraries, gazebo_releases
@@ -41,13 +42,18 @@ def by_gazebo(evidence: Evidence, ros: int) -> list[Reason]:
     return [max(found, key=lambda reason: reason.weight)]
 
 
-def _asked(evidence: Evidence) -> Iterator[Reason]:
-    """Yield the distributions of the releases whose libraries CMake requires."""
+def required(evidence: Evidence) -> Iterator[tuple[str, Dependency]]:
+    """Yield the releases of Gazebo whose libraries CMake requires, each with the library."""
     for project in evidence.cmake:
         for asked in project.dependencies if not places.vendored(project.file) else ():
-            if (release := gazebo_libraries().get(asked.name)) and asked.strength != "optional":
-                why = f"it needs {asked.name} of Gazebo {release.capitalize()}"
-                yield because("ros_distro", gazebo_releases()[release], why, asked, weight=Weight.LIBRARY)
+            if asked.strength != "optional" and (release := gazebo_libraries().get(asked.name)):
+                yield release, asked
+
+
+def _asked(evidence: Evidence) -> Iterator[Reason]:
+    for release, asked in required(evidence):
+        why = f"it needs {asked.name} of Gazebo {release.capitalize()}"
+        yield because("ros_distro", gazebo_releases()[release], why, asked, weight=Weight.LIBRARY)
 
 
 def _said(evidence: Evidence) -> Iterator[Reason]:

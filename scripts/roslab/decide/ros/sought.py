@@ -19,6 +19,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
+from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.libraries import library
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
@@ -27,7 +28,7 @@ from roslab.values.pattern import pattern
 if TYPE_CHECKING:
     from roslab.decide.ros.sources import Sources
 
-_OWNER = pattern(r"(https://(?:github\.com|gitlab\.com|bitbucket\.org)/[\w.-]+)/[\w.-]+?/?$")
+_OWNER = pattern(r"(https://([\w.-]+)/[\w.-]+)/[\w.-]+?/?$")
 _PACKAGE = pattern(r"(?!lib|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
 """A name that a package of ROS may have (REP 144), and no package of a system is likely to."""
 _MOST = 6
@@ -113,8 +114,9 @@ def _addresses(
     here = address(evidence.origin) if evidence.origin else ""
     match = _OWNER.match(https(evidence.origin)) if evidence.origin else None
     found = {https(git.url).removesuffix(".git"): names for git in _linked(evidence, here, known)}
-    for name in names if match else ():
-        url = f"{match[1]}/{name}" if match else ""
+    owner = match[1] if match and match[2] in public_hosts() else ""
+    for name in names if owner else ():
+        url = f"{owner}/{name}"
         if address(url) not in {here, *map(address, found)}:
             found[url] = (name,)
     return [(url, held) for url, held in found.items() if address(url) not in taken][:_MOST]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind, Source
 from roslab.decide.decision import Choice, Reason, Warning_
@@ -14,12 +14,11 @@ from roslab.decide.ros.in_tree import in_tree
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.sought import with_sought
 from roslab.decide.ros.source_names import address, asked_for, drifts, fixed_at, itself_in, plain, wanted_names
+from roslab.decide.ros.used import used_by_build
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
 from roslab.decide.system.by_everybody import told
 from roslab.decide.system.lies_beside import lies_beside
-from roslab.decide.system.switches import given, waits
-from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
@@ -102,7 +101,7 @@ def decide_sources(
     if unknown := unreleased(needed, known | rosdep_keys() | answered | {*chosen.sources}):
         for git, why in for_unknown(evidence, ros_distro, itself, own | known, unknown):
             chosen.add(git, why)
-    used = tuple(_used(evidence, needed))
+    used = tuple(used_by_build(evidence, needed))
     chosen.known(used, known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
     chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
     there = known | rosdep_keys()
@@ -259,30 +258,6 @@ class _Chosen:
             reasons=tuple(self.reasons),
             warnings=(*self.warnings, *self.loose()),
         )
-
-
-def _used(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependency]:
-    """Yield the names that the build uses: a package.xml may name what its CMakeLists.txt, which has a list, does not.
-
-    catkin_simple looks for all that the package.xml names, and what a page links to is meant in earnest. Nothing is
-    used that waits for an option that is off.
-    """
-    needed = tuple(needed)
-    links = {plain(git.name) for git in evidence.sources if git.kind == "link" and not places.vendored(git.file)}
-    used = {dependency.name for dependency in needed if dependency.namespace != "rosdep"}
-    listing = {
-        project.file.rpartition("/")[0]
-        for project in evidence.cmake
-        if any(d.namespace == "ros" for d in project.dependencies)
-        and not any(d.name == "catkin_simple" for d in project.dependencies)
-    }
-    options = given(evidence)
-    for dependency in needed:
-        if waits(dependency, options):
-            continue
-        said = dependency.name in used or plain(dependency.name) in links
-        if said or dependency.file.rpartition("/")[0] not in listing:
-            yield dependency
 
 
 def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]]) -> Choice[Sources]:

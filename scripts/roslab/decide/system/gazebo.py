@@ -6,12 +6,11 @@ from collections.abc import Iterator
 
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
+from roslab.decide.ros.gazebo import required
 from roslab.decide.system.names import Target
 from roslab.decide.system.packages import SystemPackages
-from roslab.evidence import places
-from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.gazebo_releases import gazebo_libraries, gazebo_pairs, gazebo_releases
+from roslab.knowledge.gazebo_releases import gazebo_pairs, gazebo_releases
 from roslab.values.dataclass import replace
 
 WEIGHT = 400
@@ -26,8 +25,8 @@ def with_release(choice: Choice[SystemPackages], evidence: Evidence, target: Tar
     it needs: https://gazebosim.org/docs/harmonic/ros_installation
     """
     system, distro = choice.answer, target.ros_distro or ""
-    required = dict(_required(evidence))
-    releases = {*required, *_installed((*system.apt, *system.apt_guessed))}
+    libraries = dict(required(evidence))
+    releases = {*libraries, *_installed((*system.apt, *system.apt_guessed))}
     release = next(iter(releases)) if len(releases) == 1 else ""
     family = gazebo_pairs().get((distro, release))
     if family is None:
@@ -56,17 +55,9 @@ def with_release(choice: Choice[SystemPackages], evidence: Evidence, target: Tar
         answer=answer,
         reasons=(
             *choice.reasons,
-            *(because("dependencies", n, why, required.get(release), weight=WEIGHT) for n in new),
+            *(because("dependencies", n, why, libraries.get(release), weight=WEIGHT) for n in new),
         ),
     )
-
-
-def _required(evidence: Evidence) -> Iterator[tuple[str, Dependency]]:
-    """Yield the releases whose libraries CMake requires, each with the library."""
-    for project in evidence.cmake:
-        for asked in project.dependencies if not places.vendored(project.file) else ():
-            if asked.strength != "optional" and (release := gazebo_libraries().get(asked.name)):
-                yield release, asked
 
 
 def _installed(names: tuple[str, ...]) -> Iterator[str]:

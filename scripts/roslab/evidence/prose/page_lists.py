@@ -85,7 +85,7 @@ def bounded(text: str, file: str) -> Iterator[Requirement]:
     """
     fenced = False
     for number, line in enumerate(text.split("\n"), start=1):
-        fenced = fenced != (line.lstrip()[:3] in {"```", "~~~"})
+        fenced = fenced != _fence(line)
         if fenced or "`" not in line or len(line) > MAX_PARAGRAPH or not _BOUNDED.search(line):
             continue
         for sentence in _SENTENCE.split(line):
@@ -99,9 +99,9 @@ def _block(lines: list[str], number: int) -> Iterator[tuple[int, str]]:
     """Yield the lines of the code block that begins below a line, with their numbers."""
     while number < len(lines) and not lines[number].strip():
         number += 1
-    fenced = number < len(lines) and lines[number].lstrip()[:3] in {"```", "~~~"}
+    fenced = number < len(lines) and _fence(lines[number])
     for at, line in enumerate(lines[number + fenced :], start=number + fenced + 1):
-        if line.lstrip()[:3] in {"```", "~~~"} or not (fenced or not line.strip() or line.startswith(("    ", "\t"))):
+        if _fence(line) or not (fenced or not line.strip() or line.startswith(("    ", "\t"))):
             return
         if line.strip():
             yield at, line.strip()
@@ -135,7 +135,7 @@ def _lines(text: str) -> Iterator[tuple[int, str, str | None]]:
     titled = fenced = False
     lines = text.split("\n")
     for number, line in enumerate(lines, start=1):
-        if line.lstrip()[:3] in {"```", "~~~"}:
+        if _fence(line):
             fenced = not fenced
         if fenced or not line.strip() or len(line) > MAX_PARAGRAPH:
             continue
@@ -146,6 +146,11 @@ def _lines(text: str) -> Iterator[tuple[int, str, str | None]]:
         elif item is None and not line.startswith((" ", "\t")):
             titled = titled if not line.rstrip().endswith(":") else bool(_TITLE.search(line))
         yield number, line, _plain(item[1][:MAX_LINE]) if item and titled else None
+
+
+def _fence(line: str) -> bool:
+    """Tell whether a line begins or ends a code block."""
+    return line.lstrip()[:3] in {"```", "~~~"}
 
 
 def _plain(words: str) -> str:

@@ -22,7 +22,7 @@ def sister_sources(plan: Plan) -> str:
     tried = [shell.run(_tried(s), secrets=secrets.for_git(plan, "user")) for s in sources if s.holding]
     if tried:
         why = "# Packages that nothing known brings: what is not there is told and stops nothing"
-        runs += [why, shell.copy_script(HOLDING).rstrip(), *tried]
+        runs += [why, shell.copy_script(HOLDING) + shell.copy_script(shell.PACKAGES).rstrip(), *tried]
     return "\n".join([*blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import posixpath
 
-from roslab.decide.decision import NativePart
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import python, secrets, shell
 from roslab.render.layers.workspace import HOME
+from roslab.values.native_part import NativePart
 
 STAGE = "native-parts"
 FOLDER = "/native"

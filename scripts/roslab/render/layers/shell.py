@@ -22,8 +22,6 @@ CHECKOUT = "checkout-branch"
 """The script that checks out a branch which may be gone."""
 PACKAGES = "workspace-packages"
 """The script that says which packages of a workspace need which."""
-_ASKING = ("build-needed ", "clone-holding ", " --complete ")
-"""What calls of scripts that ask it have in them."""
 _PRINTING = ("compile-jobs", "index-as-of", "pip-cache")
 """Scripts that print what a command says with it."""
 
@@ -58,7 +56,6 @@ def run(*commands: str, comment: str = "", secrets: Secrets = NONE, around: Arou
     said = "\n".join((*secrets.commands, *around.first, *commands))
     scripts = "".join(copy_script(name) for name in _PRINTING if f'"$({name}' in said)
     scripts += copy_script(CHECKOUT) if f"{CHECKOUT} " in said else ""
-    scripts += copy_script(PACKAGES) if any(sign in said for sign in _ASKING) else ""
     return f"{comment_lines(comment)}{scripts}{around.before}RUN {body}"
 
 

@@ -20,8 +20,6 @@ BUILD_CACHE = "/var/cache/roslab-build"
 WITHOUT_TESTS = "leave-out-tests"
 NEEDED = "build-needed"
 WITHOUT_DOUBLES = "leave-out-doubles"
-_SCRIPTS = (WITHOUT_DOUBLES, WITHOUT_TESTS, NEEDED)
-"""Scripts that are called where the workspace is compiled."""
 HOLDING = "clone-holding"
 """The script that keeps a repository where it holds what the workspace lacks."""
 UNKNOWN = "clone-unknown"
@@ -52,7 +50,9 @@ def rosdep(plan: Plan) -> str:
     if complete and not files:
         folders = folders * 2  # all that is cloned is wanted
     if complete:
-        before += "".join(map(shell.copy_script, (UNKNOWN, HOLDING, "required-components", "install-optional-apt")))
+        before += "".join(
+            map(shell.copy_script, (UNKNOWN, HOLDING, shell.PACKAGES, "required-components", "install-optional-apt"))
+        )
     return shell.call(
         "install-rosdep-keys",
         (f" --tables {quote.shell(tag)}" if tag else "")
@@ -184,10 +184,16 @@ def compile_workspace(plan: Plan) -> str:
     if build is None:
         return ""
     run = shell.run(f"source {setups(plan)[0]}", *_commands(plan, build, again=_needed(plan)), *_without_logs(build))
-    called = [name for name in _SCRIPTS if name in run]
+    called = _scripts(run)
     called += ["compile-jobs", ROSMAKE] if ROSMAKE in run else []
     scripts = "".join(map(shell.copy_script, called))
     return f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{scripts}{run}"
+
+
+def _scripts(run: str) -> list[str]:
+    """Return the scripts that a step which compiles the workspace calls, and those that these call."""
+    called = [name for name in (WITHOUT_DOUBLES, WITHOUT_TESTS, NEEDED) if name in run]
+    return [*called, shell.PACKAGES] if NEEDED in called else called
 
 
 def _without_logs(build: RosBuild) -> tuple[str, ...]:
@@ -203,7 +209,7 @@ def compile_again(plan: Plan) -> str:
         return ""
     kept = secrets.Secrets(mounts=(tree_mount(plan),))
     run = shell.run(f". {setups(plan)[0]}", *_commands(plan, build, again=f"{_needed(plan)}reuse-build "), secrets=kept)
-    scripts = ("compile-jobs", "reuse-build", *(name for name in _SCRIPTS if name in run))
+    scripts = ("compile-jobs", "reuse-build", *_scripts(run))
     script = f"COPY --from=scripts{''.join(f' /{name}' for name in scripts)} /usr/local/bin/\n"
     run = run.replace(shell.copy_script("compile-jobs"), "")
     return f"WORKDIR {WS}\n{script}{run}"

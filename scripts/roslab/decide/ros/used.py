@@ -1,0 +1,35 @@
+"""Which of the names that are asked for the build uses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslab.decide.ros.source_names import plain
+from roslab.decide.system.switches import given, waits
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+
+
+def used_by_build(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependency]:
+    """Yield the names that the build uses: a package.xml may name what its CMakeLists.txt, which has a list, does not.
+
+    catkin_simple looks for all that the package.xml names, and what a page links to is meant in earnest. Nothing is
+    used that waits for an option that is off.
+    """
+    needed = tuple(needed)
+    links = {plain(git.name) for git in evidence.sources if git.kind == "link" and not places.vendored(git.file)}
+    named = {dependency.name for dependency in needed if dependency.namespace != "rosdep"}
+    listing = {
+        project.file.rpartition("/")[0]
+        for project in evidence.cmake
+        if any(d.namespace == "ros" for d in project.dependencies)
+        and not any(d.name == "catkin_simple" for d in project.dependencies)
+    }
+    options = given(evidence)
+    for dependency in needed:
+        if waits(dependency, options):
+            continue
+        said = dependency.name in named or plain(dependency.name) in links
+        if said or dependency.file.rpartition("/")[0] not in listing:
+            yield dependency
