@@ -22,12 +22,10 @@ from roslab.decide.outside import decide_outside
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.processor import decide_processor
 from roslab.decide.proof import compiled, decide_test, rostests, runs_ctest
-from roslab.decide.python.alternatives import named_by_wheels, one_way, without_lists
-from roslab.decide.python.cloned import with_cloned
+from roslab.decide.python.alternatives import one_way
+from roslab.decide.python.brought import with_what_is_brought
 from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
-from roslab.decide.python.extension_code import with_bounds
-from roslab.decide.python.fetched import with_fetched
 from roslab.decide.python.installed import installed
 from roslab.decide.python.own import decide_version
 from roslab.decide.python.paths import python_path
@@ -35,13 +33,12 @@ from roslab.decide.python.pins import pins
 from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.filled_refs import with_refs
-from roslab.decide.ros.included import included
 from roslab.decide.ros.itself import names_of_itself
-from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.sought import tried, without
 from roslab.decide.ros.sources import decide_sources, with_recipes
+from roslab.decide.ros.used import asked
 from roslab.decide.ros.workspace import manifests_of, names_of, of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.system.apt_sources import decide_apt_sources
@@ -52,7 +49,7 @@ from roslab.decide.system.libraries import decide_libraries
 from roslab.decide.system.linked_headers import linked_headers
 from roslab.decide.system.missing import decide_missing, marked, provided
 from roslab.decide.system.names import Target
-from roslab.decide.system.needs import code_needs, host_options, started
+from roslab.decide.system.needs import host_options
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, with_libraries
@@ -74,8 +71,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence, config = narrowed(evidence, config)
     day, pip_day, evidence = decide_days(evidence, config)
     kind = decide_kind(evidence, config, folder_name)
-    evidence = without_lists(with_cloned(with_fetched(evidence), kind.answer, folder_name), kind.answer)
-    evidence = with_bounds(named_by_wheels(evidence), kind.answer)
+    evidence = with_what_is_brought(evidence, kind.answer, folder_name)
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
     cuda = decide_cuda(evidence, config, pins(evidence))
@@ -125,12 +121,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         kind.answer,
         ros_distro=distro,
         build_tool=build_tool.answer,
-        needed=(
-            *declared_keys(packages, target, kind.answer),
-            *code_needs(evidence, packages),
-            *started(evidence, kind.answer),
-            *included(evidence, packages),
-        ),
+        needed=asked(evidence, packages, target, kind.answer),
         own=packages.names,
         folder_name=folder_name,
     )
@@ -214,6 +205,14 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         added=repositories.answer,
     )
     test = decide_test(config)
+    processor = decide_processor(
+        evidence,
+        kind.answer,
+        build_tool.answer,
+        packages,
+        python.answer,
+        as_it_is=bool(own.answer or config.compatible),
+    )
     platforms = decide_platforms(
         evidence,
         config,
@@ -223,14 +222,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cuda.answer.version,
         python.answer,
         everything,
-        decide_processor(
-            evidence,
-            kind.answer,
-            build_tool.answer,
-            packages,
-            python.answer,
-            as_it_is=bool(own.answer or config.compatible),
-        ),
+        processor,
         () if own.answer else sources.answer.sources,
     )
     choices = (

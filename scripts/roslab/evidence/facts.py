@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from roslab.evidence.apt_source import AptSource
 from roslab.evidence.code_limit import CodeLimit
@@ -296,12 +296,3 @@ class Evidence:
     """The day that pip's packages are to be of where the rest of the image is today's; ``decide`` sets it."""
     problems: tuple[tuple[str, str | None, int | None], ...] = ()
     """``(message, file, line)``: what could not be read and was skipped; file and line may be ``None``."""
-
-
-class Prose(NamedTuple):
-    """What texts for people or for other machines tell: READMEs, CI files, install scripts, Dockerfiles."""
-
-    dependencies: tuple[Dependency, ...] = ()
-    requirements: tuple[Requirement, ...] = ()
-    sources: tuple[GitSource, ...] = ()
-    mentions: tuple[Mention, ...] = ()

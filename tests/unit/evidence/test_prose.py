@@ -7,9 +7,9 @@ from types import ModuleType
 
 import pytest
 
-from roslab.evidence.facts import Prose
 from roslab.evidence.prose import ci, readme
 from roslab.evidence.prose import install_scripts as scripts
+from roslab.evidence.prose.merged import Prose
 from roslab.evidence.prose.preformatted import as_markdown
 from roslab.repository.checkout import Repository
 

@@ -1,14 +1,30 @@
-"""Which of the names that are asked for the build uses."""
+"""The names that are asked for, and which of them the build uses."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from roslab.config.model import Kind
+from roslab.decide.ros.included import included
+from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.names import Target
+from roslab.decide.system.needs import code_needs, started
 from roslab.decide.system.switches import given, waits
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+
+
+def asked(evidence: Evidence, packages: Packages, target: Target, kind: Kind) -> tuple[Dependency, ...]:
+    """Return what package.xml files, build files, started programs and headers of messages ask for."""
+    return (
+        *declared_keys(packages, target, kind),
+        *code_needs(evidence, packages),
+        *started(evidence, kind),
+        *included(evidence, packages),
+    )
 
 
 def used_by_build(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependency]:

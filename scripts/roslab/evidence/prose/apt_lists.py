@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterator
 
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Prose
 from roslab.evidence.prose import readme
 from roslab.evidence.prose.headings import MAX_LINE, lines_of, title_of
+from roslab.evidence.prose.merged import Prose
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 

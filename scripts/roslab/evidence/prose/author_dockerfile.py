@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable
 
 from roslab.evidence.dependency import GitSource
-from roslab.evidence.facts import AuthorDockerfile, Mention, Prose
+from roslab.evidence.facts import AuthorDockerfile, Mention
 from roslab.evidence.lex.balance import unbalanced
 from roslab.evidence.lex.dockerfile import Instruction, argv, instructions, sources
 from roslab.evidence.lex.shell import Command, expand
@@ -17,7 +17,7 @@ from roslab.evidence.prose.copies import in_copy
 from roslab.evidence.prose.dockerfile_purpose import purpose_of
 from roslab.evidence.prose.entry_scripts import started_by
 from roslab.evidence.prose.installs import Collector
-from roslab.evidence.prose.merged import merge
+from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.recipe import recipe
 from roslab.evidence.prose.uncopied import uncopied
 from roslab.repository.checkout import File, Repository

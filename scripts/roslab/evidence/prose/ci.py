@@ -9,11 +9,11 @@ from __future__ import annotations
 import re
 
 from roslab.evidence import places
-from roslab.evidence.facts import Mention, Prose
+from roslab.evidence.facts import Mention
 from roslab.evidence.lex.yaml import Scalar, scalars
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import Collector
-from roslab.evidence.prose.merged import merge
+from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.upstream import upstream
 from roslab.knowledge.distros import ever
 from roslab.repository.checkout import File, Repository

@@ -9,9 +9,10 @@ import re
 from collections.abc import Iterator
 
 from roslab.evidence import places
-from roslab.evidence.facts import Mention, Prose
+from roslab.evidence.facts import Mention
 from roslab.evidence.lex.yaml import scalars
 from roslab.evidence.prose import mentions
+from roslab.evidence.prose.merged import Prose
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern

@@ -7,14 +7,14 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Mention, Prose
+from roslab.evidence.facts import Mention
 from roslab.evidence.lex.branches import branches
 from roslab.evidence.lex.dockerfile import instructions
 from roslab.evidence.lex.shell import fill_placeholders
 from roslab.evidence.prose import author_dockerfile, only_on
 from roslab.evidence.prose.cloners import spelled_out
 from roslab.evidence.prose.installs import Collector
-from roslab.evidence.prose.merged import merge
+from roslab.evidence.prose.merged import Prose, merge
 from roslab.knowledge.distros import distros
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from typing import Literal
 
 from roslab.evidence.dependency import Dependency, GitSource
-from roslab.evidence.facts import Mention, Prose
+from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.prose import blanks
 from roslab.evidence.prose.archives import archives
@@ -15,6 +15,7 @@ from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at
 from roslab.evidence.prose.configured import options_of, source_of
 from roslab.evidence.prose.install_tree import from_workspace, package_and_program
+from roslab.evidence.prose.merged import Prose
 from roslab.evidence.prose.runners import by_ros, started
 from roslab.evidence.prose.telling import telling
 from roslab.evidence.prose.workspaces import below_sources, beside, end_of, folder_after, longer, of_packages, of_reader
@@ -131,11 +132,12 @@ class Collector:
 
     def _mention(
         self,
-        topic: Literal["python", "cuda", "build_tool", "command", "framework"] | Topic,
+        topic: Literal["python", "cuda", "build_tool", "command", "framework", "compiled"] | Topic,
         value: str,
         command: Command,
+        text: str | None = None,
     ) -> None:
-        words = " ".join(command.words).replace(UNKNOWN, "…")[:200]
+        words = " ".join(command.words).replace(UNKNOWN, "…")[:200] if text is None else text
         self.mentions.append(
             Mention(
                 topic=topic,
@@ -261,18 +263,7 @@ class Collector:
 
     def _compiled(self, command: Command) -> None:
         """Note a folder in which CMake is run, ``.`` where the text begins, with its options: it may be a library's."""
-        here, line = source_of(self.folder, command.words), command.line
-        self.mentions.append(
-            Mention(
-                topic="compiled",
-                value=here,
-                source=self.source,
-                file=self.file,
-                line=line,
-                text=self.options,
-                heading=self.heading,
-            )
-        )
+        self._mention("compiled", source_of(self.folder, command.words), command, text=self.options)
 
     def _program(self, program: str, command: Command) -> None:
         words = command.words

@@ -1,10 +1,22 @@
-"""The facts of several texts as one."""
+"""What texts tell, and the facts of several texts as one."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import NamedTuple
 
-from roslab.evidence.facts import Prose
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.facts import Mention
+from roslab.values.requirement import Requirement
+
+
+class Prose(NamedTuple):
+    """What texts for people or for other machines tell: READMEs, CI files, install scripts, Dockerfiles."""
+
+    dependencies: tuple[Dependency, ...] = ()
+    requirements: tuple[Requirement, ...] = ()
+    sources: tuple[GitSource, ...] = ()
+    mentions: tuple[Mention, ...] = ()
 
 
 def merge(parts: Iterable[Prose]) -> Prose:

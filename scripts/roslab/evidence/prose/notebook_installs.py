@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from roslab.evidence.facts import Prose
 from roslab.evidence.prose.installs import Collector
-from roslab.evidence.prose.merged import merge
+from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.python import notebooks
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern

@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterator
 from functools import cache
 
 from roslab.evidence import places
-from roslab.evidence.facts import Mention, Prose
+from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logical_lines, without_remarks
 from roslab.evidence.prose import (
     apt_scripts,
@@ -31,7 +31,7 @@ from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of, under
 from roslab.evidence.prose.in_containers import ENGINES, started_in
 from roslab.evidence.prose.installs import Collector
-from roslab.evidence.prose.merged import merge
+from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.own_files import with_files
 from roslab.evidence.prose.own_scripts import called, checked, of_python
 from roslab.evidence.prose.preformatted import as_markdown
