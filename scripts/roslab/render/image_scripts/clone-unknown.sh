@@ -49,11 +49,9 @@ for path in sys.argv[1:]:
 '
 }
 
-https() { sed --regexp-extended --expression 's#^([a-z]+://)?git@([^:/]+)[:/]#https://\2/#' --expression 's#^git://#https://#' <<<"$1"; }
 folder=''
 try() { # PACKAGE URL [REF]
-  local url at=("${day[@]}")
-  url="$(https "$2")"
+  local url="$2" at=("${day[@]}") # git in the image takes the public hosts by https
   if [ -n "${3:-}" ]; then at=(--ref "$3"); fi
   folder="${workspace}/$(basename "${url}" .git)"
   if [ -e "${folder}" ]; then return 1; fi
