@@ -108,11 +108,10 @@ def publish(lab: laboratory.Laboratory, example: str) -> tuple[str, tuple[str, .
 def run(lab: laboratory.Laboratory, reference: str, platform: str) -> None:
     """Run the image by its digest on one platform, its own output as it comes."""
     say(f"docker run --rm --platform {platform} {reference}")
-    login = ["docker", "login", "--username", lab.username, "--password-stdin", lab.registry]
-    subprocess.run(login, input=lab.password, text=True, env=dict(lab.environment), check=True, capture_output=True)
     command = ["docker", "run", "--rm", "--init", "--quiet", "--platform", platform, reference]
     # The machine's own emulation starts a program some seconds later; a talker has no end of its own
-    code = subprocess.run(["timeout", "60", *command], env=dict(lab.environment), check=False).returncode
+    with lab.logged_in() as client:
+        code = subprocess.run(["timeout", "60", *command], env=client, check=False).returncode
     if code not in {0, 124}:
         raise LabError(f"the image ended with exit code {code} on {platform}")
 

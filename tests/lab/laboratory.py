@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import os
 import secrets
 import shutil
 import sys
+import tempfile
+from base64 import b64encode
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -58,6 +61,15 @@ class Laboratory:
         Runs of tests at the same time share the registry, so a name that is free now may be another's in a moment.
         """
         return f"{self.registry}/{name}-{secrets.token_hex(4)}"
+
+    @contextmanager
+    def logged_in(self, username: str = "", password: str = "") -> Iterator[dict[str, str]]:
+        """Give a Docker client's environment with a login of its own: the lab's, where no other is given."""
+        login = f"{username or self.username}:{password or self.password}"
+        with tempfile.TemporaryDirectory() as place:
+            settings = {"auths": {self.registry: {"auth": b64encode(login.encode()).decode()}}}
+            (Path(place) / "config.json").write_text(json.dumps(settings))
+            yield {**self.environment, "DOCKER_CONFIG": place}
 
 
 def up(*, emulated: bool = True, everything: bool = False, bases: Sequence[str] | None = None) -> None:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import tempfile
-from base64 import b64encode
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -82,19 +81,16 @@ def pulled(lab: Laboratory, reference: str, username: str, password: str) -> Ite
     """Yield what ``docker history`` and ``docker image inspect`` say of an image on each of its platforms."""
     index, _ = registry.manifest(reference.partition("/")[2])
     platforms = [f"{x['platform']['os']}/{x['platform']['architecture']}" for x in index["manifests"]]
-    with tempfile.TemporaryDirectory() as place:
-        login = {"auths": {lab.registry: {"auth": b64encode(f"{username}:{password}".encode()).decode()}}}
-        (Path(place) / "config.json").write_text(json.dumps(login))
+    with lab.logged_in(username, password) as client:
         for platform in [name for name in platforms if not name.startswith("unknown")]:
-            _docker(lab, place, "pull", "--quiet", "--platform", platform, reference)
+            _docker(client, "pull", "--quiet", "--platform", platform, reference)
             for words in (("history", "--no-trunc", "--format", "json"), ("image", "inspect")):
-                told = _docker(lab, place, *words, "--platform", platform, reference)
+                told = _docker(client, *words, "--platform", platform, reference)
                 yield f"docker {words[0]} on {platform}", told.encode()
-        _docker(lab, place, "image", "rm", reference)
+        _docker(client, "image", "rm", reference)
 
 
-def _docker(lab: Laboratory, config: str, *words: str) -> str:
-    environment = {**lab.environment, "DOCKER_CONFIG": config}
+def _docker(environment: Mapping[str, str], *words: str) -> str:
     done = subprocess.run(["docker", *words], env=environment, capture_output=True, text=True, timeout=300, check=False)
     assert done.returncode == 0, done.stderr
     return done.stdout

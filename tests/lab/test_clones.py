@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import time
+import uuid
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from subprocess import CompletedProcess
@@ -44,7 +45,11 @@ def _package(name: str, *needed: str, folder: str = "", more: str = "") -> dict[
 
 @pytest.fixture
 def host(lab: Laboratory, tmp_path: Path) -> Iterator[str]:
-    """Serve the repositories of an owner where a build reaches them, and return the owner's address."""
+    """Serve the repositories of an owner where a build reaches them, and return the owner's address.
+
+    Nobody was called so before: a step from the engine's cache says nothing.
+    """
+    owner = f"code.example/lab-{uuid.uuid4().hex[:8]}"
     repositories = {
         "tools": {
             **_package("lab_filters", "lab_numbers", folder="lab_filters"),
@@ -53,7 +58,7 @@ def host(lab: Laboratory, tmp_path: Path) -> Iterator[str]:
         "lab_numbers": _package("lab_numbers"),
     }
     for name, files in repositories.items():
-        folder = doors.write(tmp_path / "hosts/code.example/lab" / name, files)
+        folder = doors.write(tmp_path / "hosts" / owner / name, files)
         for words in (["init", "--quiet"], ["add", "--all"], [*WHO, "commit", "--quiet", "--message", "All"]):
             subprocess.run(["git", *words], cwd=folder, check=True, capture_output=True)
     ip = git_hosts.bridge(dict(lab.environment))
@@ -63,7 +68,7 @@ def host(lab: Laboratory, tmp_path: Path) -> Iterator[str]:
         while not git_hosts.answers(f"{ip}:{PORT}"):
             assert server.poll() is None
             time.sleep(0.05)
-        yield f"http://{ip}:{PORT}/code.example/lab"
+        yield f"http://{ip}:{PORT}/{owner}"
     finally:
         server.terminate()
         server.wait()

@@ -21,9 +21,13 @@ def free() -> int | None:
         return None
 
 
-def prune() -> None:
-    """Empty the store of the current builder; what it built was pushed, and so was its cache."""
-    answer = output(["docker", "buildx", "prune", "--all", "--force"], timeout=REMOVAL_SECONDS)
+def prune(*, most: str | None = None) -> None:
+    """Empty the store of the current builder; what it built was pushed, and so was its cache.
+
+    With ``most``, such as ``20gb``, that much is kept: what was used last.
+    """
+    words = ["--max-used-space", most] if most else ["--all"]
+    answer = output(["docker", "buildx", "prune", "--force", *words], timeout=REMOVAL_SECONDS)
     if answer.returncode:
         say(f"the builder's store was not emptied: {last_line(answer.stderr)}")
 
