@@ -99,6 +99,33 @@ def test_a_script_that_the_page_runs(tree: Tree) -> None:
     assert decision.build_tool == "catkin_tools"
 
 
+SISTERS = """\
+cd ..
+git clone https://github.com/lab/firmware.git
+cd firmware
+git checkout for_noetic
+cd ..
+git clone https://github.com/lab/vehicles.git
+"""
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "names"),
+    [
+        ("install.sh", SISTERS, ["firmware", "vehicles"]),
+        ("install.sh", SISTERS.replace("..", "lib", 1), []),
+        ("install.sh", SISTERS.replace("..", "../..", 1), []),
+        ("install/install.sh", SISTERS, []),
+        ("install.sh", SISTERS.replace("..", "~/catkin_ws/src", 1), ["firmware", "vehicles"]),
+        ("install.sh", SISTERS.replace("..", "~/catkin_ws/src", 1).replace("..", "../.."), ["firmware"]),
+    ],
+)
+def test_where_a_script_goes_back_to(tree: Tree, file: str, text: str, names: list[str]) -> None:
+    """A script of the root that leaves the repository is among the packages of the workspace, if it is in one."""
+    decision = tree(SHOWN | {"README.md": f"ROS Noetic\n```\n./{file}\n```\n", file: text})
+    assert [name for name, _ in cloned(decision)] == names
+
+
 def test_a_script_that_no_page_runs(tree: Tree) -> None:
     assert not cloned(tree(SHOWN | {"README.md": "ROS Noetic\n", "install/setup.sh": SCRIPT}))
 

@@ -9,7 +9,7 @@ from typing import Literal
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
-from roslab.evidence.prose import blanks
+from roslab.evidence.prose import blanks, workspaces
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at
@@ -18,7 +18,6 @@ from roslab.evidence.prose.install_tree import from_workspace, package_and_progr
 from roslab.evidence.prose.merged import Prose
 from roslab.evidence.prose.runners import by_ros, started
 from roslab.evidence.prose.telling import telling
-from roslab.evidence.prose.workspaces import below_sources, beside, end_of, folder_after, longer, of_packages, of_reader
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks, setup_asks
 from roslab.knowledge.tools import PIXI
 from roslab.values.dataclass import dataclass, field, replace
@@ -61,6 +60,8 @@ class Collector:
     """That folder from the ``src`` of a workspace on, where its path has one."""
     inside: bool = False
     """The folder is the ``src`` of a workspace."""
+    sources_at: str | None = None
+    """That folder, once the text has been in one."""
     heading: str = ""
     """The sections that the text stands in."""
     options: str = ""
@@ -147,7 +148,9 @@ class Collector:
                 line=command.line,
                 text=words,
                 heading=self.heading,
-                inside=longer(self.folder, self.whole) if topic == "command" and self.source == "readme" else "",
+                inside=workspaces.longer(self.folder, self.whole)
+                if topic == "command" and self.source == "readme"
+                else "",
                 variables=command.assigned if topic == "command" else (),
             )
         )
@@ -198,12 +201,17 @@ class Collector:
         return posixpath.join(self.folder, path.removeprefix("./")) if self.folder and path[:1] not in "/~" else path
 
     def _cd(self, target: str) -> None:
-        self.inside = of_packages(target)
-        if of_reader(target) or UNKNOWN in target:
-            self.folder = "" if target in {"~", "-"} else end_of(target).replace(UNKNOWN, "").strip("/")
-            self.whole = below_sources(target)
+        left = self.source == "script" and workspaces.leaves_repository(target, self.folder, self.file)
+        self.inside = workspaces.of_packages(target) or (left and self.sources_at is None)
+        known = not (workspaces.of_reader(target) or UNKNOWN in target)
+        if not known:
+            self.folder = "" if target in {"~", "-"} else workspaces.end_of(target).replace(UNKNOWN, "").strip("/")
+            self.whole = workspaces.below_sources(target)
         else:
             self.folder = posixpath.normpath(posixpath.join(self.folder, target)).removeprefix("../").strip(".")
+        self.inside = self.inside or (known and self.folder == self.sources_at)
+        if self.inside:
+            self.sources_at = self.folder
 
     def _git(self, command: Command) -> None:
         words = command.words
@@ -222,7 +230,7 @@ class Collector:
             return
         apart = [part for word in words for part in (word.split("=", 1) if word.startswith("--branch=") else (word,))]
         branch = next((apart[i + 1] for i, w in enumerate(apart[:-1]) if w in {"-b", "--branch"}), None)
-        into, url = folder_after(url, words, self.folder), url.rstrip(".,;)")
+        into, url = workspaces.folder_after(url, words, self.folder), url.rstrip(".,;)")
         name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
         self.cloned, self.options, self.configured = len(self.sources), "", False
         self.fresh.add(self.cloned)
@@ -238,7 +246,7 @@ class Collector:
                 kind="clone",
                 into="" if into == name else into,
                 heading=self.heading,
-                beside=beside(words[-1] if words[-1] != url else "", inside=self.inside),
+                beside=workspaces.beside(words[-1] if words[-1] != url else "", inside=self.inside),
             )
         )
 

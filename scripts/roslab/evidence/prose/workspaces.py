@@ -47,6 +47,11 @@ def of_packages(folder: str) -> bool:
     return bool(_SOURCES.search(folder)) or folder in {"src", "./src"}
 
 
+def leaves_repository(target: str, folder: str, script: str) -> bool:
+    """Tell whether ``cd`` in a script of the root leaves the repository, which lies in the ``src`` of a workspace."""
+    return "/" not in script and not folder and target.rstrip("/") == ".."
+
+
 def folder_after(url: str, words: Sequence[str], here: str) -> str:
     """Return the name of the folder that follows the address in the words of a clone, ``""`` where none does.
 
