@@ -48,6 +48,7 @@ class Weight:
     REQUIREMENTS_BELOW = 230
     WRAPPER = 200  # ROS packages that only wrap a Python program: any manifest of the program wins
     CMAKE_BELOW = 150  # where most of the code is C++
+    EXAMPLES = 140  # ROS packages that are examples of another program, whose manifest wins
     CUDA_SIGN = 130  # code or CUDA sources without any manifest
     RUN = 210  # a program that the page at the root runs, where ROS packages only wrap it
     PROGRAM = 120
@@ -118,16 +119,18 @@ def _packages(evidence: Evidence, built: tuple[PackageManifest, ...], *, named: 
             by_version[version].append(manifest)
     files = [m.file for m in (*by_version[1], *by_version[2])]
     wrapper = not named and wraps(evidence, files)
+    around = any("/" not in project.file for project in evidence.cmake)  # the library that the examples wrap
+    examples = not (named or around) and all(map(places.sample, files))
     reasons: list[Reason] = []
     for version, made in by_version.items():
         if not made:
             continue
         others = len(by_version[3 - version])
-        weight = Weight.WRAPPER if wrapper else Weight.PACKAGES
+        weight = Weight.WRAPPER if wrapper else Weight.EXAMPLES if examples else Weight.PACKAGES
         weight += _leaning(evidence, version, len(made) - others) if others else 0
         number = "a package" if len(made) == 1 else f"{len(made)} packages"
         why = f"{number} built by {'catkin' if version == 1 else 'ament'}"
-        why += ", a wrapper beside a Python project" if wrapper else ""
+        why += ", a wrapper beside a Python project" if wrapper else ", which are examples" if examples else ""
         reasons.append(because("kind", f"ros{version}", why, made[0], weight=weight))
     return reasons
 
@@ -245,7 +248,8 @@ def _cpp(evidence: Evidence) -> list[Reason]:
                 "kind", answer, "a CMake project, which the README builds with CMake alone", said, weight=Weight.BUILT
             )
         ]
-    below = Weight.CMAKE_BELOW if mostly_cpp(evidence) else Weight.CMAKE_PART
+    most = mostly_cpp(evidence) and not places.sample(top.file)
+    below = Weight.CMAKE_BELOW if most else Weight.CMAKE_PART
     weight = Weight.CMAKE if root else below
     return [because("kind", answer, "a CMake project", top, weight=weight)]
 
