@@ -139,8 +139,12 @@ def _filled_in(first: Candidate, candidates: Iterable[Candidate]) -> Candidate:
 
 
 def _explains(candidate: Candidate) -> bool:
-    """Tell whether a program only prints its arguments: no page means that where it runs the program otherwise too."""
-    return candidate.argv[0] not in SIMULATORS and any(map(_HELP.match, candidate.argv))
+    """Tell whether a program only prints its arguments: no page means that where it runs the program otherwise too.
+
+    An option with a value does something else: ``-h 480`` is a height.
+    """
+    words = zip(candidate.argv, (*candidate.argv[1:], "-"), strict=True)
+    return candidate.argv[0] not in SIMULATORS and any(_HELP.match(word) and then[:1] == "-" for word, then in words)
 
 
 def _order(candidate: Candidate, page: int, *, gap: bool) -> tuple[bool, bool, bool, bool, int, int, int, bool, int]:

@@ -26,4 +26,13 @@ def call_of(written: str, calls: Mapping[str, tuple[str, ...]], alone: Collectio
     """
     name = written.rpartition("/")[2]
     named = [call for file, call in calls.items() if file.rpartition("/")[2] == name]
-    return calls.get(written) or (named[0] if len(named) == 1 else (written,) if written in alone else ())
+    return calls.get(written) or (named[0] if len(named) == 1 else without_package(written, alone))
+
+
+def without_package(written: str, alone: Collection[str]) -> tuple[str, ...]:
+    """Return the path of a launch file of no package as it is from the root, ``()`` for none of the tree.
+
+    A page may be in the workspace, of which the repository is ``src/NAME``.
+    """
+    found = [file for file in alone if file == written or written.endswith(f"/{file}")]
+    return (max(found, key=len),) if found else ()

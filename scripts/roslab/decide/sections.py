@@ -17,7 +17,8 @@ _USAGE = pattern(
 _ASIDE = pattern(
     r"\b(?:real|hardware|calibrat\w*|evaluat\w*|trouble\w*|faq|debug\w*|develop\w*|contribut\w*|convert\w*|conversion|"
     r"record(?:s|ing|er)?|tests?|testing|docker|format\w*|annotat\w*|benchmark\w*|advanced|optional|tools?|"
-    r"how to (?:install|build)|visuali[sz]\w*)\b",
+    r"how to (?:install|build)|visuali[sz]\w*|pre-?process\w*|prepar\w*[ -](?:the )?data(?:sets?)?|"
+    r"data(?:sets?)?[ -](?:set-?up|prepar\w*|process\w*|generat\w*|download\w*|collect\w*|organi[sz]\w*))\b",
     re.IGNORECASE,
 )
 """A section about something else than starting it."""

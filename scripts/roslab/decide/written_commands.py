@@ -10,7 +10,7 @@ from roslab.decide.absent import absent
 from roslab.decide.blank_launches import LAUNCH, pointed_launches, with_a_launch_file, with_the_one_named
 from roslab.decide.candidate import Candidate, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
-from roslab.decide.launch_calls import call_of, launch_calls
+from roslab.decide.launch_calls import call_of, launch_calls, without_package
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages, one_letter_off
 from roslab.decide.ros.workspace import packages_of
@@ -147,7 +147,7 @@ def _runnable(
     argv = with_a_launch_file(task_of(words, tree.tasks), tree.launched)
     if not argv or any(map(PLACEHOLDER.search, program_of(argv))) or any(p.rpartition("/")[2] in TOOLS for p in argv):
         return None
-    direct = argv[:2] == ("ros2", "launch") and argv[2:3] and argv[2] in tree.alone
+    direct = argv[:2] == ("ros2", "launch") and argv[2:3] and without_package(argv[2], tree.alone)
     if len(argv) < _WORDS.get(argv[0], 1) + is_component(argv) - bool(direct):
         return None  # a sentence about the command
     if argv[0] in _WORDS or argv[0] in SIMULATORS:

@@ -104,6 +104,8 @@ class PythonProject:
     classifiers: tuple[str, ...] = ()
     setup_imports: tuple[str, ...] = ()
     """Modules that its setup.py imports; ``.`` for the package that it installs."""
+    groups: tuple[Requirement, ...] = ()
+    """What uv installs with it by default, which pip does not."""
 
     @property
     def refused(self) -> bool:

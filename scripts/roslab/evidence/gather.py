@@ -135,7 +135,7 @@ def gather(repository: Repository) -> Evidence:
             *shared_objects.read(own),
         ),
         prose=prose.dependencies,
-        prose_pip=(*prose.requirements, *project.refused(python_projects)),
+        prose_pip=(*prose.requirements, *project.not_by_pip(python_projects)),
         listed=page_lists.read(own),
         sources=sources,
         origin=repository.origin or "",

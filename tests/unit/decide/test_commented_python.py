@@ -1,4 +1,4 @@
-"""The Python that a comment of a requirements file names."""
+"""The Python that a line of a requirements file names, which is no package."""
 
 from __future__ import annotations
 
@@ -24,11 +24,15 @@ CODE = {"main.py": "import numpy\nimport yaml\n"}
         ("numpy\n# for Python 2.7\nfutures\n", None),
         ("# Python 3.7\nnumpy\n# Python 3.8\nscipy\n", None),
         ("# Python 3.7 or newer\nnumpy\n", None),
+        ("numpy\npython==3.8.10\n", "3.8"),
+        ("numpy\npython=3.7.4=h265db76_1\n", "3.7"),
     ],
 )
-def test_a_comment_that_names_one(tree: Tree, lines: str, python: str | None) -> None:
+def test_a_line_that_names_one(tree: Tree, lines: str, python: str | None) -> None:
     plain = tree({**CODE, "requirements.txt": "numpy\n"}).python.version
-    assert tree({**CODE, "requirements.txt": lines}).python.version == (python or plain)
+    found = tree({**CODE, "requirements.txt": lines}).python
+    assert found.version == (python or plain)
+    assert not any(each.key == "python" for each in found.pip)
 
 
 @pytest.mark.parametrize(

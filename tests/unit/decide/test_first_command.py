@@ -518,6 +518,28 @@ def test_what_a_section_of_its_own_runs_whole_comes_before_what_has_blanks(
     assert " ".join(tree({**files, "README.md": page}).command) == f"python {command}"
 
 
+@pytest.mark.parametrize("title", ["Data Setup", "Prepare the datasets", "Dataset preparation", "Preprocessing"])
+def test_a_section_that_makes_the_data_comes_after_what_uses_it(tree: Tree, title: str) -> None:
+    page = f"## {title}\n### Particles\n```\npython particles.py\n```\n## Model\n```\npython train.py\n```\n"
+    files = {"particles.py": "import numpy\n", "train.py": "import numpy\n", "README.md": page}
+    assert tree(files).command == ("python", "train.py")
+    alone = page.partition("## Model")[0]
+    assert tree({**files, "README.md": alone}).command == ("python", "particles.py")
+
+
+@pytest.mark.parametrize(
+    ("line", "command"),
+    [
+        ("python train.py -h 480 -w 640", "python train.py -h 480 -w 640"),
+        ("python train.py -h\npython drive.py", "python drive.py"),
+        ("python train.py --help --all\npython drive.py", "python drive.py"),
+    ],
+)
+def test_an_option_with_a_value_asks_for_no_help(tree: Tree, line: str, command: str) -> None:
+    files = {"train.py": "import numpy\n", "drive.py": "import numpy\n", "README.md": f"```\n{line}\n```\n"}
+    assert " ".join(tree(files).command) == command
+
+
 def test_a_blank_beside_a_launch_file_does_not_put_off_its_section(tree: Tree) -> None:
     first = "# Run it\n```\nroslaunch demo map.launch\nrosrun demo demo_node <config file>\n```\n"
     page = f"{first}# Run more\n```\nroslaunch demo replay.launch\n```\n"

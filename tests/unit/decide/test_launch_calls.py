@@ -37,3 +37,20 @@ def test_the_path_tells_files_of_one_name_apart(
 def test_what_nobody_runs_is_called_so_too(tree: Tree) -> None:
     called = {candidate[1:] for candidate in tree(TWICE).command_candidates}
     assert called == {("demo", "side.launch"), ("demo/launch/deep/plan.launch",), ("demo/launch/flat/plan.launch",)}
+
+
+@pytest.mark.parametrize(
+    ("lines", "command"),
+    [
+        ("roslaunch src/paper/launch/all.launch a:=1", ("roslaunch", "launch/all.launch", "a:=1")),
+        ("roslaunch launch/all.launch", ("roslaunch", "launch/all.launch")),
+        ("roslaunch src/paper/launch/none.launch", ("bash",)),
+        ("roslaunch overall.launch", ("bash",)),
+    ],
+)
+def test_a_launch_file_of_no_package_by_its_path_from_the_workspace(
+    tree: Tree, lines: str, command: tuple[str, ...]
+) -> None:
+    others = {f"demo/launch/{name}.launch": "<launch/>\n" for name in ("a", "b")}
+    files = {**FILES, **others, "launch/all.launch": "<launch/>\n"}
+    assert tree({**files, "README.md": f"ROS Noetic\n```\n{lines}\n```\n"}).command == command

@@ -38,17 +38,17 @@ def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str 
     free = {key: each for key, each in free.items() if key not in {exact.key for exact in found}}
     said = [pin for pin in pins if (pin.trust == _INSTALL_LINE or pin.requirement.origin == "lock") and pin.release]
     for name in _LEADING:
-        leading = next((p for p in said if name == p.name and name in free and _fits(p, free[name], cuda)), None)
-        if leading is None:
+        fitting = [p for p in said if name == p.name and name in free and _fits(p, free[name], cuda)]
+        if not fitting:
             continue
+        leading = min(fitting, key=lambda pin: cuda_of(pin.release or "") != cuda)
         beside = released_together().get(name, ())
-        for pin in (leading, *(p for p in said if p.name in beside and p.name in free)):
-            if pin.requirement.file == leading.requirement.file:
-                exact = stated(f"{pin.name}=={pin.release}")
-                why = WHY_LOCKED if pin.requirement.origin == "lock" else _WHY
-                found.setdefault(
-                    exact, because("dependencies", exact.written, why, pin.requirement, weight=Weight.BOUND)
-                )
+        together = [p for p in said if p.name in beside and p.name in free and _of_one_build(p, leading)]
+        one = {pin.name: pin for pin in reversed((leading, *together))}
+        for pin in reversed(one.values()):
+            exact = stated(f"{pin.name}=={pin.release}")
+            why = WHY_LOCKED if pin.requirement.origin == "lock" else _WHY
+            found.setdefault(exact, because("dependencies", exact.written, why, pin.requirement, weight=Weight.BOUND))
     return Choice(answer=tuple(found), reasons=tuple(found.values()))
 
 
@@ -86,6 +86,12 @@ def one_build(asked: Iterable[Requirement], cuda: str | None) -> tuple[Requireme
         others = {each for _, each in same} - {fitting[0]}
         kept = [each for each in kept if each not in others and each.key != name]
     return tuple(kept)
+
+
+def _of_one_build(pin: Pin, leading: Pin) -> bool:
+    """Tell whether one file pins two frameworks for each other: a lock may have builds of ``+cpu`` and ``+cu130``."""
+    builds = {(each.release or "").partition("+")[2] for each in (pin, leading)} - {""}
+    return pin.requirement.file == leading.requirement.file and len(builds) < 2
 
 
 def _fits(pin: Pin, manifest: Requirement, cuda: str | None) -> bool:

@@ -1,4 +1,4 @@
-"""Comments of requirement files that name the Python which they are for: ``# python3.8``."""
+"""Lines of requirement files that name the Python which they are for: ``# python3.8``, ``python==3.8.10``."""
 
 from __future__ import annotations
 
@@ -17,6 +17,10 @@ _COMMENT = pattern(
     re.IGNORECASE | re.MULTILINE,
 )
 """A line of its own that ends with the version."""
+_PINNED = pattern(
+    r"^[ \t]*python[ \t]*={1,3}[ \t]*([23]\.\d{1,2})(?:[.=][\w.*=]*)?[ \t]*$", re.IGNORECASE | re.MULTILINE
+)
+"""A line of conda's in a list that pip reads, too."""
 _LINE = pattern(r"^[ \t]*[^#\s]", re.MULTILINE)
 
 
@@ -32,8 +36,14 @@ def read(repository: Repository, files: Iterable[RequirementFile]) -> tuple[Ment
 
 
 def _of_file(text: str, path: str) -> Iterator[tuple[Mention, bool]]:
-    """Yield the comments of one file, and whether they are about all of it."""
+    """Yield what one file says, and whether that is about all of it."""
     first = _LINE.search(text)
+    for match in _PINNED.finditer(text) if "ython" in text else ():
+        line = text.count("\n", 0, match.start(1)) + 1
+        yield (
+            Mention(topic="python", value=match[1], source="manifest", file=path, line=line, text=match[0].strip()),
+            True,
+        )
     for match in _COMMENT.finditer(text) if "ython" in text else ():
         line = text.count("\n", 0, match.start(2)) + 1
         said = Mention(

@@ -7,12 +7,11 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from roslab.evidence.facts import PythonProject
-from roslab.evidence.python import poetry, requirements
+from roslab.evidence.python import poetry, requirements, uv
 from roslab.evidence.python.without_module import without_module
 from roslab.repository.checkout import Repository
 from roslab.values import toml
 from roslab.values.dataclass import replace
-from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement, Role
 from roslab.values.requirement_line import requirement
@@ -31,11 +30,14 @@ def read(repository: Repository) -> tuple[PythonProject, ...]:
     return tuple(project for project in found if project)
 
 
-def refused(projects: Iterable[PythonProject]) -> Iterator[Requirement]:
-    """Yield what the projects need that their backend refuses to install, as a page's line would install it."""
+def not_by_pip(projects: Iterable[PythonProject]) -> Iterator[Requirement]:
+    """Yield what pip does not install with the projects, as a page's line would install it.
+
+    Of a project that its backend refuses to install, all that it needs; uv's groups.
+    """
     for project in projects:
-        if project.refused:
-            yield from (replace(each, origin="prose") for each in project.requirements if not each.role)
+        missed = (*project.requirements, *project.groups) if project.refused else project.groups
+        yield from (replace(each, origin="prose") for each in missed if not each.role)
 
 
 def _project(repository: Repository, folder: str, files: dict[str, str]) -> PythonProject | None:
@@ -65,6 +67,7 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
         extensions=tuple(dict.fromkeys(extension for part in parts for extension in part.extensions)),
         classifiers=tuple(dict.fromkeys(line for part in parts for line in part.classifiers)),
         setup_imports=next((part.setup_imports for part in parts if part.setup_imports), ()),
+        groups=tuple(each for part in parts for each in part.groups),
     )
 
 
@@ -237,7 +240,7 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
     line_of = _finder(text)
     project, of_poetry = _table(data, "project"), _table(data, "tool", "poetry")
     asked = _listed(_list(project, "dependencies"), path, line_of)
-    asked = [_of_uv(each, _table(data, "tool", "uv", "sources")) for each in asked]
+    asked = [uv.as_installed(each, _table(data, "tool", "uv", "sources")) for each in asked]
     for extra, lines in _table(project, "optional-dependencies").items():
         asked += _listed(lines if isinstance(lines, list) else (), path, line_of, extra=extra)
     dynamic = _table(data, "tool", "setuptools", "dynamic", "dependencies").get("file")
@@ -265,25 +268,8 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         scripts=tuple((script, line_of(script)) for script in scripts),
         extensions=_extensions(str(backend) + " ".join(map(str, build))),
         classifiers=tuple(line for line in _list(project, "classifiers") if isinstance(line, str)),
+        groups=tuple(_listed(uv.default_groups(data), path, line_of)),
     )
-
-
-def _of_uv(asked: Requirement, sources: dict[str, Any]) -> Requirement:
-    """Return a requirement as uv would install it: pip knows neither its sources nor the members of its workspace.
-
-    https://docs.astral.sh/uv/concepts/projects/dependencies/#dependency-sources.
-    """
-    said = next((value for key, value in sources.items() if canonicalize_name(key) == asked.key), None)
-    said = said[0] if isinstance(said, list) and said else said
-    if not isinstance(said, dict):
-        return asked
-    if said.get("workspace") or "path" in said:
-        return replace(asked, role="member")
-    if isinstance(said.get("git"), str):
-        ref = said.get("rev") or said.get("tag") or said.get("branch")
-        folder = f"#subdirectory={said['subdirectory']}" if said.get("subdirectory") else ""
-        return asked.fetched_from(f"git+{said['git']}" + (f"@{ref}" if ref else "") + folder)
-    return asked.fetched_from(said["url"]) if isinstance(said.get("url"), str) else asked
 
 
 def _table(data: Any, *keys: str) -> dict[str, Any]:

@@ -31,12 +31,16 @@ def without_module(repository: Repository, folder: str, name: str, data: Mapping
 
 
 def _has_module(repository: Repository, folder: str, name: str) -> bool:
-    """Tell whether a backend may find a module of that name beside the file or in ``src``, however it is written."""
+    """Tell whether a backend may find a module of that name beside the file or in ``src``, however it is written.
+
+    A folder is none without a file of Python: poetry-core, ``masonry/utils/package_include.py``, read 2026-11-26.
+    """
     plain = name.lower().replace("-", "_")
     places = {posixpath.join(folder, start, plain.replace(".", end)) for start in ("", "src") for end in ("/", "_")}
     places = {place.lower() for place in places}
+    below = tuple(f"{place}/" for place in places)
     files = (file.path.lower().removesuffix(".py") for file in repository.suffixed(".py"))
-    return any(found.lower() in places for found in repository.folders) or any(file in places for file in files)
+    return any(file in places or file.startswith(below) for file in files)
 
 
 def _table(data: Mapping[str, Any], key: str) -> dict[str, Any]:

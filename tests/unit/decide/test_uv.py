@@ -1,0 +1,69 @@
+"""What uv installs of a project and pip does not: its default groups, one build of a lock that has several."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PROJECT = """\
+[project]
+name = "demo"
+version = "1.0"
+dependencies = ["numpy==1.26.4"]
+[dependency-groups]
+cpu = ["onnxruntime==1.17.0", {include-group = "shapes"}]
+shapes = ["shapely==2.0.4", {include-group = "shapes"}]
+dev = ["pytest==8.0.0"]
+[build-system]
+requires = ["setuptools"]
+build-backend = "setuptools.build_meta"
+"""
+CODE = {"demo/__init__.py": "", "demo/main.py": "import onnxruntime\nif __name__ == '__main__':\n    pass\n"}
+
+
+@pytest.mark.parametrize(
+    ("uv", "found"),
+    [
+        ("default-groups = ['cpu', 'dev']", {"onnxruntime==1.17.0", "shapely==2.0.4"}),
+        ("default-groups = 'all'", {"onnxruntime==1.17.0", "shapely==2.0.4"}),
+        ("default-groups = ['Shapes']", {"shapely==2.0.4"}),
+        ("default-groups = 5", set()),
+        ("package = true", set()),
+    ],
+)
+def test_default_groups(tree: Tree, uv: str, found: set[str]) -> None:
+    python = tree({**CODE, "pyproject.toml": f"{PROJECT}[tool.uv]\n{uv}\n"}).python
+    versions = {each.written for each in (*python.pip, *python.pip_guessed) if each.release}
+    assert versions == found
+
+
+LOCKED = """\
+[[package]]
+name = "{name}"
+version = "{version}"
+source = {{ registry = "https://download.pytorch.org/whl/{build}" }}
+wheels = [
+    {{ url = "https://download.pytorch.org/whl/{name}-{version}-cp310-cp310-linux_x86_64.whl", hash = "sha256:00" }},
+]
+
+"""
+
+
+@pytest.mark.parametrize("builds", [("cpu", "cu121"), ("cu121", "cpu")])
+def test_one_build_of_a_lock_with_several(tree: Tree, builds: tuple[str, ...]) -> None:
+    lock = "version = 1\n\n" + "".join(
+        LOCKED.format(name=name, version=f"{version}+{build}", build=build)
+        for name, version in (("torch", "2.3.1"), ("torchvision", "0.18.1"))
+        for build in builds
+    )
+    project = "[project]\nname = 'demo'\nversion = '1'\nrequires-python = '>=3.10,<3.11'\n"
+    files = {"pyproject.toml": project, "uv.lock": lock, "README.md": "CUDA 12.1\n"}
+    python = tree(
+        {**files, "train.py": "import torch, torchvision\nif __name__ == '__main__':\n    torch.cuda.init()\n"}
+    )
+    bounds = [each.written for each in python.python.bounds if each.key.startswith("torch")]
+    assert bounds == ["torch==2.3.1+cu121", "torchvision==0.18.1+cu121"]
