@@ -379,6 +379,47 @@ def test_a_list_does_not_clone_what_the_tree_has_itself(tmp_path: Path) -> None:
     assert [source.name for source in decided(tmp_path, files).source] == ["c"]
 
 
+UPSTREAM = (
+    "on: push\njobs:\n  build:\n    uses: lab/ci/.github/workflows/b.yml@v1\n    with: {upstream_workspace: %s}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("needed", "page", "found"),
+    [
+        ("rclcpp", "", ()),
+        ("lab_x", "", ("sisters.repos",)),
+        ("rclcpp", "```\nvcs import src < src/demo/sisters.repos\n```\n", ("sisters.repos",)),
+    ],
+)
+def test_a_list_that_ci_alone_builds_is_needed_for_what_no_distribution_has(
+    tmp_path: Path, needed: str, page: str, found: tuple[str, ...]
+) -> None:
+    files = {"sisters.repos": _sister("x"), ".github/workflows/b.yml": UPSTREAM % "sisters.repos"}
+    manifest = AMENT.replace("rclcpp", needed)
+    readme = {"README.md": f"ROS 2 Jazzy\n{page}"}
+    assert decided(tmp_path, {**package(xml=manifest), **files, **readme}).vcs == found
+
+
+def test_a_list_of_the_root_that_ci_builds_comes_before_one_that_a_page_below_names(tmp_path: Path) -> None:
+    below = {"sim/README.md": "```\nwstool merge sim/more.rosinstall\n```\n", "sim/more.rosinstall": "[]\n"}
+    for name, file in (("lab_x", "all.rosinstall"), ("lab_y", "sim/more.rosinstall")):
+        below[file] = f"- git: {{local-name: {name}, uri: 'https://github.com/lab/{name}.git'}}\n"
+    files = {
+        **package(xml=CATKIN.replace("roscpp", "lab_x")),
+        **below,
+        ".github/workflows/b.yml": UPSTREAM % "all.rosinstall",
+    }
+    assert decided(tmp_path, files).vcs == ("all.rosinstall",)
+
+
+def test_a_clone_into_the_folder_of_its_own_package_is_the_repository(tmp_path: Path) -> None:
+    line = "cd ~/ws/src\ngit clone -b ros2 https://github.com/lab/former_name.git {}\n"
+    for folder, names in (("demo", []), ("src/demo", []), ("lab_z", ["former_name"]), ("", ["former_name"])):
+        files = {**package(xml=AMENT.replace("rclcpp", "lab_unknown")), "README.md": f"```\n{line.format(folder)}```\n"}
+        assert [source.name for source in decided(tmp_path, files).source] == names
+
+
 def test_a_cmakelists_beside_a_package_of_python_is_of_another_ros(tmp_path: Path) -> None:
     manifest = "<package format='3'><name>demo</name><export><build_type>ament_python</build_type></export></package>"
     files = {
@@ -401,7 +442,8 @@ def test_a_list_that_ci_builds_downstream_names_who_needs_the_repository(tmp_pat
     ci = "on: push\njobs:\n  build:\n    uses: lab/ci/.github/workflows/b.yml@v1\n    with:\n"
     ci += "      upstream_workspace: sisters.jazzy.repos\n      downstream_workspace: users.jazzy.repos\n"
     files = {"sisters.jazzy.repos": _sister("x"), "users.jazzy.repos": _sister("y"), ".github/workflows/b.yml": ci}
-    found = decided(tmp_path, {**package("a", xml=AMENT), **files}, branch="jazzy")
+    needing = AMENT.replace("rclcpp", "lab_x")
+    found = decided(tmp_path, {**package("a", xml=needing), **files}, branch="jazzy")
     assert found.vcs == ("sisters.jazzy.repos",)
     both = ci + "      extra: {upstream_workspace: users.jazzy.repos}\n"
     again = decided(tmp_path, {".github/workflows/b.yml": both}, branch="jazzy")

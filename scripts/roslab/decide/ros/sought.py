@@ -57,6 +57,7 @@ def with_sought(
         return choice
     lacking = _lacking(needed, known | sources.names)
     taken = {address(source.repo or "") for source in (*sources.sources, *sources.submodules)}
+    taken |= {address(git.url) for git in evidence.sources if git.into in known}  # itself, under another name
     found = []
     reasons = []
     for url, names in _addresses(lacking, evidence, known, taken):

@@ -63,7 +63,12 @@ def wraps(name: str) -> bool:
 
 
 def itself_in(git: GitSource, names: set[str]) -> bool:
-    """Tell whether a list or a page names the repository itself, ``c-blox`` where it is ``cblox`` by now."""
+    """Tell whether a list or a page names the repository itself, ``c-blox`` where it is ``cblox`` by now.
+
+    So does a clone of any name into a folder of the repository's or its package's name: it may have been renamed.
+    """
+    if git.into.lower() in names:
+        return True
     joined = {plain(name).replace("_", "") for name in names}
     return plain(git.name).replace("_", "") in joined or address(git.url).rpartition("/")[2] in names
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from collections.abc import Set as AbstractSet
 
 from roslab.config.model import Config
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.distros import distros
 from roslab.values.pattern import pattern
 
@@ -30,10 +31,11 @@ def vcs_files(
 ) -> tuple[str, ...]:
     """Return the vcs files to import: roslab.yaml's, else those for this distribution, else the plainest ones.
 
-    Where a page names some of them, or CI for its upstream workspace, those are meant. ``lacking``: something is needed
-    that no distribution has. Otherwise a list below the root is imported only where a page, a Dockerfile or CI names
-    it: it may be data of a program. ``itself``: the repository's names, in lower case, which say nothing of what a list
-    is for. A list that CI builds as its downstream workspace names who needs the repository:
+    Where a page names some of them, or CI for its upstream workspace, those are meant: the page at the root's first,
+    then those of the root. ``lacking``: something is needed that no distribution has. Otherwise what CI alone builds is
+    not needed; a list below the root is imported only where a page, a Dockerfile or CI names it, for it may be data of
+    a program. ``itself``: the repository's names, in lower case, which say nothing of what a list is for. A list that
+    CI builds as its downstream workspace names who needs the repository:
     https://github.com/ros-industrial/industrial_ci/blob/master/doc/index.rst
     """
     if config.vcs is not None:
@@ -49,11 +51,15 @@ def vcs_files(
     above = {
         mention.value for mention in said if mention.source == "ci" and "upstream_workspace" in mention.text.lower()
     }
-    for named_in in (pages, above):
+    first = {mention.value for mention in said if mention.source == "readme" and "/" not in mention.file}
+    built = {_name(file) for file in plainest if "/" not in file} & above
+    for named_in in (first, built, pages, above):
         plainest = [file for file in plainest if _name(file).lower() in named_in] or plainest
     nearest = min((file.count("/") for file in plainest), default=0)
     found = tuple(file for file in plainest if file.count("/") == nearest)
     anywhere = {mention.value for mention in said}
+    if not (lacking or config.compatible) and {*map(_name, found)} <= above - pages - _by_images(said):
+        return ()  # CI also tries it with what is not released yet
     sure = not nearest or lacking or config.compatible
     return found if sure else tuple(file for file in found if _name(file).lower() in anywhere)
 
@@ -61,6 +67,10 @@ def vcs_files(
 def distros_in(text: str) -> set[str]:
     """Return the distributions that a file's name or an image's tag names."""
     return set(_WORDS.findall(text.lower())) & distros().keys()
+
+
+def _by_images(said: Iterable[Mention]) -> set[str]:
+    return {mention.value for mention in said if mention.source not in {"ci", "readme"}}
 
 
 def _downstream(evidence: Evidence) -> set[str]:
