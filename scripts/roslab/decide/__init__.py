@@ -33,6 +33,7 @@ from roslab.decide.python.pins import pins
 from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.filled_refs import with_refs
+from roslab.decide.ros.in_tree import apart
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.named import by_pages
@@ -254,6 +255,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         ),
         vcs=sources.answer.vcs,
         submodules=() if own.answer else sources.answer.submodules,
+        apart=() if own.answer or config.compatible else apart(evidence, packages),
         inside=inside.answer,
         python_path=python_path(evidence, config, kind.answer, python.answer.projects, command.answer.page),
         variables=() if own.answer else variables.answer,

@@ -204,6 +204,8 @@ class Decision:
     """vcs files to import into the workspace, relative to the root."""
     submodules: tuple[SourceDependency, ...] = ()
     """Submodules that are not checked out and are cloned in the image, each at its path."""
+    apart: tuple[str, ...] = ()
+    """Folders of submodules, whose packages a workspace is built without where it fails and needs none of them."""
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of copied libraries that are compiled where they lie, each with the options of CMake."""
     python_path: tuple[str, ...] = ()

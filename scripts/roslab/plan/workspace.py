@@ -96,6 +96,8 @@ class Workspace:
     """Sister packages that are cloned into the workspace."""
     submodules: tuple[Source, ...] = ()
     """Submodules that are not checked out: cloned into the repository's folder, each at the path that is its name."""
+    apart: tuple[str, ...] = ()
+    """Folders of submodules in the repository: the workspace is built without those of their packages that stop it."""
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of the repository, each with CMake's options, that are compiled where they lie before all else."""
     scripts: tuple[Script, ...] = ()
@@ -143,6 +145,7 @@ def workspace(
         program=_program(decision, config, folder) if decision.build_tool == "cmake" else None,
         sources=sisters,
         submodules=decision.submodules,
+        apart=decision.apart,
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
         scripts=tuple(
             Script(folder=each.folder, command=each.command, required=each.required) for each in decision.scripts

@@ -122,3 +122,26 @@ def test_a_repository_that_needs_none_of_them_hides_none(workspace: Path) -> Non
     (workspace / "src/clone/docs/broken").touch()
     (workspace / "src/mine/package.xml").write_text("<package>\n  <name>mine</name>\n</package>\n")
     assert _run(workspace)[:3] == (1, 1, [])
+
+
+@pytest.fixture
+def submodule(tmp_path: Path) -> Path:
+    """Return a workspace in which a folder of mine is somebody else's: mine needs lib of it, and not its server."""
+    _package(tmp_path, "mine/robot", "robot", "lib", CMakeLists__txt="project(robot)\n")
+    _package(tmp_path, "mine/deps/serial/lib", "lib")
+    _package(tmp_path, "mine/deps/serial/server", "server", "lib", CMakeLists__txt="project(server)\n", broken=True)
+    (tmp_path / "tool").write_text(TOOL)
+    return tmp_path
+
+
+def test_a_package_of_a_submodule_that_nothing_needs_is_left_out(submodule: Path) -> None:
+    assert _run(submodule)[:3] == (1, 1, [])
+    assert _run(submodule, "--apart", "deps/serial", "--apart", "deps/absent")[:3] == (0, 3, ["server"])
+
+
+@pytest.mark.parametrize("broken", ["robot", "deps/serial/lib"])
+def test_of_a_submodule_what_is_needed_stops_the_build(submodule: Path, broken: str) -> None:
+    (submodule / "src/mine" / broken / "broken").touch()
+    assert _run(submodule, "--apart", "deps/serial")[:2] == (2, 2)
+    (submodule / "src/mine/deps/serial/server/broken").unlink()
+    assert _run(submodule, "--keep", "server", "--apart", "deps/serial")[0] != 0

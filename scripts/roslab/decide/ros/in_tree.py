@@ -7,6 +7,7 @@ from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
 from roslab.decide.ros.source_names import fixed
 from roslab.decide.ros.weights import Weight
+from roslab.decide.ros.workspace import Packages
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.values.origin import Place
@@ -37,6 +38,16 @@ def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple
                 empty.append((git, _source(git, before)))
             reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
     return empty, reasons
+
+
+def apart(evidence: Evidence, packages: Packages) -> tuple[str, ...]:
+    """Return the folders of submodules, checked out or not, where the repository has packages of its own beside them.
+
+    Their packages are those of others, of which a workspace may need a part.
+    """
+    folders = tuple(git.name for git in evidence.sources if git.kind == "submodule" and _PATH.fullmatch(git.name))
+    inside = tuple(f"{folder}/" for folder in folders)
+    return folders if any(not manifest.file.startswith(inside) for manifest in packages.built) else ()
 
 
 def _source(git: GitSource, before: str) -> Source:

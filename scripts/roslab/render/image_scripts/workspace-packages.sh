@@ -1,23 +1,26 @@
 #!/bin/bash
-# usage: workspace-packages needed|hide FOLDER [--without PATH] NAME...
-# Of the packages below a folder, but those below a path that is left out:
+# usage: workspace-packages needed|hide FOLDER [--without PATH [--but PATH]...] NAME...
+# Of the packages below a folder, but those below a path that is left out, and not below what is left in it:
 #   needed  prints the named ones and what they need in turn, each with its package.xml behind a tab
 #   hide    puts the markers by which catkin and colcon pass by into all but the named ones, and prints their names
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
-what="$1" folder="$2" without=''
+what="$1" folder="$2" without='' but=()
 shift 2
-if [ "${1:-}" = --without ]; then
-  without="$2"
+while [[ "${1:-}" = --* ]]; do
+  if [ "$1" = --without ]; then without="$2"; else but+=("$2"); fi
   shift 2
-fi
+done
 tag() { sed --quiet --regexp-extended "s:.*<($2)( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\3:p" "$1"; }
 
 declare -A file_of=() named=()
 while read -r manifest; do
   name="$(tag "${manifest}" name | head -n 1)"
   if [ -n "${name}" ]; then file_of["${name}"]="${manifest}"; fi
-done < <(find "${folder}" \( -name .git -o -path "${without}" \) -prune -o -name package.xml -print)
+done < <(
+  find "${folder}" \( -name .git -o -path "${without}" \) -prune -o -name package.xml -print
+  if [ "${#but[@]}" -gt 0 ]; then find "${but[@]}" -name .git -prune -o -name package.xml -print; fi
+)
 
 queue=("$@")
 while [ "${#queue[@]}" -gt 0 ]; do

@@ -216,12 +216,13 @@ def compile_again(plan: Plan) -> str:
 
 
 def _needed(plan: Plan) -> str:
-    """Return what builds again without the packages of clones that are not needed, where the first build fails."""
+    """Return what builds again without packages of clones and submodules that are not needed, where the first fails."""
     place = plan.workspace
     beside = place.folder.startswith(f"{WORKSPACE}/src/")  # without packages of its own all clones are what is wanted
-    if not place.sources or not beside or place.ros is None or place.ros.tool == "rosmake":
+    if not (place.sources or place.apart) or not beside or place.ros is None or place.ros.tool == "rosmake":
         return ""
-    kept = "".join(f" --keep {name}" for name in dict.fromkeys(_STARTED.findall(line_of(plan.run.command))))
+    kept = "".join(f" --apart {quote.shell(folder)}" for folder in place.apart)
+    kept += "".join(f" --keep {name}" for name in dict.fromkeys(_STARTED.findall(line_of(plan.run.command))))
     return f"{NEEDED}{kept} {quote.shell(place.folder.removeprefix(f'{WORKSPACE}/'))} "
 
 
