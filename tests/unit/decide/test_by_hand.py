@@ -533,3 +533,12 @@ def test_what_apt_has_is_not_built_for_a_submodule_that_is_not_there(tree: Tree)
     script = BY_SCRIPT.replace("lab/acmelib", "google/glog").replace("acmelib", "glog")
     decision = tree(ros1("", "") | {"install_glog.sh": script, ".gitmodules": SUBMODULE})
     assert [each.name for each in decision.source if each.build == "cmake"] == []
+
+
+@pytest.mark.parametrize(("above", "needs"), [(True, True), (False, False)])
+def test_what_a_page_compiles_above_a_library_is_what_that_may_need(tree: Tree, above: bool, needs: bool) -> None:
+    eigen = "cd ~\ngit clone https://gitlab.com/libeigen/eigen.git\ncd eigen/build\ncmake ..\nmake install\n"
+    acme = "cd ~\ngit clone https://github.com/lab/acme.git\ncd acme/build\ncmake ..\nmake install\n"
+    page = f"```\n{eigen + acme if above else acme + eigen}```\n"
+    (found,) = (each for each in tree(ros1("find_package(acme REQUIRED)\n", page)).source if each.name == "acme")
+    assert ("libeigen3-dev" in found.depends) is needs

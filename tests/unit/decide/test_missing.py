@@ -270,3 +270,19 @@ def test_a_package_that_another_distribution_released_is_not_there(tree: Tree, l
         decision = tree(files | more)
         assert any("kobuki_driver" in warning.message for warning in decision.warnings) == told
         assert "ros-humble-kobuki-driver" not in decision.apt or not told or "foxy" in line
+
+
+@pytest.mark.parametrize(
+    ("needed", "told"),
+    [("ACME", True), ("Eigen3", False), ("fmt", False)],
+)
+def test_what_the_cmake_of_a_setup_py_requires_is_told(tree: Tree, needed: str, told: bool) -> None:
+    setup = "from setuptools import setup, Extension\nimport subprocess\n"
+    setup += "class CMakeExtension(Extension):\n    pass\nsubprocess.check_call(['cmake', '.'])\n"
+    files = {
+        "setup.py": f"{setup}setup(name='bound', ext_modules=[CMakeExtension('bound')], install_requires=['pyacme'])\n",
+        "CMakeLists.txt": f"project(bound)\nfind_package({needed} REQUIRED)\n",
+        "bound/__init__.py": "import numpy\n",
+    }
+    said = [warning.message for warning in tree(files).warnings if "pip will stop at bound" in warning.message]
+    assert bool(said) is told

@@ -103,7 +103,10 @@ def by_hand(
             unasked.add(git)
     files = [git.file for git in found]
     in_order = sorted(found, key=lambda git: (files.index(git.file), git.line))
-    built = ((git, replace(_source(git, day), unasked=git in unasked)) for git in in_order)
+    built = (
+        (git, replace(_source(git, day), unasked=git in unasked, depends=_above(git, offered.values(), target)))
+        for git in in_order
+    )
     return tuple((with_beside(source, git, evidence), found[git]) for git, source in built)
 
 
@@ -117,6 +120,16 @@ def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
             offered.setdefault(_bare(git.name), git)
             offered.setdefault(_bare(git.folder), git)
     return offered
+
+
+def _above(git: GitSource, others: Iterable[GitSource], target: Target) -> tuple[str, ...]:
+    """Return the packages that bring what a page or a Dockerfile compiles above a library: it may need that."""
+    before = (each for each in others if each.installed and each.file == git.file and each.line < git.line)
+    asked = (
+        Dependency(namespace="cmake", name=each.name, strength="declared", file=each.file, line=each.line)
+        for each in sorted({*before}, key=lambda each: each.line)
+    )
+    return tuple(dict.fromkeys(apt for each in asked for apt in resolve(each, target).apt))
 
 
 def _asked(

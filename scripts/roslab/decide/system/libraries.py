@@ -59,4 +59,7 @@ def decide_libraries(
     depends = tuple(name for name in (*system.apt, *system.brought, *guessed) if name.endswith("-dev"))
     linked = by_hand(evidence, config, kind, target=target, packages=packages, taken=taken)
     torch = libtorch(evidence, config, kind, packages, cuda) if "libtorch" not in taken else ()
-    return (*tabled, *torch, *((replace(source, depends=depends), asked) for source, asked in linked))
+    needing = (
+        (replace(each, depends=tuple(dict.fromkeys((*depends, *each.depends)))), asked) for each, asked in linked
+    )
+    return (*tabled, *torch, *needing)

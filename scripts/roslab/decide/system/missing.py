@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from collections.abc import Set as AbstractSet
 
 from roslab.config.model import BuildTool, Kind
 from roslab.decide.decision import Choice, Warning_
-from roslab.decide.programs import top_of
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.included import without_headers
 from roslab.decide.ros.rosbuild import ended_in
@@ -17,11 +15,11 @@ from roslab.decide.ros.sources import Sources
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve, written_for
 from roslab.decide.system.packages import SystemPackages
+from roslab.decide.system.required import by_pip, of_program, of_program_and_below, own_names, required, similar
 from roslab.decide.system.switches import given, switch_of
 from roslab.decide.system.tests import left_to_a_switch
-from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.code_limits import satisfies, version_of
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import dataclass
@@ -39,6 +37,7 @@ releases of catkin_tools and of catkin_make_isolated know. https://colcon.readth
 https://docs.ros.org/en/api/catkin/html/dev_guide/generated_cmake_api.html"""
 
 
+_SOURCE = "give its repository under `source` in roslab.yaml"
 _PERHAPS = (
     "CMake requires {}, which no package.xml asks for and no table knows: one of the cloned repositories may hold it; "
     "else give its repository under `source` in roslab.yaml"
@@ -94,7 +93,7 @@ def decide_missing(
     the build stops. ``tried``: where the build looks for packages that nothing brings.
     """
     if kind not in {"ros1", "ros2", "cpp"}:
-        return Choice(answer=Missing())
+        return Choice(answer=Missing(), warnings=tuple(_without_pip(evidence, packages, target, provided)))
     known = released(target.ros_distro or "") | rosdep_keys()
     provided = (*provided, *(key for key in keys if key in known or kind == "cpp"))
     ended = ended_in(packages, target.ros_distro, provided)
@@ -103,9 +102,9 @@ def decide_missing(
     unsure = {m.name for m in packages.built if any(_of_a_clone(d, named) for d in m.dependencies)}
     unmet = [
         (package, asked)
-        for package, asked in (_of_program if kind == "cpp" else _required)(evidence, packages)
+        for package, asked in (of_program if kind == "cpp" else required)(evidence, packages)
         if not (cloned and (asked.namespace == "ros" or package in unsure))
-        if not resolve(asked, target).known and not _similar(plain(asked.name), names)
+        if not resolve(asked, target).known and not similar(plain(asked.name), names)
     ]
     options = given(evidence) if switch else ""
     off = {switch_of(asked, options): asked for _, asked in unmet if switch and switch_of(asked, options)}
@@ -117,10 +116,10 @@ def decide_missing(
     keyed = {d.name for manifest in packages.built for d in manifest.dependencies}  # these are told as keys
     unsure_of = [
         asked
-        for package, asked in _required(evidence, packages)
+        for package, asked in required(evidence, packages)
         if cloned and (asked.namespace == "ros" or package in unsure)
         if asked.name not in keyed and not resolve(asked, target).known
-        if not _similar(plain(asked.name), names)
+        if not similar(plain(asked.name), names)
     ]
     started = line_of(command).split()
     left = skipped(evidence, packages) if build_tool == "colcon" else {}
@@ -140,8 +139,7 @@ def decide_missing(
             where = (tried or {}).get(name)
             unless = f"; the build looks for it in {where}, and where it is not there," if where else ":"
             then = f"{unless} {build_tool} will stop at {package}"
-        hint = "give its repository under `source` in roslab.yaml"
-        warnings.append(warn(f"nothing is known that brings {name}, which CMake requires{then}; {hint}", asked))
+        warnings.append(warn(f"nothing is known that brings {name}, which CMake requires{then}; {_SOURCE}", asked))
     first = {asked.name: asked for asked in reversed(unsure_of)}
     warnings += [warn(_PERHAPS.format(name), first[name]) for name in dict.fromkeys(d.name for d in unsure_of)]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
@@ -150,7 +148,7 @@ def decide_missing(
         told = {asked.name for _, asked in unmet}
         there = names | known | told
         warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
-    asks = _of_program_and_below if kind == "cpp" else _required
+    asks = of_program_and_below if kind == "cpp" else required
     names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - {plain(name) for name in built}
     warnings += _too_old(asks(evidence, packages), target, out.keys(), names, build_tool)
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
@@ -163,6 +161,18 @@ def decide_missing(
             *(because("workspace", name, "the author's build skips it", at, weight=ENDED) for name, at in left.items()),
         ),
     )
+
+
+def _without_pip(evidence: Evidence, packages: Packages, target: Target, provided: Iterable[str]) -> Iterator[Warning_]:
+    """Yield a warning for what the CMake of a project that pip compiles requires and nothing brings."""
+    names = tuple({plain(name).removeprefix("lib") for name in provided})
+    told: set[str] = set()
+    for project, asked in by_pip(evidence, packages):
+        there = any(name.startswith(plain(asked.name)) for name in names)  # a binding has its name in the middle
+        if asked.name not in told and not resolve(asked, target).known and not there:
+            told.add(asked.name)
+            where = f"which CMake requires: pip will stop at {project}"
+            yield warn(f"nothing is known that brings {asked.name}, {where}; {_SOURCE}", asked)
 
 
 def provided(
@@ -240,55 +250,13 @@ def skipping(build_tool: BuildTool, packages: tuple[str, ...]) -> tuple[str, ...
     return (option + ";".join(packages),) if option.endswith("=") else (option, *packages)
 
 
-def _required(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
-    """Yield each package with what its own CMakeLists.txt, and those it always adds, require and no file here finds."""
-    named = {manifest.file.rpartition("/")[0]: manifest.name for manifest in packages.built}
-    for project in evidence.cmake:
-        folder = project.file.rpartition("/")[0]
-        while project.always and folder and folder not in named:
-            folder = folder.rpartition("/")[0]
-        if package := named.get(folder):
-            yield from ((package, asked) for asked in _outside(project, evidence, packages))
-
-
-def _of_program(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
-    """Yield the program with what the CMakeLists.txt at its top requires and no file of the tree finds."""
-    if top := top_of(evidence):
-        yield from ((top.name or "the program", asked) for asked in _outside(top, evidence, packages))
-
-
 def _of_tests(evidence: Evidence, target: Target, packages: Packages, names: Collection[str]) -> dict[str, Dependency]:
     """Return the options that leave tests out, each with the first package that they require and nothing brings."""
-    inside = _inside(evidence, packages)
+    inside = own_names(evidence, packages)
     switches: dict[str, Dependency] = {}
     for asked, switch in left_to_a_switch(evidence):
         found = resolve(asked, target)
         of_cmake = found.known and not found.apt
-        if asked.name not in inside and not of_cmake and not _similar(plain(asked.name), names):
+        if asked.name not in inside and not of_cmake and not similar(plain(asked.name), names):
             switches.setdefault(switch, asked)
     return switches
-
-
-def _of_program_and_below(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
-    """Yield the program with what its CMakeLists.txt and those of the folders that it adds require."""
-    top = top_of(evidence)
-    for project in evidence.cmake if top else ():
-        if project is top or not (project.top_level or places.vendored(project.file) or places.test(project.file)):
-            yield from ((top.name or "the program", asked) for asked in _outside(project, evidence, packages) if top)
-
-
-def _inside(evidence: Evidence, packages: Packages) -> AbstractSet[str | None]:
-    return packages.names | {each.name for each in evidence.cmake} | evidence.cmake_modules
-
-
-def _outside(project: CMakeProject, evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
-    inside = _inside(evidence, packages)
-    for asked in project.dependencies:
-        required = asked.namespace in {"cmake", "ros"} and asked.strength == "declared" and asked.role != "test"
-        if required and asked.name not in inside:
-            yield asked
-
-
-def _similar(wanted: str, names: Iterable[str]) -> bool:
-    """Tell whether a name is another's, or a part of it."""
-    return any(wanted in name for name in names)

@@ -1,0 +1,64 @@
+"""What CMake requires of others, for each package of a workspace, a program, or what pip compiles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from collections.abc import Set as AbstractSet
+
+from roslab.decide.programs import top_of
+from roslab.decide.ros.workspace import Packages
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import CMakeProject, Evidence
+
+
+def required(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
+    """Yield each package with what its own CMakeLists.txt, and those it always adds, require and no file here finds."""
+    named = {manifest.file.rpartition("/")[0]: manifest.name for manifest in packages.built}
+    for project in evidence.cmake:
+        folder = project.file.rpartition("/")[0]
+        while project.always and folder and folder not in named:
+            folder = folder.rpartition("/")[0]
+        if package := named.get(folder):
+            yield from ((package, asked) for asked in outside(project, evidence, packages))
+
+
+def of_program(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
+    """Yield the program with what the CMakeLists.txt at its top requires and no file of the tree finds."""
+    if top := top_of(evidence):
+        yield from ((top.name or "the program", asked) for asked in outside(top, evidence, packages))
+
+
+def of_program_and_below(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
+    """Yield the program with what its CMakeLists.txt and those of the folders that it adds require."""
+    top = top_of(evidence)
+    for project in evidence.cmake if top else ():
+        if project is top or not (project.top_level or places.vendored(project.file) or places.test(project.file)):
+            yield from ((top.name or "the program", asked) for asked in outside(project, evidence, packages) if top)
+
+
+def own_names(evidence: Evidence, packages: Packages) -> AbstractSet[str | None]:
+    """Return the names of what the tree itself has: packages, projects and modules of CMake."""
+    return packages.names | {each.name for each in evidence.cmake} | evidence.cmake_modules
+
+
+def outside(project: CMakeProject, evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
+    """Yield what a project requires and the tree does not have, but for tests."""
+    own = own_names(evidence, packages)
+    for asked in project.dependencies:
+        required = asked.namespace in {"cmake", "ros"} and asked.strength == "declared" and asked.role != "test"
+        if required and asked.name not in own:
+            yield asked
+
+
+def similar(wanted: str, names: Iterable[str]) -> bool:
+    """Tell whether a name is another's, or a part of it."""
+    return any(wanted in name for name in names)
+
+
+def by_pip(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
+    """Yield each project of Python whose setup.py calls CMake with what the CMakeLists.txt beside it requires."""
+    for project in evidence.python:
+        if project.installable and "cmake" in project.extensions and not places.aside(project.file):
+            for made in (each for each in evidence.cmake if each.file.rpartition("/")[0] == project.folder):
+                yield from ((project.name or "the project", asked) for asked in outside(made, evidence, packages))
