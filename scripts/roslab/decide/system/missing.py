@@ -165,11 +165,10 @@ def decide_missing(
 
 def _without_pip(evidence: Evidence, packages: Packages, target: Target, provided: Iterable[str]) -> Iterator[Warning_]:
     """Yield a warning for what the CMake of a project that pip compiles requires and nothing brings."""
-    names = tuple({plain(name).removeprefix("lib") for name in provided})
+    names = {plain(name) for name in provided}
     told: set[str] = set()
     for project, asked in by_pip(evidence, packages):
-        there = any(name.startswith(plain(asked.name)) for name in names)  # a binding has its name in the middle
-        if asked.name not in told and not resolve(asked, target).known and not there:
+        if asked.name not in told and not resolve(asked, target).known and not similar(plain(asked.name), names):
             told.add(asked.name)
             where = f"which CMake requires: pip will stop at {project}"
             yield warn(f"nothing is known that brings {asked.name}, {where}; {_SOURCE}", asked)

@@ -52,8 +52,8 @@ def outside(project: CMakeProject, evidence: Evidence, packages: Packages) -> It
 
 
 def similar(wanted: str, names: Iterable[str]) -> bool:
-    """Tell whether a name is another's, or a part of it."""
-    return any(wanted in name for name in names)
+    """Tell whether a name is another's, or a part of it; ``pycolmap`` only calls ``colmap``."""
+    return any(wanted in name.replace(f"py{wanted}", "") for name in names)
 
 
 def by_pip(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
