@@ -69,6 +69,12 @@ def test_every_call_of_a_row_has_a_hint() -> None:
         ("open3d.visualization.draw(x)", {"open3d": 7}),
         ("myvisualization.draw(x)", {}),
         ("plt.show()", {"matplotlib": 0}),
+        ("pybullet.connect(pybullet.GUI)", {"pybullet": 9}),
+        ("p.connect(p.DIRECT)", {}),
+        ("viewer = MjViewer(sim)", {"mujoco": 9}),
+        ("class Seen(MjViewer):", {"mujoco": 11}),
+        ("mujoco.viewer.launch_passive(m, d)", {"mujoco": 7}),
+        ("gym.create_viewer(sim, props)", {"isaacgym": 4}),
     ],
 )
 def test_a_call_begins_with_a_whole_name(text: str, found: dict[str, int]) -> None:
