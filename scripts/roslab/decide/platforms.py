@@ -71,6 +71,8 @@ def decide_platforms(  # noqa: PLR0917 - the order in which the questions are an
     )
     if against is None:
         why = f"{base_image} exists for both platforms, and nothing rules one out"
+        if "/" in base_image and not base_image.startswith("nvidia/cuda"):
+            why = f"nothing rules one out; whether {base_image} exists for both was not looked at"
         both = because("platforms", f"{AMD64}, {ARM64}", why, weight=Weight.NOTHING_AGAINST)
         return _without(Platforms(), both, on_x86)
     why, place = against

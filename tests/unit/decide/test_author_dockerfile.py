@@ -52,6 +52,24 @@ def test_of_several_the_one_that_a_page_builds(tmp_path: Path, page: str, file: 
 
 
 @pytest.mark.parametrize(
+    ("lines", "believed"),
+    [
+        ("RUN cd $HOME/src/demo && cmake . && make\nRUN cd $HOME && sudo rm -rf $HOME/src/demo\n", False),
+        ("RUN cd $HOME/src/demo && cmake . && make && rm -r -f $HOME/src/demo/\n", False),
+        ("RUN cd $HOME/src/demo && cmake . && make install\nRUN rm -rf $HOME/src/demo\n", True),
+        ("RUN cd $HOME/src/demo && cmake . && make\nRUN rm -rf $HOME/src/demo/build\n", True),
+        ("RUN cd $HOME/src/demo && cmake . && make\nRUN rm -rf $HOME/src/demo2\n", True),
+    ],
+)
+def test_one_that_removes_what_it_compiled_only_tries_that(tmp_path: Path, lines: str, believed: bool) -> None:
+    (tmp_path / "Dockerfile").write_text(f"FROM ubuntu:20.04\nCOPY . $HOME/src/demo\n{lines}")
+    (tmp_path / "CMakeLists.txt").write_text("project(demo)\nadd_executable(demo main.cpp)\n")
+    (tmp_path / "main.cpp").write_text("int main() {}\n")
+    found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo")
+    assert (found.dockerfile == "Dockerfile") is believed
+
+
+@pytest.mark.parametrize(
     ("change", "why"),
     [
         ({"purpose": "documentation"}, "documentation"),

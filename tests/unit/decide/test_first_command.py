@@ -540,6 +540,12 @@ def test_an_option_with_a_value_asks_for_no_help(tree: Tree, line: str, command:
     assert " ".join(tree(files).command) == command
 
 
+@pytest.mark.parametrize("other", ["README.Chinese.md", "README-CN.md", "README_fr.md", "Readme.ja.md"])
+def test_a_page_in_another_language_comes_after_the_page(tree: Tree, other: str) -> None:
+    files = {"train.py": "import numpy\n", "drive.py": "import numpy\n", "README.md": "```\npython train.py\n```\n"}
+    assert tree({**files, other: "```\npython drive.py\n```\n"}).command == ("python", "train.py")
+
+
 def test_a_blank_beside_a_launch_file_does_not_put_off_its_section(tree: Tree) -> None:
     first = "# Run it\n```\nroslaunch demo map.launch\nrosrun demo demo_node <config file>\n```\n"
     page = f"{first}# Run more\n```\nroslaunch demo replay.launch\n```\n"

@@ -14,7 +14,7 @@ from roslab.evidence.lex.shell import Command, expand
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.copies import in_copy
-from roslab.evidence.prose.dockerfile_purpose import purpose_of
+from roslab.evidence.prose.dockerfile_purpose import purpose_of, removes_its_copy
 from roslab.evidence.prose.entry_scripts import started_by
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
@@ -206,15 +206,16 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     known: dict[str, str] = {}
     reading = _Reading(collector=Collector(file.path, "dockerfile", known), known=known)
     text = repository.read(file, limit=MAX_SIZE)
-    for instruction in instructions(text):
+    for instruction in (written := tuple(instructions(text))):
         reading.take(instruction)
-    problem = reading.problem or ("no FROM" if reading.base is None else None)
+    problem = reading.problem or (None if reading.base else "no FROM")
     copies, context, missing = _context(repository, file, reading.copied)
     collector, start = reading.collector, reading.start
     if started := uncopied(repository, context or "", dict(reading.copied), (*start.entrypoint, *start.command)):
         missing = missing or f"it starts {started} and does not copy it: the repository is mounted when it is run"
-    clones = tuple(collector.sources)
-    itself = any(_itself(repository, clone) for clone in clones)
+    if removes_its_copy((each.text for each in written if each.name == "RUN"), start.source):
+        missing = missing or f"it removes its copy of the repository and installs nothing of it: {start.source}"
+    itself = any(_itself(repository, clone) for clone in collector.sources)
     return AuthorDockerfile(
         file=file.path,
         line=1,
@@ -222,7 +223,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         base_line=reading.base_line,
         bases=tuple(reading.bases),
         copies_repository=copies or itself,
-        clones=clones,
+        clones=tuple(collector.sources),
         dependencies=tuple(dict.fromkeys(collector.dependencies)),
         requirements=tuple(dict.fromkeys(collector.requirements)),
         command=start.command,

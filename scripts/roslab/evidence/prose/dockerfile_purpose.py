@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import Literal
 
 from roslab.evidence import places
@@ -18,6 +19,10 @@ _CI = pattern(
     re.IGNORECASE,
 )
 _DOCS = pattern(r"sphinx|mkdocs|doxygen|jekyll|readthedocs|(?:^|[/._-])docs?(?:[/._-]|$)", re.IGNORECASE)
+_INSTALLS = pattern(
+    r"\b(?:make|ninja|setup\.py|pip\d?|catkin_make)\b[^;&|\n]*\binstall\b|--install\b|\b(?:cp|mv|colcon|catkin)[ \t]"
+)
+"""What leaves something of a compilation outside its folder."""
 
 
 def purpose_of(
@@ -35,3 +40,19 @@ def purpose_of(
     if _DEPLOY.search(path) or re.search(r"l4t|jetson|arm32v7|arm64v8|ursim", base):
         return "deploy"
     return "project"
+
+
+def removes_its_copy(runs: Iterable[str], source: str | None) -> bool:
+    """Tell whether a Dockerfile removes its copy of the repository again and installs nothing: it tries to compile it.
+
+    ``runs``: the texts of its RUN instructions, ``source``: the folder of the copy, as it is written.
+    """
+    text = "\n".join(runs)
+    source = (
+        (source or "").removeprefix("/") if "$" in (source or "") else source
+    )  # what the variable holds is not known
+    if not source or source.strip("/.") == "" or _INSTALLS.search(text):
+        return False
+    return bool(
+        re.search(rf"\brm[ \t]+(?:-\S+[ \t]+)+[\"']?{re.escape(source.rstrip('/'))}/?[\"']?(?=\s|[;&]|$)", text)
+    )

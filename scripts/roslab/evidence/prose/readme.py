@@ -38,7 +38,7 @@ from roslab.evidence.prose.preformatted import as_markdown
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.shells import leads_elsewhere
 from roslab.evidence.prose.telling import Signs, signs_in, telling
-from roslab.repository.checkout import File, Repository, nearest
+from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 from roslab.values.prompt import typed
 from roslab.values.words import joined
@@ -95,6 +95,7 @@ _MARKED = pattern(r"\s{0,40}[>$]\s")
 _MARK = pattern(r"^>\s{0,40}")
 _BRANCH = pattern(r"\s{0,40}(?:[├└]─|[|`+]--)")
 """A branch of a drawn tree: the line above the first one names its root and is no command."""
+_VARIANT = pattern(r"readme[-_.](?!md$|rst$|txt$|markdown$)\w", re.IGNORECASE)
 _STRUCK = pattern(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
 """Text that is struck through: ``~~outdated~~``."""
 
@@ -193,7 +194,13 @@ def _pages(repository: Repository) -> tuple[File, ...]:
         docs = places.documentation(file.path) and _DOCS_PAGE.search(name)
         if (page and file.path.count("/") <= 3) or docs:
             found.append(file)
-    return tuple(nearest(found)[:MAX_PAGES])
+    found.sort(key=lambda file: (file.path.count("/"), file.folder, _is_variant(file.name), file.path))
+    return tuple(found[:MAX_PAGES])
+
+
+def _is_variant(name: str) -> bool:
+    """Tell whether a page says what another one does, in a language or for a system: it comes after that."""
+    return bool(_VARIANT.match(name))
 
 
 def _read(text: str, file: File) -> Prose:
