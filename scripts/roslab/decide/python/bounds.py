@@ -23,7 +23,7 @@ def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choi
     """
     asked = tuple(asked)
     limited = {each.key: each.limited for each in asked if each.name}
-    chosen = [use for use in uses if limited.get(use.bound.key) is False and not _excluded(use.bound, asked)]
+    chosen = [use for use in uses if limited.get(use.bound.key) is False and not excluded(use.bound, asked)]
     if not chosen:
         return Choice(answer=(), reasons=())
     beside = {removal.bound: removal.beside for removal in removals()}
@@ -32,7 +32,7 @@ def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choi
         why = f"the code uses {use.what}, which newer versions no longer have"
         bounds[use.bound] = because("dependencies", use.bound.written, why, use, weight=PackageWeight.BOUND)
         needed = beside.get(use.bound)
-        if needed and not limited.get(needed.key) and not _excluded(needed, asked):
+        if needed and not limited.get(needed.key) and not excluded(needed, asked):
             why = f"{use.bound.written} was compiled against it; {why}"
             bounds.setdefault(needed, because("dependencies", needed.written, why, use, weight=PackageWeight.BOUND))
     # One bound per package: the lower of two is the one that the code itself needs
@@ -42,8 +42,8 @@ def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choi
     return Choice(answer=tuple(kept), reasons=tuple(kept.values()))
 
 
-def _excluded(bound: Requirement, asked: Iterable[Requirement]) -> bool:
-    """Tell whether a package is asked for in no version that a bound leaves."""
+def excluded(bound: Requirement, asked: Iterable[Requirement]) -> bool:
+    """Tell whether a package is asked for in no version that a bound leaves: pip would find none."""
     floors = (each.at_least for each in asked if each.key == bound.key and not each.marker)
     below = bound.below
     return below is not None and any(floor and Version(floor) >= Version(below) for floor in floors)

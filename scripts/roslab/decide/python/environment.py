@@ -38,6 +38,7 @@ from roslab.decide.python.torch_build import (
     decide_build,
     numpy_of,
 )
+from roslab.decide.python.undeclared import decide_undeclared
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import packages_of, ros_versions, types
@@ -78,8 +79,7 @@ def decide_python(
         chosen = with_guess(chosen, newer)
     alone = conda_alone(evidence, own.answer)
     manager = "conda" if alone.specs else manager_of(config, kind, own.answer, ubuntu)
-    runs = number or python_of_ubuntu().get(ubuntu or "")
-    interpreter = _interpreter(runs)
+    interpreter = _interpreter(runs := number or python_of_ubuntu().get(ubuntu or ""))
     lists = pip_lists(config, ubuntu, number)
     repaired = _repaired(evidence, chosen, runs)
     manifests = [*loosened(_of_manifests(evidence, chosen), runs)]
@@ -116,7 +116,8 @@ def decide_python(
     limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *native.answer.bounds)
     defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number, aged)
     of_lock = locked_releases(locked, manifests, (*named.answer.first, *limits), number)
-    limits = (*limits, *of_lock.answer)
+    undeclared = decide_undeclared((*everything, *limits, *of_lock.answer) if manager != "system" else ())
+    limits = (*limits, *of_lock.answer, *undeclared.answer)
     numpy = numpy_of((*before_pip, *everything, *limits) if manager != "system" else ())
     indexes = [
         *indexes_of([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files),
@@ -130,8 +131,8 @@ def decide_python(
         limits_of(evidence, conda),
     )
     compiled_first = first((*everything, *native.answer.brought), chosen.projects, cmake=manager != "system")
-    by_name = bool(compiled_first or declared or chosen.guessed or chosen.projects)
-    of_files = file_options(evidence, chosen, repaired, by_name=by_name)
+    named_too = compiled_first or declared or chosen.guessed or chosen.projects
+    of_files = file_options(evidence, chosen, repaired, by_name=bool(named_too))
     answer = Python(
         version=number,
         manager=manager,
@@ -183,6 +184,7 @@ def decide_python(
             *older.reasons,
             *in_conda.reasons,
             *of_lock.reasons,
+            *undeclared.reasons,
             *native.reasons,
         ),
         warnings=(

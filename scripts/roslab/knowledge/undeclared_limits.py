@@ -1,0 +1,32 @@
+"""Limits that old releases of packages need and do not declare: pip installs with them what came later."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from packaging.version import Version
+
+from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
+from roslab.values.name import canonicalize_name
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class UndeclaredLimit:
+    """What the releases of a package before one need of another package."""
+
+    below: Version
+    limit: Requirement
+
+
+@cache
+def undeclared_limits() -> dict[str, tuple[UndeclaredLimit, ...]]:
+    """Return the table by the normalised name of the package."""
+    found: dict[str, tuple[UndeclaredLimit, ...]] = {}
+    for row in rows("undeclared_limits"):
+        name = canonicalize_name(row["package"])
+        each = UndeclaredLimit(below=Version(row["below"]), limit=stated(row["limit"]))
+        found[name] = (*found.get(name, ()), each)
+    return found

@@ -1,0 +1,38 @@
+"""Old releases that need a limit which they do not declare."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.decide.python.undeclared import decide_undeclared
+from roslab.values.requirement_line import stated
+
+Tree = Callable[[dict[str, str]], Decision]
+
+
+@pytest.mark.parametrize(
+    ("lines", "bounds"),
+    [
+        (["torchvision==0.4.0"], ["pillow<7"]),
+        (["torchvision<0.5"], ["pillow<7"]),
+        (["torchvision<=0.5"], []),
+        (["torchvision==0.5.0"], []),
+        (["torchvision"], []),
+        (["torchvision==0.4.0", "Pillow==8.1.0"], []),
+        (["torchvision==0.4.0", "Pillow>=7.1"], []),
+        (["torchvision==0.4.0", "Pillow>=6"], ["pillow<7"]),
+        (["tensorboardX==2.0", "tensorboard==2.2.0"], ["protobuf<3.21"]),
+        (["flask==1.0.2"], ["itsdangerous<2.1", "jinja2<3.1", "werkzeug<2.1"]),
+        (["flask @ https://example.org/flask-1.0.2.zip"], []),
+    ],
+)
+def test_a_release_that_does_not_say_what_it_needs(lines: list[str], bounds: list[str]) -> None:
+    assert [each.written for each in decide_undeclared(map(stated, lines)).answer] == bounds
+
+
+def test_the_bound_holds_for_what_the_repository_does_not_name(tree: Tree) -> None:
+    files = {"requirements.txt": "numpy\ntensorboardX==2.0\n", "main.py": "import tensorboardX\n"}
+    assert "protobuf<3.21" in [each.written for each in tree(files).python.bounds]
