@@ -420,6 +420,18 @@ def test_a_clone_into_the_folder_of_its_own_package_is_the_repository(tmp_path: 
         assert [source.name for source in decided(tmp_path, files).source] == names
 
 
+def test_packages_of_both_whose_build_type_is_named_for_ros_2_alone(tmp_path: Path) -> None:
+    both = (
+        '<package format="3"><name>{name}</name><buildtool_depend condition="$ROS_VERSION == 1">catkin</buildtool_depend>'
+        '<buildtool_depend condition="$ROS_VERSION == 2">ament_cmake</buildtool_depend>'
+        '<export><build_type condition="$ROS_VERSION == 2">ament_cmake</build_type></export></package>'
+    )
+    files = {**package("a", xml=both, folder="a"), **package("b", folder="b")}
+    assert decided(tmp_path, files).kind == "ros1"
+    assert decided(tmp_path, package("b", xml=AMENT, folder="b")).kind == "ros2"
+    assert decided(tmp_path, package("b", xml=both, folder="b")).kind == "ros2"
+
+
 def test_a_cmakelists_beside_a_package_of_python_is_of_another_ros(tmp_path: Path) -> None:
     manifest = "<package format='3'><name>demo</name><export><build_type>ament_python</build_type></export></package>"
     files = {

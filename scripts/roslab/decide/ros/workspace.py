@@ -221,7 +221,9 @@ def of_one_ros(packages: Packages, evidence: Evidence, kind: Kind) -> Packages:
 
 
 def _for_catkin(manifest: PackageManifest, macros: tuple[str, ...]) -> bool:
-    if not any(name.startswith("catkin") for name in types(manifest, 1)):
+    if not (named := types(manifest, 1)):  # all are for ROS 2: catkin is the default of the standard (REP 149)
+        return bool(_built_with(manifest, 1) & _CATKIN)
+    if not any(name.startswith("catkin") for name in named):
         return False
     if manifest.build_types != (("catkin", None),) or _built_with(manifest, 1) & _CATKIN:
         return True
