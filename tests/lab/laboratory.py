@@ -63,12 +63,10 @@ class Laboratory:
         return f"{self.registry}/{name}-{secrets.token_hex(4)}"
 
     @contextmanager
-    def logged_in(self, username: str = "", password: str = "") -> Iterator[dict[str, str]]:
-        """Give a Docker client's environment with a login of its own: the lab's, where no other is given."""
-        login = f"{username or self.username}:{password or self.password}"
+    def logged_in(self, username: str, password: str) -> Iterator[dict[str, str]]:
+        """Give the environment of a Docker client with another login to the protected registry than the lab's."""
         with tempfile.TemporaryDirectory() as place:
-            settings = {"auths": {self.registry: {"auth": b64encode(login.encode()).decode()}}}
-            (Path(place) / "config.json").write_text(json.dumps(settings))
+            _log_in(Path(place), username, password)
             yield {**self.environment, "DOCKER_CONFIG": place}
 
 
@@ -87,6 +85,7 @@ def up(*, emulated: bool = True, everything: bool = False, bases: Sequence[str] 
         for name in (registry.PROTECTED, registry.MIRROR):
             with step(f"{name}") as told:
                 told.note = registry.up(name)
+        _log_in(Path(_docker_environment()["DOCKER_CONFIG"]), *registry.credentials())
         if emulated:
             with step("emulation of arm64") as told:
                 told.note = emulation.up()
@@ -233,6 +232,13 @@ def _docker_environment() -> dict[str, str]:
     """Return where the engine is, with a Docker client's folder of the lab's own: no login of the user's is touched."""
     settings = folder("docker-config")
     return {"DOCKER_HOST": engine.host() or engine.own_host(), "DOCKER_CONFIG": str(settings)}
+
+
+def _log_in(settings: Path, username: str, password: str) -> None:
+    """Let the client whose folder this is into the protected registry."""
+    login = b64encode(f"{username}:{password}".encode()).decode()
+    auths = {registry.address(registry.PROTECTED): {"auth": login}}
+    (settings / "config.json").write_text(json.dumps({"auths": auths}))
 
 
 def _standins_marker() -> Path:

@@ -186,8 +186,7 @@ def test_an_index_and_a_base_image_that_ask_for_a_password(
     name = lab.fresh_repository(f"{doors.OWNER}/robot").rpartition("/")[2]
     copy = ["docker", "buildx", "imagetools", "create", "--tag", f"{lab.registry}/lab/python:3.12-slim",
             f"{lab.mirror}/library/python:3.12-slim"]  # fmt: skip
-    with lab.logged_in() as client:
-        subprocess.run(copy, env=client, check=True, capture_output=True)
+    subprocess.run(copy, env=dict(lab.environment), check=True, capture_output=True)
     with faulty_registry(lab.registry, Faults(matches=lambda *_: False, times=0)) as base:
         config = (
             f"format: 3\nname: robot\nkind: python\nbase: {{image: '{base}/lab/python:3.12-slim'}}\n"

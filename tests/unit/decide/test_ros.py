@@ -422,7 +422,8 @@ def test_a_clone_into_the_folder_of_its_own_package_is_the_repository(tmp_path: 
 
 def test_packages_of_both_whose_build_type_is_named_for_ros_2_alone(tmp_path: Path) -> None:
     both = (
-        '<package format="3"><name>{name}</name><buildtool_depend condition="$ROS_VERSION == 1">catkin</buildtool_depend>'
+        '<package format="3"><name>{name}</name>'
+        '<buildtool_depend condition="$ROS_VERSION == 1">catkin</buildtool_depend>'
         '<buildtool_depend condition="$ROS_VERSION == 2">ament_cmake</buildtool_depend>'
         '<export><build_type condition="$ROS_VERSION == 2">ament_cmake</build_type></export></package>'
     )
