@@ -275,6 +275,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         left_out=left_out,
         ignored=marked(build_tool.answer, left_out, packages) if kind.answer in _ROS and not own.answer else (),
         ended=missing.answer.ended,
+        undeclared=missing.answer.undeclared,
         workspace=layout.answer.workspace,
         cmake_folder=layout.answer.cmake_folder,
         program_folders=layout.answer.program_folders,

@@ -237,6 +237,8 @@ class Decision:
     """The compilers that it names there: the variable and the program."""
     ignored: tuple[str, ...] = ()
     """Folders of packages that are not built, for a build tool that would stop at them."""
+    undeclared: bool = False
+    """A package requires another one of the repository that its package.xml does not name."""
     ended: tuple[str, ...] = ()
     """Packages that manifests of rosbuild name and this ROS no longer has."""
     workspace: Literal["none", "overlay", "root"] = "none"

@@ -50,6 +50,8 @@ class RosBuild:
     """Most compilers that may run at once, where the author says so."""
     unsure: tuple[str, ...] = ()
     """Sisters whose packages are not known before they are cloned: one may have the name of one in the repository."""
+    undeclared: bool = False
+    """Packages may require others of the workspace that their package.xml does not name."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -203,6 +205,7 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
         named=decision.by_pages.packages if own else (),
         jobs=decision.by_pages.jobs if own else None,
         unsure=() if config.compatible or tool == "rosmake" else tuple(_unsure(sisters)),
+        undeclared=not config.compatible and tool != "rosmake" and (decision.undeclared or bool(sisters)),
     )
 
 

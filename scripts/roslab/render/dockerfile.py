@@ -18,6 +18,7 @@ from roslab.render.layers import (
     locks,
     manifests,
     native_parts,
+    program,
     python,
     scripts,
     shell,
@@ -48,7 +49,7 @@ class Order:
 
 END: tuple[Block, ...] = (
     workspace.compile_workspace,  # 6.
-    workspace.compile_program,
+    program.compile_program,
     final.custom,  # 7.
     final.environment,
     final.start,

@@ -286,3 +286,19 @@ def test_what_the_cmake_of_a_setup_py_requires_is_told(tree: Tree, needed: str, 
     }
     said = [warning.message for warning in tree(files).warnings if "pip will stop at bound" in warning.message]
     assert bool(said) is told
+
+
+def test_what_a_package_requires_of_another_one_without_saying_so(tree: Tree) -> None:
+    manifest = "<package><name>{}</name><buildtool_depend>catkin</buildtool_depend>{}</package>"
+    cmake = "project({})\nfind_package(catkin REQUIRED COMPONENTS {})\n"
+    files = {
+        "a/package.xml": manifest.format("a", ""),
+        "a/CMakeLists.txt": cmake.format("a", "utils"),
+        "utils/package.xml": manifest.format("utils", ""),
+        "utils/CMakeLists.txt": cmake.format("utils", "roscpp"),
+    }
+    found = tree(files)
+    assert found.undeclared
+    assert any("CMake of a requires utils" in each.message for each in found.warnings)
+    named = tree({"a/package.xml": manifest.format("a", "<depend>utils</depend>")})
+    assert not named.undeclared

@@ -10,6 +10,7 @@ import pytest
 
 from roslab.render import image_scripts
 
+pytestmark = pytest.mark.usefixtures("scripts_on_path")
 SCRIPT = Path(image_scripts.__path__[0]) / "required-components.sh"
 
 

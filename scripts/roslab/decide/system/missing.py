@@ -15,7 +15,15 @@ from roslab.decide.ros.sources import Sources
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve, written_for
 from roslab.decide.system.packages import SystemPackages
-from roslab.decide.system.required import by_pip, of_program, of_program_and_below, own_names, required, similar
+from roslab.decide.system.required import (
+    by_pip,
+    of_program,
+    of_program_and_below,
+    own_names,
+    required,
+    similar,
+    undeclared,
+)
 from roslab.decide.system.switches import given, switch_of
 from roslab.decide.system.tests import left_to_a_switch
 from roslab.evidence.dependency import Dependency
@@ -50,6 +58,10 @@ _TESTS = (
     "only the tests ask for {}, which is not installed: they are not compiled, with -D{}=OFF; give `cmake_options` in "
     "roslab.yaml to have them"
 )
+_UNDECLARED = (
+    "CMake of {0} requires {1}, which its package.xml does not name: it is named there in the image, or {1} might be "
+    "built too late; add <depend>{1}</depend>"
+)
 ENDED = 300
 """Weight of the reasons for what is taken out of a manifest; nothing competes with them."""
 
@@ -66,6 +78,8 @@ class Missing:
     """What turns those options of CMake off that are on and ask for a package which nothing brings."""
     tests: tuple[str, ...] = ()
     """Those of the options that are for the tests."""
+    undeclared: bool = False
+    """A package requires another one of the repository, and its package.xml does not name it."""
 
 
 def decide_missing(
@@ -148,13 +162,21 @@ def decide_missing(
         told = {asked.name for _, asked in unmet}
         there = names | known | told
         warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
+    hidden = {f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages)}
+    warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]
     asks = of_program_and_below if kind == "cpp" else required
     names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - {plain(name) for name in built}
     warnings += _too_old(asks(evidence, packages), target, out.keys(), names, build_tool)
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
     switches = tuple(f"-D{name}=OFF" for name in (*off, *tests))
     return Choice(
-        answer=Missing(packages=tuple(sorted(out)), ended=tuple(ended), options=switches, tests=tuple(tests)),
+        answer=Missing(
+            packages=tuple(sorted(out)),
+            ended=tuple(ended),
+            options=switches,
+            tests=tuple(tests),
+            undeclared=bool(hidden),
+        ),
         warnings=tuple(warnings),
         reasons=(
             *(because("dependencies", name, why, asked, weight=ENDED) for name, asked in ended.items()),

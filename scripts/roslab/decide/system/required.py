@@ -23,6 +23,24 @@ def required(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Depe
             yield from ((package, asked) for asked in outside(project, evidence, packages))
 
 
+def undeclared(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
+    """Yield each package with what its CMakeLists.txt requires of the other packages and its package.xml does not name.
+
+    Build tools order packages by their package.xml alone: CMake may look for one that is not there yet.
+    """
+    by_folder = {manifest.file.rpartition("/")[0]: manifest for manifest in packages.built}
+    names = {manifest.name for manifest in packages.built}
+    for project in evidence.cmake:
+        manifest = by_folder.get(project.file.rpartition("/")[0])
+        named = {each.name for each in manifest.dependencies} | {manifest.name} if manifest else set()
+        for asked in project.dependencies if manifest else ():
+            required_here = (
+                asked.namespace in {"cmake", "ros"} and asked.strength == "declared" and asked.role != "test"
+            )
+            if manifest and manifest.name and required_here and asked.name in names - named:
+                yield manifest.name, asked
+
+
 def of_program(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
     """Yield the program with what the CMakeLists.txt at its top requires and no file of the tree finds."""
     if top := top_of(evidence):

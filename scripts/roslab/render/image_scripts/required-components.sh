@@ -10,17 +10,7 @@ own="$(
   find "$1" -name .git -prune -o -name package.xml -exec \
     sed --quiet --regexp-extended 's:.*<name>[[:space:]]*([^<[:space:]]+)[[:space:]]*</name>.*:\1:p' {} +
 )"
-asked() {
-  local file code
-  while read -r file; do
-    code="$(sed 's/#.*//' "${file}" | tr '\n' ' ')"
-    grep --only-matching --ignore-case --extended-regexp 'find_package *\( *catkin [^)]*' <<<"${code}" |
-      sed --quiet --regexp-extended 's/.*COMPONENTS//p' | tr -s ' \t' '\n'
-    grep --only-matching --ignore-case --extended-regexp 'find_package *\( *[a-z][a-z0-9_]* +REQUIRED *\)' <<<"${code}" |
-      sed --regexp-extended 's/.*\( *([a-z0-9_]+).*/\1/'
-  done < <(find "$1" -name .git -prune -o -name CMakeLists.txt -print)
-}
-asked "$1" | grep --line-regexp --extended-regexp '[a-z][a-z0-9_]*' | grep --line-regexp --invert-match catkin | sort --unique |
+find "$1" -name .git -prune -o -name CMakeLists.txt -print0 | xargs --null --no-run-if-empty required-by-cmake |
   while read -r name; do
     if [ ! -e "${share}/${name}" ] && ! grep --quiet --line-regexp --fixed-strings "${name}" <<<"${own}"; then
       echo "ros-${ROS_DISTRO}-${name//_/-}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.plan.workspace import WORKSPACE
 from roslab.render import quote
-from roslab.render.layers import workspace
+from roslab.render.layers import program, workspace
 from roslab.render.layers.workspace import HOME, WS
 
 SOURCE = "source"
@@ -29,7 +29,7 @@ def source_stage(plan: Plan) -> str:
 def compiled(plan: Plan) -> str:
     """Compile what the source holds."""
     copy = workspace.source_copied(plan, f"--from={SOURCE} ", "/")
-    compile_all = (workspace.any_processor(plan), workspace.compile_again(plan), workspace.compile_program(plan))
+    compile_all = (workspace.any_processor(plan), workspace.compile_again(plan), program.compile_program(plan))
     parts = (copy, *compile_all)
     return "\n".join(part for part in parts if part)
 

@@ -20,6 +20,9 @@ BUILD_CACHE = "/var/cache/roslab-build"
 WITHOUT_TESTS = "leave-out-tests"
 NEEDED = "build-needed"
 WITHOUT_DOUBLES = "leave-out-doubles"
+DECLARED = "declare-needs"
+"""The script that completes package.xml files by what CMake requires of the workspace."""
+REQUIRED = "required-by-cmake"
 HOLDING = "clone-holding"
 """The script that keeps a repository where it holds what the workspace lacks."""
 UNKNOWN = "clone-unknown"
@@ -51,7 +54,10 @@ def rosdep(plan: Plan) -> str:
         folders = folders * 2  # all that is cloned is wanted
     if complete:
         before += "".join(
-            map(shell.copy_script, (UNKNOWN, HOLDING, shell.PACKAGES, "required-components", "install-optional-apt"))
+            map(
+                shell.copy_script,
+                (UNKNOWN, HOLDING, shell.PACKAGES, "required-components", REQUIRED, "install-optional-apt"),
+            )
         )
     return shell.call(
         "install-rosdep-keys",
@@ -192,8 +198,9 @@ def compile_workspace(plan: Plan) -> str:
 
 def _scripts(run: str) -> list[str]:
     """Return the scripts that a step which compiles the workspace calls, and those that these call."""
-    called = [name for name in (WITHOUT_DOUBLES, WITHOUT_TESTS, NEEDED) if name in run]
-    return [*called, shell.PACKAGES] if NEEDED in called else called
+    called = [name for name in (WITHOUT_DOUBLES, DECLARED, WITHOUT_TESTS, NEEDED) if name in run]
+    beside = {NEEDED: shell.PACKAGES, DECLARED: REQUIRED}
+    return [*called, *(name for caller, name in beside.items() if caller in called)]
 
 
 def _without_logs(build: RosBuild) -> tuple[str, ...]:
@@ -234,7 +241,8 @@ def tree_mount(plan: Plan) -> str:
 
 def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
     unsure = [f"{WITHOUT_DOUBLES}{words(f'src/{name}' for name in build.unsure)}"] if build.unsure else []
-    return [*_ignoring(plan, build), *unsure, *_building(plan, build, again)]
+    declared = [f"{DECLARED} src"] if build.undeclared else []
+    return [*_ignoring(plan, build), *unsure, *declared, *_building(plan, build, again)]
 
 
 def _ignoring(plan: Plan, build: RosBuild) -> list[str]:
@@ -275,27 +283,3 @@ def _without_tests(plan: Plan, build: RosBuild) -> list[str]:
 def words(items: Iterable[str]) -> str:
     """Return quoted words that go on a line after others."""
     return "".join(f" {quote.shell(item)}" for item in items)
-
-
-def _compiler(variable: str, name: str) -> str:
-    """Return the command that names a compiler to CMake, the usual one where the image does not have it."""
-    return f'export {variable}="$(command -v {quote.shell(name)} || command -v {"cc" if variable == "CC" else "c++"})"'
-
-
-def compile_program(plan: Plan) -> str:
-    """Compile a plain CMake project as the user."""
-    program = plan.workspace.program
-    if program is None:
-        return ""
-    source = f"{source_folder(plan)}/{program.folder}".rstrip("/")
-    build = quote.shell_with_user(f"{HOME}/{program.build}")
-    run = shell.run(
-        *(f"source {setup}" for setup in setups(plan)),
-        f"mkdir --parents {build}",
-        f"cd {build}",
-        *(_compiler(variable, name) for variable, name in program.compilers),
-        f"cmake{words(program.cmake_options)} {quote.shell_with_user(source)}",
-        f"make --jobs={shell.JOBS}{words(program.arguments)}",
-        TIDY,
-    )
-    return f"# The program\nUSER ${{NB_USER}}\n{run}"

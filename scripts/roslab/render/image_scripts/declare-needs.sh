@@ -1,0 +1,39 @@
+#!/bin/bash
+# usage: declare-needs FOLDER
+# Names in the package.xml files below a folder those packages of it that a CMakeLists.txt requires and its package.xml does
+# not name: build tools order packages by these files alone, and CMake stops where one comes too late. Of packages that need
+# each other none is named.
+set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
+
+tag() { sed --quiet --regexp-extended "s:.*<($2)( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\3:p" "$1"; }
+declare -A file_of=() needs=()
+while read -r manifest; do
+  name="$(tag "${manifest}" name | head -n 1)"
+  if [ -z "${name}" ] || [ -e "$(dirname "${manifest}")/CATKIN_IGNORE" ]; then continue; fi
+  file_of["${name}"]="${manifest}"
+  needs["${name}"]=" $(tag "${manifest}" '[a-z_]*depend' | tr '\n' ' ') "
+done < <(find "$1" -name .git -prune -o -name package.xml -print)
+
+needs_in_turn() { # PACKAGE OTHER
+  local queue=("$1") seen=' ' next
+  while [ "${#queue[@]}" -gt 0 ]; do
+    next="${queue[0]}" queue=("${queue[@]:1}")
+    if [ "${next}" = "$2" ]; then return 0; fi
+    if [ -z "${needs["${next}"]:-}" ] || [[ "${seen}" = *" ${next} "* ]]; then continue; fi
+    seen="${seen}${next} "
+    read -r -a more <<<"${needs["${next}"]}"
+    queue+=("${more[@]}")
+  done
+  return 1
+}
+while read -r name; do
+  manifest="${file_of["${name}"]}" made="$(dirname "${file_of["${name}"]}")/CMakeLists.txt"
+  if [ ! -f "${made}" ]; then continue; fi
+  for need in $(required-by-cmake "${made}"); do
+    if [ -z "${file_of["${need}"]:-}" ] || grep --quiet --extended-regexp ">\s*${need}\s*<" "${manifest}"; then continue; fi
+    if needs_in_turn "${need}" "${name}"; then continue; fi
+    sed --in-place "s:</package>:  <build_depend>${need}</build_depend>\n</package>:" "${manifest}"
+    needs["${name}"]="${needs["${name}"]}${need} "
+    echo "roslab: ${name} requires ${need}, which its package.xml does not name: it is named there"
+  done
+done < <(printf '%s\n' "${!file_of[@]}" | sort)

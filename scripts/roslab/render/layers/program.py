@@ -1,0 +1,31 @@
+"""Layer 6 of a plain CMake project: its compilation."""
+
+from __future__ import annotations
+
+from roslab.plan.plan import Plan
+from roslab.render import quote
+from roslab.render.layers import shell, workspace
+
+
+def _compiler(variable: str, name: str) -> str:
+    """Return the command that names a compiler to CMake, the usual one where the image does not have it."""
+    return f'export {variable}="$(command -v {quote.shell(name)} || command -v {"cc" if variable == "CC" else "c++"})"'
+
+
+def compile_program(plan: Plan) -> str:
+    """Compile a plain CMake project as the user."""
+    program = plan.workspace.program
+    if program is None:
+        return ""
+    source = f"{workspace.source_folder(plan)}/{program.folder}".rstrip("/")
+    build = quote.shell_with_user(f"{workspace.HOME}/{program.build}")
+    run = shell.run(
+        *(f"source {setup}" for setup in workspace.setups(plan)),
+        f"mkdir --parents {build}",
+        f"cd {build}",
+        *(_compiler(variable, name) for variable, name in program.compilers),
+        f"cmake{workspace.words(program.cmake_options)} {quote.shell_with_user(source)}",
+        f"make --jobs={shell.JOBS}{workspace.words(program.arguments)}",
+        workspace.TIDY,
+    )
+    return f"# The program\nUSER ${{NB_USER}}\n{run}"

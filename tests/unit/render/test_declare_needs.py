@@ -1,0 +1,69 @@
+"""The script that completes package.xml files by what CMake requires of the workspace."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.usefixtures("scripts_on_path")
+
+
+def _package(root: Path, name: str, cmake: str, *depends: str) -> Path:
+    folder = root / "src" / name
+    folder.mkdir(parents=True)
+    lines = "".join(f"  <depend>{each}</depend>\n" for each in depends)
+    (folder / "package.xml").write_text(f"<package>\n  <name>{name}</name>\n{lines}</package>\n")
+    (folder / "CMakeLists.txt").write_text(f"project({name})\n{cmake}\n")
+    return folder / "package.xml"
+
+
+def _named(manifest: Path) -> list[str]:
+    return re.findall(r"<(?:build_)?depend>(\w+)<", manifest.read_text())
+
+
+def _run(root: Path) -> str:
+    command = ["declare-needs", "src"]
+    return subprocess.run(command, cwd=root, capture_output=True, text=True, check=True).stdout
+
+
+@pytest.mark.parametrize(
+    ("cmake", "depends", "named"),
+    [
+        ("find_package(catkin REQUIRED COMPONENTS roscpp utils)", [], ["utils"]),
+        ("find_package(ament_cmake REQUIRED)\nfind_package(utils REQUIRED)", [], ["utils"]),
+        ("find_package(catkin REQUIRED COMPONENTS\n  utils # pose\n)", ["roscpp"], ["roscpp", "utils"]),
+        ("find_package(catkin REQUIRED COMPONENTS utils)", ["utils"], ["utils"]),
+        ("find_package(catkin REQUIRED COMPONENTS roscpp)", [], []),
+        ("find_package(utils)", [], []),
+        ("# find_package(catkin REQUIRED COMPONENTS utils)", [], []),
+    ],
+)
+def test_what_cmake_requires_of_the_workspace(tmp_path: Path, cmake: str, depends: list[str], named: list[str]) -> None:
+    user = _package(tmp_path, "arm", cmake, *depends)
+    _package(tmp_path, "utils", "find_package(catkin REQUIRED)")
+    said = _run(tmp_path)
+    assert _named(user) == named
+    assert said == (
+        ""
+        if named == depends
+        else "roslab: arm requires utils, which its package.xml does not name: it is named there\n"
+    )
+    assert not _run(tmp_path)
+
+
+def test_packages_that_need_each_other_stay_as_they_are(tmp_path: Path) -> None:
+    first = _package(tmp_path, "a", "find_package(catkin REQUIRED COMPONENTS c)")
+    _package(tmp_path, "b", "", "a")
+    third = _package(tmp_path, "c", "find_package(catkin REQUIRED COMPONENTS a)", "b")
+    assert "roslab: c requires a" in _run(tmp_path)
+    assert (_named(first), _named(third)) == ([], ["b", "a"])
+
+
+def test_a_package_that_is_passed_by_is_none(tmp_path: Path) -> None:
+    user = _package(tmp_path, "arm", "find_package(catkin REQUIRED COMPONENTS utils)")
+    _package(tmp_path, "utils", "").with_name("CATKIN_IGNORE").touch()
+    assert not _run(tmp_path)
+    assert _named(user) == []
