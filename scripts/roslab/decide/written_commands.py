@@ -23,6 +23,7 @@ from roslab.evidence.prose import copies
 from roslab.evidence.prose.in_containers import CONTAINER
 from roslab.evidence.prose.install_tree import package_and_program
 from roslab.evidence.prose.runners import SIMULATORS
+from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 from roslab.values.words import written as as_written
@@ -33,6 +34,8 @@ _BESIDE = pattern(r"\./[\w.+-]+")
 _ABOVE = pattern(r"^(--?[\w-]+=)?(?:\.\./)+(?=[\w-])")
 _NO_NODES = ("python", "bash", "jupyter")
 """What starts a program that may be no node: of a shell script nobody knows."""
+_CONVERTERS = frozenset({"xacro"})
+"""Packages of ROS whose programs only write one file from another."""
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 """Files that serve a project without being its purpose."""
 
@@ -60,6 +63,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
         alone=frozenset(each.file for each in evidence.launch if not each.package),
         simulators=simulators_of(evidence),
         packages=packages_of(evidence).names,
+        clones=any(git.kind in {"vcs", "git_url", "upstream", "submodule"} or git.beside for git in evidence.sources),
         installed=frozenset(name for project in evidence.python if project.installable for name, _ in project.scripts),
         projects=(
             *(project.folder for project in evidence.python if project.installable),
@@ -123,6 +127,8 @@ class _Tree:
     """Launch files that belong to no package."""
     simulators: frozenset[str]
     packages: frozenset[str]
+    clones: bool
+    """Other repositories are cloned, whose packages are not known."""
     installed: frozenset[str]
     """Programs that pip installs with the repository."""
     projects: tuple[str, ...]
@@ -177,15 +183,35 @@ def _of_ros(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> tuple[str, 
         return None
     start = argv[:1] if argv[0] == "roslaunch" else argv[:2] if argv[1:2] == ("launch",) else ()
     if not start:
-        return argv
+        return _program_of_ros(argv, tree)
     package, *rest = argv[len(start) :]
     if LAUNCH.search(package):
         call = call_of(package, tree.calls, tree.alone)
         return (*start, *call, *rest) if call else None
     if package not in tree.packages:
-        return argv
+        return argv if _somewhere(package, tree) else None
     file = next((word.rpartition("/")[2] for word in rest if not word.startswith("-")), "")
     return argv if file in tree.launched.get(package, ()) else None
+
+
+def _program_of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
+    """Return ``rosrun`` or ``ros2 run`` of a package that has the program; ``None`` where nothing has the package.
+
+    A page may name the wrong one of the tree's packages: the program is that of the one that compiles it.
+    """
+    words = argv[1 if argv[0] == "rosrun" else 2 :]
+    if len(words) < len(("package", "program")) or (argv[0] == "ros2" and argv[1] != "run"):
+        return argv
+    package, program, *rest = words
+    if package not in tree.packages:
+        return argv if _somewhere(package, tree) else None
+    other = "" if _has(package, program, tree) else tree.compiled.get(program, "")
+    return _run(other, program, tuple(rest), tree) if other else argv
+
+
+def _somewhere(package: str, tree: _Tree) -> bool:
+    """Tell whether a package that the tree does not have may be there: released, or in a repository that is cloned."""
+    return package not in _CONVERTERS and (tree.clones or ever_released(package))
 
 
 def _built(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:

@@ -14,7 +14,11 @@ from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
 _TABLES = ("code_limits", "removals", "window_calls")
-_ALSO = frozenset({"__main__", "popen", "print", "require_version", "subprocess", "system"})
+OF_PYTHON_2 = frozenset(
+    {"cPickle", "cStringIO", "ConfigParser", "HTMLParser", "httplib", "StringIO", "Tkinter", "urllib2", "xmlrpclib"}
+)
+"""Modules that Python 3 calls otherwise: https://docs.python.org/2.7/py-modindex.html, 2026-11-26"""
+_ALSO = frozenset({"__main__", "popen", "print", "require_version", "subprocess", "system"}) | OF_PYTHON_2
 """What readers look for that have no table."""
 _BLANK = bytes(byte if chr(byte).isascii() and (chr(byte).isalnum() or byte == ord("_")) else 32 for byte in range(256))
 """What stands for each byte of a text that is to be split into words."""

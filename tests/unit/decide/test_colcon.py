@@ -42,7 +42,7 @@ def test_the_newest_branch_is_taken_as_of_the_last_commit(tmp_path: Path, tree: 
         "PATH": "/usr/bin:/bin",
     }
     subprocess.run((*git, "commit", "-qm", "a"), check=True, env=day)
-    assert [(source.ref, source.before) for source in tree(files).source] == [(None, "2020-06-24")]
+    assert [(source.ref, source.before) for source in tree(files).source] == [("master", "2020-06-24")]
     branch = files | {"a.repos": LIST.replace("master", "noetic-devel")}
     assert [(source.ref, source.before) for source in tree(branch).source] == [("noetic-devel", "2020-06-24")]
     tag = files | {"a.repos": LIST.replace("master", "v1.2")}

@@ -104,7 +104,7 @@ def test_what_a_list_alone_imports_is_of_the_time_of_its_commit(tmp_path: Path) 
     (tmp_path / "README.md").write_text("For ROS Melodic: `vcs import src < all.repos`\n")
     commit(tmp_path)
     (source,) = plan(tmp_path, {}, "").workspace.sources
-    assert (source.ref, source.before) == (None, "2020-07-09")
+    assert (source.ref, source.before) == ("master", "2020-07-09")
 
 
 def test_the_day_of_the_paper(tmp_path: Path) -> None:

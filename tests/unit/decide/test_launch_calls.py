@@ -54,3 +54,27 @@ def test_a_launch_file_of_no_package_by_its_path_from_the_workspace(
     others = {f"demo/launch/{name}.launch": "<launch/>\n" for name in ("a", "b")}
     files = {**FILES, **others, "launch/all.launch": "<launch/>\n"}
     assert tree({**files, "README.md": f"ROS Noetic\n```\n{lines}\n```\n"}).command == command
+
+
+NODES = {
+    "robot/package.xml": "<package><name>robot</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "robot/CMakeLists.txt": "project(robot)\nfind_package(catkin REQUIRED)\nadd_executable(drive a.cpp)\n",
+    "extra/package.xml": "<package><name>extra</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "extra/CMakeLists.txt": "project(extra)\nfind_package(catkin REQUIRED)\nadd_executable(watch a.cpp)\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("lines", "command"),
+    [
+        ("rosrun extra watch 1", "rosrun extra watch 1"),
+        ("rosrun robot watch 1", "rosrun extra watch 1"),
+        ("rosrun acme_nowhere drive\nrosrun robot drive", "rosrun robot drive"),
+        ("roslaunch acme_nowhere a.launch\nrosrun robot drive", "rosrun robot drive"),
+        ("rosrun xacro xacro robot.xacro\nrosrun robot drive", "rosrun robot drive"),
+    ],
+)
+def test_a_package_that_nothing_has_starts_nothing(tree: Tree, lines: str, command: str) -> None:
+    """A page may also name the wrong one of the tree's packages."""
+    found = tree({**NODES, "README.md": f"ROS Noetic\n```\n{lines}\n```\n"}).command
+    assert " ".join(found) == command

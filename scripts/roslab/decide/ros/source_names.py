@@ -23,14 +23,6 @@ def fixed(ref: str | None) -> str | None:
     return ref if ref and re.fullmatch(r"[\w./+-]+", ref) and not ref.startswith("-") else None
 
 
-def fixed_at(ref: str | None, day: str) -> str | None:
-    """Return a fixed ref, ``None`` for the newest branch where a day tells which commit of it is meant.
-
-    Such a branch has moved since, and may have been renamed.
-    """
-    return None if day and moves(ref) else fixed(ref)
-
-
 def drifts(ref: str | None) -> bool:
     """Tell whether a ref is a branch by its name, whose commits go on: ``develop``, ``noetic-devel``."""
     return moves(ref) or bool(ref and _BRANCH.fullmatch(ref))

@@ -13,7 +13,7 @@ from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.in_tree import in_tree
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.sought import with_sought
-from roslab.decide.ros.source_names import address, asked_for, drifts, fixed_at, itself_in, plain, wanted_names
+from roslab.decide.ros.source_names import address, asked_for, drifts, fixed, itself_in, plain, wanted_names
 from roslab.decide.ros.used import used_by_build
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
@@ -143,7 +143,7 @@ class _Chosen:
         named = self.sources.keys() | {each.name.rpartition("/")[2] for each in self.empty}
         if name in named or address(git.url) in urls:
             return False
-        ref = fixed_at(git.ref, self.before)
+        ref = fixed(git.ref)
         self.sources[name] = Source(
             name=name,
             repo=git.by_ssh if self.by_ssh and git.by_ssh else https(git.url),

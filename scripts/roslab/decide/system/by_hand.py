@@ -8,7 +8,7 @@ from typing import Literal
 
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.distro_dates import dated
-from roslab.decide.ros.source_names import address, drifts, fixed, fixed_at, moves, plain
+from roslab.decide.ros.source_names import address, drifts, fixed, moves, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_everybody import built_by_everybody, named_in
 from roslab.decide.system.lies_beside import with_beside
@@ -154,7 +154,7 @@ def _asked(
 
 def _source(git: GitSource, day: str) -> Source:
     """Return a library as a page or a list has it; ``day``: that of the repository's last commit."""
-    ref = fixed_at(git.ref, day)
+    ref = fixed(git.ref)
     return Source(
         name=git.name,
         repo=git.url,

@@ -32,12 +32,12 @@ def undeclared(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, De
     names = {manifest.name for manifest in packages.built}
     for project in evidence.cmake:
         manifest = by_folder.get(project.file.rpartition("/")[0])
-        named = {each.name for each in manifest.dependencies} | {manifest.name} if manifest else set()
-        for asked in project.dependencies if manifest else ():
-            required_here = (
-                asked.namespace in {"cmake", "ros"} and asked.strength == "declared" and asked.role != "test"
-            )
-            if manifest and manifest.name and required_here and asked.name in names - named:
+        if manifest is None or manifest.name is None:
+            continue
+        named: set[str | None] = {manifest.name, *(each.name for each in manifest.dependencies)}
+        for asked in project.dependencies:
+            asks = asked.namespace in {"cmake", "ros"} and asked.strength == "declared" and asked.role != "test"
+            if asks and asked.name in names - named:
                 yield manifest.name, asked
 
 
