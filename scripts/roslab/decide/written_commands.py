@@ -57,6 +57,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     tree = _Tree(
         kind=kind,
         programs=tuple(script.file for script in evidence.programs),
+        nodes=frozenset(script.file for script in evidence.programs if script.kind == "node" and not ros),
         compiled=in_packages(evidence) if ros else dict.fromkeys((p.name for p in programs_of(evidence)), ""),
         launched=_launch_files(evidence),
         calls=launch_calls(evidence),
@@ -117,6 +118,8 @@ class _Tree:
 
     kind: Kind
     programs: tuple[str, ...]
+    nodes: frozenset[str]
+    """Those of them that are nodes of ROS, which the image does not have."""
     compiled: Mapping[str, str]
     """Compiled programs, each with its package, ``""`` where there is none."""
     launched: Mapping[str, frozenset[str]]
@@ -167,7 +170,7 @@ def _runnable(
         here = _module(argv, programs, (*tree.projects, *filter(None, (mention.inside,))))
     else:
         here = _here(argv, programs, mention.file.rpartition("/")[0])
-    if here is None or (compiled and _tests(here)):
+    if here is None or (compiled and _tests(here)) or not tree.nodes.isdisjoint(here[:1]):
         return None
     return ("python3" if ros else argv[0], *here)
 

@@ -540,6 +540,13 @@ def test_an_option_with_a_value_asks_for_no_help(tree: Tree, line: str, command:
     assert " ".join(tree(files).command) == command
 
 
+def test_a_node_is_not_started_in_an_image_without_ros(tree: Tree) -> None:
+    node = "import rospy\nif __name__ == '__main__':\n    rospy.init_node('a')\n"
+    page = "# Deployment\n```\npython navigate.py\n```\n# Training\n```\npython train.py\n```\n"
+    files = {"navigate.py": node, "train.py": "import torch\n", "requirements.txt": "torch\n", "README.md": page}
+    assert tree(files).command == ("python", "train.py")
+
+
 @pytest.mark.parametrize("other", ["README.Chinese.md", "README-CN.md", "README_fr.md", "Readme.ja.md"])
 def test_a_page_in_another_language_comes_after_the_page(tree: Tree, other: str) -> None:
     files = {"train.py": "import numpy\n", "drive.py": "import numpy\n", "README.md": "```\npython train.py\n```\n"}

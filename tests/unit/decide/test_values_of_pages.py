@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable
 
 import pytest
@@ -57,3 +58,18 @@ def test_a_page_that_went_to_a_folder_without_the_program_goes_nowhere(tree: Tre
     files = {"src/data/load_dataset.py": SCRIPT, "src/test.py": SCRIPT, "src/cfg/a.yaml": "a: 1\n"}
     found = tree({**files, "requirements.txt": "numpy\n", "README.md": page})
     assert found.command == "cd src && exec python test.py --cfg cfg/a.yaml"
+
+
+@pytest.mark.parametrize(
+    ("block", "command"),
+    [
+        ("skip=0 # frames\ninsert=7\npython run.py out $skip ${insert}", "python run.py out 0 7"),
+        ("name='long walk'\npython run.py --name \"$name\"", "python run.py --name 'long walk'"),
+        ("data=/path/to/data\npython run.py $data", "python run.py"),
+        ("```\n```\nskip=0\n```\n```\npython run.py $skip", "python run.py"),
+        ("python run.py \u2014dir out \u2013n 3", "python run.py --dir out -n 3"),
+    ],
+)
+def test_what_a_block_sets_before_it_runs_something(tree: Tree, block: str, command: str) -> None:
+    files = {"run.py": "import numpy\n", "README.md": f"# Usage\n```\n{block}\n```\n"}
+    assert tree(files).command == tuple(shlex.split(command))

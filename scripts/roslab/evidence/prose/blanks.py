@@ -16,6 +16,9 @@ _CHOICE = pattern(r"(?<==)\{\s*([\w.-]+)\s*(?:[,|/]\s*[\w.-]+\s*){1,12}\}")
 _OFFERED = pattern(r"(?<=\s)(--?[A-Za-z][\w-]*[ =])[(\uff08]\s*([\w./-]+)\s*(?:[|\uff5c]\s*[\w./-]+\s*){1,12}[)\uff09]")
 """Values of an option of which the reader chooses one: ``--scene (packed | pile)``."""
 
+_DASH = pattern(r"(?<=\s)[\u2013\u2014](?=([A-Za-z][\w-]?))")
+"""The hyphens of an option, of which a word processor made a dash."""
+
 _NAME = r"`+(?P<name>[A-Z][A-Z0-9_]{2,}|<[A-Za-z][\w -]{1,40}>|\$\{?[A-Za-z]\w+\}?)`+"
 _ONE_OF = r"(?:(?:just |simply )?(?:one|any|either) (?:of|from)(?: the following)?:?|e\.g\.,?|for example,?)"
 _VALUE = r"\s*[\[({]?\s*[`'\"]+(?P<value>[\w][\w./:-]*)[`'\"]+"
@@ -88,6 +91,8 @@ def filled(text: str, *, of_page: bool) -> str:
         text = BLANK.sub("$UNKNOWN", text)  # otherwise `<sensor name>` would be read as a redirection
     if of_page and "{" in text:
         text = _BRACED.sub("$UNKNOWN", text)
+    if of_page and not text.isascii():
+        text = _DASH.sub(lambda match: "--" if len(match[1]) > 1 else "-", text)
     if "={" in text:
         text = _CHOICE.sub(r"\1", text)
     return _OFFERED.sub(r"\1\2", text) if of_page and ("(" in text or "\uff08" in text) else text

@@ -25,6 +25,7 @@ from roslab.evidence.prose import (
     python_path,
 )
 from roslab.evidence.prose.blanks import BLANK, chosen, distros_of
+from roslab.evidence.prose.block_values import with_values
 from roslab.evidence.prose.comments import commented_out, without_comments
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
@@ -153,7 +154,7 @@ def text_of(repository: Repository, file: File) -> str:
 
 @cache
 def _shown(text: str) -> str:
-    return chosen(as_markdown(without_comments(text)))
+    return with_values(chosen(as_markdown(without_comments(text))))
 
 
 def of_page(repository: Repository, file: File) -> Prose:
