@@ -120,7 +120,7 @@ def _packages(evidence: Evidence, built: tuple[PackageManifest, ...], *, named: 
     files = [m.file for m in (*by_version[1], *by_version[2])]
     wrapper = not named and wraps(evidence, files)
     around = any("/" not in project.file for project in evidence.cmake)  # the library that the examples wrap
-    examples = not (named or around) and all(map(places.sample, files))
+    examples = not (named or around) and all(places.sample(file.rpartition("/")[0]) for file in files)
     reasons: list[Reason] = []
     for version, made in by_version.items():
         if not made:

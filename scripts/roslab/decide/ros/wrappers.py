@@ -27,7 +27,8 @@ def run_by_page(evidence: Evidence) -> Mention | None:
     folders = {manifest.file.rpartition("/")[0] for manifest in packages_of(evidence).built}
     if not folders or "" in folders or _of_ros(evidence):
         return None
-    programs = {program.file for program in evidence.programs if not _within(program.file, folders)}
+    plain = (program for program in evidence.programs if program.kind != "node")
+    programs = {program.file for program in plain if not _within(program.file, folders)}
     said = (m for m in evidence.mentions if m.topic == "command" and m.source == "readme" and "/" not in m.file)
     run = (m for m in said if m.value.startswith("python"))
     return next((m for m in run if programs & set(map(posixpath.normpath, m.value.split()[1:]))), None)

@@ -116,7 +116,7 @@ def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
     written = (*evidence.sources, *_authored(evidence, "project"), *_authored(evidence, "ci"))
     for git in sorted(written, key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
         listed = git.kind == "vcs" and kind not in {"ros1", "ros2"}  # of ROS, the workspace has what is listed
-        if (git.installed or listed or git.kind == "link") and not places.vendored(git.file):
+        if ((git.installed and git.configured) or listed or git.kind == "link") and not places.vendored(git.file):
             offered.setdefault(_bare(git.name), git)
             offered.setdefault(_bare(git.folder), git)
     return offered
