@@ -199,13 +199,19 @@ def _opened(evidence: Evidence, config: Config, command: str) -> bool:
     return config.gui if config.gui is not None else _gui(evidence, command)
 
 
+def _as_module(file: str) -> str:
+    """Return the name by which ``python -m`` starts a file."""
+    return file.removesuffix(".py").removesuffix("/__main__").replace("/", ".")
+
+
 def _gui(evidence: Evidence, command: str) -> bool:
     """Tell whether a launch file starts a viewer, the code uses a library of windows, or the command's file has one."""
     if command.partition(" ")[0] in SIMULATORS:
         return True
     calls = (d for d in evidence.code if d.namespace == "call")
-    if any(d.file in command or d.role == "build" for d in calls):  # a compiled program is not named like its file
-        return True
+    words = command.split()
+    if any(d.file in command or d.role == "build" or _as_module(d.file) in words for d in calls):
+        return True  # a compiled program is not named like its file
     if any(launch.gui for launch in evidence.launch):
         return True
     asked = (d for project in evidence.cmake if not places.vendored(project.file) for d in project.dependencies)

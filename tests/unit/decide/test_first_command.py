@@ -1010,3 +1010,15 @@ def test_a_name_that_only_begins_so_may_be_meant(tree: Tree) -> None:
     program = 'import numpy\nif __name__ == "__main__":\n    pass\n'
     decision = tree({"README.md": page, "process.py": program, "train.py": program})
     assert ("python", "process.py") in decision.command_candidates
+
+
+@pytest.mark.parametrize("call", ["python sim/show.py", "python -m sim.show"])
+def test_a_window_of_the_program_however_it_is_started(tree: Tree, call: str) -> None:
+    code = "import pybullet as p\nif __name__ == '__main__':\n    p.connect(p.GUI)\n"
+    files = {
+        "sim/show.py": code,
+        "requirements.txt": "pybullet\n",
+        "setup.py": "from setuptools import setup\nsetup(name='sim', packages=['sim'])\n",
+    }
+    decision = tree({**files, "sim/__init__.py": "", "README.md": f"# Run\n```\n{call}\n```\n"})
+    assert (" ".join(decision.command), decision.gui) == (call, True)

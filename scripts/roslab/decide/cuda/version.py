@@ -150,7 +150,7 @@ def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> It
         of = None if tabled(pin.name) == "torch" and not compiles else day
         yield from _of_pin(pin, of, python, lowest.get(tabled(pin.name)))
     yield from _of_indexes(evidence)
-    for environment in evidence.conda:
+    for environment in (each for each in evidence.conda if not places.vendored(each.file)):
         for package in environment.packages:
             if package.name in OF_CONDA and (cuda := minor_of(package.version)):
                 why = f"the conda environment has {package.written}"
