@@ -18,7 +18,11 @@ FROM_GIT = ["git+https://github.com/acme/AcmeEngine"]
     ("files", "guessed"),
     [
         ({"README.md": LINK}, FROM_GIT),
-        ({"README.md": "```\ngit clone -b v1 https://github.com/acme/acme_engine.git\n```\n"}, []),  # another name
+        ({"README.md": LINK.replace("AcmeEngine", "acme_engine")}, []),  # another name
+        (
+            {"README.md": "```\ngit clone -b v1 https://github.com/acme/acme_engine.git\n```\n"},
+            ["git+https://github.com/acme/acme_engine.git@v1"],
+        ),
         ({"README.md": LINK, "run.py": "import numpy\n"}, []),
         ({"README.md": LINK, "run.py": "try:\n    import AcmeEngine\nexcept ImportError:\n    pass\n"}, []),
         ({"README.md": LINK, "AcmeEngine/__init__.py": ""}, []),

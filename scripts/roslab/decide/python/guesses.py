@@ -59,7 +59,10 @@ def guesses(
     offered = _linked(evidence)
     for dependency in _imported(evidence, manifests=manifests):
         package, apt = imports().get(dependency.name) or (None, None)
-        linked = offered.get(canonicalize_name(dependency.name)) if dependency.strength == "used" else None
+        used = dependency.strength == "used"
+        linked = (
+            offered.get(canonicalize_name(dependency.name)) or offered.get(_joined(dependency.name)) if used else None
+        )
         if linked and dependency.name not in imports() and not (ros or places.aside(dependency.file)):
             if not {canonicalize_name(dependency.name), linked.key} & {*known, *found}:
                 found[linked.key] = replace(linked, file=dependency.file, line=dependency.line)
@@ -91,6 +94,7 @@ def _imported(evidence: Evidence, *, manifests: bool) -> Iterator[Dependency]:
 def _linked(evidence: Evidence) -> dict[str, Requirement]:
     """Return the repositories that a page at the root links to or clones: a module of no table may be one's package.
 
+    What it clones may have another spelling.
     One that has the name of a CMake project of the tree is the repository itself, which compiles that module; one that
     has a submodule's lies in the tree.
     """
@@ -101,8 +105,16 @@ def _linked(evidence: Evidence) -> dict[str, Requirement]:
         offered = git.kind in {"link", "clone"} and "/" not in git.file and not git.installed
         if offered and bare_name(git.name) not in inside:
             ref = f"@{git.ref}" if git.ref and re.fullmatch(r"[\w.-]+", git.ref) else ""
-            found.setdefault(canonicalize_name(git.name), stated(f"git+{https(git.url)}{ref}", "import"))
+            asked = stated(f"git+{https(git.url)}{ref}", "import")
+            found.setdefault(canonicalize_name(git.name), asked)
+            if git.kind == "clone":
+                found.setdefault(_joined(git.name), asked)
     return found
+
+
+def _joined(name: str) -> str:
+    """Return a name in the spelling in which a module and a repository are compared: ``easypbr`` is of ``easy_pbr``."""
+    return canonicalize_name(name).replace("-", "")
 
 
 def _repository(url: str) -> str:

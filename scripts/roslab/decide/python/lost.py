@@ -34,7 +34,7 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
         asked.key for asked in (*chosen.declared, *chosen.guessed, *_extras(evidence))
     }
     known |= {canonicalize_name(git.name.rpartition("/")[2]) for git in evidence.sources if git.kind != "link"}
-    known |= {part for name in known for part in name.split("-")}
+    known |= {part for name in known for part in (*name.split("-"), name.replace("-", ""))}
     unknown: list[Dependency] = []
     for used in evidence.code if kind in {"cuda", "python"} else ():
         name = canonicalize_name(used.name)
