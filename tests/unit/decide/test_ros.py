@@ -866,3 +866,11 @@ def test_a_module_that_a_ros_package_brings_is_not_guessed_from_pip_too(tmp_path
 def test_without_ros_the_module_comes_from_pip(tmp_path: Path) -> None:
     found = decided(tmp_path, {"main.py": "import xacro\nif __name__ == '__main__':\n    print(xacro)\n"})
     assert [each.name for each in found.python.pip_guessed] == ["xacro"]
+
+
+@pytest.mark.parametrize(("distro", "told"), [("kinetic", False), ("melodic", False), ("noetic", True)])
+def test_keys_of_python_2_are_of_the_tables_of_its_time(tmp_path: Path, distro: str, told: bool) -> None:
+    files = package(xml=CATKIN.replace("roscpp", "python-pymongo-of-then"))
+    found = decided(tmp_path, {**files, "README.md": f"ROS {distro.title()}\n"})
+    assert found.ros_distro == distro
+    assert any("python-pymongo-of-then" in each.message for each in found.warnings) is told

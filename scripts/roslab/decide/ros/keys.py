@@ -13,7 +13,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.apt_scripts import adds_a_source
 from roslab.evidence.ros.conditions import holds
-from roslab.knowledge.distros import ubuntus, ubuntus_with_python2
+from roslab.knowledge.distros import distro, ubuntus, ubuntus_with_python2
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import dataclass, replace
@@ -88,7 +88,7 @@ def translate(
     the build looks for it, in words.
     """
     name = key.name
-    if name in rosdep_keys() or name in released(target.ros_distro or ""):
+    if name in rosdep_keys() or name in released(target.ros_distro or "") or _of_python_2(name, target):
         return Translated()
     found = library("cmake", name, target.ubuntu)
     if found and found.ros and target.knows(found.ros):
@@ -112,6 +112,15 @@ def translate(
     )
 
 
+def _of_python_2(name: str, target: Target) -> bool:
+    """Tell whether a key is one of Python 2's, for a distribution that has it: today's tables lack many of them.
+
+    rosdep reads those of the distribution's time, and tells in the image which are not there.
+    """
+    release = distro(target.ros_distro)
+    return name.startswith("python-") and release is not None and release.python.startswith("2")
+
+
 def of_an_apt_source(keys: Sequence[str], target: Target, evidence: Evidence) -> Warning_ | None:
     """Return one warning about all unknown keys, at the line of a page that adds a source of apt: they may be there."""
     pages = (m for m in evidence.mentions if m.topic == "step" and m.source == "readme" and "/" not in m.file)
@@ -130,7 +139,7 @@ def together(warnings: Iterable[Warning_]) -> Iterator[Warning_]:
         match = _NO_KEY.fullmatch(warning.message)
         said = (match[2], match[3]) if match else (warning.message, f"{warning.file}:{warning.line}")
         alike.setdefault(said, []).append((warning, match[1] if match else ""))
-    for (distro, hint), found in alike.items():
+    for (named, hint), found in alike.items():
         first, _ = found[0]
         if len(found) == 1 or not found[0][1]:
             yield from (warning for warning, _ in found)
@@ -138,7 +147,7 @@ def together(warnings: Iterable[Warning_]) -> Iterator[Warning_]:
         names = [name for _, name in found]
         plural = hint.replace(" hold it", " hold them").replace("correct the name", "correct the names")
         keys = f"{', '.join(names[:-1])} and {names[-1]}"
-        yield replace(first, message=f"rosdep has no keys {keys} for ROS {distro}: {plural}")
+        yield replace(first, message=f"rosdep has no keys {keys} for ROS {named}: {plural}")
 
 
 def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, tried: str) -> str:
