@@ -99,7 +99,7 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
         elif option := _OPTION.match(line):
             options.append(f"{_LONG.get(option[1], option[1])} {option[2].strip()}".strip())
         elif asked := requirement(line, "manifest", path, number):
-            found += [asked] if asked.key != "python" or asked.url else []  # the interpreter, which no index has
+            found.append(asked)
         else:
             several, given = _several(line, path, number)
             found += several

@@ -22,6 +22,10 @@ while [ $# -gt 0 ]; do
   shift
 done
 
+# A line that names nothing is a key that rosdep cannot find
+find "${folders[@]}" -name package.xml -exec \
+  sed --in-place --regexp-extended 's#<([a-z_]*depend)( [^>]*)?>[[:space:]]*</\1>##g' {} +
+
 update() { rosdep update --rosdistro "${ROS_DISTRO}"; }
 
 use_tables() {
