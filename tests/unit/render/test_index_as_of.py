@@ -192,3 +192,18 @@ def test_a_clone_is_of_the_day_and_keeps_its_branch(
     commands = f"git clone --quiet {source} {tmp_path}/copy; git -C {tmp_path}/copy log -1 --format='%s %D'"
     output = ran(step, tmp_path, f"{index}/old/", commands)
     assert output.startswith(f"{OLD} HEAD -> main")
+
+
+def test_the_python_that_has_pip_is_asked(tmp_path: Path) -> None:
+    """conda's has it, and the system's python3, which stands before it, has none; none at all is told."""
+    for name, code in (("python3", 1), ("python2", 1)):
+        (tmp_path / name).write_text(f"#!/bin/sh\nexit {code}\n")
+        (tmp_path / name).chmod(0o755)
+    tools = {tool: shutil.which(tool) for tool in ("env", "bash", "mktemp", "seq", "sleep", "cat", "rm")}
+    for tool, path in tools.items():
+        (tmp_path / tool).symlink_to(path or tool)
+    environment = {"PATH": str(tmp_path), "HOME": str(tmp_path)}
+    command = ["/bin/bash", str(SCRIPTS / "index-as-of.sh"), DAY, "--or-today"]
+    none = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert (none.returncode, none.stdout) == (0, "")
+    assert "no Python with pip" in none.stderr

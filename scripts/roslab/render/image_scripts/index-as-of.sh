@@ -8,9 +8,16 @@
 # Where git-as-of is in the image, what pip clones without naming a commit is of the day too.
 set -euo pipefail
 
-python="$(command -v python3 || command -v python2 || command -v python || true)"
+# The first may be the system's, without pip, beside another one that has it; pip knows its index where none is set
+python=''
+for name in python3 python2 python; do
+  if "${name}" -c 'import pip' 2>/dev/null; then python="$(command -v "${name}")" && break; fi
+done
+if [ -z "${python}" ] && [ -n "${PIP_INDEX_URL:-}" ]; then
+  python="$(command -v python3 || command -v python2 || command -v python || true)"
+fi
 if [ -z "${python}" ]; then
-  echo "roslab: there is no Python yet to ask the index: pip's packages are those of today" >&2
+  echo "roslab: there is no Python with pip yet to ask the index: pip's packages are those of today" >&2
   exit 0
 fi
 # Where nothing is configured, pip's own index
