@@ -11,7 +11,7 @@ from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
 from roslab.decide.ros.plain_workspace import built_together
-from roslab.decide.ros.without_manifest import CLIENTS, client_of
+from roslab.decide.ros.without_manifest import CLIENTS, by_catkin, client_of
 from roslab.decide.ros.without_manifest import run_by_page as ros_by_page
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
 from roslab.decide.ros.wrappers import run_by_page, wraps
@@ -32,6 +32,7 @@ class Weight:
     """
 
     PACKAGES = 500  # only ROS's tools build them
+    CATKIN_ALONE = 470  # without ROS, CMake stops
     BUILT = 460  # a C++ project that its page builds with CMake, and never with pip
     BINDINGS = 450  # a C++ project whose setup.py only wraps it: wins over that setup.py
     ROS_ALONE = 410  # its program imports what only ROS has: wins over a setup.py, which knows nothing of it
@@ -98,6 +99,9 @@ def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
     if not reasons and (said := built_together(evidence)):
         why = "packages of plain CMake, which the README has colcon build together"
         reasons.append(because("kind", "ros2", why, said, weight=Weight.PACKAGES))
+    if not (reasons or rosbuild) and (made := by_catkin(evidence)):
+        why = "its CMake requires packages of ROS, and nothing is a package"
+        reasons.append(because("kind", "ros1", why, made, weight=Weight.CATKIN_ALONE))
     if not reasons and (client := client_of(evidence)):
         why = f"its program imports {client.name}, which ROS alone brings"
         reasons.append(because("kind", CLIENTS[client.name], why, client, weight=Weight.ROS_ALONE))

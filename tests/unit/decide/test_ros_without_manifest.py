@@ -65,3 +65,22 @@ def test_what_the_page_starts(tree: Tree, files: dict[str, str], said: str, kind
     assert found.kind == kind
     if command:
         assert " ".join(found.command) == command
+
+
+NODE = "find_package(catkin{} COMPONENTS roscpp tf)\nadd_executable(map_node a.cpp)\n"
+
+
+@pytest.mark.parametrize(
+    ("top", "node", "built"),
+    [
+        ("project(map)\nadd_subdirectory(ros)\n", NODE.format(" REQUIRED"), ("ros1", "cmake")),
+        ("project(map)\n" + NODE.format(" REQUIRED"), "", ("ros1", "cmake")),
+        ("project(map)\nadd_subdirectory(ros)\n", NODE.format(""), ("cpp", "cmake")),
+        ("project(map)\nif(WITH_ROS)\nadd_subdirectory(ros)\nendif()\n", NODE.format(" REQUIRED"), ("cpp", "cmake")),
+    ],
+)
+def test_cmake_that_always_requires_packages_of_ros(tree: Tree, top: str, node: str, built: tuple[str, str]) -> None:
+    page = "# Map\n```\nmkdir build && cd build\ncmake ..\nmake\n```\n"
+    files = {"CMakeLists.txt": top, "a.cpp": "int main() {}\n", "README.md": page}
+    found = tree({**files, **({"ros/CMakeLists.txt": node} if node else {})})
+    assert (found.kind, found.build_tool) == built

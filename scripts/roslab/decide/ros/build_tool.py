@@ -9,6 +9,7 @@ from roslab.config.model import WORKSPACE_TOOLS, BuildTool, WorkspaceTool
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.reasons import because, ranked, strongest
 from roslab.decide.ros.source_names import wraps
+from roslab.decide.ros.without_manifest import by_catkin
 from roslab.decide.ros.workspace import of_rosbuild, packages_of, ros_versions, types
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -45,6 +46,9 @@ def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
     if old := next(filter(of_rosbuild, packages_of(evidence).built), None):
         why = "its packages have a manifest.xml, from before catkin"
         return Choice(answer="rosmake", reasons=(because("build_tool", "rosmake", why, old, weight=Weight.ROSBUILD),))
+    if made := by_catkin(evidence):
+        why = "no package.xml, so that catkin finds no package: CMake alone"
+        return Choice(answer="cmake", reasons=(because("build_tool", "cmake", why, made, weight=Weight.PLAIN_CMAKE),))
     copied = {authored.file for authored in evidence.dockerfiles if authored.purpose == "vendored"}
     reasons = [
         because("build_tool", mention.value, mention.text[:120], mention, weight=_weight(mention, copied))

@@ -8,11 +8,21 @@ from collections.abc import Iterator
 from roslab.decide.cuda.signs import sign_of_cuda
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.facts import CMakeProject, Evidence, Mention
 from roslab.knowledge.frameworks import imports
 
 CLIENTS = {"rospy": "ros1", "rclpy": "ros2"}
 """ROS's own libraries, which pip's index has not, and the kind of what needs each."""
+
+
+def by_catkin(evidence: Evidence) -> CMakeProject | None:
+    """Return a CMakeLists.txt that always requires packages of ROS 1, of a tree without a package.xml."""
+    for project in evidence.cmake if not evidence.manifests else ():
+        aside = places.aside(project.file) or places.documentation(project.file)
+        asks = any(each.namespace == "ros" and each.strength == "declared" for each in project.dependencies)
+        if asks and "catkin" in project.macros and (project.top_level or project.always) and not aside:
+            return project
+    return None
 
 
 def client_of(evidence: Evidence) -> Dependency | None:
