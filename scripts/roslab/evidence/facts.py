@@ -12,6 +12,7 @@ from roslab.evidence.locked import Locked
 from roslab.evidence.makefile import Makefile
 from roslab.evidence.old_code import OldCode
 from roslab.evidence.own_key import OwnKey
+from roslab.evidence.program import Program
 from roslab.evidence.removed_name import Removed
 from roslab.evidence.x86_only import X86Only
 from roslab.values.conda import CondaPackage
@@ -232,17 +233,6 @@ class TestFile:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Program:
-    """A Python program that can be started: it has a ``__main__`` guard or lies in a folder for programs."""
-
-    file: str
-    line: int
-    kind: Literal["main", "console", "node"]
-    inside: str = ""
-    """The folder that it has to be started in, by what it puts on Python's path."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
 class Evidence:
     """Everything that was read, sorted by file within each source."""
 
@@ -285,6 +275,8 @@ class Evidence:
     """Of libraries, in lists of what a page requires; they are weaker than what the code shows."""
     cmake_modules: frozenset[str] = frozenset()
     """Names that a file of the tree finds for CMake: ``FindNAME.cmake``, ``NAMEConfig.cmake``."""
+    misnamed: tuple[tuple[str, str], ...] = ()
+    """Variables that CMake files use and nothing sets, each with the value that is meant."""
     copies: tuple[str, ...] = ()
     """Folders with packages of somebody else."""
     cuda_files: tuple[str, ...] = ()

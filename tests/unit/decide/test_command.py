@@ -19,10 +19,10 @@ from roslab.evidence.facts import (
     CondaEnvironment,
     Evidence,
     Mention,
-    Program,
     RequirementFile,
 )
 from roslab.evidence.launch_file import LaunchFile
+from roslab.evidence.program import Program
 from roslab.values.conda import conda_package
 from roslab.values.requirement_line import stated
 

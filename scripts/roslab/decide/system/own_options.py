@@ -30,12 +30,13 @@ def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool
     """Return the options of the first ``cmake`` that a page at the root runs for the repository, not for a library.
 
     ``folder_name`` is the repository's name, into whose folder the page may go. Of a workspace of ROS, what the first
-    call of its build tool on such a page gives CMake.
+    call of its build tool on such a page gives CMake. Before them come variables that CMake files use and nothing sets.
     """
+    meant = () if config.compatible else tuple(f"-D{name}={value}" for name, value in evidence.misnamed)
     if build_tool in _OF_ROS:
-        return _of_workspace(evidence, config, build_tool)
+        return (*meant, *_of_workspace(evidence, config, build_tool))
     said = _said(evidence, config, folder_name) if build_tool == "cmake" else []
-    return tuple(word for word in said if _OWN.fullmatch(word))
+    return (*(meant if build_tool == "cmake" else ()), *(word for word in said if _OWN.fullmatch(word)))
 
 
 def _of_workspace(evidence: Evidence, config: Config, build_tool: BuildTool) -> tuple[str, ...]:

@@ -9,8 +9,8 @@ from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Program
 from roslab.evidence.lex.lines import first_line
+from roslab.evidence.program import Program
 from roslab.evidence.python import notebooks
 from roslab.evidence.python.modules import Module, modules
 from roslab.evidence.python.own_folder import own_folder

@@ -1,0 +1,18 @@
+"""What can be started."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from roslab.values.dataclass import dataclass
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Program:
+    """A Python program that can be started: it has a ``__main__`` guard or lies in a folder for programs."""
+
+    file: str
+    line: int
+    kind: Literal["main", "console", "node"]
+    inside: str = ""
+    """The folder that it has to be started in, by what it puts on Python's path."""
