@@ -203,7 +203,7 @@ def _program_of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | Non
     A page may name the wrong one of the tree's packages: the program is that of the one that compiles it.
     """
     words = argv[1 if argv[0] == "rosrun" else 2 :]
-    if len(words) < len(("package", "program")) or (argv[0] == "ros2" and argv[1] != "run"):
+    if len(words) < 2 or (argv[0] == "ros2" and argv[1] != "run"):
         return argv
     package, program, *rest = words
     if package not in tree.packages:

@@ -36,8 +36,7 @@ def undeclared(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, De
             continue
         named: set[str | None] = {manifest.name, *(each.name for each in manifest.dependencies)}
         for asked in project.dependencies:
-            asks = asked.namespace in {"cmake", "ros"} and asked.strength == "declared" and asked.role != "test"
-            if asks and asked.name in names - named:
+            if _to_build(asked) and asked.name in names - named:
                 yield manifest.name, asked
 
 
@@ -64,9 +63,13 @@ def outside(project: CMakeProject, evidence: Evidence, packages: Packages) -> It
     """Yield what a project requires and the tree does not have, but for tests."""
     own = own_names(evidence, packages)
     for asked in project.dependencies:
-        required = asked.namespace in {"cmake", "ros"} and asked.strength == "declared" and asked.role != "test"
-        if required and asked.name not in own:
+        if _to_build(asked) and asked.name not in own:
             yield asked
+
+
+def _to_build(asked: Dependency) -> bool:
+    """Tell whether CMake stops without it, whether or not the tests are built."""
+    return asked.namespace in {"cmake", "ros"} and asked.strength == "declared" and asked.role != "test"
 
 
 def similar(wanted: str, names: Iterable[str]) -> bool:

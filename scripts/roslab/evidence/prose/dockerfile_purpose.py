@@ -48,11 +48,8 @@ def removes_its_copy(runs: Iterable[str], source: str | None) -> bool:
     ``runs``: the texts of its RUN instructions, ``source``: the folder of the copy, as it is written.
     """
     text = "\n".join(runs)
-    source = (
-        (source or "").removeprefix("/") if "$" in (source or "") else source
-    )  # what the variable holds is not known
     if not source or source.strip("/.") == "" or _INSTALLS.search(text):
         return False
-    return bool(
-        re.search(rf"\brm[ \t]+(?:-\S+[ \t]+)+[\"']?{re.escape(source.rstrip('/'))}/?[\"']?(?=\s|[;&]|$)", text)
-    )
+    # What a variable in the path holds is not known: it is compared as it is written.
+    folder = (source.removeprefix("/") if "$" in source else source).rstrip("/")
+    return bool(re.search(rf"\brm[ \t]+(?:-\S+[ \t]+)+[\"']?{re.escape(folder)}/?[\"']?(?=\s|[;&]|$)", text))
