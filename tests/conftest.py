@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from lab import durations
+from lab import durations, why
 
 ROOT = Path(__file__).resolve().parent.parent
 KINDS = ("unit", "golden", "bad_input", "lab", "lint")
@@ -142,8 +142,15 @@ def _file(nodeid: str) -> str:
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Name the number of tests of each kind that passed, as the last word on a run; keep how long the lab's took."""
+    """Name the number of tests of each kind that passed, as the last word on a run; keep how long the lab's took.
+
+    Before that comes what ended each run of a workflow: its whole log stands above, and may be cut where that is shown.
+    """
     _keep_durations(terminalreporter)
+    for report in terminalreporter.getreports("failed"):
+        if said := why.of_run(report.longreprtext):
+            terminalreporter.write_sep("-", f"what ended the run of {report.nodeid}")
+            terminalreporter.write_line(said)
     passed = Counter(_kind(report.nodeid) for report in terminalreporter.getreports("passed"))
     counts = ", ".join(f"{passed[kind]} {kind.replace('_', '-')}" for kind in KINDS)
     terminalreporter.write_sep("=", f"passed: {counts} tests")
