@@ -23,7 +23,7 @@ from roslab.evidence.prose import copies
 from roslab.evidence.prose.in_containers import CONTAINER
 from roslab.evidence.prose.install_tree import package_and_program
 from roslab.evidence.prose.runners import SIMULATORS
-from roslab.knowledge.released import ever_released
+from roslab.knowledge.released import converting_packages, ever_released
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 from roslab.values.words import written as as_written
@@ -34,8 +34,6 @@ _BESIDE = pattern(r"\./[\w.+-]+")
 _ABOVE = pattern(r"^(--?[\w-]+=)?(?:\.\./)+(?=[\w-])")
 _NO_NODES = ("python", "bash", "jupyter")
 """What starts a program that may be no node: of a shell script nobody knows."""
-_CONVERTERS = frozenset({"xacro"})
-"""Packages of ROS whose programs only write one file from another."""
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 """Files that serve a project without being its purpose."""
 
@@ -214,7 +212,7 @@ def _program_of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | Non
 
 def _somewhere(package: str, tree: _Tree) -> bool:
     """Tell whether a package that the tree does not have may be there: released, or in a repository that is cloned."""
-    return package not in _CONVERTERS and (tree.clones or ever_released(package))
+    return package not in converting_packages() and (tree.clones or ever_released(package))
 
 
 def _built(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:

@@ -10,15 +10,12 @@ from collections.abc import Iterable
 from functools import cache
 from typing import Generic, Protocol, TypeVar
 
+from roslab.knowledge.standard_modules import of_python_2
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
 _TABLES = ("code_limits", "removals", "window_calls")
-OF_PYTHON_2 = frozenset(
-    {"cPickle", "cStringIO", "ConfigParser", "HTMLParser", "httplib", "StringIO", "Tkinter", "urllib2", "xmlrpclib"}
-)
-"""Modules that Python 3 calls otherwise: https://docs.python.org/2.7/py-modindex.html, 2026-11-26"""
-_ALSO = frozenset({"__main__", "popen", "print", "require_version", "subprocess", "system"}) | OF_PYTHON_2
+_ALSO = frozenset({"__main__", "popen", "print", "require_version", "subprocess", "system"})
 """What readers look for that have no table."""
 _BLANK = bytes(byte if chr(byte).isascii() and (chr(byte).isalnum() or byte == ord("_")) else 32 for byte in range(256))
 """What stands for each byte of a text that is to be split into words."""
@@ -89,4 +86,4 @@ def words_of(text: str) -> frozenset[str]:
 @cache
 def _names() -> frozenset[bytes]:
     cells = (row["hints"] for table in _TABLES for row in rows(table))
-    return frozenset(word.encode() for word in _ALSO.union(*(hints(cell).words for cell in cells)))
+    return frozenset(word.encode() for word in _ALSO.union(of_python_2(), *(hints(cell).words for cell in cells)))

@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import cache
 
 from roslab.knowledge.distros import distros
-from roslab.knowledge.table import row, whole
+from roslab.knowledge.table import row, rows, whole
 
 
 @cache
@@ -34,6 +34,12 @@ def _ever() -> str:
 def ever_released(package: str) -> bool:
     """Tell whether any distribution released a package of this name."""
     return any(f"{before}{package}{behind}" in _ever() for before in " ," for behind in " ,")
+
+
+@cache
+def converting_packages() -> frozenset[str]:
+    """Return the packages of ROS whose programs only write one file from another."""
+    return frozenset(row["package"] for row in rows("converting_packages"))
 
 
 @cache

@@ -11,3 +11,9 @@ from roslab.knowledge.table import rows
 def standard_modules() -> frozenset[str]:
     """Return their names; with them a plan is the same whichever Python makes it."""
     return frozenset(row["module"] for row in rows("standard_modules"))
+
+
+@cache
+def of_python_2() -> frozenset[str]:
+    """Return those that Python 3 calls otherwise and whose names nothing else has: code with them is for Python 2."""
+    return frozenset(row["module"] for row in rows("standard_modules") if row["shows_python_2"])

@@ -72,6 +72,7 @@ NODES = {
         ("rosrun acme_nowhere drive\nrosrun robot drive", "rosrun robot drive"),
         ("roslaunch acme_nowhere a.launch\nrosrun robot drive", "rosrun robot drive"),
         ("rosrun xacro xacro robot.xacro\nrosrun robot drive", "rosrun robot drive"),
+        ("rosrun collada_urdf urdf_to_collada a.urdf a.dae\nrosrun robot drive", "rosrun robot drive"),
     ],
 )
 def test_a_package_that_nothing_has_starts_nothing(tree: Tree, lines: str, command: str) -> None:
