@@ -119,10 +119,16 @@ def pytest_configure_node(node: Any) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Give every test the marker of its folder, so that `-m unit` needs no line in any file."""
+    """Give every test the marker of its folder, so that `-m unit` needs no line in any file.
+
+    A test of the lab that fails is run once more: an engine, a builder, two registries and emulated machines work for
+    four at once, and one of them may fail for once. What fails by the project's own fault fails twice.
+    """
     for item in items:
         if kind := _kind(item.nodeid):
             item.add_marker(kind)
+        if kind == "lab":
+            item.add_marker(pytest.mark.flaky(reruns=1))
     known = config.workerinput["durations"] if hasattr(config, "workerinput") else _seconds()
     took = durations.of_files((item.nodeid for item in items if _kind(item.nodeid) == "lab"), known)
     items.sort(key=lambda item: _turn(item.nodeid, took))
@@ -145,11 +151,13 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     """Name the number of tests of each kind that passed, as the last word on a run; keep how long the lab's took.
 
     Before that comes what ended each run of a workflow: its whole log stands above, and may be cut where that is shown.
+    So does that of a test that passed when it was run once more: why it failed at first may be worth a look.
     """
     _keep_durations(terminalreporter)
-    for report in terminalreporter.getreports("failed"):
-        if said := why.of_run(report.longreprtext):
-            terminalreporter.write_sep("-", f"what ended the run of {report.nodeid}")
+    for outcome, what in (("failed", "the run"), ("rerun", "the first run")):
+        for report in terminalreporter.getreports(outcome):
+            terminalreporter.write_sep("-", f"what ended {what} of {report.nodeid}")
+            said = why.of_run(report.longreprtext) or "\n".join(report.longreprtext.splitlines()[-why.BEFORE :])
             terminalreporter.write_line(said)
     passed = Counter(_kind(report.nodeid) for report in terminalreporter.getreports("passed"))
     counts = ", ".join(f"{passed[kind]} {kind.replace('_', '-')}" for kind in KINDS)

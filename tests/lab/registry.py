@@ -163,7 +163,13 @@ def _configuration(name: str) -> dict[str, object]:
     configuration: dict[str, object] = {
         "version": "0.1",
         "log": {"level": "warn", "accesslog": {"disabled": True}},
-        "storage": {"filesystem": {"rootdirectory": str(folder("registries", name))}, "delete": {"enabled": True}},
+        "storage": {
+            "filesystem": {"rootdirectory": str(folder("registries", name))},
+            "delete": {"enabled": True},
+            # Version 2.8 does not write at once the file that links a layer to a repository: without this a manifest is
+            # refused whose layer something else uploads at that moment, as an image's export and its cache's do
+            "cache": {"blobdescriptor": "inmemory"},
+        },
         "http": {"addr": address(name)},
     }
     if name == PROTECTED:
