@@ -31,6 +31,16 @@ SIM, GUI = "mujoco==3.1.0", "viser"
             [GUI],
         ),
         ("pip install -r requirements.txt", [GUI]),
+        ("uv sync", []),
+        ("uv sync --extra sim", [SIM]),
+        ("uv sync --frozen --extra=sim --extra gui", [SIM, GUI]),
+        ("uv sync --all-extras", [SIM, GUI]),
+        ("uv run --extra gui python main.py", [GUI]),
+        ("uv sync\nuv run --extra gui python main.py", []),  # for some readers
+        ("poetry install -E sim", [SIM]),
+        ("poetry install --extras 'sim gui'", [SIM, GUI]),
+        ("pdm install -G gui", [GUI]),
+        ("uv sync --extra dev", []),
     ],
 )
 def test_extras_of_the_first_line_are_installed(tree: Tree, page: str, more: list[str]) -> None:
@@ -61,3 +71,49 @@ def test_what_a_page_adds_to_a_package_of_a_list(
     python = tree(files).python
     found = (*python.pip, *python.pip_guessed)
     assert [each.written for each in found if each.extras and each.key == "jax"] == ([more] if more else [])
+
+
+GROUPS = """\
+[dependency-groups]
+sim = ["mujoco==3.1.0", {include-group = "draw"}]
+draw = ["viser"]
+dev = ["pytest-cov"]
+"""
+OF_POETRY = """\
+[tool.poetry]
+name = "demo"
+version = "1"
+[tool.poetry.dependencies]
+numpy = "*"
+[tool.poetry.group.draw.dependencies]
+viser = "*"
+[tool.poetry.group.sim]
+optional = true
+[tool.poetry.group.sim.dependencies]
+mujoco = "3.1.0"
+[tool.poetry.group.dev.dependencies]
+pytest-cov = "*"
+[build-system]
+requires = ["poetry-core"]
+build-backend = "poetry.core.masonry.api"
+"""
+
+
+@pytest.mark.parametrize(
+    ("project", "page", "more"),
+    [
+        (OWN + GROUPS, "uv sync", set()),
+        (OWN + GROUPS, "uv sync --group sim", {SIM, GUI}),
+        (OWN + GROUPS, "uv sync --group draw --group dev", {GUI}),
+        (OWN + GROUPS, "pip install .[draw]", set()),  # a group is no extra
+        (OWN + GROUPS, "uv sync --only-group sim", set()),  # without the project
+        (OF_POETRY, "poetry install", {GUI}),
+        (OF_POETRY, "poetry install --with sim,dev", {SIM, GUI}),
+    ],
+)
+def test_groups_that_a_page_names(tree: Tree, project: str, page: str, more: set[str]) -> None:
+    files = {"pyproject.toml": project, "demo/__init__.py": "", "README.md": f"# Install\n```\n{page}\n```\n"}
+    python = tree(files).python
+    assert python.projects == (".",)
+    asked = {each.written for each in python.pip_guessed if each.key in {"mujoco", "viser", "pytest-cov"}}
+    assert asked == more

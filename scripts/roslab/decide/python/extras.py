@@ -1,4 +1,4 @@
-"""The extras with which a page has pip install the repository's own projects: ``pip install -e ".[sim]"``."""
+"""The extras and groups with which a page has the repository's own projects installed: ``pip install -e ".[sim]"``."""
 
 from __future__ import annotations
 
@@ -7,14 +7,15 @@ from collections.abc import Iterable, Sequence, Set
 
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
+from roslab.evidence.python.manager_lines import EVERY, GROUP
 from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
-_WRITTEN = pattern(r"([^\[\]]*)\[([\w\s,.-]+)\]")
+_WRITTEN = pattern(r"([^\[\]]*)\[([\w\s,./*-]+)\]")
 _DEVELOPERS = pattern(
-    r"(?:^|[-_.])(?:dev\w*|tests?|testing|docs?|documentation|lint\w*|format\w*|style|build|release|ci|typing)(?:[-_.]|$)"
+    r"(?:^|[-_./])(?:dev\w*|tests?|testing|docs?|documentation|lint\w*|format\w*|style|build|release|ci|typing)(?:[-_.]|$)"
 )
 """Extras for those who work on the project itself."""
 
@@ -79,6 +80,8 @@ def _of(project: PythonProject, names: Iterable[str]) -> list[Requirement]:
     """Return what extras of a project ask for; one may name others of the same project: ``all = ["demo[sim,gui]"]``."""
     own = canonicalize_name(project.name) if project.name else ""
     found: list[Requirement] = []
+    known = [each.group for each in project.requirements if each.role == "extra" and not each.group.startswith(GROUP)]
+    names = [each for name in names for each in (known if name == EVERY else (name,))]
     pending = [canonicalize_name(name) for name in names if not _DEVELOPERS.search(name.lower())]
     done: set[str] = set()
     while pending:

@@ -19,7 +19,7 @@ from roslab.evidence.prose.merged import Prose
 from roslab.evidence.prose.runners import by_ros, started
 from roslab.evidence.prose.telling import telling
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks, setup_asks
-from roslab.knowledge.tools import PIXI
+from roslab.evidence.python.manager_lines import manager_asks
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -93,11 +93,7 @@ class Collector:
 
     def command(self, command: Command) -> None:
         """Read one simple command."""
-        if command.words[0] == "pixi" and command.words[1:2] in {("run",), ("install",), ("shell",)}:
-            asked = Requirement(
-                name="", written=PIXI, origin="prose", role="environment", file=self.file, line=command.line
-            )
-            self.requirements.append(asked)
+        self._python(manager_asks(command, self.file, self._here), command)
         command = from_workspace(command)
         if (run := started(command)) is not command:
             self.command(run)

@@ -24,6 +24,7 @@ SIGNS: Signs = tuple(
         (".wbt", r"\bwebots\s[^\n]*\.wbt\b"),
         ("catkin", r"\bcatkin(?:_make|\s+build|\s+init)"),
         ("run", r"\b(?:uv|poetry|pipenv|pdm|pixi|rye)\s+run\s"),
+        ("sync", r"\b(?:uv|poetry|pdm)\s+sync\b"),
         ("pixi", r"\bpixi\s+shell\b"),
         ("torchrun", r"\btorchrun\s"),
         ("accelerate", r"\baccelerate\s+launch\s"),

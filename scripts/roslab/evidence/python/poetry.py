@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from roslab.evidence.python.uv import of_work
+from roslab.values.name import canonicalize_name
 from roslab.values.specifier import specifiers
 
 
@@ -31,6 +33,30 @@ def lines(table: dict[str, Any], extra: frozenset[str] | None = None) -> Iterato
                 continue
             condition = " and ".join(_conditions(described))
             yield f"{required} ; {condition}" if condition else required
+
+
+def groups_of(table: dict[str, Any]) -> dict[str, list[str]]:
+    """Return the lines of each dependency group; ``table`` is Poetry's own of a pyproject.toml.
+
+    https://python-poetry.org/docs/managing-dependencies/#dependency-groups, read 2026-11-26.
+    """
+    return {name: list(lines(own)) for name, _, own in _groups(table)}
+
+
+def default_groups(table: dict[str, Any]) -> list[str]:
+    """Return the lines of the groups that ``poetry install`` installs: none that is optional or for work on it."""
+    return [
+        line for name, said, own in _groups(table) if not (said.get("optional") or of_work(name)) for line in lines(own)
+    ]
+
+
+def _groups(table: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any], dict[str, Any]]]:
+    """Yield the name of each group, what is said of it and its dependencies."""
+    groups = table.get("group")
+    for name, said in groups.items() if isinstance(groups, dict) else ():
+        own = said.get("dependencies") if isinstance(said, dict) else None
+        if isinstance(own, dict):
+            yield canonicalize_name(str(name)), said, own
 
 
 def _required(name: str, said: dict[str, Any]) -> str | None:

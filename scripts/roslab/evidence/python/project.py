@@ -8,6 +8,7 @@ from typing import Any
 
 from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import poetry, requirements, uv
+from roslab.evidence.python.manager_lines import GROUP
 from roslab.evidence.python.without_module import without_module
 from roslab.repository.checkout import Repository
 from roslab.values import toml
@@ -246,6 +247,8 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
     dynamic = _table(data, "tool", "setuptools", "dynamic", "dependencies").get("file")
     for name in [dynamic] if isinstance(dynamic, str) else dynamic if isinstance(dynamic, list) else []:
         asked += from_file(repository, folder, str(name))
+    for name, each in {**poetry.groups_of(of_poetry), **uv.groups_of(data)}.items():
+        asked += _listed(each, path, line_of, extra=GROUP + name)
     python = project.get("requires-python") or poetry.python(_table(of_poetry, "dependencies"))
     own = _table(of_poetry, "dependencies")
     asked += _listed(poetry.lines(own), path, _finder_of_keys(text))
@@ -268,7 +271,7 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         scripts=tuple((script, line_of(script)) for script in scripts),
         extensions=_extensions(str(backend) + " ".join(map(str, build))),
         classifiers=tuple(line for line in _list(project, "classifiers") if isinstance(line, str)),
-        groups=tuple(_listed(uv.default_groups(data), path, line_of)),
+        groups=tuple(_listed([*uv.default_groups(data), *poetry.default_groups(of_poetry)], path, line_of)),
     )
 
 

@@ -39,16 +39,27 @@ def default_groups(data: Mapping[str, Any]) -> list[str]:
     alone, which like others for work on the project is no part of the image.
     https://docs.astral.sh/uv/concepts/projects/dependencies/#default-groups, read 2026-11-26.
     """
-    groups = data.get("dependency-groups")
     tool = data.get("tool")
     uv = tool.get("uv") if isinstance(tool, dict) else None
     wanted = uv.get("default-groups") if isinstance(uv, dict) else None
-    if not isinstance(groups, dict) or not wanted:
+    if not wanted:
         return []
-    known = {canonicalize_name(str(name)): lines for name, lines in groups.items()}
+    known = groups_of(data)
     names = list(known) if wanted == "all" else wanted if isinstance(wanted, list) else []
-    names = [name for each in names if not _OF_WORK.search(name := canonicalize_name(str(each)))]
-    return list(dict.fromkeys(line for name in names for line in _lines(known, name, frozenset())))
+    names = [name for each in names if not of_work(name := canonicalize_name(str(each)))]
+    return list(dict.fromkeys(line for name in names for line in known.get(name, ())))
+
+
+def groups_of(data: Mapping[str, Any]) -> dict[str, list[str]]:
+    """Return the lines of each dependency group of a pyproject.toml, with those of the groups that it includes."""
+    groups = data.get("dependency-groups")
+    named = {canonicalize_name(str(name)): lines for name, lines in groups.items()} if isinstance(groups, dict) else {}
+    return {name: list(_lines(named, name, frozenset())) for name in named}
+
+
+def of_work(name: str) -> bool:
+    """Tell whether a group is for those who work on the project, by its name in lower case."""
+    return bool(_OF_WORK.search(name))
 
 
 def _lines(groups: Mapping[str, Any], name: str, seen: frozenset[str]) -> Iterator[str]:
