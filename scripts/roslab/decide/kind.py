@@ -6,7 +6,7 @@ from typing import cast
 
 from roslab.config.model import WORKSPACE_TOOLS, Config, Kind
 from roslab.decide.beside_cpp import mostly_cpp, to_compile
-from roslab.decide.cuda.signs import includes_tensorrt, sign_of_cuda
+from roslab.decide.cuda.signs import includes_tensorrt, sign_of_cuda, warnings_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
@@ -140,7 +140,9 @@ def _packages(evidence: Evidence, built: tuple[PackageManifest, ...], *, named: 
 
 
 def _warnings(evidence: Evidence, kind: Kind) -> tuple[Warning_, ...]:
-    """Warn about packages of rosbuild beside others, which no build tool builds together."""
+    """Warn about packages of rosbuild beside others, which no build tool builds together, and of a CUDA for nothing."""
+    if kind == "python":
+        return warnings_of_cuda(evidence)
     old = next((project for project in evidence.cmake if "rosbuild" in project.macros), None)
     if kind != "ros1" or old is None or any(map(of_rosbuild, packages_of(evidence).built)):
         return ()

@@ -13,6 +13,7 @@ from roslab.decide.processor import OnX86
 from roslab.decide.reasons import Placed, because, configured, warn
 from roslab.decide.ros.source_names import address
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.accelerated import accelerated
 from roslab.knowledge.arm64 import amd64_only, arm64_since, arm64_wheels
 from roslab.knowledge.distros import distro
 from roslab.values.dataclass import dataclass, replace
@@ -138,8 +139,10 @@ def _of_cuda(kind: Kind, base_image: str, cuda: str | None, python: Python) -> A
 
 def _of_wheels(python: Python, installed: tuple[Requirement, ...]) -> Against | None:
     on_arm64 = python.interpreter.on(ARM64)
+    below = {bound.key: bound.below for bound in python.bounds}
     for asked in installed:
-        if asked in python.pip_guessed or not on_arm64.may(asked):
+        guessed = asked in python.pip_guessed and asked.key not in accelerated()  # without a framework nothing runs
+        if guessed or not on_arm64.may(asked):
             continue  # a guess that cannot be installed is reported, but does not fail the build
         if asked.wheel and asked.wheel.amd64_only:
             return f"{asked.key} is a wheel for amd64", asked
@@ -151,6 +154,8 @@ def _of_wheels(python: Python, installed: tuple[Requirement, ...]) -> Against | 
         release = version_of(asked.release) if asked.release else None
         if release and release < first:
             return f"{asked.key} has arm64 wheels from {first} on, but {asked.release} is pinned", asked
+        if (bound := below.get(asked.key)) and Version(bound) <= first:
+            return f"{asked.key} has arm64 wheels from {first} on, but one before {bound} is needed", asked
     return None
 
 

@@ -20,6 +20,12 @@ def by_extra() -> frozenset[str]:
     return frozenset(row["name"] for row in rows("accelerated") if row["by_extra"])
 
 
+@cache
+def computed_by() -> dict[str, str]:
+    """Return what computes only by another package of the table, and which: ``keras`` by ``tensorflow``."""
+    return {row["name"]: row["by"] for row in rows("accelerated") if row["by"]}
+
+
 def without_gpu(name: str, release: str) -> bool:
     """Tell whether pip's wheel of a release computes on the CPU alone: another package had the one for GPUs."""
     ranges = next((row["without_gpu"] for row in rows("accelerated") if row["name"] == name), "")

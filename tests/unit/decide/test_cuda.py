@@ -327,16 +327,20 @@ def test_jax_computes_on_the_cpu_unless_its_extra_is_asked_for(
         ({"requirements.txt": "tensorflow==1.15.0\n"}, "cuda"),
         ({"requirements.txt": "tensorflow\n"}, "cuda"),
         ({"requirements.txt": "tensorflow-gpu==1.4.0\n"}, "cuda"),
-        ({"requirements.txt": "tensorflow==1.4.0\n", "README.md": "# Install\nIt needs CUDA 8.0.\n"}, "cuda"),
+        ({"requirements.txt": "tensorflow==1.4.0\n", "README.md": "# Install\nIt needs CUDA 8.0.\n"}, "python"),
+        ({"requirements.txt": "tensorflow-gpu==1.4.0\n", "README.md": "# Install\nIt needs CUDA 8.0.\n"}, "cuda"),
+        ({"README.md": "# Requirements\n* CUDA 10.0\n* Tensorflow 1.14.0\n* Keras 2.3.0\n"}, "python"),
         ({"requirements.txt": "tensorflow==1.4.0\n", "eval/requirements.txt": "tensorflow==2.4.0\n"}, "cuda"),
     ],
 )
 def test_a_release_whose_wheel_computes_on_the_cpu_alone_asks_for_no_cuda(
     tree: Callable[[dict[str, str]], Decision], files: dict[str, str], kind: str
 ) -> None:
-    decision = tree({**files, "train.py": "import tensorflow as tf\n"})
+    decision = tree({**files, "train.py": "import tensorflow as tf\nimport keras\n"})
     assert decision.kind == kind
     assert ("nvidia/cuda" in decision.base_image) == (kind == "cuda")
+    told = any("computes on the CPU alone" in warning.message for warning in decision.warnings)
+    assert told == (kind == "python" and "CUDA" in files.get("README.md", ""))
 
 
 def test_a_release_that_is_older_than_the_table_is_no_open_one() -> None:

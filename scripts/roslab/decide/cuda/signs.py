@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslab.decide.cuda.local import of_the_cpu
+from roslab.decide.cuda.cpu_releases import built_for_cpu, warn_of_cpu, without_gpus
+from roslab.decide.decision import Warning_
+from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
-from roslab.knowledge.accelerated import accelerated, by_extra, without_gpu
+from roslab.knowledge.accelerated import accelerated, by_extra
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
@@ -53,7 +55,10 @@ def _named(evidence: Evidence) -> Iterator[Sign]:
     A library that declares what it needs, without one, does not need that of its examples and scripts; beside a list at
     the root, those of examples say nothing.
     """
-    names = accelerated() if _by_extra(evidence) else accelerated() - by_extra() - _of_the_cpu(evidence)
+    everywhere = [*_pip(evidence, listed=False)]
+    names = accelerated() - without_gpus(evidence, everywhere)
+    if not _by_extra(evidence):
+        names -= by_extra() | built_for_cpu(everywhere)
     declares = any(p.installable and not p.folder and _declared(p) for p in evidence.python)
     listed = declares or any(file.requirements and "/" not in file.file for file in _to_run(evidence))
     for asked in _pip(evidence, listed=listed):
@@ -85,14 +90,9 @@ def _by_extra(evidence: Evidence) -> bool:
     )
 
 
-def _of_the_cpu(evidence: Evidence) -> frozenset[str]:
-    """Return the frameworks that pip is asked for in a release whose wheel computes on the CPU alone, in no other."""
-    found: dict[str, bool] = {}
-    for asked in _pip(evidence, listed=False):
-        if asked.key in accelerated() and ANY.may(asked):
-            cpu = without_gpu(asked.key, asked.release or "") or of_the_cpu(asked.release or "")
-            found[asked.key] = found.get(asked.key, True) and cpu
-    return frozenset(name for name, cpu in found.items() if cpu)
+def warnings_of_cuda(evidence: Evidence) -> tuple[Warning_, ...]:
+    """Return what to know where CUDA is spoken of and nothing computes on it."""
+    return warn_of_cpu(evidence, _pip(evidence, listed=False))
 
 
 def _declared(project: PythonProject) -> list[Requirement]:
@@ -112,7 +112,9 @@ def _pip(evidence: Evidence, *, listed: bool) -> Iterator[Requirement]:
             yield from file.requirements
     for environment in evidence.conda:
         yield from environment.requirements
-    yield from evidence.prose_pip
+    for asked in evidence.prose_pip:
+        if not DEVELOPMENT.search(asked.file):  # what CI installs for its tests, the code may do without
+            yield asked
     for authored in evidence.dockerfiles:
         if authored.purpose == "project":
             yield from authored.requirements

@@ -18,6 +18,7 @@ from roslab.decide.python.version import python_version
 from roslab.decide.reasons import because, configured, outweighed, warn
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.accelerated import without_gpu
 from roslab.knowledge.frameworks import (
     CudaImage,
     build_needs,
@@ -182,7 +183,9 @@ def _of_pin(pin: Pin, day: str | None, python: str | None, below: str | None) ->
     """
     asked, table = pin.requirement, framework_on_cuda(pin.name)
     local = (cuda_of(asked.url) or cuda_of(pin.release or "")) if pin.name in _BUILT_FOR else None
-    row = framework(table, pin.release) if table and pin.release and not of_the_cpu(pin.release) else None
+    release = pin.release or ""
+    cpu = of_the_cpu(release) or without_gpu(pin.name, release)
+    row = framework(table, release) if table and release and not cpu else None
     if not pin.trust:  # from a lock, from an example, or deep in the tree
         weight = Weight.LOCKED if asked.origin == "lock" else Weight.ASIDE
         if answer := local or (row.cuda[0] if row else None):
@@ -199,7 +202,11 @@ def _of_pin(pin: Pin, day: str | None, python: str | None, below: str | None) ->
         weight = Weight.RELEASE[table] + Weight.TRUST * pin.trust
         yield because("cuda", row.cuda[0], why, asked, weight=weight), row.cuda[1:]
     elif (
-        table and not pin.release and asked.role != "listed" and (newest := newest_framework(table, day, python, below))
+        table
+        and not release
+        and asked.role != "listed"
+        and (newest := newest_framework(table, day, python, below))
+        and not without_gpu(pin.name, newest.first)
     ):
         which = "".join((f" of {day}" if day else "", f" for Python {python}" if python else ""))
         why = f"{pin.name} is not pinned: its newest wheel{which} is for this CUDA"

@@ -1,0 +1,47 @@
+"""Frameworks whose wheel of the day computes on the CPU alone, and those that only CI installs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide.decision import Decision
+from roslab.decide.kind import decide_kind
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
+from roslab.values.dataclass import replace
+
+
+@pytest.mark.parametrize(
+    ("day", "kind"),
+    [("2019-05-29", "python"), ("2019-12-01", "python"), ("2020-02-01", "cuda"), (None, "cuda")],
+)
+def test_what_nothing_pins_is_as_pip_had_it_on_the_day(tmp_path: Path, day: str | None, kind: str) -> None:
+    (tmp_path / "train.py").write_text("import tensorflow as tf\n")
+    evidence = replace(gather(Repository.open(str(tmp_path))), pip_day=day)
+    assert decide_kind(evidence, Config()).answer == kind
+
+
+def test_old_code_of_a_day_with_a_newer_framework_keeps_the_newest_old_one(tmp_path: Path) -> None:
+    (tmp_path / "train.py").write_text("import tensorflow as tf\nx = tf.placeholder(tf.float32)\n")
+    evidence = gather(Repository.open(str(tmp_path)))
+    assert decide_kind(replace(evidence, pip_day="2019-10-10"), Config()).answer == "python"
+    assert decide_kind(replace(evidence, pip_day="2019-12-01"), Config()).answer == "cuda"
+
+
+def test_a_framework_that_only_ci_installs_for_the_tests_is_no_sign_of_cuda(
+    tree: Callable[[dict[str, str]], Decision],
+) -> None:
+    step = "      - run: pip install torch --index-url https://download.pytorch.org/whl/cpu\n      - run: pytest\n"
+    files = {
+        "pyproject.toml": "[project]\nname = 'demo'\nversion = '1'\ndependencies = ['numpy']\n",
+        ".github/workflows/ci.yaml": f"jobs:\n  test:\n    steps:\n{step}",
+        "src/walker/convert.py": "def to_torch():\n    import torch\n    torch.ones(1)\n",
+    }
+    decision = tree(files)
+    assert decision.kind == "python"
+    assert decision.platforms == ("linux/amd64", "linux/arm64")
+    assert tree({**files, "src/walker/model.py": "import torch\n"}).kind == "cuda"
