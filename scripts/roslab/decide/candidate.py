@@ -51,6 +51,12 @@ def there(candidate: Candidate) -> str:
     return f"cd {shlex.quote(folder)} && exec {shlex.join(words)}"
 
 
+def is_python(candidate: Candidate) -> bool:
+    """Tell whether a command starts a file of Python, with the word before it or as pip installed it."""
+    program = candidate.argv[0]
+    return program.startswith("python") or (candidate.installed and program.endswith(".py"))
+
+
 def is_component(argv: Sequence[str]) -> bool:
     """Tell whether a command starts a component of ROS 2, whose package and class are two words more."""
     return tuple(argv[:3]) == ("ros2", "component", "standalone")

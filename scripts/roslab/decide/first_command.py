@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from roslab.decide.absent import variant
-from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.candidate import Candidate, is_python, program_of
 from roslab.decide.sections import about_running, shows, starts
 from roslab.evidence.prose.runners import SIMULATORS
 from roslab.values.dataclass import replace
@@ -83,7 +83,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     written = [c for c in candidates if c.strong and not _helps(c) and not upkeep(c)]
     written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in _LAUNCHERS]
     rest = [c for c in written if not _after(c)] or [
-        c for c in written if c.argv[0].startswith("python") or (about_running(c.heading) > 0 and not _named(c, _AFTER))
+        c for c in written if is_python(c) or (about_running(c.heading) > 0 and not _named(c, _AFTER))
     ]
     rest = rest or [c for c in written if _purpose(c)]
     if before := _before_all(written, rest):
@@ -94,7 +94,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     kept = [replace(c, cut=False) if c.argv in given else c for c in rest]
     kept = [c for c in kept if not c.cut or program_of(c.argv) not in whole]
     gaps: dict[tuple[str, str], int] = {}
-    for each in (c for c in kept if c.cut and (c.argv[0].startswith("python") or c.installed)):
+    for each in (c for c in kept if c.cut and (is_python(c) or c.installed)):
         section = (each.file, each.heading)
         gaps[section] = min(each.line, gaps.get(section, each.line))
     ordered = sorted(
@@ -112,7 +112,7 @@ def _stops(candidate: Candidate, others: Iterable[Candidate]) -> bool:
     if not candidate.demands:
         return False
     whole = [c for c in others if c.file == candidate.file and not c.cut and not _lacks(c)]
-    whole = [c for c in whole if c.argv[0].startswith("python") or c.installed]
+    whole = [c for c in whole if is_python(c) or c.installed]
     given = (not {*c.files}.isdisjoint(c.argv[len(program_of(c.argv)) :]) for c in whole)
     return bool(whole) if candidate.demands == "required" else any(given)
 
@@ -127,7 +127,7 @@ def _before_all(written: Sequence[Candidate], rest: Sequence[Candidate]) -> list
     pages = list(dict.fromkeys(c.file for c in written))
     foremost = {c.file: c.line for c in sorted(rest, key=lambda c: -c.line)}
     before = pages[: min(map(pages.index, foremost), default=0)]
-    own = [c for c in written if c.argv[0].startswith("python") and not c.cut and _after(c) and starts(c.heading)]
+    own = [c for c in written if is_python(c) and not c.cut and _after(c) and starts(c.heading)]
     return [c for c in own if c.file in before or c.line < foremost.get(c.file, 0)]
 
 
@@ -153,7 +153,7 @@ def _order(candidate: Candidate, page: int, *, gap: bool) -> tuple[bool, bool, b
 
     ``gap``: the section left the reader something to fill in up to here, and what it runs later cannot do without.
     """
-    python = candidate.argv[0].startswith("python") or candidate.installed
+    python = is_python(candidate) or candidate.installed
     return (
         bool(_CLOUD.search(candidate.heading)),
         candidate.argv[0] == "jupyter",  # of a page that runs programs, too, notebooks explain them
@@ -182,7 +182,7 @@ def serves(candidate: Candidate) -> bool:
 def _helps(candidate: Candidate) -> bool:
     if _of_its_package(candidate):
         return False
-    python = candidate.argv[0].startswith("python")
+    python = is_python(candidate)
     return _named(candidate, _SERVES) or (python and (_named(candidate, _DATASET) or _named(candidate, _FORMAT)))
 
 
@@ -194,7 +194,7 @@ def _of_its_package(candidate: Candidate) -> bool:
 
 
 def _after(candidate: Candidate) -> bool:
-    python = candidate.argv[0].startswith("python")
+    python = is_python(candidate)
     if python and shows(candidate.heading) and _named(candidate, _EVALUATION):
         return False  # of a model that is trained already
     place = program_of(candidate.argv)[-1].rpartition("/")[0].rpartition("/")[2]

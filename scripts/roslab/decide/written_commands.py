@@ -63,7 +63,12 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
         simulators=simulators_of(evidence),
         packages=packages_of(evidence).names,
         clones=any(git.kind in {"vcs", "git_url", "upstream", "submodule"} or git.beside for git in evidence.sources),
-        installed=frozenset(name for project in evidence.python if project.installable for name, _ in project.scripts),
+        installed=frozenset(
+            posixpath.basename(program)
+            for project in evidence.python
+            if project.installable
+            for program in (*dict(project.scripts), *project.script_files)
+        ),
         projects=(
             *(project.folder for project in evidence.python if project.installable),
             *(m.value for m in evidence.mentions if m.topic == "python_path" and m.value != "."),

@@ -100,6 +100,8 @@ class PythonProject:
     requirements: tuple[Requirement, ...]
     scripts: tuple[tuple[str, int], ...] = ()
     """Console scripts, with their lines."""
+    script_files: tuple[str, ...] = ()
+    """Files of the tree that are installed as programs, each under its own name."""
     extensions: tuple[str, ...] = ()
     """What it compiles: ``c``, ``cuda``, ``cython``, ``cmake``; ``not editable`` if it then leaves something out."""
     classifiers: tuple[str, ...] = ()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 
 from roslab.evidence import places, submodules
@@ -100,8 +101,11 @@ def gather(repository: Repository) -> Evidence:
     prose = merge(reader(own) for reader in PROSE)
     said = pointed.read(own)
     python_projects = project.read(repository)
-    programs = {name for each in python_projects if not places.vendored(each.file) for name, _ in each.scripts}
+    by_pip = [each for each in python_projects if not places.vendored(each.file)]
+    programs = {name for each in by_pip for name, _ in each.scripts}
     programs |= {name for each in cmake_projects if not manifests for name, _ in each.executables}
+    files = {posixpath.basename(file): file for each in by_pip for file in each.script_files}
+    by_name = readme.named(own, dict.fromkeys(programs, "") | files)
     sources = (
         *(source for manifest in manifests if not manifest.ignored for source in manifest.sources),
         *vcs.read(repository),
@@ -147,14 +151,14 @@ def gather(repository: Repository) -> Evidence:
             *branch_tables.read(own),
             *with_notebooks(prose.mentions, said),
             *linked.read(own, prose.mentions),
-            *readme.named(own, programs),
+            *by_name,
             *said,
             *for_reference.read(own),
             *shared_objects.made_on(own),
             *((*included.read(own), *gazebo.read(own), *compared.read(own)) if manifests else ()),
             *print_statement.read(own),
             *from_root.read(own, prose.mentions),
-            *options.read(own, prose.mentions),
+            *options.read(own, (*prose.mentions, *by_name)),
             *commented.read(own, lists),
             *(commit_date.read(repository) if manifests or cmake_projects or listed else ()),
         ),

@@ -53,6 +53,75 @@ def test_a_compiled_program_by_its_name(tree: Tree) -> None:
     assert tree(files).command == ("solve", "--iterations", "9")
 
 
+SETUP = """\
+from setuptools import setup
+setup(name="acme", install_requires=["numpy"], {})
+"""
+FILES = {
+    "bin/run_training.py": "#!/usr/bin/env python3\nimport numpy\n",
+    "bin/run_node.py": "#!/usr/bin/env python3\nimport click\n@click.option('--weights', prompt='Path')\n",
+    "bin/preprocess_data.py": "#!/usr/bin/env python3\nimport numpy\n",
+    "scripts/time_network.py": "import numpy\n",
+}
+PAGE = """\
+# Acme
+## Data
+```
+preprocess_data.py
+```
+## Training
+```
+run_training.py
+```
+## Example: Mars
+```
+run_node.py --weights ~/Downloads/mars.pth
+```
+## Time the network
+```
+python scripts/time_network.py
+```
+"""
+
+
+@pytest.mark.parametrize(
+    ("manifest", "installed"),
+    [
+        (
+            {"setup.py": SETUP.format("scripts=['bin/run_training.py', 'bin/run_node.py', 'bin/preprocess_data.py']")},
+            True,
+        ),
+        (
+            {
+                "setup.py": "from setuptools import setup\nsetup()\n",
+                "setup.cfg": "[metadata]\nname=acme\n[options]\nscripts=\n  bin/run_training.py\n  bin/run_node.py\n",
+            },
+            True,
+        ),
+        (
+            {
+                "pyproject.toml": "[project]\nname = 'acme'\nversion = '1'\n[tool.setuptools]\n"
+                "script-files = ['bin/run_training.py', 'bin/run_node.py']\n"
+            },
+            True,
+        ),
+        ({"setup.py": SETUP.format("packages=['acme']")}, False),
+    ],
+)
+def test_a_file_that_is_installed_as_a_program(tree: Tree, manifest: dict[str, str], installed: bool) -> None:
+    command = tree({**manifest, **FILES, "README.md": PAGE}).command
+    assert command == (("run_training.py",) if installed else ("python", "scripts/time_network.py"))
+
+
+def test_files_that_no_page_runs_by_name_are_no_further_programs(tree: Tree) -> None:
+    setup = SETUP.format("scripts=['bin/one.py', 'bin/two.py']")
+    guard = "import numpy\nif __name__ == '__main__':\n    pass\n"
+    assert tree({"setup.py": setup, "bin/one.py": "", "bin/two.py": "", "main.py": guard}).command == (
+        "python3",
+        "main.py",
+    )
+
+
 @pytest.mark.parametrize(
     ("backend", "installed"),
     [("hatchling", " --editable ./python"), ("scikit-build-core", " ./python"), ("meson-python", " ./python")],

@@ -7,7 +7,7 @@ everything else together, and does not read the other two.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 
 from roslab.evidence import places
@@ -40,6 +40,7 @@ from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.shells import leads_elsewhere
 from roslab.evidence.prose.telling import Signs, signs_in, telling
 from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.prompt import typed
 from roslab.values.words import joined
@@ -118,8 +119,11 @@ def _exported(repository: Repository, file: File, text: str) -> Iterator[Mention
         yield from exports.of_line(repository, file, line, code, heading)
 
 
-def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, ...]:
-    """Return the lines in the blocks of pages that run one of these programs, which the repository installs."""
+def named(repository: Repository, programs: Mapping[str, str]) -> tuple[Mention, ...]:
+    """Return the lines in the blocks of pages that run one of these programs, which the repository installs.
+
+    Each name with the file of the tree that is installed as it, if it is one.
+    """
     if not programs:
         return ()
     names = "|".join(map(re.escape, sorted(programs)))
@@ -144,7 +148,12 @@ def named(repository: Repository, programs: Collection[str]) -> tuple[Mention, .
                     for command in map(started, commands(logical, start))
                     if command.words[0] in programs
                 )
-    return tuple(with_files(mention, repository) for mention in found)
+    return tuple(_with_own_file(with_files(mention, repository), programs) for mention in found)
+
+
+def _with_own_file(mention: Mention, programs: Mapping[str, str]) -> Mention:
+    own = programs.get(mention.value.split()[0], "")
+    return replace(mention, files=(own, *mention.files)) if own else mention
 
 
 def text_of(repository: Repository, file: File) -> str:

@@ -1,4 +1,4 @@
-"""Whether a program can do without an option that a page gives it: what its argparse says of the option."""
+"""Whether a program can do without an option that a page gives it: what it tells argparse, or click, of the option."""
 
 from __future__ import annotations
 
@@ -12,10 +12,12 @@ from roslab.values.pattern import pattern
 
 MAX_SIZE = 128 * 1024
 MAX_CALL = 1500
-_CALL = pattern(r"add_argument\(\s*((?:[\"']-{1,2}[\w-]+[\"']\s*,?\s*)+)")
+_CALL = pattern(r"(?:add_argument|click\.option)\(\s*((?:[\"']-{1,2}[\w-]+[\"']\s*,?\s*)+)")
 _NAME = pattern(r"-{1,2}[\w-]+")
-_REQUIRED = pattern(r"\brequired\s?=\s?True\b")
-_GIVEN = pattern(r"\bdefault\s?=\s?(?!None\b)|\baction\s?=\s?[\"'](?:store_|append|count|help|version)")
+_REQUIRED = pattern(r"\brequired\s?=\s?True\b|\bprompt\s?=\s?(?!False\b|None\b)")
+_GIVEN = pattern(
+    r"\bdefault\s?=\s?(?!None\b)|\bis_flag\s?=\s?True\b|\baction\s?=\s?[\"'](?:store_|append|count|help|version)"
+)
 
 
 def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mention]:
@@ -23,6 +25,8 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
 
     ``open`` has neither a value of its own nor is it required: the program may go on without, or stop. Nothing of an
     option that the file itself does not define. https://docs.python.org/3/library/argparse.html, read 2026-11-25
+    click asks for an option with a ``prompt`` where it is not given, and nobody answers in an image:
+    https://click.palletsprojects.com/en/stable/options/#prompting, read 2026-11-26
     """
     for mention in mentions:
         program = next((file for file in mention.files if file.endswith(".py")), "")
@@ -36,7 +40,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
 
 def _options(text: str) -> dict[str, str]:
     found: dict[str, str] = {}
-    for match in matches_at(_CALL, text, "add_argument("):
+    for match in matches_at(_CALL, text, "add_argument(", "click.option("):
         rest = _until_closed(text[match.end() : match.end() + MAX_CALL])
         told = "required" if _REQUIRED.search(rest) else "default" if _GIVEN.search(rest) else "open"
         found |= dict.fromkeys(_NAME.findall(match[1]), told)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
@@ -65,6 +66,7 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
             {(r.text, r.role, r.group): r for part in _asked(first, rest) for r in part.requirements}.values()
         ),
         scripts=tuple(script for part in parts for script in part.scripts),
+        script_files=tuple(name for part in parts for name in part.script_files),
         extensions=tuple(dict.fromkeys(extension for part in parts for extension in part.extensions)),
         classifiers=tuple(dict.fromkeys(line for part in parts for line in part.classifiers)),
         setup_imports=next((part.setup_imports for part in parts if part.setup_imports), ()),
@@ -159,10 +161,16 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
         build_requires=tuple(_listed(script.build_requires, path, line_of)),
         requirements=tuple(asked),
         scripts=tuple((name, line_of(name)) for name in script.scripts),
+        script_files=_in(folder, script.script_files),
         extensions=_extensions(text),
         classifiers=script.classifiers,
         setup_imports=tuple(dict.fromkeys(_imported(repository, folder, script.imports))),
     )
+
+
+def _in(folder: str, files: Iterable[str]) -> tuple[str, ...]:
+    """Return the paths from the root of files in a project's folder."""
+    return tuple(posixpath.normpath(posixpath.join(folder, file.strip())) for file in files)
 
 
 def _extensions(text: str) -> tuple[str, ...]:
@@ -229,6 +237,7 @@ def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> Pyt
         build_requires=tuple(_listed(words("options", "setup_requires"), path, line_of)),
         requirements=tuple(asked),
         scripts=scripts,
+        script_files=_in(folder, words("options", "scripts")),
         classifiers=tuple(words("metadata", "classifiers")),
     )
 
@@ -269,6 +278,7 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         build_requires=tuple(_listed(build, path, line_of)),
         requirements=tuple(asked),
         scripts=tuple((script, line_of(script)) for script in scripts),
+        script_files=_in(folder, map(str, _list(_table(data, "tool", "setuptools"), "script-files"))),
         extensions=_extensions(str(backend) + " ".join(map(str, build))),
         classifiers=tuple(line for line in _list(project, "classifiers") if isinstance(line, str)),
         groups=tuple(_listed([*uv.default_groups(data), *poetry.default_groups(of_poetry)], path, line_of)),

@@ -30,6 +30,8 @@ class SetupScript:
     """Requirement lines and their files, by role; that of an extra is ``extra:NAME`` or ``extra:NAME:MARKER``."""
     build_requires: tuple[str, ...] = ()
     scripts: tuple[str, ...] = ()
+    script_files: tuple[str, ...] = ()
+    """Files that are installed as programs of the same names, as ``scripts`` lists them."""
     classifiers: tuple[str, ...] = ()
     imports: tuple[str, ...] = ()
     """Modules that it imports at the top, without those of the standard library."""
@@ -69,6 +71,7 @@ def read(text: str) -> SetupScript:
     script.classifiers = tuple(given("classifiers"))
     entries = _dictionary(keywords.get("entry_points"), names).get("console_scripts")
     script.scripts = tuple(line.partition("=")[0].strip() for line in reader.strings(entries)) if entries else ()
+    script.script_files = tuple(given("scripts"))
     return script
 
 
