@@ -61,6 +61,8 @@ class GitSource:
     """The page has its name for a title, or it is the first below a sentence that says to clone this repository."""
     holds: bool = False
     """A link that a page gives for its dependencies: they can be found there."""
+    told: bool = False
+    """A link that a page has the reader install: ``Install [Name](https://github.com/owner/name)``."""
     beside: bool = False
     """It is cloned into the ``src`` of a workspace, beside the repository itself."""
     absent: bool = False

@@ -1,4 +1,7 @@
-"""A module of no table that is imported may be the package of a repository that the page at the root links to."""
+"""A module of no table that is imported may be of a repository that the page at the root links to.
+
+It has the name of the module, or the page has people install it.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,11 @@ FROM_GIT = ["git+https://github.com/acme/AcmeEngine"]
     ("files", "guessed"),
     [
         ({"README.md": LINK}, FROM_GIT),
-        ({"README.md": LINK.replace("AcmeEngine", "acme_engine")}, []),  # another name
+        ({"README.md": LINK.replace("AcmeEngine", "fast_core")}, ["git+https://github.com/acme/fast_core"]),
+        ({"README.md": LINK.replace("AcmeEngine", "fast_core"), "run.py": "import numpy\n"}, []),
+        ({"README.md": LINK.replace("AcmeEngine", "fast_core").replace("install", "read")}, []),
+        ({"README.md": "To install, see [fast_core](https://github.com/acme/fast_core).\n"}, []),
+        ({"README.md": LINK.replace("AcmeEngine", "fast_core"), "requirements.txt": "acme\n"}, []),  # it may bring it
         (
             {"README.md": "```\ngit clone -b v1 https://github.com/acme/acme_engine.git\n```\n"},
             ["git+https://github.com/acme/acme_engine.git@v1"],
@@ -35,6 +42,13 @@ FROM_GIT = ["git+https://github.com/acme/AcmeEngine"]
 def test_what_the_page_links_to_is_tried(tree: Tree, files: dict[str, str], guessed: list[str]) -> None:
     decision = tree({**CODE, **files})
     assert [each.written for each in decision.python.pip_guessed if each.vcs] == guessed
+
+
+def test_what_may_bring_it_is_told_with_the_module(tree: Tree) -> None:
+    decision = tree({**CODE, "README.md": LINK.replace("AcmeEngine", "fast_core")})
+    said = [each.message for each in decision.warnings if "no table knows" in each.message]
+    assert len(said) == 1
+    assert "AcmeEngine; unless a declared package or fast_core brings it" in said[0]
 
 
 @pytest.mark.parametrize(("backend", "tools"), [("scikit-build-core", {"cmake", "ninja"}), ("meson-python", {"ninja"})])

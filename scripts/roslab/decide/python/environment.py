@@ -20,7 +20,7 @@ from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.indexes import file_options, indexes_of
 from roslab.decide.python.locked import locked_releases
-from roslab.decide.python.lost import lost
+from roslab.decide.python.lost import lost, with_told_links
 from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, left_to_parts, with_includes
 from roslab.decide.python.named_frameworks import named_frameworks
@@ -74,7 +74,7 @@ def decide_python(
     ``ubuntu`` is the base's, ``None`` on Debian; ``cuda`` is the version that the frameworks need.
     """
     own = of_ubuntu(own, kind, ubuntu)
-    chosen, number = own.answer.chosen, own.answer.version
+    chosen, number = with_told_links(evidence, kind, own.answer.chosen), own.answer.version
     if (newer := from_pip(evidence, kind, ubuntu)) and not (kind == "cuda" and chosen.projects):
         chosen = with_guess(chosen, newer)
     alone = conda_alone(evidence, own.answer)

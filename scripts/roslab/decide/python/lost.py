@@ -10,13 +10,16 @@ from roslab.decide.python.guesses import known_names
 from roslab.decide.python.packages import Chosen
 from roslab.decide.reasons import warn
 from roslab.evidence import places
-from roslab.evidence.dependency import Dependency
+from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
+from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.not_on_index import not_on_index
 from roslab.knowledge.released import released
+from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
 
 MOST = 8
 """Most modules that are named in one warning."""
@@ -27,40 +30,77 @@ SHORTEST = 4
 def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
     """Yield a warning for each imported module that pip's index is known to lack, and one for those of no table.
 
-    Where a manifest declares packages, or a submodule is missing, the warning says that one of them may bring such a
-    module; a module whose name begins like one of them is not told.
+    Where a manifest declares packages, a submodule is missing, or a page has people install what it links to, the
+    warning says that one of them may bring such a module.
     """
+    for used in _imported(evidence, kind, chosen):
+        row = not_on_index().get(canonicalize_name(used.name))
+        if row and not row.instead:
+            then = f"install it with `custom` or `source` in roslab.yaml ({row.source})"
+            yield warn(f"the code imports {used.name}, which pip cannot install: {row.why}; {then}", used)
+    if unknown := unknown_modules(evidence, kind, chosen):
+        names = ", ".join(each.name for each in unknown[:MOST]) + (", …" if unknown[MOST:] else "")
+        message = f"imported and declared nowhere, and no table knows which package brings it: {names}"
+        others = [
+            *(["a declared package"] if _declares(chosen) else []),
+            *(["a submodule"] if _absent(evidence) else []),
+            *(git.name for git in _told(evidence) if f"git+{https(git.url)}" in {each.url for each in chosen.guessed}),
+        ]
+        unless = f"unless {' or '.join(others)} brings it, " if others else ""
+        yield warn(f"{message}; {unless}name the package under `pip` in roslab.yaml if it is needed", unknown[0])
+
+
+def with_told_links(evidence: Evidence, kind: Kind, chosen: Chosen) -> Chosen:
+    """Add what a page at the root has people install by a link, where a module is imported that nothing else brings."""
+    asked = {each.key for each in chosen.guessed}
+    links = [git for git in _told(evidence) if canonicalize_name(git.name) not in asked]
+    if not links or not unknown_modules(evidence, kind, chosen):
+        return chosen
+    found = tuple(stated(f"git+{https(git.url)}", "import", git.file, git.line) for git in links)
+    return replace(chosen, guessed=(*chosen.guessed, *found))
+
+
+def _told(evidence: Evidence) -> Iterator[GitSource]:
+    return (git for git in evidence.sources if git.told and "/" not in git.file)
+
+
+def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Dependency]:
+    """Return the imports of no table; where a manifest declares packages, none that begins like the name of one."""
+    found = [used for used in _imported(evidence, kind, chosen) if canonicalize_name(used.name) not in not_on_index()]
+    found = [used for used in found if used.name not in imports()]
+    if found and (_declares(chosen) or _absent(evidence)):
+        known = _known(evidence, chosen)
+        stems = {part for name in known for part in name.split("-")} | {bare_name(name) for name in known}
+        ros = released("noetic") | released("humble")  # a part for robots, without which the rest runs
+        found = [each for each in found if not _begins_like(each.name, stems) and each.name not in ros]
+    return found
+
+
+def _imported(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Dependency]:
+    """Yield what the code always imports and nothing brings under its own name."""
+    known = _known(evidence, chosen) if kind in {"cuda", "python"} else set()
+    for used in evidence.code if kind in {"cuda", "python"} else ():
+        imported = used.namespace == "import" and used.strength == "used" and not places.aside(used.file)
+        if imported and canonicalize_name(used.name) not in known:
+            yield used
+
+
+def _known(evidence: Evidence, chosen: Chosen) -> set[str]:
+    """Return the names of what is installed, of what the tree has, and their parts."""
     known = known_names(evidence, chosen.files, chosen.projects, chosen.conda) | {
         asked.key for asked in (*chosen.declared, *chosen.guessed, *_extras(evidence))
     }
     known |= {canonicalize_name(git.name.rpartition("/")[2]) for git in evidence.sources if git.kind != "link"}
-    known |= {part for name in known for part in (*name.split("-"), name.replace("-", ""))}
-    unknown: list[Dependency] = []
-    for used in evidence.code if kind in {"cuda", "python"} else ():
-        name = canonicalize_name(used.name)
-        aside = places.aside(used.file)
-        if used.namespace != "import" or used.strength != "used" or aside or name in known:
-            continue
-        row = not_on_index().get(name)
-        if row and not row.instead:
-            then = f"install it with `custom` or `source` in roslab.yaml ({row.source})"
-            yield warn(f"the code imports {used.name}, which pip cannot install: {row.why}; {then}", used)
-        elif row is None and used.name not in imports():
-            unknown.append(used)
-    absent = [git.name for git in evidence.sources if git.kind == "submodule" and git.absent]
+    return known | {part for name in known for part in (*name.split("-"), name.replace("-", ""))}
+
+
+def _declares(chosen: Chosen) -> bool:
     declared = bool(chosen.files or chosen.conda or chosen.declared)
-    declared = declared or any(project.requirements for project in chosen.projects)
-    if declared or absent:
-        stems = {part for name in known for part in name.split("-")} | {bare_name(name) for name in known}
-        unknown = [each for each in unknown if not _begins_like(each.name, stems)]
-        ros = (released("noetic") | released("humble")) if unknown else frozenset[str]()
-        unknown = [each for each in unknown if each.name not in ros]  # a part for robots, without which the rest runs
-    if unknown:
-        names = ", ".join(each.name for each in unknown[:MOST]) + (", …" if unknown[MOST:] else "")
-        message = f"imported and declared nowhere, and no table knows which package brings it: {names}"
-        others = [*(["a declared package"] if declared else []), *(["a submodule"] if absent else [])]
-        unless = f"unless {' or '.join(others)} brings it, " if others else ""
-        yield warn(f"{message}; {unless}name the package under `pip` in roslab.yaml if it is needed", unknown[0])
+    return declared or any(project.requirements for project in chosen.projects)
+
+
+def _absent(evidence: Evidence) -> bool:
+    return any(git.kind == "submodule" and git.absent for git in evidence.sources)
 
 
 def _extras(evidence: Evidence) -> Iterator[Requirement]:

@@ -27,6 +27,13 @@ _HOLDS = pattern(
 )
 """A sentence that says where the dependencies are, up to the link."""
 
+_INSTALLS = pattern(
+    r"\binstall(?:ing)?\b\s+(?:(?:the|our|their|a|an|and|also|then|latest|library|package|version|of|from)\s+){0,4}"
+    r"(?:\[[^\]\n]{1,80}\]\()?<?$",
+    re.IGNORECASE,
+)
+"""A sentence that has the reader install what it links to, up to the link."""
+
 
 def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
     """Return the repositories that a page links to: one of them may be a library that CMake asks for by its name.
@@ -49,6 +56,8 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
             )
         if not found[url].holds and _holds(text, match.start()):
             found[url] = replace(found[url], holds=True)
+        if _INSTALLS.search(text[max(0, match.start() - BEFORE) : match.start()]):
+            found[url] = replace(found[url], told=True)
     return list(found.values())[:MAX_LINKS]
 
 
