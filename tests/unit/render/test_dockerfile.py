@@ -540,6 +540,14 @@ def test_a_conda_file_has_its_pip_part_installed_by_the_environment(plan: Callab
     assert "index-as-of" not in without
 
 
+def test_the_pip_part_of_a_conda_file_has_the_index_of_the_build_for_the_image_s_cuda(
+    plan: Callable[..., Plan],
+) -> None:
+    option = "--find-links https://download.pytorch.org/whl/cu110/torch_stable.html"
+    text = dockerfile(plan(manager="conda", conda_file="environment.yml", options=(option,)))
+    assert f'"$(pip-cache)" {option} --upgrade --requirement environment.yml.pip' in text
+
+
 def test_conda_takes_packages_for_the_gpu_while_no_driver_is_there(plan: Callable[..., Plan]) -> None:
     text = dockerfile(plan(manager="conda", conda_file="environment.yml", conda_cuda="11.3"))
     assert "CONDA_OVERRIDE_CUDA=11.3 PIP_CACHE_DIR=" in text

@@ -24,16 +24,18 @@ def changed(python: PythonPlan, file: str) -> tuple[str, ...]:
     return tuple(commands)
 
 
-def pip_part(plan: Plan, python: str) -> tuple[str, ...]:
+def pip_part(plan: Plan, python: str, options: str) -> tuple[str, ...]:
     """Return the command that installs what take-pip-part left beside a conda file, as conda would; none without it.
 
-    ``python`` is the environment's own.
+    ``python`` is the environment's own, ``options`` are pip's: the file may pin a torch of which another index has the
+    build for the image's CUDA.
     """
     file = plan.python.conda_file
     if not file or plan.python.conda_specs or not plan.python.conda_pip:
         return ()
     folder, name = posixpath.split(posixpath.join(manifests.FOLDER, file))
-    install = f"{python} -m pip install {caches.pip_option(plan)} --upgrade --requirement {quote.shell(f'{name}.pip')}"
+    pip = f"{python} -m pip install {caches.pip_option(plan)}{options}"
+    install = f"{pip} --upgrade --requirement {quote.shell(f'{name}.pip')}"
     return (f"(cd {quote.shell(folder)} && {install})",)
 
 

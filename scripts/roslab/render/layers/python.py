@@ -114,7 +114,7 @@ def _conda(plan: Plan) -> str:
     if python.conda_cuda:
         more += f"CONDA_OVERRIDE_CUDA={quote.shell(python.conda_cuda)} "
     lists, file = locks.conda(plan)
-    pip_part = conda_lines.pip_part(plan, interpreter(plan))
+    pip_part = conda_lines.pip_part(plan, interpreter(plan), pip_options(python.options))
     if file:
         copy, source, without, pip_part = lists, f"--file {file}", (), ()
     elif pip_part:
