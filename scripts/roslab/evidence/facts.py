@@ -100,6 +100,7 @@ class PythonProject:
     requirements: tuple[Requirement, ...]
     scripts: tuple[tuple[str, int], ...] = ()
     """Console scripts, with their lines."""
+    version: str | None = None
     script_files: tuple[str, ...] = ()
     """Files of the tree that are installed as programs, each under its own name."""
     extensions: tuple[str, ...] = ()

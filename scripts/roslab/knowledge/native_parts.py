@@ -40,11 +40,11 @@ class Native(Series):
     key: tuple[str, str] | None
     """The file with a key, from the home directory, and its address."""
     variables: tuple[str, ...]
-    """Variables that name the folder and the file with the key."""
+    """Variables that name the folder and the file with the key, or ``NAME=PATH`` for another path."""
     bound: str
     """A limit on a package that compiles it."""
     module: str
-    """It compiles itself when it is first imported, and then writes beside itself."""
+    """It compiles itself when it is first imported, and then writes beside itself; ``""`` for what only loads it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -35,6 +35,9 @@ def parts(line: str, day: str | None = None) -> list[str]:
         ("gym[mujoco]", "2021-01-01", "MuJoCo 1.50"),
         ("d4rl @ git+https://host.test/d4rl", None, "MuJoCo 2.1.0"),
         ("robosuite==1.2.0", None, "MuJoCo 2.0"),
+        ("dm_control==0.0.322773188", None, "MuJoCo 2.0"),
+        ("dm_control", "2021-01-01", "MuJoCo 2.0"),
+        ("dm-control", "2021-11-01", "MuJoCo 2.1.0"),
     ],
 )
 def test_the_release_says_which(line: str, day: str | None, name: str) -> None:
@@ -43,7 +46,16 @@ def test_the_release_says_which(line: str, day: str | None, name: str) -> None:
 
 @pytest.mark.parametrize(
     "line",
-    ["mujoco", "gym==0.17.3", "gym[mujoco]==0.26.2", "gym[atari]", "free-mujoco-py", "robosuite", "robosuite==1.3.1"],
+    [
+        "mujoco",
+        "gym==0.17.3",
+        "gym[mujoco]==0.26.2",
+        "gym[atari]",
+        "free-mujoco-py",
+        "robosuite",
+        "robosuite==1.3.1",
+        "dm_control",
+    ],
 )
 def test_what_needs_none(line: str) -> None:
     assert parts(line) == []
@@ -51,6 +63,21 @@ def test_what_needs_none(line: str) -> None:
 
 def test_a_package_that_brings_its_library_is_compiled_too() -> None:
     assert decide_native_parts([stated("robosuite==1.3.1")], (), (), None).answer.modules == ("mujoco_py",)
+
+
+def test_a_copy_in_the_tree_is_of_the_release_that_it_says(tree: Tree) -> None:
+    setup = "from setuptools import setup\nsetup(name='dm_control', version='{}', install_requires=['numpy'])\n"
+    page = "```\npip install -e ./dm_control\n```\n"
+    old = {"README.md": page, "dm_control/setup.py": setup.format("0.0.301472480"), "train.py": "import dm_control\n"}
+    old |= {"requirements.txt": "dm_control\n"}
+    (part,) = tree(old).python.native_parts
+    assert part.folder == ".mujoco/mujoco200_linux"
+    assert dict(part.variables) == {
+        "MJLIB_PATH": ".mujoco/mujoco200_linux/bin/libmujoco200.so",
+        "MJKEY_PATH": ".mujoco/mjkey.txt",
+    }
+    assert tree(old).python.compiled_modules == ()
+    assert tree({**old, "dm_control/setup.py": setup.format("1.0.9")}).python.native_parts == ()
 
 
 def test_what_is_asked_for_by_itself_is_not_brought() -> None:

@@ -113,7 +113,7 @@ def test_the_folder_gets_the_name_that_the_package_looks_for(tmp_path: Path, fet
 
 def test_what_does_not_answer_is_told(fetched: Callable[[], str]) -> None:
     said = fetched()
-    assert "roslab: left out: Engine 2.0 is missing, and engine-py cannot be compiled without it" in said
+    assert "roslab: left out: Engine 2.0 is missing, and engine-py does not work without it" in said
     assert "roslab: left out: the key of Engine 2.0 is missing" in said
 
 

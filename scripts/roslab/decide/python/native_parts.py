@@ -13,6 +13,7 @@ from roslab.values.dataclass import dataclass
 from roslab.values.native_part import NativePart
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.version import version_of
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -54,14 +55,14 @@ def decide_native_parts(
     """Return the libraries of all packages in ``installed`` and of the tree's own ``projects``, as of pip's ``day``.
 
     Some of them are only ``guessed``: pip installs them last, where they are not there. conda's packages bring theirs.
-    The first of several releases of a package counts.
+    The first of several releases of a package counts, before all that of a copy in the tree.
     """
     declared = [each for each in installed if each not in guessed]
     of_declared = brought(declared, day)
     of_guessed = brought((*declared, *of_declared, *guessed), day)
-    own = [stated(each.name, "build", each.file, each.line) for each in projects if each.name]
+    own = [_own(each.name, each) for each in projects if each.name]
     asked: dict[str, Requirement] = {}
-    for each in (*declared, *of_declared, *own, *guessed, *of_guessed):
+    for each in (*own, *declared, *of_declared, *guessed, *of_guessed):
         if each.package and each.role != "conda":
             asked.setdefault(each.key, each)
     sure = {each.key for each in (*declared, *of_declared, *own)}
@@ -73,7 +74,7 @@ def decide_native_parts(
         answer=NativeParts(
             parts=tuple(_part(row, guessed=each.key not in sure) for each, row in found if row.part),
             brought=(*of_declared, *of_guessed),
-            modules=tuple(dict.fromkeys(row.module for _, row in found)),
+            modules=tuple(dict.fromkeys(row.module for _, row in found if row.module)),
             bounds=tuple({each.key: each for each in bounds if not _held(each, asked)}.values()),
         ),
         reasons=tuple(_reasons(found)),
@@ -95,15 +96,31 @@ def _part(row: Native, *, guessed: bool) -> NativePart:
         archive=row.archive,
         unpacks=row.unpacks,
         key=row.key,
-        variables=tuple(zip(row.variables, (row.folder, *(row.key or ())[:1]), strict=True)),
+        variables=tuple(_placed(row)),
         guessed=guessed,
     )
+
+
+def _placed(row: Native) -> Iterator[tuple[str, str]]:
+    """Yield the variables, each with its own path, or those of the folder and of the key in this order."""
+    usual = iter((row.folder, *(row.key or ())[:1]))
+    for variable in row.variables:
+        name, _, path = variable.partition("=")
+        place = next(usual, row.folder)
+        yield name, path or place
+
+
+def _own(name: str, project: PythonProject) -> Requirement:
+    """Return a project of the tree as a requirement: a copy of a package is of the release that it says."""
+    release = f"=={project.version}" if project.version and version_of(project.version) else ""
+    return stated(f"{name}{release}", "build", project.file, project.line)
 
 
 def _reasons(found: Iterable[tuple[Requirement, Native]]) -> Iterator[Reason]:
     for asked, row in found:
         if row.part:
-            why = f"{asked.written} is compiled against it and does not bring it"
+            does = "is compiled against" if row.module else "loads"
+            why = f"{asked.written} {does} it and does not bring it"
             yield because("dependencies", row.part, why, asked if asked.file else None, weight=Weight.MANIFEST)
 
 

@@ -23,6 +23,7 @@ class SetupScript:
 
     line: int = 1
     name: str | None = None
+    version: str | None = None
     requires_python: str | None = None
     catkin: bool = False
     """It is called by catkin, not by people."""
@@ -66,6 +67,7 @@ def read(text: str) -> SetupScript:
 
     script.line = call.lineno
     script.name = next(iter(given("name")), None)
+    script.version = next(iter(given("version")), None)
     script.requires_python = next(iter(given("python_requires")), None)
     script.build_requires = tuple(given("setup_requires"))
     script.classifiers = tuple(given("classifiers"))

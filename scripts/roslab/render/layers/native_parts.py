@@ -24,7 +24,8 @@ def stage(plan: Plan) -> str:
     lines.append(shell.apt_install(("ca-certificates", "curl", "unzip"), secrets.for_apt(plan)))
     lines.append(shell.copy_script("fetch-optional").rstrip())
     lines.append(f"WORKDIR {FOLDER}")
-    lines += [shell.run(*_fetched(part), comment=f"{part.name} for {part.package}") for part in parts]
+    moved_first = sorted(parts, key=lambda part: posixpath.basename(part.folder) == part.unpacks)
+    lines += [shell.run(*_fetched(part), comment=f"{part.name} for {part.package}") for part in moved_first]
     return "\n".join(lines)
 
 
@@ -45,7 +46,7 @@ def _fetched(part: NativePart) -> list[str]:
 
 
 def _told(part: NativePart, path: str, what: str) -> str:
-    why = f"roslab: left out: {what} is missing, and {part.package} cannot be compiled without it"
+    why = f"roslab: left out: {what} is missing, and {part.package} does not work without it"
     return f"{{ [ -e {path} ] || echo {quote.shell(why)}; }}"
 
 
