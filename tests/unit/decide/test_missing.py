@@ -184,6 +184,51 @@ def test_what_the_author_s_build_skips_is_not_built(
     assert tree({**package("driver"), **package("planner"), **more}).left_out == left_out
 
 
+def ci(*lines: str) -> dict[str, str]:
+    steps = "".join(f"      - run: {line}\n" for line in lines)
+    return {".github/workflows/build.yml": f"jobs:\n  build:\n    steps:\n{steps}"}
+
+
+def industrial(*values: str) -> dict[str, str]:
+    rows = "".join(f"          - {{ROS_DISTRO: humble, TARGET_WORKSPACE: '{value}'}}\n" for value in values)
+    return {".github/workflows/build.yml": f"jobs:\n  build:\n    strategy:\n      matrix:\n        env:\n{rows}"}
+
+
+@pytest.mark.parametrize(
+    ("more", "left_out"),
+    [
+        (industrial(". -driver"), ("driver",)),
+        (industrial(". -ws/driver"), ("driver",)),
+        (industrial(". -other"), ()),
+        (industrial(". -driver", "."), ()),
+        (industrial(". -driver") | package("planner", needs="driver"), ()),
+        (industrial(". -driver") | {"README.md": "```\nros2 run driver node\n```\n"}, ()),
+        (ci("colcon build --packages-ignore driver"), ("driver",)),
+        (ci("colcon test --packages-skip driver"), ()),
+        (ci("colcon build --packages-skip driver", "colcon build"), ()),
+        (ci("colcon build --packages-skip driver", "colcon build --packages-select planner"), ("driver",)),
+        (ci("touch src/driver/COLCON_IGNORE"), ("driver",)),
+        (ci("touch src/driver/COLCON_IGNORE\n        if: matrix.small"), ()),
+        (ci("touch src/acme/driver_msgs/COLCON_IGNORE"), ()),
+        ({"README.md": "```\ncd ~/ws/src\ntouch driver/COLCON_IGNORE\n```\n"}, ("driver",)),
+        ({"docs/build.md": "```\ntouch driver/COLCON_IGNORE\n```\n"}, ()),
+    ],
+)
+def test_what_ci_takes_out_of_the_workspace_is_not_built(
+    tree: Tree, more: dict[str, str], left_out: tuple[str, ...]
+) -> None:
+    found = tree({**package("driver"), **package("planner"), **more})
+    assert found.left_out == left_out
+    told = [reason.answer for reason in found.reasons if reason.question == "workspace" and "build" in reason.reason]
+    assert "driver" in told if left_out else "driver" not in told
+
+
+def test_a_folder_of_packages_that_ci_takes_out(tree: Tree) -> None:
+    inside = {f"extra/{path}": text for path, text in (package("driver") | package("viewer")).items()}
+    assert tree(inside | package("planner") | ci("touch src/extra/CATKIN_IGNORE")).left_out == ("driver", "viewer")
+    assert tree(inside | package("planner") | ci("touch src/acme/extra/CATKIN_IGNORE")).left_out == ()
+
+
 @pytest.mark.parametrize(
     ("asked", "told"),
     [

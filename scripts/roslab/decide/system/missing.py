@@ -136,8 +136,7 @@ def decide_missing(
         if not similar(plain(asked.name), names)
     ]
     started = line_of(command).split()
-    left = skipped(evidence, packages) if build_tool == "colcon" else {}
-    left = {name: place for name, place in left.items() if name not in started}
+    left = skipped(evidence, packages, build_tool, started) if build_tool in _SKIP else {}
     out: dict[str, None] = dict.fromkeys(left)
     warnings: list[Warning_] = []
     for (package, name), asked in lacking.items():
@@ -180,7 +179,7 @@ def decide_missing(
         warnings=tuple(warnings),
         reasons=(
             *(because("dependencies", name, why, asked, weight=ENDED) for name, asked in ended.items()),
-            *(because("workspace", name, "the author's build skips it", at, weight=ENDED) for name, at in left.items()),
+            *(because("workspace", name, said.why, said.place, weight=ENDED) for name, said in left.items()),
         ),
     )
 

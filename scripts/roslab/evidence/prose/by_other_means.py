@@ -9,10 +9,11 @@ from typing import Literal
 from roslab.evidence.lex.shell import Command
 from roslab.evidence.prose import downloads
 from roslab.evidence.prose.archives import is_release
+from roslab.evidence.prose.taken_out import marked
 from roslab.evidence.python.install_lines import builds_in_place
 from roslab.values.pattern import pattern
 
-Topic = Literal["step", "image_built", "image_pulled", "build_script", "fetched", "unpacked"]
+Topic = Literal["step", "image_built", "image_pulled", "build_script", "fetched", "unpacked", "skipped"]
 _PACKAGES = pattern(r"\.(?:deb|run|sh|tar(?:\.\w+)?|tgz|zip|AppImage)$")
 _INSTALLATION = pattern(r"instal|depend|prereq|requir|setup|set up|compil|getting started", re.IGNORECASE)
 _NO_LIBRARY = pattern(r"data|model|weight|vocabular|bag\b|map\b|example|troubl|optional|docker", re.IGNORECASE)
@@ -39,6 +40,8 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
         yield "build_script", " ".join((folder or ".", *called))
     if program == "docker":
         yield from _docker(words)
+    elif program == "touch":
+        yield from (("skipped", path) for path in marked(words, folder))
     elif program in {"add-apt-repository", "apt-add-repository"}:
         yield from (("step", " ".join(words)) for word in words if word.startswith("ppa:"))
     elif (program == "dpkg" and {"-i", "--install"} & {*words}) or program == "gdebi" or _of_webots(words):

@@ -14,6 +14,7 @@ from roslab.evidence.lex.yaml import Scalar, scalars
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
+from roslab.evidence.prose.taken_out import conditional, taken_out
 from roslab.evidence.prose.upstream import upstream
 from roslab.knowledge.distros import ever
 from roslab.repository.checkout import File, Repository
@@ -119,7 +120,8 @@ def _by_values(values: tuple[Scalar, ...], text: str, path: str) -> Prose:
             images.append(_image(image, path, value.line))
     found = collector.prose()
     sources = dict.fromkeys((*found.sources, *upstream(values, path)))
-    return found._replace(mentions=(*found.mentions, *images), sources=tuple(sources))
+    said = (each for each in found.mentions if not conditional(each, text))
+    return found._replace(mentions=(*said, *images, *taken_out(values, path)), sources=tuple(sources))
 
 
 def _by_lines(text: str, path: str) -> Prose:

@@ -47,6 +47,7 @@ SIGNS: Signs = tuple(
         ("curl", r"\bcurl\s[^|\n]*?\s?(?:-\w*[oO]|--output|--remote-name)\b"),
         ("unzip", r"\bunzip\s"),
         ("docker", r"\bdocker\s"),
+        ("_IGNORE", r"\btouch\s"),
         ("./", r"(?:^|[\s`$])\.{1,2}/\w"),
         ("build/", r"(?:^|[\s`$])build/\w"),
         ("/lib/", r"\b(?:install|devel)/(?:[\w-]+/)?lib/[\w-]+/[\w.]"),
