@@ -136,7 +136,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         installed=everything,
         base_packages=base.answer.ros_packages,
         sisters=sources.answer.names,
-        cloned=sources.answer.with_unknown_packages,
+        may_hold=sources.answer.may_hold,
         tried=tried(sources.answer.sought),
     )
     python, system, sources, layout = as_it_was(
@@ -190,6 +190,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         command=command.answer.command,
         switch=build_tool.answer == "cmake" and not config.compatible,
         cloned=sources.answer.with_unknown_packages,
+        may_hold=sources.answer.may_hold,
         tried=tried(sources.answer.sought),
     )
     left_out = () if own.answer else missing.answer.packages

@@ -140,6 +140,19 @@ def test_what_a_repository_of_the_table_that_is_a_single_package_cannot_hold(
     assert may_hold is not bool(left_out)
 
 
+def test_what_a_clone_of_another_name_that_is_asked_for_cannot_hold(tree: Tree) -> None:
+    listed = "repositories:\n  serial_acme: {type: git, url: 'https://github.com/ann/serial_acme.git', version: main}\n"
+    files = package("driver", "find_package(serial_acme REQUIRED)\n", needs="serial_acme") | package("planner")
+    studio = package("studio", "find_package(moving_studio REQUIRED)\n", needs="moving_studio")
+    found = tree({**files, **studio, "a.repos": listed})
+    assert found.left_out == ("studio",)
+    assert not any("one of the cloned repositories" in each.message for each in found.warnings)
+    alike = package("studio", "find_package(acme_serial REQUIRED)\n", needs="acme_serial")
+    assert tree({**files, **alike, "a.repos": listed}).left_out == ()
+    other = listed.replace("serial_acme", "common_things")
+    assert tree({**files, **studio, "a.repos": other}).left_out == ()
+
+
 def test_what_needs_a_package_that_is_left_out(tree: Tree) -> None:
     decision = tree(catkin("driver", "acme_msgs") | catkin("user", "driver", "driver") | catkin("planner"))
     assert decision.left_out == ("driver", "user")

@@ -83,7 +83,7 @@ def translate(
 ) -> Translated:
     """Return what to do about a key that rosdep cannot resolve: a library's packages or recipe, else a warning.
 
-    ``cloned``: there are sister repositories, whose packages are not known before they are cloned. ``submodules``: the
+    ``cloned``: a sister repository, whose packages are not known before it is cloned, may hold it. ``submodules``: the
     folders of submodules; one that is named like the key and has no package.xml is not checked out. ``tried``: where
     the build looks for it, in words.
     """

@@ -49,13 +49,13 @@ def with_sought(
 
     ``needed``: names that the build uses, ``known``: what the repository, rosdep and the distribution
     have; ``before``: the day of which they are taken. None for the old formats, whose images never had them, nor where
-    a source may hold packages whose names are not known.
+    a source whose packages are not known may hold them.
     """
     sources = choice.answer
     build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
-    if build is None or config.compatible or sources.with_unknown_packages:
+    if build is None or config.compatible:
         return choice
-    lacking = _lacking(needed, known | sources.names)
+    lacking = _lacking((each for each in needed if not sources.may_hold(each.name)), known | sources.names)
     taken = {address(source.repo or "") for source in (*sources.sources, *sources.submodules)}
     taken |= {address(git.url) for git in evidence.sources if git.into in known}  # itself, under another name
     found = []

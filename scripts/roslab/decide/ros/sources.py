@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind, Source
 from roslab.decide.decision import Choice, Reason, Warning_
@@ -13,7 +13,16 @@ from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.in_tree import in_tree
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.sought import with_sought
-from roslab.decide.ros.source_names import address, asked_for, drifts, fixed, itself_in, plain, wanted_names
+from roslab.decide.ros.source_names import (
+    address,
+    asked_for,
+    drifts,
+    fixed,
+    itself_in,
+    plain,
+    telling_words,
+    wanted_names,
+)
 from roslab.decide.ros.used import used_by_build
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
@@ -45,12 +54,25 @@ class Sources:
     names: frozenset[str] = frozenset()
     """Names that these sources provide: they need no rosdep key and no package."""
 
+    asked: frozenset[str] = frozenset()
+    """The names, in one spelling, that the tree asks for: a clone of such a name is most likely that package alone."""
+
     @property
     def with_unknown_packages(self) -> bool:
         """A clone may hold packages whose names are not known: it is no library, nor known to be a single package."""
+        return any(self._unknown())
+
+    def may_hold(self, wanted: str) -> bool:
+        """Tell whether a clone may hold a package: one that the tree asks for by its name only what is named alike."""
+        words = telling_words(wanted) | {plain(wanted)}
+        return any(name not in self.asked or words & (telling_words(name) | {name}) for name in self._unknown())
+
+    def _unknown(self) -> Iterator[str]:
+        """Yield the names of the clones whose packages are not known."""
         single = {address(url) for url in alone()}
-        packages = (source for source in (*self.sources, *self.submodules) if source.build != "cmake")
-        return any(address(source.repo or "") not in single for source in packages)
+        for source in (*self.sources, *self.submodules):
+            if source.build != "cmake" and address(source.repo or "") not in single:
+                yield plain(source.name)
 
 
 def decide_sources(
@@ -105,8 +127,9 @@ def decide_sources(
     chosen.known(used, known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
     chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
     there = known | rosdep_keys()
+    choice = chosen.choice(files)
     return with_sought(
-        chosen.choice(files),
+        replace(choice, answer=replace(choice.answer, asked=frozenset(plain(each.name) for each in needed))),
         evidence,
         config,
         build_tool=build_tool,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
 from roslab.config.model import BuildTool, Kind
 from roslab.decide.decision import Choice, Warning_
@@ -95,6 +95,7 @@ def decide_missing(
     command: tuple[str, ...] | str,
     switch: bool = False,
     cloned: bool = False,
+    may_hold: Callable[[str], bool] = lambda _: False,
     tried: Mapping[str, str] | None = None,
 ) -> Choice[Missing]:
     """Return the packages to leave out of the build because of what they lack, with those that need these.
@@ -103,8 +104,9 @@ def decide_missing(
     ``built``: names of what is built from its source; other clones bring no newer version of anything.
     ``keys``: what rosdep is asked for, of which only what its tables or the distribution have is provided.
     ``switch``: options of CMake may be turned off that a page does not set.
-    ``cloned``: the image clones packages whose names are not known here. What cannot be left out is told, for there
-    the build stops. ``tried``: where the build looks for packages that nothing brings.
+    ``cloned``: the image clones packages whose names are not known here; ``may_hold``: whether one of them may be of a
+    name. What cannot be left out is told, for there the build stops. ``tried``: where the build looks for packages
+    that nothing brings.
     """
     if kind not in {"ros1", "ros2", "cpp"}:
         return Choice(answer=Missing(), warnings=tuple(_without_pip(evidence, packages, target, provided)))
@@ -113,11 +115,11 @@ def decide_missing(
     ended = ended_in(packages, target.ros_distro, provided)
     names = {plain(name) for name in provided}
     named = known | packages.names
-    unsure = {m.name for m in packages.built if any(_of_a_clone(d, named) for d in m.dependencies)}
+    unsure = {m.name for m in packages.built if any(_of_a_clone(d, named) and may_hold(d.name) for d in m.dependencies)}
     unmet = [
         (package, asked)
         for package, asked in (of_program if kind == "cpp" else required)(evidence, packages)
-        if not (cloned and (asked.namespace == "ros" or package in unsure))
+        if not ((asked.namespace == "ros" and may_hold(asked.name)) or package in unsure)
         if not resolve(asked, target).known and not similar(plain(asked.name), names)
     ]
     options = given(evidence) if switch else ""
@@ -131,7 +133,7 @@ def decide_missing(
     unsure_of = [
         asked
         for package, asked in required(evidence, packages)
-        if cloned and (asked.namespace == "ros" or package in unsure)
+        if (asked.namespace == "ros" and may_hold(asked.name)) or package in unsure
         if asked.name not in keyed and not resolve(asked, target).known
         if not similar(plain(asked.name), names)
     ]

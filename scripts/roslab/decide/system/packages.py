@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Python, Reason, Warning_
@@ -104,14 +104,14 @@ def decide_system(
     installed: tuple[Requirement, ...],
     base_packages: tuple[str, ...],
     sisters: frozenset[str],
-    cloned: bool,
+    may_hold: Callable[[str], bool],
     tried: Mapping[str, str],
 ) -> Choice[SystemPackages]:
     """Return the system packages.
 
     ``installed`` is what pip installs, ``sisters`` are names that sources in the workspace provide;
-    ``cloned``: these may hold more packages, whose names are not known; ``tried``: where the build looks for packages
-    that nothing brings.
+    ``may_hold``: whether these may hold a package of a name; ``tried``: where the build looks for packages that nothing
+    brings.
     """
     keys = declared_keys(packages, target, kind) if target.ros_distro else ()
     found = _Found(declared=dict.fromkeys((*config.apt, *base_packages)))
@@ -121,7 +121,8 @@ def decide_system(
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
     for key in keys:
         if key.name not in found.skip:
-            meant = translate(key, target, cloned=cloned, submodules=submodules, tried=tried.get(key.name, ""))
+            cloned, where = may_hold(key.name), tried.get(key.name, "")
+            meant = translate(key, target, cloned=cloned, submodules=submodules, tried=where)
             _keep(key, meant, found)
     defined = ((each, False) for listed in own.values() for each in listed)
     needed = (*defined, *needs(evidence, packages, kind, target.ros_distro))
