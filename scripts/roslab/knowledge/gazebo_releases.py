@@ -21,6 +21,20 @@ def gazebo_libraries() -> Mapping[str, str]:
 
 
 @cache
+def gazebo_holding() -> Mapping[str, frozenset[str]]:
+    """Return the releases that hold each library from Gazebo 7 on, and simulator: ``gz-cmake3`` is of two.
+
+    Of the older ones, Gazebo 11 and Ubuntu itself have most, so that these tell nothing.
+    """
+    found: dict[str, set[str]] = {}
+    for row in rows("gazebo_releases"):
+        for library in (*row["libraries"].split(), *row["below"].split()):
+            if library.startswith(("gz-", "ignition-gazebo")):
+                found.setdefault(library, set()).add(row["name"])
+    return {library: frozenset(names) for library, names in found.items()}
+
+
+@cache
 def gazebo_pairs() -> Mapping[tuple[str, str], str]:
     """Return, for a distribution and a release that is not its own, what its packages of ros_gz are called."""
     return {(row["distro"], row["release"]): row["packages"] for row in rows("gazebo_pairs")}

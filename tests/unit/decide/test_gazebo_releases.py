@@ -81,6 +81,36 @@ def test_libraries_for_several_releases_tell_nothing(tmp_path: Path) -> None:
     assert distro(tmp_path, {"CMakeLists.txt": both}) == "humble"
 
 
+@pytest.mark.parametrize(
+    ("libraries", "page", "name"),
+    [
+        ("gz-cmake4", "Tested on ROS 2 Jazzy.", "kilted"),
+        ("gz-cmake3 gz-sim8", "Tested on ROS 2 Kilted.", "jazzy"),
+        ("gz-cmake3 gz-sim8", "Tested on ROS 2 Humble.", "humble"),
+        ("gz-cmake3 gz-sim8 gz-sim7", "Gazebo Harmonic", "jazzy"),
+        ("gz-cmake3", "Gazebo Harmonic. The branch `fortress` is for Gazebo Fortress.", "jazzy"),
+        ("gz-sim8 gz-sim9", "Tested on ROS 2 Kilted.", "kilted"),
+        ("ignition-gazebo6", "Tested on ROS 2 Jazzy.", "humble"),
+        ("ignition-transport8", "Tested on ROS 2 Jazzy.", "jazzy"),
+    ],
+)
+def test_a_distribution_with_another_gazebo_is_ruled_out(tmp_path: Path, libraries: str, page: str, name: str) -> None:
+    cmake = PACKAGE["CMakeLists.txt"] + "".join(REQUIRED.format(each) for each in libraries.split())
+    assert distro(tmp_path, {"CMakeLists.txt": cmake, "README.md": f"{page}\n"}) == name
+
+
+@pytest.mark.parametrize(
+    ("page", "name"),
+    [
+        ("See [hooks](https://docs.ros.org/en/rolling/How-To-Guides/Ament.html).", "humble"),
+        ("Install ROS 2 [rolling](https://docs.ros.org/en/rolling/Installation.html).", "kilted"),
+        ("Install [ROS 2](https://docs.ros.org/en/iron/Installation.html).", "iron"),
+    ],
+)
+def test_an_address_of_the_documentation(tmp_path: Path, page: str, name: str) -> None:
+    assert distro(tmp_path, {"README.md": f"{page}\n"}, "2025-01-21") == name
+
+
 def test_the_table_names_distributions_with_an_image() -> None:
     assert set(gazebo_releases().values()) <= distros().keys()
     assert len(gazebo_libraries()) == 3 * len(gazebo_releases())

@@ -9,7 +9,7 @@ from roslab.decide.reasons import because, configured, ranked, warn
 from roslab.decide.ros.compared import by_comparison
 from roslab.decide.ros.distro_dates import dated, of_its_time, supported
 from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
-from roslab.decide.ros.gazebo import by_gazebo
+from roslab.decide.ros.gazebo import by_gazebo, without_library
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.code_fits import misfits, unincluded, unlaunchable
@@ -50,7 +50,8 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     unknown = _unknown_keys(evidence, ros)
     lacking = misfits(evidence)
     unlaunched, headers = unlaunchable(evidence), unincluded(evidence)
-    unknown = {name: missing | unlaunched.get(name, frozenset()) for name, missing in unknown.items()}
+    other = without_library(evidence)
+    unknown = {n: m | unlaunched.get(n, frozenset()) | other.get(n, frozenset()) for n, m in unknown.items()}
     unknown = {name: missing for name, missing in unknown.items() if existed(evidence, name)} or unknown
     every = [*reasons_for(evidence, ros), *by_gazebo(evidence, ros), *by_comparison(evidence, ros)]
     named = [reason for reason in there(evidence, every) if not stale(reason, evidence.day)]

@@ -9,6 +9,7 @@ from typing import ClassVar
 
 from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
+from roslab.decide.ros.addresses import only_general, only_read
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.lower_bounds import bounds, least
 from roslab.evidence import places
@@ -20,10 +21,10 @@ from roslab.values.pattern import pattern
 
 FAMILY = 2
 """Dockerfiles for more distributions than this are a family: none of them tells which distribution is meant."""
-LEFT_BEHIND = dt.timedelta(days=182)
-"""From the end of a distribution on, so long CI and Dockerfiles may still be for it."""
-QUOTED = 160
-"""Most characters of a sentence that are quoted."""
+LEFT_BEHIND = dt.timedelta(
+    days=182
+)  # from the end of a distribution on, so long CI and Dockerfiles may still be for it
+QUOTED = 160  # most characters of a sentence that are quoted
 _AGAINST = pattern(
     r"not (?:been )?(?:tested|supported|work)|n't work|unsupported|no longer|deprecated|end[- ]of[- ]life|\beol\b|"
     r"coming soon|todo|"
@@ -47,8 +48,6 @@ _TESTED = pattern(r"\b(?:test(?:ed)?|developed|validated|verified|requires?|requ
 _EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)(?!\w)", re.IGNORECASE)
 """The sentence only shows how a name is written."""
 _RECOMMENDED = pattern(r"\brecommend", re.IGNORECASE)
-_READ_THERE = pattern(r"https?://[^\s<>()\[\]\"']*/(?:blob|tree|raw|api)/[^\s<>()\[\]\"']*", re.IGNORECASE)
-"""The address of a page that is read: a file or folder of a branch, the documentation of a message."""
 _LIST = (".repos", ".rosinstall")
 _SENTENCE = pattern(r"(?<=[.;!?])\s+|\s*\|\s*")
 _WHAT = {"filename": "a file is named", "ci": "CI:", "dockerfile": "the author's image:", "script": "a script:"}
@@ -235,7 +234,9 @@ def _sentences(text: str, value: str) -> list[str]:
 
 
 def _spoken(sentence: str, value: str) -> int:
-    if value in sentence.lower() and value not in _READ_THERE.sub("", sentence).lower():
+    if only_general(sentence, value):
+        return Weight.EXAMPLE
+    if only_read(sentence, value):
         return Weight.ADDRESS
     weight = Weight.TELLS_TO_HAVE if _FOR.search(sentence) else Weight.SPEAKS_OF_IT
     if _EXAMPLE.search(sentence):
