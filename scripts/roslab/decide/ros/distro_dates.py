@@ -21,13 +21,12 @@ def dated(evidence: Evidence) -> Mention | None:
 def of_its_time(kind: Kind, date: str | None) -> str:
     """Return the distribution that code of a date (``YYYY-MM-DD``) was most likely written for.
 
-    The default if the date is in its window; else the preferred one of those that were a year old and still supported;
-    for a date before every release or after every end, the nearest.
+    The preferred one of those that were a year old and still supported, the default without a date; for a date before
+    every release or after every end, the nearest.
     """
     line = [d for d in distros().values() if d.ros == (1 if kind == "ros1" else 2) and d.eol]
-    default = default_distro(1 if kind == "ros1" else 2)
-    if date is None or _open(default, date):
-        return default.name
+    if date is None:
+        return default_distro(1 if kind == "ros1" else 2).name
     fitting = [distro for distro in line if _open(distro, date)]
     if fitting:
         return max(fitting, key=lambda distro: distro.preference).name
