@@ -36,6 +36,24 @@ def test_a_folder_that_cmake_names_is_cloned(tree: Tree, line: str, path: str) -
     assert decision.inside == ()  # CMake adds it, or has its headers from there
 
 
+@pytest.mark.parametrize(
+    ("clone", "step", "ref"),
+    [
+        ("git clone https://github.com/lab/tinymesh", "git reset --hard 3f26a07", "3f26a07"),
+        ("git clone https://github.com/lab/tinymesh", "git checkout 3f26a07", "3f26a07"),
+        ("git clone https://github.com/lab/tinymesh", "git checkout main", None),
+        ("git clone https://github.com/lab/tinymesh -b v2", "git reset --hard 3f26a07", "v2"),
+        ("git clone https://github.com/ann/tinymesh", "git reset --hard 3f26a07", None),
+    ],
+)
+def test_the_commit_that_ci_takes_of_the_same_repository(tree: Tree, clone: str, step: str, ref: str | None) -> None:
+    run = f"git clone https://github.com/lab/tinymesh.git\n          cd tinymesh\n          {step}\n"
+    ci = f"jobs:\n  a:\n    steps:\n      - run: |\n          {run}"
+    cmake = CMAKE.format("add_subdirectory(libs/tinymesh)")
+    files = {"CMakeLists.txt": cmake, "README.md": page(f"cd libs\n{clone}\n"), ".github/workflows/a.yml": ci}
+    assert [source.ref for source in tree(files).submodules] == [ref]
+
+
 FORK = "git clone https://github.com/lab/mesh-fork"
 
 

@@ -19,8 +19,7 @@ from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
-FAMILY = 2
-"""Dockerfiles for more distributions than this are a family: none of them tells which distribution is meant."""
+FAMILY = 2  # Dockerfiles for more distributions are a family: none of them tells which distribution is meant
 LEFT_BEHIND = dt.timedelta(
     days=182
 )  # from the end of a distribution on, so long CI and Dockerfiles may still be for it

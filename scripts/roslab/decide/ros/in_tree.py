@@ -5,11 +5,13 @@ from __future__ import annotations
 from roslab.config.model import Config, Source
 from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
-from roslab.decide.ros.source_names import fixed
+from roslab.decide.ros.source_names import address, fixed
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
+from roslab.evidence.prose.checkouts import COMMIT
+from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
@@ -27,9 +29,11 @@ def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple
     for git in evidence.sources:
         clone = _CLONED.match(git.url) and _PATH.fullmatch(git.name) and not config.compatible
         if git.kind == "inside" and clone:
-            empty.append((git, _source(git, before or evidence.pip_day or "")))
+            taken = git if git.ref else _of_ci(git, evidence)
+            empty.append((taken, _source(taken, before or evidence.pip_day or "")))
             why = "the page clones it, and the code takes a folder of it from there"
-            reasons.append(because("source", git.name, why, git, weight=Weight.LISTED))
+            why += f"; CI takes {taken.ref} of it" if taken.ref != git.ref else ""
+            reasons.append(because("source", git.name, why, taken, weight=Weight.LISTED))
         elif git.kind == "submodule":
             why = f"a submodule ({git.url}): check it out with the repository"
             if git.absent and clone:
@@ -38,6 +42,15 @@ def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple
                 empty.append((git, _source(git, before)))
             reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
     return empty, reasons
+
+
+def _of_ci(git: GitSource, evidence: Evidence) -> GitSource:
+    """Return what a page clones at the commit that CI takes of the same repository, if CI takes one."""
+    for other in evidence.sources:
+        same = other.kind == "clone" and other.file.startswith(".") and address(other.url) == address(git.url)
+        if same and COMMIT.fullmatch(other.ref or ""):
+            return replace(git, ref=other.ref, file=other.file, line=other.line)
+    return git
 
 
 def apart(evidence: Evidence, packages: Packages) -> tuple[str, ...]:

@@ -1,6 +1,6 @@
-"""What ``git checkout`` and ``git switch`` take of a clone.
+"""What ``git checkout``, ``git switch`` and ``git reset --hard`` take of a clone.
 
-https://git-scm.com/docs/git-checkout, https://git-scm.com/docs/git-switch
+https://git-scm.com/docs/git-checkout, https://git-scm.com/docs/git-switch, https://git-scm.com/docs/git-reset
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from roslab.values.pattern import pattern
 _TAKES = frozenset({"checkout", "switch"})
 _NEW = frozenset({"-b", "-B", "-c", "-C", "--orphan", "--create"})
 """Options that are followed by the name of a branch that is made here: the repository has none of that name."""
+COMMIT = pattern(r"[0-9a-f]{7,40}")
 _REF = pattern(r"(?:\w|\{distro\})(?:[\w./-]|\{distro\}){0,200}")
 
 
@@ -24,6 +25,8 @@ def checked_out(words: Sequence[str]) -> str | None:
     """
     inside = words[1:2] == ("-C",)  # git -C FOLDER checkout …
     name, rest = words[3:4] if inside else words[1:2], words[4:] if inside else words[2:]
+    if {*name} == {"reset"} and "--hard" in rest:
+        return next((word for word in rest if COMMIT.fullmatch(word)), None)
     if not (rest and {*name} & _TAKES):
         return None
     made = {index + 1 for index, word in enumerate(rest) if word in _NEW}

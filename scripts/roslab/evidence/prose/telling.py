@@ -15,6 +15,7 @@ SIGNS: Signs = tuple(
         ("clone", r"\bclone\b"),
         ("checkout", r"\bcheckout\b"),
         ("switch", r"\bgit\s+switch\s"),
+        ("reset", r"\bgit\s[^\n]*\breset\s"),
         ("roslaunch", r"\broslaunch\b"),
         ("rosrun", r"\brosrun\b"),
         ("ros2", r"\bros2\s+(?:launch|run|component\s+standalone)\b"),
