@@ -71,6 +71,7 @@ from roslab.evidence.ros import (
     distro_names,
     gazebo_plugins,
     launch,
+    marked,
     package_xml,
     rosbuild,
     rosdep_lists,
@@ -91,8 +92,9 @@ PROSE = (
 
 def gather(repository: Repository) -> Evidence:
     """Read everything that a repository says about itself; nothing of it is executed."""
-    fetched = fetching.read(repository)
     manifests = package_xml.read(repository) or rosbuild.read(repository)
+    repository = marked.without(repository, manifests)
+    fetched = fetching.read(repository)
     signs, intrinsics = Signs(), x86.Intrinsics()
     cmake_projects = _without_python(cmake.read(repository), manifests)
     own = submodules.without(repository)

@@ -96,6 +96,19 @@ def test_a_page_of_the_repository_names_no_need(workspace: Path) -> None:
     assert _run(workspace)[:3] == (0, 2, ["docs", "tool"])
 
 
+@pytest.mark.parametrize("marker", ["AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE"])
+def test_what_a_marker_hides_needs_nothing(workspace: Path, marker: str) -> None:
+    _package(workspace, "mine/old", "old", "tool", **{marker: ""}, node__py="import tool.msg\n")
+    _package(workspace, "clone/gone/inner", "gone")
+    (workspace / "src/clone/gone" / marker).touch()
+    (workspace / "src/clone/docs/broken").touch()
+    ran = subprocess.run(
+        ["build-needed", "src/mine", "bash", "tool"], cwd=workspace, capture_output=True, text=True, check=False
+    )
+    assert "roslab: left out: docs tool\n" in ran.stdout
+    assert ran.returncode == 0
+
+
 def test_what_the_command_starts_is_kept(workspace: Path) -> None:
     (workspace / "src/clone/docs/broken").touch()
     assert _run(workspace, "--keep", "docs")[:2] == (2, 2)

@@ -3,7 +3,7 @@
 # Runs a command that builds the workspace in the current folder. Where it fails, it is run once more without the packages
 # of cloned repositories, and of folders of it that are apart, which the repository in FOLDER does not need: they are
 # compiled whole, often for one package. Needed is what its build files, code or launch files name, what is kept, and what
-# these need in turn.
+# these need in turn; what lies in a folder with CATKIN_IGNORE or its like needs nothing.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 apart=() kept=()
@@ -24,6 +24,9 @@ for folder in "${apart[@]}"; do
   if [ -d "${own}/${folder}" ]; then without+=(--but "${own}/${folder}"); fi
   prune+=(-path "${own}/${folder}" -o)
 done
+while read -r path; do prune+=(-path "${path}" -o); done < <(
+  find "${own}" -regextype posix-extended -regex '.*/(AMENT|CATKIN|COLCON)_IGNORE' -printf '%h\n'
+)
 endings='cmake|launch|xml|xacro|urdf|py|yaml|rviz|c|cc|cpp|cxx|h|hh|hpp|msg|srv|action'
 find "${own}" \( "${prune[@]}" -name .git \) -prune -o -type f -regextype posix-extended \
   -regex ".*(/CMakeLists[.]txt|[.](${endings}))" -print0 |

@@ -3,6 +3,7 @@
 # Of the packages below a folder, but those below a path that is left out, and not below what is left in it:
 #   needed  prints the named ones and what they need in turn, each with its package.xml behind a tab
 #   hide    puts the markers by which catkin and colcon pass by into all but the named ones, and prints their names
+# What lies in a folder with such a marker is none of them.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 what="$1" folder="$2" without='' but=()
@@ -13,13 +14,17 @@ while [[ "${1:-}" = --* ]]; do
 done
 tag() { sed --quiet --regexp-extended "s:.*<($2)( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\3:p" "$1"; }
 
+marked=()
+while read -r path; do marked+=(-path "${path}" -o); done < <(
+  find "${folder}" -regextype posix-extended -regex '.*/(AMENT|CATKIN|COLCON)_IGNORE' -printf '%h\n'
+)
 declare -A file_of=() named=()
 while read -r manifest; do
   name="$(tag "${manifest}" name | head -n 1)"
   if [ -n "${name}" ]; then file_of["${name}"]="${manifest}"; fi
 done < <(
-  find "${folder}" \( -name .git -o -path "${without}" \) -prune -o -name package.xml -print
-  if [ "${#but[@]}" -gt 0 ]; then find "${but[@]}" -name .git -prune -o -name package.xml -print; fi
+  find "${folder}" \( "${marked[@]}" -name .git -o -path "${without}" \) -prune -o -name package.xml -print
+  if [ "${#but[@]}" -gt 0 ]; then find "${but[@]}" \( "${marked[@]}" -name .git \) -prune -o -name package.xml -print; fi
 )
 
 queue=("$@")
