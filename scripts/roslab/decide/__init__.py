@@ -37,7 +37,7 @@ from roslab.decide.ros.in_tree import apart
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.named import by_pages
-from roslab.decide.ros.sought import tried, without
+from roslab.decide.ros.sought import linked, tried, without
 from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.used import asked
 from roslab.decide.ros.workspace import manifests_of, names_of, of_one_ros, packages_of
@@ -192,6 +192,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cloned=sources.answer.with_unknown_packages,
         may_hold=sources.answer.may_hold,
         tried=tried(sources.answer.sought),
+        linked=linked(sources.answer.sought),
     )
     left_out = () if own.answer else missing.answer.packages
     steps = decide_steps(
@@ -276,6 +277,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         left_out=left_out,
         ignored=marked(build_tool.answer, left_out, packages) if kind.answer in _ROS and not own.answer else (),
         ended=missing.answer.ended,
+        lacking=() if own.answer else missing.answer.lacking,
         undeclared=missing.answer.undeclared,
         workspace=layout.answer.workspace,
         cmake_folder=layout.answer.cmake_folder,

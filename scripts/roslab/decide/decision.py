@@ -237,6 +237,8 @@ class Decision:
     """The compilers that it names there: the variable and the program."""
     ignored: tuple[str, ...] = ()
     """Folders of packages that are not built, for a build tool that would stop at them."""
+    lacking: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    """Packages that a clone may bring, each with the folders of those that are not built where none does."""
     undeclared: bool = False
     """A package requires another one of the repository that its package.xml does not name."""
     ended: tuple[str, ...] = ()

@@ -50,6 +50,8 @@ class RosBuild:
     """Most compilers that may run at once, where the author says so."""
     unsure: tuple[str, ...] = ()
     """Sisters whose packages are not known before they are cloned: one may have the name of one in the repository."""
+    lacking: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    """Packages that a clone may bring, each with the folders that the tool must not look into without it."""
     undeclared: bool = False
     """Packages may require others of the workspace that their package.xml does not name."""
 
@@ -205,6 +207,7 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
         named=decision.by_pages.packages if own else (),
         jobs=decision.by_pages.jobs if own else None,
         unsure=() if config.compatible or tool == "rosmake" else tuple(_unsure(sisters)),
+        lacking=decision.lacking if own else (),
         undeclared=not config.compatible and tool != "rosmake" and (decision.undeclared or bool(sisters)),
     )
 

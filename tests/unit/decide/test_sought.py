@@ -119,6 +119,32 @@ def test_nothing_is_looked_for_that_only_a_package_needs_which_is_not_built(tree
     assert not _sought(decision)
 
 
+def test_what_a_package_lacks_is_looked_for_first_where_a_page_names_a_repository(tree: Tree) -> None:
+    files = _git(f"{LAB}/mpc") | _package("mpc", "roscpp") | _package("extra", "quad_x")
+    decision = tree(files | {"README.md": f"ROS Noetic. Used with {LAB}/control.\n"})
+    assert (decision.left_out, decision.lacking) == ((), (("quad_x", ("extra",)),))
+    assert [*_sought(decision)] == [f"{LAB}/control", f"{LAB}/quad_x"]
+    told = next(each.message for each in decision.warnings if "CMake requires" in each.message)
+    assert "and where it is not there, extra is left out of the build, which no other package needs" in told
+
+
+def test_what_lacks_more_than_may_be_there_is_left_out(tree: Tree) -> None:
+    files = _git(f"{LAB}/mpc") | _package("mpc", "roscpp") | _package("extra", "quad_x")
+    files["extra/CMakeLists.txt"] += "find_package(AcmeSDK REQUIRED)\n"
+    decision = tree(files | {"README.md": f"ROS Noetic. Used with {LAB}/control.\n"})
+    assert (decision.left_out, decision.lacking, _sought(decision)) == (("extra",), (), {})
+    assert not any("CMake requires; the build looks" in each.message for each in decision.warnings)
+
+
+def test_a_metapackage_alone_is_nothing_that_is_kept(tree: Tree) -> None:
+    meta = _package("all", "mpc")
+    meta["all/package.xml"] = meta["all/package.xml"].replace("</package>", "<export><metapackage/></export></package>")
+    meta["all/CMakeLists.txt"] = "project(all)\nfind_package(catkin REQUIRED)\ncatkin_metapackage()\n"
+    decision = tree(_git(f"{LAB}/all") | meta | _package("mpc", "quad_x") | {"README.md": "ROS Noetic.\n"})
+    assert (decision.left_out, [*_sought(decision)]) == ((), [f"{LAB}/quad_x"])
+    assert any("catkin_make will stop at mpc" in each.message for each in decision.warnings)
+
+
 def test_a_clone_that_is_looked_for_is_as_old_as_the_repository(tree: Tree) -> None:
     files = _git(f"{LAB}/mpc") | _package("mpc", "quad_x") | {"README.md": "ROS Melodic.\n"}
     files["CITATION.cff"] = "cff-version: 1.2.0\ntitle: MPC\ndate-released: 2019-05-20\n"

@@ -79,6 +79,11 @@ def tried(sought: Iterable[Source]) -> dict[str, str]:
     return found
 
 
+def linked(sought: Iterable[Source]) -> frozenset[str]:
+    """Return the packages that are looked for in a repository which a page names, and not only in one of their name."""
+    return frozenset(name for source in sought for name in source.holding if name != source.name)
+
+
 def without(sought: tuple[Source, ...], packages: Packages, left_out: Collection[str]) -> tuple[Source, ...]:
     """Return the repositories without those that hold nothing but what packages need which are not built."""
     if not left_out:

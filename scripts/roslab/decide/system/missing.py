@@ -13,6 +13,7 @@ from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.sources import Sources
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.left_out import SKIP, SOURCE, folders_of, leave_out
 from roslab.decide.system.names import Target, resolve, written_for
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.required import (
@@ -34,18 +35,6 @@ from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 from roslab.values.words import line_of
 
-_SKIP: dict[BuildTool, str] = {
-    "colcon": "--packages-skip",
-    "catkin_make": "-DCATKIN_BLACKLIST_PACKAGES=",
-    "catkin_make_isolated": "",
-    "catkin_tools": "",
-}
-"""How a build tool leaves packages out: by an argument, or by a marker in their folders, which all
-releases of catkin_tools and of catkin_make_isolated know. https://colcon.readthedocs.io/en/released/reference/package-selection-arguments.html
-https://docs.ros.org/en/api/catkin/html/dev_guide/generated_cmake_api.html"""
-
-
-_SOURCE = "give its repository under `source` in roslab.yaml"
 _PERHAPS = (
     "CMake requires {}, which no package.xml asks for and no table knows: one of the cloned repositories may hold it; "
     "else give its repository under `source` in roslab.yaml"
@@ -72,6 +61,8 @@ class Missing:
 
     packages: tuple[str, ...] = ()
     """Packages of the repository that are not built."""
+    lacking: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    """What a clone may bring, each with the folders of the packages that are not built where none does."""
     ended: tuple[str, ...] = ()
     """Packages that the manifests of rosbuild are told not to need."""
     options: tuple[str, ...] = ()
@@ -97,6 +88,7 @@ def decide_missing(
     cloned: bool = False,
     may_hold: Callable[[str], bool] = lambda _: False,
     tried: Mapping[str, str] | None = None,
+    linked: Collection[str] = (),
 ) -> Choice[Missing]:
     """Return the packages to leave out of the build because of what they lack, with those that need these.
 
@@ -106,7 +98,8 @@ def decide_missing(
     ``switch``: options of CMake may be turned off that a page does not set.
     ``cloned``: the image clones packages whose names are not known here; ``may_hold``: whether one of them may be of a
     name. What cannot be left out is told, for there the build stops. ``tried``: where the build looks for packages
-    that nothing brings.
+    that nothing brings; ``linked``: those of them for which a page names a repository. What needs these is left out
+    only in the image, where none holds them.
     """
     if kind not in {"ros1", "ros2", "cpp"}:
         return Choice(answer=Missing(), warnings=tuple(_without_pip(evidence, packages, target, provided)))
@@ -138,23 +131,9 @@ def decide_missing(
         if not similar(plain(asked.name), names)
     ]
     started = line_of(command).split()
-    left = skipped(evidence, packages, build_tool, started) if build_tool in _SKIP else {}
-    out: dict[str, None] = dict.fromkeys(left)
-    warnings: list[Warning_] = []
-    for (package, name), asked in lacking.items():
-        if package in left:
-            continue
-        with_it = _needing(package, packages)
-        kept = {m.name for m in packages.built} - out.keys() - {*with_it}
-        if build_tool in _SKIP and (package in out or kept) and not {*with_it} & {*started}:
-            out |= dict.fromkeys(with_it)
-            others = f", and with it {', '.join(with_it[1:])}" if with_it[1:] else ", which no other package needs"
-            then = f": {package} is left out of the build{others}"
-        else:
-            where = (tried or {}).get(name)
-            unless = f"; the build looks for it in {where}, and where it is not there," if where else ":"
-            then = f"{unless} {build_tool} will stop at {package}"
-        warnings.append(warn(f"nothing is known that brings {name}, which CMake requires{then}; {_SOURCE}", asked))
+    left = skipped(evidence, packages, build_tool, started) if build_tool in SKIP else {}
+    found = leave_out(lacking, packages, build_tool, started=started, left=left, tried=tried or {}, linked=linked)
+    warnings = [*found.warnings]
     first = {asked.name: asked for asked in reversed(unsure_of)}
     warnings += [warn(_PERHAPS.format(name), first[name]) for name in dict.fromkeys(d.name for d in unsure_of)]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
@@ -167,12 +146,13 @@ def decide_missing(
     warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]
     asks = of_program_and_below if kind == "cpp" else required
     names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - {plain(name) for name in built}
-    warnings += _too_old(asks(evidence, packages), target, out.keys(), names, build_tool)
+    warnings += _too_old(asks(evidence, packages), target, found.packages, names, build_tool)
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
     switches = tuple(f"-D{name}=OFF" for name in (*off, *tests))
     return Choice(
         answer=Missing(
-            packages=tuple(sorted(out)),
+            packages=found.packages,
+            lacking=found.lacking,
             ended=tuple(ended),
             options=switches,
             tests=tuple(tests),
@@ -194,7 +174,7 @@ def _without_pip(evidence: Evidence, packages: Packages, target: Target, provide
         if asked.name not in told and not resolve(asked, target).known and not similar(plain(asked.name), names):
             told.add(asked.name)
             where = f"which CMake requires: pip will stop at {project}"
-            yield warn(f"nothing is known that brings {asked.name}, {where}; {_SOURCE}", asked)
+            yield warn(f"nothing is known that brings {asked.name}, {where}; {SOURCE}", asked)
 
 
 def provided(
@@ -245,28 +225,16 @@ def _of_a_clone(asked: Dependency, known: frozenset[str]) -> bool:
     return asked.namespace == "rosdep" and asked.role not in {"test", "doc"} and asked.name not in known
 
 
-def _needing(package: str, packages: Packages) -> list[str]:
-    """Return a package and those of the repository that cannot be built without it; a metapackage builds nothing."""
-    found = [package]
-    for each in found:
-        for manifest in packages.built:
-            builds = (d for d in manifest.dependencies if d.role not in {"test", "exec", "run", "doc"})
-            if manifest.name not in {None, *found} and not manifest.metapackage and any(d.name == each for d in builds):
-                found.append(manifest.name or "")
-    return found
-
-
 def marked(build_tool: BuildTool, left_out: tuple[str, ...], packages: Packages) -> tuple[str, ...]:
     """Return the folders that a build tool must not look into."""
-    if _SKIP.get(build_tool) != "":
+    if SKIP.get(build_tool) != "":
         return packages.doubles
-    named = (m.file.rpartition("/")[0] for m in packages.built if m.name in left_out)
-    return (*packages.doubles, *named)
+    return (*packages.doubles, *folders_of(packages, left_out))
 
 
 def skipping(build_tool: BuildTool, packages: tuple[str, ...]) -> tuple[str, ...]:
     """Return the arguments with which a build tool leaves packages out."""
-    option = _SKIP.get(build_tool)
+    option = SKIP.get(build_tool)
     if not packages or not option:
         return ()
     return (option + ";".join(packages),) if option.endswith("=") else (option, *packages)

@@ -23,6 +23,8 @@ WITHOUT_DOUBLES = "leave-out-doubles"
 DECLARED = "declare-needs"
 """The script that completes package.xml files by what CMake requires of the workspace."""
 REQUIRED = "required-by-cmake"
+WITHOUT_LACKING = "leave-out-lacking"
+"""The script that hides packages where nothing brings what they require."""
 HOLDING = "clone-holding"
 """The script that keeps a repository where it holds what the workspace lacks."""
 UNKNOWN = "clone-unknown"
@@ -198,9 +200,9 @@ def compile_workspace(plan: Plan) -> str:
 
 def _scripts(run: str) -> list[str]:
     """Return the scripts that a step which compiles the workspace calls, and those that these call."""
-    called = [name for name in (WITHOUT_DOUBLES, DECLARED, WITHOUT_TESTS, NEEDED) if name in run]
-    beside = {NEEDED: shell.PACKAGES, DECLARED: REQUIRED}
-    return [*called, *(name for caller, name in beside.items() if caller in called)]
+    called = [name for name in (WITHOUT_DOUBLES, WITHOUT_LACKING, DECLARED, WITHOUT_TESTS, NEEDED) if name in run]
+    beside = {WITHOUT_LACKING: shell.PACKAGES, NEEDED: shell.PACKAGES, DECLARED: REQUIRED}
+    return [*called, *dict.fromkeys(name for caller, name in beside.items() if caller in called)]
 
 
 def _without_logs(build: RosBuild) -> tuple[str, ...]:
@@ -242,7 +244,14 @@ def tree_mount(plan: Plan) -> str:
 def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
     unsure = [f"{WITHOUT_DOUBLES}{words(f'src/{name}' for name in build.unsure)}"] if build.unsure else []
     declared = [f"{DECLARED} src"] if build.undeclared else []
-    return [*_ignoring(plan, build), *unsure, *declared, *_building(plan, build, again)]
+    return [*_ignoring(plan, build), *unsure, *_lacking(plan, build), *declared, *_building(plan, build, again)]
+
+
+def _lacking(plan: Plan, build: RosBuild) -> Iterator[str]:
+    """Yield the commands that hide packages where no clone brings what they require."""
+    for name, folders in build.lacking:
+        hidden = " ".join(quote.shell_with_user(f"{source_folder(plan)}/{folder}".rstrip("/")) for folder in folders)
+        yield f"{WITHOUT_LACKING} {quote.shell(name)} {hidden}"
 
 
 def _ignoring(plan: Plan, build: RosBuild) -> list[str]:

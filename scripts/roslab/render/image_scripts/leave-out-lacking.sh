@@ -1,0 +1,13 @@
+#!/bin/bash
+# usage: leave-out-lacking PACKAGE FOLDER...
+# Hides the packages in these folders where neither the workspace, in which it runs, nor ROS has the package that they
+# require: a build tool stops there, and the others do without.
+set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
+
+name="$1"
+shift
+if [ -e "/opt/ros/${ROS_DISTRO}/share/${name}" ] || [ -n "$(workspace-packages needed src "${name}")" ]; then exit 0; fi
+for folder in "$@"; do
+  echo "roslab: left out: ${folder}, for nothing brings ${name}, which it requires"
+  touch "${folder}/CATKIN_IGNORE" "${folder}/COLCON_IGNORE"
+done
