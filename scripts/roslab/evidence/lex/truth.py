@@ -22,9 +22,36 @@ _VARIABLES = {
     "CMAKE_BUILD_TYPE": "Release",
     "CMAKE_SIZEOF_VOID_P": "8",
 }
-_ON = frozenset({"UNIX", "LINUX", "CMAKE_COMPILER_IS_GNUCC", "CMAKE_COMPILER_IS_GNUCXX", "ON", "TRUE", "YES", "1"})
+_ON = frozenset(
+    (
+        *(
+            "UNIX",
+            "LINUX",
+            "CMAKE_HOST_UNIX",
+            "CMAKE_HOST_LINUX",
+            "CMAKE_COMPILER_IS_GNUCC",
+            "CMAKE_COMPILER_IS_GNUCXX",
+        ),
+        *("ON", "TRUE", "YES", "1"),
+    )
+)
 _OFF = frozenset(
-    {"MSVC", "WIN32", "APPLE", "ANDROID", "CYGWIN", "MINGW", "IOS", "EMSCRIPTEN", "OFF", "FALSE", "NO", "0"}
+    {
+        "MSVC",
+        "WIN32",
+        "APPLE",
+        "ANDROID",
+        "CYGWIN",
+        "MINGW",
+        "IOS",
+        "EMSCRIPTEN",
+        "CMAKE_HOST_WIN32",
+        "CMAKE_HOST_APPLE",
+        "OFF",
+        "FALSE",
+        "NO",
+        "0",
+    }
 )
 _FOUND = pattern(r"(?!.*(?:SSE|AVX|SIMD|NEON))\w+_FOUND", re.IGNORECASE)
 _MACROS_ON = pattern(
