@@ -34,6 +34,7 @@ from roslab.evidence.prose import (
     ci,
     containers,
     copies,
+    fetched_here,
     for_reference,
     gazebo,
     included,
@@ -151,7 +152,7 @@ def gather(repository: Repository) -> Evidence:
         mentions=(
             *distro_names.read(repository),
             *branch_tables.read(own),
-            *with_notebooks(prose.mentions, said),
+            *with_notebooks(fetched_here.without(prose.mentions, own), said),
             *linked.read(own, prose.mentions),
             *by_name,
             *said,

@@ -37,6 +37,25 @@ def test_a_step_by_other_means_is_told_once_with_its_line(tree: Tree, line: str,
     assert told(tree, page) == [(f"not part of the image: `{said}`", "README.md", 4)]
 
 
+@pytest.mark.parametrize(
+    ("line", "here"),
+    [
+        ("wget https://raw.githubusercontent.com/Lab/robots/master/tools/pcl_install.sh", True),
+        ("wget https://github.com/lab/robots/raw/master/tools/pcl_install.sh", True),
+        ("curl -O https://raw.githubusercontent.com/lab/robots/refs/heads/master/tools/pcl_install.sh", True),
+        ("wget https://raw.githubusercontent.com/lab/robots/master/tools/gone_install.sh", False),
+        ("wget https://raw.githubusercontent.com/lab/other/master/tools/pcl_install.sh", False),
+    ],
+)
+def test_a_file_of_the_tree_is_part_of_the_image(tree: Tree, line: str, *, here: bool) -> None:
+    git = {
+        ".git/config": '[remote "origin"]\n\turl = git@github.com:lab/robots.git\n',
+        ".git/HEAD": "ref: refs/heads/a\n",
+    }
+    page = f"## Installation\n```\n{line}\n```\n"
+    assert bool(told(tree, page, **git, **{"tools/pcl_install.sh": "make\n"})) != here
+
+
 def test_data_is_no_step_of_an_installation(tree: Tree) -> None:
     page = "## Usage\n```\nwget https://example.org/bags.zip\n```\n## Install the dataset\n```\nwget https://x.org/a.zip\n```\n"
     assert told(tree, page) == []
