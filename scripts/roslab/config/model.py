@@ -72,7 +72,8 @@ class Source:
     unread: bool = False
     """Nobody has read what its own CMakeLists.txt asks for: no table knows the library, and no author configures it."""
     unasked: bool = False
-    """A page has everybody build it, and nothing that was read asks for it: where it fails, the image goes without."""
+    """A page has everybody build it, and nothing that was read asks for it, or only a page below the root clones it:
+    where it fails, the image goes without."""
     holding: tuple[str, ...] = ()
     """Packages that nothing else brings, of which it may hold some: it is kept where it does."""
     place: Place | None = None

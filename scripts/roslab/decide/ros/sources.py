@@ -26,8 +26,9 @@ from roslab.decide.ros.source_names import (
 from roslab.decide.ros.used import used_by_build
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
-from roslab.decide.system.by_everybody import told
+from roslab.decide.system.by_everybody import PAGES, told
 from roslab.decide.system.lies_beside import lies_beside
+from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
@@ -173,6 +174,7 @@ class _Chosen:
             ref=ref,
             build=next((tool for tool in WORKSPACE_TOOLS if tool == self.build_tool), "none"),
             before="" if ref and not drifts(ref) else self.before,
+            unasked=_beside(git),
             place=Place(file=git.file, line=git.line),
         )
         self.reasons.append(because("source", name, why, git, weight=Weight.LISTED))
@@ -281,6 +283,12 @@ class _Chosen:
             reasons=tuple(self.reasons),
             warnings=(*self.warnings, *self.loose()),
         )
+
+
+def _beside(git: GitSource) -> bool:
+    """Tell whether only a page below the root, which may be about another project, has it cloned."""
+    page = "/" in git.file and git.file.endswith(PAGES) and not places.documentation(git.file)
+    return git.kind == "clone" and git.strength == "prose" and page
 
 
 def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]]) -> Choice[Sources]:

@@ -44,9 +44,7 @@ def submodules(plan: Plan) -> str:
     runs = []
     for source in plan.workspace.submodules:
         folder = quote.shell_with_user(f"{source_folder(plan)}/{source.name}")
-        left_out = quote.shell(f"roslab: left out: {source.name} cannot be cloned")
-        cloned = " \\\n   && ".join(fetch(plan, source, folder))
-        commands = (f"mkdir --parents {folder}", f"{{ {cloned}; }} \\\n || echo {left_out}")
+        commands = (f"mkdir --parents {folder}", _or_left_out(fetch(plan, source, folder), source))
         runs.append(shell.run(*commands, secrets=secrets.for_git(plan, "user")))
     head = "# What belongs in the tree and is not checked out: submodules at the commits that the repository records"
     return "\n".join([head, "USER ${NB_USER}", *runs, "USER root"])
@@ -54,4 +52,11 @@ def submodules(plan: Plan) -> str:
 
 def _fetched(plan: Plan, source: Source) -> list[str]:
     folder = quote.shell_with_user(f"{WS}/src/{source.name}")
-    return prepared(plan, source, folder)
+    commands = prepared(plan, source, folder)
+    return [_or_left_out(commands, source)] if source.unasked else commands
+
+
+def _or_left_out(commands: list[str], source: Source) -> str:
+    """Return the commands as one that does not fail: what is private or gone is told."""
+    cloned = " \\\n   && ".join(commands)
+    return f"{{ {cloned}; }} \\\n || echo {quote.shell(f'roslab: left out: {source.name} cannot be cloned')}"
