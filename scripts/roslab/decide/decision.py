@@ -96,6 +96,8 @@ class Python:
     """Read from imports or prose: installed where pip can, reported where not."""
     requirements: tuple[str, ...] = ()
     """Requirement files of the tree to install as they are, relative to the root."""
+    beside_files: tuple[Requirement, ...] = ()
+    """Those of ``pip_guessed`` that are packages of these files with extras of a page: one call of pip chooses both."""
     cloned_files: tuple[str, ...] = ()
     """Requirement files of submodules that the image clones, relative to the root; nothing has read them."""
     manifests: tuple[str, ...] = ()

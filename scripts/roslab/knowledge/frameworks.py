@@ -70,6 +70,13 @@ def released_together() -> dict[str, tuple[str, ...]]:
     return found
 
 
+def same_numbers() -> str:
+    """Return, a line each, a framework and what is released with it under the same number."""
+    return "\n".join(
+        f"{row['framework']} {row['pip']}" for row in rows("released_together") if row["same_number"] == "yes"
+    )
+
+
 def framework_on_cuda(package: str) -> str | None:
     """Return the name under which the table has a package whose wheels compute on CUDA, ``None`` for all others."""
     name, on_cuda = _same_releases().get(package, (package, True))

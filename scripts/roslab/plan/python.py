@@ -41,6 +41,7 @@ class PythonPlan:
     conda_pip_below: str = ""
     conda_limits: tuple[str, ...] = ()
     conda_cuda: str = ""
+    beside_files: tuple[str, ...] = ()
     cloned_files: tuple[str, ...] = ()
     unseen: tuple[str, ...] = ()
     setuptools: str = ""
@@ -87,6 +88,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         conda_pip_below=python.conda_pip_below,
         conda_limits=python.conda_limits,
         conda_cuda=python.conda_cuda,
+        beside_files=_lines(python.beside_files),
         cloned_files=python.cloned_files,
         unseen=python.unseen,
         setuptools=python.setuptools.written if python.setuptools else "",

@@ -203,7 +203,7 @@ def _join(blocks: tuple[Block, ...], plan: Plan) -> str:
 
 
 def _without_repetition(stage: str) -> str:
-    """Drop the instructions that change nothing: a USER or WORKDIR that is already set, a script that was copied.
+    """Drop the instructions that change nothing: a USER or WORKDIR that is already set, a file that was copied.
 
     Each block states everything it needs, because the plan decides which blocks come before it. It may hold several
     stages, which have nothing of each other.
@@ -213,7 +213,9 @@ def _without_repetition(stage: str) -> str:
     for line in stage.split("\n"):
         if line.startswith("FROM "):
             said.clear()
-        if match := re.fullmatch(r"(USER|WORKDIR) .+|(COPY --from=scripts /\S+) /usr/local/bin/", line):
+        if match := re.fullmatch(
+            r"(USER|WORKDIR) .+|(COPY --from=scripts /\S+) /usr/local/(?:bin|share/roslab)/", line
+        ):
             instruction = match[1] or match[2]
             if said.get(instruction) == line:
                 continue

@@ -111,7 +111,7 @@ RUN --mount=type=cache,id=apt-lists-python2_node-${TARGETARCH},target=/var/lib/a
     export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
  && install-rosdep-keys --tables melodic/2023-06-27 /tmp/manifests
 
-# Imported but declared nowhere: none of them stops the build
+# Imported or named in a page, declared nowhere else: none of them stops the build
 COPY --from=scripts /install-optional-pip /usr/local/bin/
 COPY --from=scripts /pip-cache /usr/local/bin/
 RUN --mount=type=cache,id=pip-python2_node-${TARGETARCH},target=/root/.cache/pip,sharing=locked \

@@ -58,6 +58,8 @@ def test_extras_of_the_first_line_are_installed(tree: Tree, page: str, more: lis
         ("jax==0.4.13", 'pip install "jax[gpu]==0.4.13" -f https://a.org\npip install "jax[tpu]"', "jax[gpu]==0.4.13"),
         ("jax==0.4.13", 'pip install "jax[cuda12]"', "jax[cuda12]==0.4.13"),
         ("jax", "pip install -U jax[cuda12]", "jax[cuda12]"),
+        ("jax >= 0.2.27", 'pip install --upgrade "jax[cuda]>=0.2.27" -f https://a.org/x.html', "jax[cuda]>=0.2.27"),
+        ("jax>=0.2.27", 'pip install "jax[cuda]"', "jax[cuda]>=0.2.27"),
         ("jax[cuda12]==0.4.13", 'pip install "jax[cuda12]"', None),
         ("jax==0.4.13", 'pip install "jax[cuda12]==0.4.20"', None),
         ("jax==0.4.13", 'pip install "jax[dev]"', None),
@@ -71,6 +73,7 @@ def test_what_a_page_adds_to_a_package_of_a_list(
     python = tree(files).python
     found = (*python.pip, *python.pip_guessed)
     assert [each.written for each in found if each.extras and each.key == "jax"] == ([more] if more else [])
+    assert python.beside_files == tuple(each for each in python.pip_guessed if each.extras)
 
 
 GROUPS = """\

@@ -34,6 +34,8 @@ FILES = {
         f"compiled-2.0-{BINARY}.whl": NEW,
         f"compiled-3.0-{BINARY}.whl": "2023-06-01",
     },
+    "gone": {f"gone-{number}-{EVERY}.whl": OLD for number in ("2.1.3", "2.1.25", "2.1.30", "2.2.0")},
+    "front": {f"front-{number}-{EVERY}.whl": day for number, day in (("1.0", OLD), ("2.1", NEW), ("3.0", NEW))},
     "later": {f"later-1.0-{EVERY}.whl": NEW, f"later-2.0-{EVERY}.whl": "2023-06-01"},
 }
 
@@ -159,6 +161,42 @@ def test_a_lower_bound_that_is_newer_than_the_day_gets_newer_versions(
     output = ran(step, tmp_path, f"{index}/simple/", f"{install}\nls {tmp_path}/got")
     assert f"plain-{got}.dist-info" in output
     assert ("no version of plain" in (tmp_path / "said").read_text()) == (">" in asked)
+
+
+@pytest.mark.parametrize(
+    ("listed", "got"),
+    [("gone==2.1.21", "2.1.25"), ("gone == 2.1.21 ; python_version > '3'", "2.1.25"), ("gone==2.1.30", "2.1.30")],
+)
+def test_an_exact_version_that_is_gone_becomes_the_next_of_its_minor_one(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, listed: str, got: str
+) -> None:
+    (tmp_path / "list.txt").write_text(f"plain\n{listed}\n")
+    install = f"python3 -m pip install --quiet --no-cache-dir --target {tmp_path}/got"
+    for arguments in (f"--requirement {tmp_path}/list.txt", f'plain "{listed}"'):
+        command = f"{install} {arguments}\nls {tmp_path}/got\nrm -r {tmp_path}/got"
+        assert f"gone-{got}.dist-info" in ran(step, tmp_path, f"{index}/simple/", command)
+    assert ("the index no longer has gone 2.1.21: 2.1.25 is taken" in (tmp_path / "said").read_text()) == (
+        got not in listed
+    )
+
+
+def test_a_version_that_is_gone_is_replaced_by_none_of_another_minor_one(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+) -> None:
+    install = f"python3 -m pip install --quiet --no-cache-dir --target {tmp_path}/got gone==2.0.1"
+    assert ran(step, tmp_path, f"{index}/simple/", f"{install} || echo failed").strip() == "failed"
+
+
+@pytest.mark.parametrize(("companion", "kept"), [("compiled", "1.0 2.1"), ("plain", "1.0")])
+def test_what_is_released_together_is_of_one_time(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, companion: str, kept: str
+) -> None:
+    table = tmp_path / "released-together.txt"
+    table.write_text(f"front {companion}\n")
+    script = tmp_path / "index-as-of"
+    script.write_text(script.read_text().replace("/usr/local/share/roslab/released-together.txt", str(table)))
+    pages = PAGES.replace("AGENT", "23.2.1").replace("plain source compiled later", "front")
+    assert ran(step, tmp_path, f"{index}/simple/", pages).strip() == f"front {kept}"
 
 
 def test_what_no_day_has_fails_as_before(step: list[subprocess.Popen[str]], tmp_path: Path, index: str) -> None:

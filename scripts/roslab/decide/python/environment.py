@@ -14,6 +14,7 @@ from roslab.decide.python.conda_cuda import cuda_of_conda
 from roslab.decide.python.conda_limits import limits_of
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
 from roslab.decide.python.extension_code import decide_defines
+from roslab.decide.python.extras import beside_lists
 from roslab.decide.python.fetched import cloned_files, unseen
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
@@ -141,6 +142,7 @@ def decide_python(
         pip=tuple(dict.fromkeys(declared)),
         pip_guessed=tuple(dict.fromkeys(one_build(right(chosen.guessed), cuda))),
         requirements=tuple(file.file for file in whole),
+        beside_files=beside_lists(right(chosen.guessed), whole),
         cloned_files=cloned_files(evidence, chosen.files),
         manifests=beside(evidence, whole, conda),
         projects=tuple(project.folder or "." for project in chosen.projects),

@@ -58,9 +58,15 @@ def of_pages(evidence: Evidence, files: Iterable[RequirementFile]) -> tuple[Requ
             continue
         same = not asked.limited or asked.specifier == before.specifier
         if same and not set(asked.extras) <= set(before.extras) and not _developers(asked):
-            written = f"{asked.name}[{','.join(asked.extras)}]{before.specifier if before.limited else ''}"
+            written = f"{asked.name}[{','.join(asked.extras)}]{before.specifier}"
             found.setdefault(asked.key, replace(asked, written=written, specifier=before.specifier))
     return tuple(found.values())
+
+
+def beside_lists(guessed: Iterable[Requirement], files: Iterable[RequirementFile]) -> tuple[Requirement, ...]:
+    """Return those of ``guessed`` that are packages of these files, which name them without the extras."""
+    listed = {each.key for file in files for each in file.requirements if each.name}
+    return tuple(each for each in guessed if each.extras and not each.url and each.key in listed)
 
 
 def _developers(asked: Requirement) -> bool:

@@ -4,7 +4,9 @@
 # long as the step leaves out each file that the index got later. The index must tell when (PEP 700, as PyPI does).
 # With --or-today no package is missing for it: where the index does not tell, or has nothing of the day for this Python,
 # that is said and newer ones are taken; and a later version can still be had by its exact number. Where pip finds no
-# version that is asked for, by a lower bound that is newer than the day, it is called again with that package's newer ones.
+# version that is asked for, by a lower bound that is newer than the day, it is called again with that package's newer ones;
+# an exact version that is gone from the index becomes the next one with the same first two numbers, if there is one.
+# Of two packages that are released together (released-together.txt) one later version brings the other of that number.
 # Where git-as-of is in the image, what pip clones without naming a commit is of the day too.
 set -euo pipefail
 
@@ -58,6 +60,7 @@ except ImportError:
 DAY, INDEX, READY = sys.argv[1:4]
 OR_TODAY = sys.argv[4:5] == ["--or-today"]
 FREE = sys.argv[-1]
+TOGETHER = "/usr/local/share/roslab/released-together.txt"
 JSON = "application/vnd.pypi.simple.v1+json"
 SAID = set()
 
@@ -93,6 +96,10 @@ def version(file):
     return name.split("-")[1] if name.endswith(".whl") else name.split("-")[-1]
 
 
+def number(file):
+    return [int(part) for part in re.findall(r"\d+", version(file))]
+
+
 def of_day(name, files):
     """Return the files of the day; with --or-today those of the first later version where they would not do.
 
@@ -114,6 +121,26 @@ def of_day(name, files):
     return then + [file for file in later if version(file) == version(first)]
 
 
+def beside(name, files):
+    """Return the first files that go with a later version of what is released together with them."""
+    if not OR_TODAY or not os.path.exists(TOGETHER):
+        return []
+    with open(TOGETHER) as table:
+        others = [line.split()[1] for line in table if line.split()[:1] == [name]]
+    found = []
+    for other in others:
+        dated = of_day(other, files_of(other)[1])
+        later = [file for file in dated if file["upload-time"][:10] > DAY]
+        if not later:
+            continue
+        least = min(map(number, later))
+        fit = [file for file in files if number(file) >= least and not file.get("yanked")]
+        found += [file for file in fit if number(file) == min(map(number, fit))]
+        if fit:
+            say("%s is taken in the version that goes with it: %s" % (name, version(found[-1])))
+    return found
+
+
 def free(name):
     """Tell whether pip found no version of the day for what was asked of a package."""
     if not OR_TODAY or not os.path.exists(FREE):
@@ -124,7 +151,7 @@ def free(name):
 
 def page(name, knows_yanked):
     address, files = files_of(name)
-    kept = files if free(name) else of_day(name, files)
+    kept = files if free(name) else of_day(name, files) + beside(name, files)
     names = set(file["filename"] for file in kept)
     lines = []
     for file in files if OR_TODAY and knows_yanked else kept:
@@ -214,12 +241,43 @@ roslab_pip() {
     command "$@"
     return
   fi
-  until rm -f "${log}" && PIP_LOG="${log}" command "$@"; do
+  local call=("$@")
+  until rm -f "${log}" && PIP_LOG="${log}" command "${call[@]}"; do
     name="$(sed -n 's/.*No matching distribution found for \([A-Za-z0-9._-]*\).*/\1/p' "${log}" 2>/dev/null | tail -n 1)"
-    if [ -z "${name}" ] || grep -q -x -F "${name}" "${free}" 2>/dev/null; then return 1; fi
+    if [ -z "${name}" ]; then return 1; fi
+    if grep -q -x -F "${name}" "${free}" 2>/dev/null; then
+      roslab_next_version "${name}" || return 1
+      continue
+    fi
     echo "${name}" >>"${free}"
     echo "roslab: no version of ${name} that was there on the day fits what is asked for: newer ones are taken" >&2
   done
+}
+# Replaces an exact version that the index no longer has, in the call and in its requirement files
+roslab_next_version() {
+  local asked minor next at pinned
+  asked="$(sed -n "s/.*No matching distribution found for $1==\([0-9][0-9.]*[0-9]\)\([^0-9.].*\)\{0,1\}$/\1/p" "${log}" | tail -n 1)"
+  minor="$(cut -d . -f 1,2 <<<"${asked}")"
+  next="$(sed -n "s/.*requirement $1==${asked}[ ;].*(from versions: \(.*\)).*/\1/p" "${log}" | tail -n 1 | tr -d ' ' | tr , '\n' \
+    | { grep -E "^${minor}([.][0-9]+)+$" || true; } | { cat && echo "${asked}"; } | sort -V | sed "1,/^${asked}$/d" | head -n 1)"
+  if [ -z "${asked}" ] || [ -z "${next}" ]; then return 1; fi
+  pinned="^\([[:space:]]*$1[[:space:]]*==[[:space:]]*\)${asked}\([^0-9.]\|$\)"
+  local changed=''
+  for at in "${!call[@]}"; do
+    case "${call[at - (at > 0)]}" in
+      -r | --requirement)
+        if ! grep -q "${pinned}" "${call[at]}" 2>/dev/null; then continue; fi
+        sed -i "s/${pinned}/\1${next}\2/" "${call[at]}"
+        ;;
+      *)
+        if ! grep -q "${pinned}" <<<"${call[at]}"; then continue; fi
+        call[at]="$(sed "s/${pinned}/\1${next}\2/" <<<"${call[at]}")"
+        ;;
+    esac
+    changed=yes
+  done
+  if [ -z "${changed}" ]; then return 1; fi
+  echo "roslab: the index no longer has $1 ${asked}: ${next} is taken" >&2
 }
 python3() { roslab_pip python3 "$@"; }
 python2() { roslab_pip python2 "$@"; }

@@ -162,7 +162,10 @@ def packages(plan: Plan) -> str:
     if python.requirements:
         files = "".join(f" --requirement {quote.shell(f'{manifests.FOLDER}/{name}')}" for name in python.requirements)
         copy = manifests.copy(plan, manifests.of_pip(plan))
-        run = shell.run(building.also_with_what_is_there(plan, pip, files), secrets=secrets.for_pip(plan))
+        install = building.also_with_what_is_there(plan, pip, files)
+        if python.beside_files:  # where these cannot be had, the files alone
+            install = f"{{ {pip}{_words(python.beside_files)}{files} \\\n      || {install}; }}"
+        run = shell.run(install, secrets=secrets.for_pip(plan))
         blocks.append(f"# Requirement files\n{copy}{run}")
     if python.python2:
         options = pip_options(python.python2_options)
@@ -187,7 +190,7 @@ def guessed_packages(plan: Plan) -> str:
     return shell.call(
         "install-optional-pip",
         f" {interpreter(plan)} {options} --{shell.words(plan.python.pip_guessed)}",
-        comment="Imported but declared nowhere: none of them stops the build",
+        comment="Imported or named in a page, declared nowhere else: none of them stops the build",
         secrets=secrets.for_pip(plan),
     )
 

@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from roslab.knowledge.compiled import public_hosts
+from roslab.knowledge.frameworks import same_numbers
 from roslab.knowledge.keys import key
 from roslab.knowledge.os_releases import archives
 from roslab.render.layers import shell
@@ -23,6 +24,7 @@ _COPY = pattern(r"^COPY --from=scripts (/.+) /usr/local/(?:bin|share/roslab)/$",
 _TABLES: dict[str, Callable[[], str]] = {
     "archives.txt": archives,
     "git-hosts.txt": lambda: "\n".join(sorted(public_hosts())),
+    "released-together.txt": same_numbers,
 }
 """Tables of the program's knowledge that scripts read."""
 _WHY = "# What is the same in every image, as small scripts; what belongs to this repository begins below them."
