@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
 
 Tree = Callable[[dict[str, str]], Decision]
 
@@ -38,3 +42,39 @@ def test_a_newer_cuda_of_the_environment_is_what_its_packages_ask_for(tree: Tree
 
 def test_pip_needs_none(tree: Tree) -> None:
     assert not tree({"requirements.txt": "torch==1.13.1\n"}).python.conda_cuda
+
+
+FREEZE = ("pytorch=1.8.0=py3.9_cuda11.1_cudnn8.0.5_0", "torchvision=0.9.0=py39_cu111", "pyyaml=6.0")
+OWN = "from setuptools import setup\nsetup(name='demo', install_requires=['torch', 'pyyaml'])\n"
+
+
+def _frozen(*packages: str, folder: str = "conda/") -> dict[str, str]:
+    lines = "".join(f"  - {package}\n" for package in ("python=3.9", *packages))
+    return {
+        f"{folder}environment.yml": f"channels: [pytorch]\ndependencies:\n{lines}",
+        "setup.py": OWN,
+        "demo/__init__.py": "",
+        "README.md": f"```\nconda env create -f {folder}environment.yml\npip install -e .\npython run.py\n```\n",
+        "run.py": "import torch\nimport yaml\nprint(torch.zeros(1).cuda(), yaml.load('a'))\n",
+        "pip/requirements.txt": "torch==1.8.0\n",
+    }
+
+
+@pytest.mark.parametrize("packages", [FREEZE, ("pytorch=1.8.0", "cudatoolkit=11.1", "pyyaml=6.0")])
+def test_pip_replaces_nothing_that_the_environment_pins(tree: Tree, packages: tuple[str, ...]) -> None:
+    decision = tree(_frozen(*packages, folder="" if "cudatoolkit=11.1" in packages else "conda/"))
+    assert (decision.python.manager, decision.python.projects) == ("conda", (".",))
+    assert not {each.key for each in decision.python.bounds} & {"torch", "pyyaml"}
+    assert decision.python.options == ()
+    assert decision.cuda == "11.1"
+    assert not [warning for warning in decision.warnings if "CUDA" in warning.message]
+
+
+def test_a_torch_that_pip_installs_beside_conda_comes_from_the_index_of_its_cuda(tmp_path: Path) -> None:
+    lines = "channels: [defaults]\ndependencies:\n  - python=3.7\n  - pip:\n    - torch==1.7.1\n"
+    (tmp_path / "environment.yml").write_text(lines)
+    (tmp_path / "run.py").write_text("import torch\ntorch.zeros(1).cuda()\n")
+    plan = plan_repository(tmp_path).plan
+    page = "--find-links https://download.pytorch.org/whl/cu110/torch_stable.html"
+    assert re.search(rf"{re.escape(page)} --upgrade --requirement environment.yml.pip", dockerfile(plan))
+    assert [each for each in plan.warnings if "will not see the GPU" in each.message] == []

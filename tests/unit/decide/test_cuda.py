@@ -80,7 +80,7 @@ def test_conda_toolkit_beats_the_default_wheel() -> None:
     )  # fmt: skip
     choice = decide_cuda(Evidence(conda=(environment,)), Config())
     assert (choice.answer.version, choice.answer.cudnn) == ("11.6", "8")
-    assert [reason.decisive for reason in choice.reasons] == [True, False]
+    assert [reason.answer for reason in choice.reasons] == ["11.6"]  # conda's own torch is no wheel
 
 
 def test_a_deleted_image_is_replaced_with_a_warning() -> None:

@@ -11,7 +11,7 @@ from packaging.version import Version
 from roslab.config.model import Config
 from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.cuda.gpus import gpu_limits, knows_gpus, nearest_that_knows, unknown_gpu
-from roslab.decide.cuda.local import cuda_of, of_the_cpu
+from roslab.decide.cuda.local import cuda_of, cuda_of_build, of_the_cpu
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import DEVELOPMENT, Pin
 from roslab.decide.python.version import python_version
@@ -22,6 +22,7 @@ from roslab.knowledge.accelerated import without_gpu
 from roslab.knowledge.frameworks import (
     CudaImage,
     build_needs,
+    conda_names,
     cuda_image,
     framework,
     framework_on_cuda,
@@ -29,6 +30,7 @@ from roslab.knowledge.frameworks import (
     newest_framework,
     tabled,
 )  # fmt: skip
+from roslab.values.conda import CondaPackage
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
@@ -146,22 +148,43 @@ def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> It
     compiles = bool(evidence.cuda_files) or any("cuda" in project.extensions for project in evidence.python)
     compiles = compiles or any("torch" in build_needs().get(pin.name, ()) for pin in pins)
     lowest = {use.bound.key: use.bound.below for use in evidence.bounds}
+    of_conda = {each.file for each in evidence.conda if any(map(_names_cuda, each.packages))}
     for pin in pins:
+        if pin.requirement.role == "conda" and pin.requirement.file in of_conda:
+            continue  # conda has it for the CUDA that the same file names
         # The wheels of torch bring the CUDA of their day: the image needs it only where something is compiled for them
         of = None if tabled(pin.name) == "torch" and not compiles else day
         yield from _of_pin(pin, of, python, lowest.get(tabled(pin.name)))
     yield from _of_indexes(evidence)
-    for environment in (each for each in evidence.conda if not places.vendored(each.file)):
-        for package in environment.packages:
-            if package.name in OF_CONDA and (cuda := minor_of(package.version)):
-                why = f"the conda environment has {package.written}"
-                weight = Weight.CONDA_BELOW if "/" in environment.file else Weight.CONDA
-                yield because("cuda", cuda, why, environment, weight=weight), ()
+    yield from _of_conda(evidence)
     yield from _of_dockerfiles(evidence)
     yield from _of_mentions(evidence)
     if evidence.cuda_files:
         place = Place(file=evidence.cuda_files[0], line=1)
         yield because("cuda", DEFAULT, "it has CUDA sources, no version is named", place, weight=Weight.SOURCES), ()
+
+
+def _of_conda(evidence: Evidence) -> Iterator[Candidate]:
+    """Yield the CUDA that an environment names, as a package or in the build string of a framework."""
+    for environment in (each for each in evidence.conda if not places.vendored(each.file)):
+        for package in environment.packages:
+            if not _names_cuda(package):
+                continue
+            below, cuda = "/" in environment.file, minor_of(package.version)
+            weight = Weight.CONDA_BELOW if below else Weight.CONDA
+            if package.name not in OF_CONDA:
+                cuda = cuda_of_build(package.build)
+                weight = weight if environment.file.count("/") > 1 else Weight.LOCAL_VERSION
+            if cuda:
+                why = f"the conda environment has {package.written}"
+                yield because("cuda", cuda, why, environment, weight=weight), ()
+
+
+def _names_cuda(package: CondaPackage) -> bool:
+    if package.name in OF_CONDA:
+        return bool(minor_of(package.version))
+    known = conda_names().get(package.name, package.name)
+    return known in _BUILT_FOR and bool(cuda_of_build(package.build))
 
 
 def _of_indexes(evidence: Evidence) -> Iterator[Candidate]:
@@ -260,9 +283,12 @@ def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: t
         weight=Weight.NEAREST,
     )
     said = reasons[0]
+    loads = f"A framework that loads CUDA {cuda} itself will not see the GPU; set"
+    if said.reason.endswith(_WHY["torch"]):
+        loads = "The wheel loads its own; set"
     warning = warn(
-        f"CUDA {cuda}: {why}; the image has {instead.tag}. A framework that loads CUDA {cuda} itself will "
-        "not see the GPU; set base.cuda or base.image in roslab.yaml to choose another",
+        f"CUDA {cuda}: {why}; the image has {instead.tag}. {loads} base.cuda or base.image in roslab.yaml "
+        "to choose another",
         Place(file=said.file, line=said.line) if said.file else None,
     )
     return Choice(answer=_cuda(instead, cudnn), reasons=(*reasons, note), warnings=(warning,))

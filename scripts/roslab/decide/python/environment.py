@@ -100,26 +100,31 @@ def decide_python(
     everything = [asked for asked in (*declared, *chosen.guessed, *manifests) if interpreter.may(asked)]
     # The distribution's own packages are old enough: only what pip chooses needs a bound
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
+    conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
     bounds = decide_bounds(
-        evidence.bounds if manager != "system" else (), (*everything, *exact.answer, *named.answer.limits)
+        evidence.bounds if manager != "system" else (),
+        (
+            *everything,
+            *exact.answer,
+            *named.answer.limits,
+            *(each for each in conda_asked if each.limited and manager == "conda"),
+        ),
     )
-    wheels = (*exact.answer, *everything) if kind == "cuda" and manager != "system" else ()
+    by_pip = _without((*exact.answer, *everything), conda_asked if manager == "conda" else ())
+    wheels = by_pip if kind == "cuda" and manager != "system" else ()
     compiled = bool(wheels) and extended
     at_root = manager != "system" and (bool(chosen.declared) or any(not p.folder for p in chosen.projects))
     locked = evidence.locked if at_root else ()
     build = decide_build(
         evidence, chosen, wheels, cuda, number, compiled=compiled, aged=bool(aged), bounds=bounds.answer, locked=locked
     )
-    conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
-    # NumPy 1 from conda is no limit for pip, which replaces it where a package asks for NumPy 2
-    before_pip = (each for each in conda_asked if each.key != "numpy" or each.specifier.contains("2.0.0"))
     native = decide_native_parts(everything, chosen.guessed, chosen.projects, evidence.pip_day)
     limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *native.answer.bounds)
     defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number, aged)
     of_lock = locked_releases(locked, manifests, (*named.answer.first, *limits), number)
     undeclared = decide_undeclared((*everything, *limits, *of_lock.answer) if manager != "system" else ())
     limits = (*limits, *of_lock.answer, *undeclared.answer)
-    numpy = numpy_of((*before_pip, *everything, *limits) if manager != "system" else ())
+    numpy = numpy_of((*_no_old_numpy(conda_asked), *everything, *limits) if manager != "system" else ())
     indexes = [
         *indexes_of([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files),
         *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option"),
@@ -203,6 +208,17 @@ def decide_python(
             *left_to_parts(evidence, chosen.files),
         ),
     )
+
+
+def _without(asked: Sequence[Requirement], of_conda: Sequence[Requirement]) -> tuple[Requirement, ...]:
+    """Return what pip is asked for and conda's own packages do not bring: their build is the file's choice."""
+    names = {each.key for each in of_conda}
+    return tuple(each for each in asked if each.key not in names)
+
+
+def _no_old_numpy(of_conda: Sequence[Requirement]) -> Iterator[Requirement]:
+    """Yield conda's packages; NumPy 1 is no limit for pip, which replaces it where a package asks for NumPy 2."""
+    return (each for each in of_conda if each.key != "numpy" or each.specifier.contains("2.0.0"))
 
 
 def _default_channels(evidence: Evidence, conda: str | None) -> bool:
