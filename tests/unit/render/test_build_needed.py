@@ -98,7 +98,8 @@ def test_a_page_of_the_repository_names_no_need(workspace: Path) -> None:
 
 @pytest.mark.parametrize("marker", ["AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE"])
 def test_what_a_marker_hides_needs_nothing(workspace: Path, marker: str) -> None:
-    _package(workspace, "mine/old", "old", "tool", **{marker: ""}, node__py="import tool.msg\n")
+    _package(workspace, "mine/old", "old", "tool", node__py="import tool.msg\n")
+    (workspace / "src/mine/old" / marker).touch()
     _package(workspace, "clone/gone/inner", "gone")
     (workspace / "src/clone/gone" / marker).touch()
     (workspace / "src/clone/docs/broken").touch()
