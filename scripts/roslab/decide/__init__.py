@@ -115,6 +115,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         ubuntu=base.answer.ubuntu,
         cuda="cuda" in base.answer.image,
         modules=evidence.cmake_modules,
+        unfound=evidence.by_variables,
     )
     sources = decide_sources(
         evidence,

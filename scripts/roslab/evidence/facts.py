@@ -278,6 +278,8 @@ class Evidence:
     """Of libraries, in lists of what a page requires; they are weaker than what the code shows."""
     cmake_modules: frozenset[str] = frozenset()
     """Names that a file of the tree finds for CMake: ``FindNAME.cmake``, ``NAMEConfig.cmake``."""
+    by_variables: frozenset[str] = frozenset()
+    """Packages that CMake requires of which ROS has one that the code, using no variable of it, does not find."""
     misnamed: tuple[tuple[str, str], ...] = ()
     """Variables that CMake files use and nothing sets, each with the value that is meant."""
     copies: tuple[str, ...] = ()

@@ -9,6 +9,7 @@ from roslab.evidence import places, submodules
 from roslab.evidence.facts import CMakeProject, Evidence, PackageManifest
 from roslab.evidence.native import (
     authors_folders,
+    by_variables,
     cmake,
     compared,
     cpp,
@@ -176,6 +177,7 @@ def gather(repository: Repository) -> Evidence:
         ),
         listed_releases=listed_releases.read(own),
         cmake_modules=cmake.modules(repository),
+        by_variables=by_variables.read(repository),
         misnamed=misnamed.read(repository),
         copies=copies.read(repository, manifests),
         cuda_files=cpp.cuda_files(repository),

@@ -6,6 +6,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.knowledge.distros import distro, ever
 from roslab.knowledge.libraries import Library, header, library
 from roslab.knowledge.released import released
+from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
@@ -25,6 +26,8 @@ class Target:
     """The base has CUDA's compiler."""
     modules: frozenset[str] = frozenset()
     """What files of the tree find for CMake: it then needs no configuration file of a library."""
+    unfound: frozenset[str] = frozenset()
+    """Packages of which the code would not find ROS's."""
 
     def ros(self, name: str) -> str:
         """Return the apt name of a ROS package."""
@@ -72,11 +75,24 @@ def _by_link(found: Library, name: str, target: Target) -> Library | None:
 
 
 def _library(found: Library, target: Target) -> Resolved:
-    """Prefer a ROS package of the image's distribution: its other packages were built with it."""
-    if found.ros and target.knows(found.ros):
+    """Prefer a ROS package of the image's distribution: its other packages were built with it.
+
+    Not one that the code does not find there, where it finds Ubuntu's.
+    """
+    if (
+        found.ros
+        and target.knows(found.ros)
+        and not (found.ros in target.unfound and _in_default_folders(found, target))
+    ):
         return Resolved(apt=(target.ros(found.ros),), beside=found.beside)
     known = bool(found.apt or found.recipe or not found.ros)
     return Resolved(apt=found.apt, beside=found.beside, recipe=found.recipe if not found.apt else "", known=known)
+
+
+def _in_default_folders(found: Library, target: Target) -> bool:
+    """Tell whether Ubuntu's package of a library has its files where every compiler looks."""
+    row = next((row for row in rows("found_by_variables") if row["package"] == found.ros), None)
+    return bool(found.apt and row and target.ubuntu in row["ubuntus"].split())
 
 
 def _ros(name: str, target: Target) -> Resolved:
