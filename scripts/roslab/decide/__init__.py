@@ -16,6 +16,7 @@ from roslab.decide.day import decide_days
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.downloads import decide_downloads
 from roslab.decide.kind import decide_kind
+from roslab.decide.launch_needs import decide_launch_needs
 from roslab.decide.nothing import require_something
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.outside import decide_outside
@@ -54,7 +55,6 @@ from roslab.decide.system.needs import host_options
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, with_libraries
-from roslab.decide.unset_variables import decide_unset
 from roslab.decide.variables import decide_variables
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.cpu import told
@@ -235,7 +235,11 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         *(kind, release, base, build_tool, layout, python, cuda, own, mended, command, test, platforms),
         *(sources, system, inside),
         *(() if own.answer else (repositories, scripts, missing, steps, variables, downloads)),
-        *(() if own.answer else (decide_unset(evidence, config, command.answer.command, variables.answer),)),
+        *(
+            ()
+            if own.answer
+            else (decide_launch_needs(evidence, config, command.answer, variables.answer, sources.answer),)
+        ),
         *(() if own.answer else (decide_outside(evidence, config, kind.answer),)),
     )
     return Decision(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from collections.abc import Set as AbstractSet
 from functools import cache
 
 from roslab.decide.ros.source_names import plain
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
 from roslab.knowledge.distros import distros
@@ -30,28 +32,40 @@ def unstartable(evidence: Evidence, *, programs: bool) -> frozenset[str]:
     distribution or table knows; what a page or a list clones may hold it, and then all may start. Without ``programs``
     of its own, the repository may consist of launch files for what others wrote.
     """
+    files = {launch.file.rpartition("/")[2] for launch in evidence.launch}
     cloned = any(git.kind not in {"link", "fetch"} for git in evidence.sources)
     cloned = cloned or any(authored.clones for authored in evidence.dockerfiles)
-    files = {launch.file.rpartition("/")[2] for launch in evidence.launch}
-    own, asked = _of_tree(evidence), _asked(evidence)
-    families = {ros: _families(frozenset(asked), ros) for ros in (1, 2)}
+    lacking = {} if cloned else lacks(evidence, lambda _: False)
+    own = _of_tree(evidence)
     return frozenset(
         launch.file
         for launch in evidence.launch
-        if (not cloned and _lacks(launch, own | asked, families[launch.ros]))
-        or (programs and _of_others(launch, own, files))
+        if launch.file in lacking or (programs and _of_others(launch, own, files))
     )
 
 
-def _lacks(launch: LaunchFile, ours: AbstractSet[str | None], families: frozenset[str]) -> bool:
-    """Tell whether a launch file needs, whatever its arguments are, a package that nothing brings."""
-    return any(
-        asked.namespace == "ros"
-        and asked.strength != "optional"
-        and not (asked.name in ours or ever_released(asked.name) or ros_sources(asked.name, launch.ros))
-        and asked.name.partition("_")[0] not in families
-        for asked in launch.dependencies
-    )
+def lacks(evidence: Evidence, may_hold: Callable[[str], bool]) -> dict[str, tuple[Dependency, ...]]:
+    """Return the packages that launch files need, whatever their arguments are, and nothing brings, by the file's path.
+
+    ``may_hold``: whether something that is cloned may hold a package of a name.
+    """
+    asked = _asked(evidence)
+    ours = _of_tree(evidence) | asked
+    families = {ros: _families(frozenset(asked), ros) for ros in (1, 2)}
+    found = {launch.file: tuple(_lacking(launch, ours, families[launch.ros], may_hold)) for launch in evidence.launch}
+    return {file: names for file, names in found.items() if names}
+
+
+def _lacking(
+    launch: LaunchFile, ours: AbstractSet[str | None], families: frozenset[str], may_hold: Callable[[str], bool]
+) -> Iterator[Dependency]:
+    for asked in launch.dependencies:
+        if asked.namespace != "ros" or asked.strength == "optional" or asked.name in ours:
+            continue
+        if ever_released(asked.name) or ros_sources(asked.name, launch.ros):
+            continue
+        if asked.name.partition("_")[0] not in families and not may_hold(asked.name):
+            yield asked
 
 
 def _of_others(launch: LaunchFile, own: AbstractSet[str | None], files: AbstractSet[str]) -> bool:

@@ -1,4 +1,4 @@
-"""A variable that the default command's launch file cannot do without is told where nothing sets it."""
+"""What the default command's launch file cannot do without is told where nothing gives it: a variable, a package."""
 
 from __future__ import annotations
 
@@ -51,3 +51,25 @@ def test_what_is_set_is_not_told(tree: Tree) -> None:
 def test_that_of_another_launch_file_is_not_told(tree: Tree) -> None:
     launch = '<param name="a" value="$(env ROBOT)"/>\n'
     assert not told(tree, "", {"launch/other.launch": f"<launch>{launch}</launch>"})
+
+
+@pytest.mark.parametrize(
+    ("launch", "more", "found"),
+    [
+        ('<include file="$(find demo_extras)/a.launch"/>\n', "", [("demo_extras", 2)]),
+        ('<node pkg="demo_extras" type="a" name="b"/>\n', "", [("demo_extras", 2)]),
+        ('<include file="$(find rviz)/a.launch"/>\n', "", []),
+        (
+            '<arg name="b" default="0"/><group if="$(arg b)"><node pkg="demo_extras" type="a" name="b"/></group>\n',
+            "",
+            [],
+        ),
+        ('<include file="$(find demo_extras)/a.launch"/>\n', "cd src\ngit clone https://github.com/lab/stack\n", []),
+    ],
+)
+def test_packages_that_nothing_brings(tree: Tree, launch: str, more: str, found: list[tuple[str, int]]) -> None:
+    page = f"ROS Noetic\n```\n{more}catkin_make\nroslaunch demo demo.launch\n```\n"
+    files = {**PACKAGE, "launch/demo.launch": f"<launch>\n{launch}{NODE}</launch>", "README.md": page}
+    warnings = [each for each in tree(files).warnings if "needs the package" in each.message]
+    assert all(each.file == "launch/demo.launch" and "`source` in roslab.yaml" in each.message for each in warnings)
+    assert [(each.message.partition("package ")[2].partition(",")[0], each.line) for each in warnings] == found

@@ -1,25 +1,34 @@
-"""Variables that the launch file of the default command needs and that nothing sets."""
+"""What the launch file of the default command needs and nothing gives it: variables that are set, packages."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
 from roslab.config.model import Config
+from roslab.decide.command import Command
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.launch_calls import launch_calls
+from roslab.decide.reasons import warn
+from roslab.decide.ros.sources import Sources
+from roslab.decide.startable_launches import lacks
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
 from roslab.knowledge.machine_variables import of_every_image
 
 
-def decide_unset(
-    evidence: Evidence, config: Config, command: tuple[str, ...] | str, there: Iterable[tuple[str, str]]
+def decide_launch_needs(
+    evidence: Evidence,
+    config: Config,
+    command: Command,
+    there: Iterable[tuple[str, str]],
+    sources: Sources,
 ) -> Choice[None]:
-    """Return a warning for each variable without which the default command stops at once; ``there``: those it has.
+    """Return a warning for each variable and package without which the default command stops at once.
 
-    What it starts by including it is not read.
+    ``there``: the variables that it has, ``sources``: what is cloned. What it starts by including it is not read.
     """
-    launch = None if isinstance(command, str) or config.compatible else _started(evidence, command)
+    argv = command.command
+    launch = None if isinstance(argv, str) or config.compatible else _started(evidence, argv)
     if launch is None:
         return Choice(answer=None)
     given = {name for name, _ in (*there, *config.env)}
@@ -32,6 +41,14 @@ def decide_unset(
         )
         for name, line in launch.variables
         if name not in given and not of_every_image(name)
+    ]
+    told += [
+        warn(
+            f"the default command needs the package {asked.name}, which nothing is known to bring, and stops without "
+            "it: give its repository under `source` in roslab.yaml",
+            asked,
+        )
+        for asked in lacks(evidence, sources.may_hold).get(launch.file, ())
     ]
     return Choice(answer=None, warnings=tuple(told))
 
