@@ -549,6 +549,24 @@ def test_a_program_that_starts_a_node_in_its_place(tmp_path: Path, launch: str, 
 
 
 @pytest.mark.parametrize(
+    ("name", "launch", "apt"),
+    [
+        ("a.launch", "<launch><param name='a' command=\"xacro --inorder '$(arg b)'\"/></launch>", True),
+        ("a.launch", "<launch>\n<param name='a'\n command='xacro.py a'/></launch>", True),
+        ("a.launch", "<launch><param name='a' command='cat a.urdf'/></launch>", False),
+        ("a.launch", "<launch><!-- <param name='a' command='xacro a'/> --></launch>", False),
+        ("a.launch.xml", "<launch><let name='a' value=\"$(command 'xacro $(var b)')\"/></launch>", True),
+        ("a.launch.py", 'LaunchDescription([Command(["xacro ", path])])', True),
+        ("a.launch.py", 'LaunchDescription([Command([FindExecutable(name="xacro"), " ", path])])', True),
+    ],
+)
+def test_a_program_that_makes_a_parameter(tmp_path: Path, name: str, launch: str, *, apt: bool) -> None:
+    xml, distro = (AMENT, "humble") if name != "a.launch" else (CATKIN, "noetic")
+    files = {**package(xml=xml), f"launch/{name}": launch, "README.md": f"ROS {distro}\n"}
+    assert (f"ros-{distro}-xacro" in decided(tmp_path, files).apt_guessed) is apt
+
+
+@pytest.mark.parametrize(
     ("script", "apt"),
     [
         ("x-terminal-emulator -e roslaunch demo a.launch &\nroslaunch demo b.launch\n", ["xterm"]),

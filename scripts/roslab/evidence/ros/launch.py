@@ -15,8 +15,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import end_of_line, lines_with, matches_at, matching_lines
-from roslab.evidence.ros import launch_variables
-from roslab.knowledge.compiled import programs
+from roslab.evidence.ros import launch_programs, launch_variables
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
@@ -34,10 +33,6 @@ _PYTHON_PACKAGE = pattern(
     rf"\(\s*(?:package\s*=\s*)?[\"']({_PACKAGE})[\"']"
     rf"|\b(?:package|node_package|pkg)\s*=\s*[\"']({_PACKAGE})[\"']|\bros2\s+(?:run|launch)\s+({_PACKAGE})\b"
 )
-_PREFIX = pattern(r"\b(?:launch-)?prefix\s{0,9}=\s{0,9}\[?\s{0,9}[\"']\s{0,9}([a-z][\w.-]{1,40})(?=[\s\"'])")
-"""A program that starts a node in its place: ``launch-prefix="xterm -e"``."""
-_DEBUGS = pattern(r"(?:^|[-_.])(?:gdb|debug\w*|valgrind|perf|profil\w*)(?:[-_.]|$)", re.IGNORECASE)
-"""The name of a launch file for those who look for a fault."""
 _NODELET = pattern(rf"\bload\s+({_PACKAGE})/[A-Za-z]")
 _PLUGIN = pattern(
     rf"^[ \t]{{0,99}}(?:-[ \t]{{0,99}})?(?:\{{[ \t]{{0,99}})?(?:name[ \t]*:[ \t]*\S+[ \t]*,[ \t]*)?"
@@ -220,10 +215,10 @@ def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
         if dependency.name not in seen:
             seen.add(dependency.name)
             yield dependency
-    for match in matches_at(_PREFIX, text, "launch-prefix", "prefix") if not _DEBUGS.search(file.name) else ():
-        if (name := programs().get(match[1])) and not _conditional(text, match.start(), match.end()):
-            line = text.count("\n", 0, match.start()) + 1
-            yield Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="exec")
+    yield from launch_programs.started_first(text, file, _conditional)
+    for match in launch_programs.of_parameters(text):
+        if match[1] not in seen:
+            yield _of_ros(match[1], match, text, file)
 
 
 def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> Iterator[Dependency]:
@@ -232,9 +227,18 @@ def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> It
         for match in matching_lines(each, text, *_PLUGINS) if line_by_line else matches_at(each, text, *_WORDS[each]):
             name = next(group for group in match.groups() if group)
             if name not in _NO_PACKAGE:
-                line = text.count("\n", 0, match.start()) + 1
-                strength: Strength = "optional" if _conditional(text, match.start(), match.end()) else "used"
-                yield Dependency(namespace="ros", name=name, strength=strength, file=file.path, line=line, role="exec")
+                yield _of_ros(name, match, text, file)
+
+
+def _of_ros(name: str, match: re.Match[str], text: str, file: File) -> Dependency:
+    strength: Strength = "optional" if _conditional(text, match.start(), match.end()) else "used"
+    return Dependency(
+        namespace="ros", name=name, strength=strength, file=file.path, line=_line(text, match), role="exec"
+    )
+
+
+def _line(text: str, match: re.Match[str]) -> int:
+    return text.count("\n", 0, match.start()) + 1
 
 
 def _conditional(text: str, begin: int, end: int) -> bool:
