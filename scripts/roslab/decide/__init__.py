@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from roslab.config.model import Config, Kind
+from roslab.config.model import Config
+from roslab.decide.assembled import Choices, decision_of
 from roslab.decide.author_dockerfile import decide_dockerfile
 from roslab.decide.authored import as_authored
 from roslab.decide.base import decide_base
@@ -13,53 +14,41 @@ from roslab.decide.cuda.for_ubuntu import with_an_image_for
 from roslab.decide.cuda.toolkit import by_script, decide_toolkit
 from roslab.decide.cuda.version import NO_CUDA, decide_cuda
 from roslab.decide.day import decide_days
-from roslab.decide.decision import Decision, Warning_
+from roslab.decide.decision import Decision
 from roslab.decide.downloads import decide_downloads
 from roslab.decide.kind import decide_kind
-from roslab.decide.launch_needs import decide_launch_needs
 from roslab.decide.nothing import require_something
 from roslab.decide.old_formats import as_it_was, narrowed
-from roslab.decide.outside import decide_outside
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.processor import decide_processor
-from roslab.decide.proof import compiled, decide_test, rostests, runs_ctest
+from roslab.decide.proof import decide_test
 from roslab.decide.python.alternatives import one_way
 from roslab.decide.python.brought import with_what_is_brought
 from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
 from roslab.decide.python.installed import installed
 from roslab.decide.python.own import decide_version
-from roslab.decide.python.paths import python_path
 from roslab.decide.python.pins import pins
-from roslab.decide.reasons import warn
 from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.filled_refs import with_refs
-from roslab.decide.ros.in_tree import apart
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.layout import decide_layout
-from roslab.decide.ros.named import by_pages
-from roslab.decide.ros.sought import linked, tried, without
+from roslab.decide.ros.sought import linked, tried
 from roslab.decide.ros.sources import decide_sources, with_recipes
 from roslab.decide.ros.used import asked
-from roslab.decide.ros.workspace import manifests_of, names_of, of_one_ros, packages_of
+from roslab.decide.ros.workspace import of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.system.apt_sources import decide_apt_sources
 from roslab.decide.system.gazebo import with_release
 from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.libraries import decide_libraries
-from roslab.decide.system.linked_headers import linked_headers
-from roslab.decide.system.missing import decide_missing, marked, provided
+from roslab.decide.system.missing import decide_missing, provided
 from roslab.decide.system.names import Target
-from roslab.decide.system.needs import host_options
-from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, with_libraries
 from roslab.decide.variables import decide_variables
 from roslab.evidence.facts import Evidence
-from roslab.evidence.native.cpu import told
-
-_ROS: frozenset[Kind] = frozenset({"ros1", "ros2"})
 
 
 def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
@@ -229,99 +218,39 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         processor,
         () if own.answer else sources.answer.sources,
     )
-    choices = (
-        day,
-        *(() if pip_day.answer and (own.answer or not python.answer.day) else (pip_day,)),
-        *(kind, release, base, build_tool, layout, python, cuda, own, mended, command, test, platforms),
-        *(sources, system, inside),
-        *(() if own.answer else (repositories, scripts, missing, steps, variables, downloads)),
-        *(
-            ()
-            if own.answer
-            else (decide_launch_needs(evidence, config, command.answer, variables.answer, sources.answer),)
-        ),
-        *(() if own.answer else (decide_outside(evidence, config, kind.answer),)),
-    )
-    return Decision(
-        kind=kind.answer,
-        ros_distro=distro,
-        ubuntu=base.answer.ubuntu,
-        base_image=base.answer.image,
-        build_tool=build_tool.answer,
-        rosdep=system.answer.rosdep,
-        skip_keys=system.answer.skip_keys,
-        repositories=() if own.answer else repositories.answer,
-        apt=system.answer.apt,
-        apt_guessed=system.answer.apt_guessed,
-        python=python.answer,
-        pip=everything,
-        compiling=compiling,
-        source=(
-            *sources.answer.sources,
-            *(() if own.answer else without(sources.answer.sought, packages, left_out)),
-        ),
-        vcs=sources.answer.vcs,
-        submodules=() if own.answer else sources.answer.submodules,
-        apart=() if own.answer or config.compatible else apart(evidence, packages),
-        inside=inside.answer,
-        python_path=python_path(evidence, config, kind.answer, python.answer.projects, command.answer.page),
-        variables=() if own.answer else variables.answer,
-        scripts=() if own.answer else scripts.answer,
-        downloads=() if own.answer else downloads.answer,
-        packages=manifests_of(packages, left_out) if kind.answer in _ROS else (),
-        package_names=names_of(packages, kind.answer, left_out, build_tool.answer),
-        by_pages=by_pages(
-            evidence,
-            config,
-            build_tool.answer,
+    return decision_of(
+        Choices(
+            day=day,
+            pip_day=pip_day,
+            kind=kind,
+            release=release,
+            base=base,
+            build_tool=build_tool,
+            layout=layout,
+            python=python,
+            cuda=cuda,
+            own=own,
+            mended=mended,
+            command=command,
+            test=test,
+            platforms=platforms,
+            sources=sources,
+            system=system,
+            inside=inside,
+            repositories=repositories,
+            scripts=scripts,
+            missing=missing,
+            steps=steps,
+            variables=variables,
+            downloads=downloads,
             packages=packages,
+            everything=everything,
+            compiling=compiling,
+            dockerfile=dockerfile,
+            on_cuda=on_cuda,
             left_out=left_out,
-            sources=sources.answer.sources,
-            ros_distro=distro,
         ),
-        left_out=left_out,
-        ignored=marked(build_tool.answer, left_out, packages) if kind.answer in _ROS and not own.answer else (),
-        ended=missing.answer.ended,
-        lacking=() if own.answer else missing.answer.lacking,
-        undeclared=missing.answer.undeclared,
-        workspace=layout.answer.workspace,
-        cmake_folder=layout.answer.cmake_folder,
-        program_folders=layout.answer.program_folders,
-        cmake_options=(
-            *own_options(evidence, config, folder_name, build_tool.answer),
-            *missing.answer.options,
-            *options_of_program(evidence, config, build_tool.answer, command.answer.command),
-        ),
-        cuda_options=host_options(system.answer.apt_guessed, base.answer.ubuntu),
-        header_links=linked_headers(evidence, base.answer.ubuntu),
-        native=told(evidence.problems) and not config.compatible,
-        compilers=own_compilers(evidence, config, folder_name) if build_tool.answer == "cmake" else (),
-        dockerfile=dockerfile,
-        context=own.answer.context if own.answer else None,
-        bases=mended.answer,
-        day=day.answer,
-        command=command.answer.command,
-        command_given=command.answer.given,
-        command_through_entrypoint=command.answer.entrypoint,
-        command_named=config.command is not None,
-        command_candidates=command.answer.candidates,
-        test=test.answer,
-        rostests=() if own.answer else rostests(evidence, kind.answer, build_tool.answer),
-        tests=() if own.answer else evidence.tests,
-        ctest=runs_ctest(evidence, build_tool.answer, missing.answer.tests),
-        compiles=bool(compiled(evidence)),
-        without=platforms.answer.without,
-        platforms=platforms.answer.built,
-        platforms_refused=platforms.answer.refused,
-        cuda=cuda.answer.version,
-        cudnn=cuda.answer.cudnn,
-        gpu=on_cuda if config.gpu is None else config.gpu,
-        gui=command.answer.gui,
-        ports=command.answer.ports,
-        warnings=(
-            *(Warning_(message=message, file=file, line=line) for message, file, line in evidence.problems),
-            *(warn(message, origin) for message, origin in config.warnings),
-            *(warning for choice in choices for warning in choice.warnings),
-        ),
-        reasons=tuple(reason for choice in choices for reason in choice.reasons),
+        evidence,
+        config,
+        folder_name=folder_name,
     )

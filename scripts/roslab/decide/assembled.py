@@ -1,0 +1,190 @@
+"""From the choices of all questions to one decision."""
+
+from __future__ import annotations
+
+from roslab.config.model import BuildTool, Config, Kind
+from roslab.decide.author_dockerfile import Dockerfile
+from roslab.decide.base import BaseImage
+from roslab.decide.command import Command
+from roslab.decide.cuda.version import Cuda
+from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript, Python, Warning_
+from roslab.decide.launch_needs import decide_launch_needs
+from roslab.decide.outside import decide_outside
+from roslab.decide.platforms import Platforms
+from roslab.decide.proof import compiled, rostests, runs_ctest
+from roslab.decide.python.compiling import Compiling
+from roslab.decide.python.paths import python_path
+from roslab.decide.reasons import warn
+from roslab.decide.ros.in_tree import apart
+from roslab.decide.ros.layout import Layout
+from roslab.decide.ros.named import by_pages
+from roslab.decide.ros.sought import without
+from roslab.decide.ros.sources import Sources
+from roslab.decide.ros.workspace import Packages, manifests_of, names_of
+from roslab.decide.system.linked_headers import linked_headers
+from roslab.decide.system.missing import Missing, marked
+from roslab.decide.system.needs import host_options
+from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
+from roslab.decide.system.packages import SystemPackages
+from roslab.evidence.facts import Evidence
+from roslab.evidence.native.cpu import told
+from roslab.knowledge.distros import Distro
+from roslab.values.dataclass import dataclass
+from roslab.values.requirement import Requirement
+
+_ROS: frozenset[Kind] = frozenset({"ros1", "ros2"})
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Choices:
+    """What was chosen for each question, in the order in which it is told."""
+
+    day: Choice[str | None]
+    pip_day: Choice[str | None]
+    kind: Choice[Kind]
+    release: Choice[Distro | None]
+    base: Choice[BaseImage]
+    build_tool: Choice[BuildTool]
+    layout: Choice[Layout]
+    python: Choice[Python]
+    cuda: Choice[Cuda]
+    own: Choice[Dockerfile | None]
+    mended: Choice[tuple[MendedBase, ...]]
+    command: Choice[Command]
+    test: Choice[tuple[str, ...] | str | None]
+    platforms: Choice[Platforms]
+    sources: Choice[Sources]
+    system: Choice[SystemPackages]
+    inside: Choice[tuple[tuple[str, str], ...]]
+    repositories: Choice[tuple[str, ...]]
+    scripts: Choice[tuple[OwnScript, ...]]
+    missing: Choice[Missing]
+    steps: Choice[None]
+    variables: Choice[tuple[tuple[str, str], ...]]
+    downloads: Choice[tuple[Download, ...]]
+    packages: Packages
+    everything: tuple[Requirement, ...]
+    compiling: Compiling
+    dockerfile: str | None
+    on_cuda: bool
+    left_out: tuple[str, ...]
+
+
+def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
+    """Return the decision, with the reasons and the warnings of every choice.
+
+    Where the author's Dockerfile is built, nothing is told of what it does in its own way.
+    """
+    distro = of.release.answer.name if of.release.answer else None
+    ros = of.kind.answer in _ROS
+    choices = (
+        of.day,
+        *(() if of.pip_day.answer and (of.own.answer or not of.python.answer.day) else (of.pip_day,)),
+        *(
+            of.kind,
+            of.release,
+            of.base,
+            of.build_tool,
+            of.layout,
+            of.python,
+            of.cuda,
+            of.own,
+            of.mended,
+            of.command,
+            of.test,
+            of.platforms,
+        ),
+        *(of.sources, of.system, of.inside),
+        *(() if of.own.answer else (of.repositories, of.scripts, of.missing, of.steps, of.variables, of.downloads)),
+        *(
+            ()
+            if of.own.answer
+            else (decide_launch_needs(evidence, config, of.command.answer, of.variables.answer, of.sources.answer),)
+        ),
+        *(() if of.own.answer else (decide_outside(evidence, config, of.kind.answer),)),
+    )
+    return Decision(
+        kind=of.kind.answer,
+        ros_distro=distro,
+        ubuntu=of.base.answer.ubuntu,
+        base_image=of.base.answer.image,
+        build_tool=of.build_tool.answer,
+        rosdep=of.system.answer.rosdep,
+        skip_keys=of.system.answer.skip_keys,
+        repositories=() if of.own.answer else of.repositories.answer,
+        apt=of.system.answer.apt,
+        apt_guessed=of.system.answer.apt_guessed,
+        python=of.python.answer,
+        pip=of.everything,
+        compiling=of.compiling,
+        source=(
+            *of.sources.answer.sources,
+            *(() if of.own.answer else without(of.sources.answer.sought, of.packages, of.left_out)),
+        ),
+        vcs=of.sources.answer.vcs,
+        submodules=() if of.own.answer else of.sources.answer.submodules,
+        apart=() if of.own.answer or config.compatible else apart(evidence, of.packages),
+        inside=of.inside.answer,
+        python_path=python_path(evidence, config, of.kind.answer, of.python.answer.projects, of.command.answer.page),
+        variables=() if of.own.answer else of.variables.answer,
+        scripts=() if of.own.answer else of.scripts.answer,
+        downloads=() if of.own.answer else of.downloads.answer,
+        packages=manifests_of(of.packages, of.left_out) if ros else (),
+        package_names=names_of(of.packages, of.kind.answer, of.left_out, of.build_tool.answer),
+        by_pages=by_pages(
+            evidence,
+            config,
+            of.build_tool.answer,
+            packages=of.packages,
+            left_out=of.left_out,
+            sources=of.sources.answer.sources,
+            ros_distro=distro,
+        ),
+        left_out=of.left_out,
+        ignored=marked(of.build_tool.answer, of.left_out, of.packages)
+        if of.kind.answer in _ROS and not of.own.answer
+        else (),
+        ended=of.missing.answer.ended,
+        lacking=() if of.own.answer else of.missing.answer.lacking,
+        undeclared=of.missing.answer.undeclared,
+        workspace=of.layout.answer.workspace,
+        cmake_folder=of.layout.answer.cmake_folder,
+        program_folders=of.layout.answer.program_folders,
+        cmake_options=(
+            *own_options(evidence, config, folder_name, of.build_tool.answer),
+            *of.missing.answer.options,
+            *options_of_program(evidence, config, of.build_tool.answer, of.command.answer.command),
+        ),
+        cuda_options=host_options(of.system.answer.apt_guessed, of.base.answer.ubuntu),
+        header_links=linked_headers(evidence, of.base.answer.ubuntu),
+        native=told(evidence.problems) and not config.compatible,
+        compilers=own_compilers(evidence, config, folder_name) if of.build_tool.answer == "cmake" else (),
+        dockerfile=of.dockerfile,
+        context=of.own.answer.context if of.own.answer else None,
+        bases=of.mended.answer,
+        day=of.day.answer,
+        command=of.command.answer.command,
+        command_given=of.command.answer.given,
+        command_through_entrypoint=of.command.answer.entrypoint,
+        command_named=config.command is not None,
+        command_candidates=of.command.answer.candidates,
+        test=of.test.answer,
+        rostests=() if of.own.answer else rostests(evidence, of.kind.answer, of.build_tool.answer),
+        tests=() if of.own.answer else evidence.tests,
+        ctest=runs_ctest(evidence, of.build_tool.answer, of.missing.answer.tests),
+        compiles=bool(compiled(evidence)),
+        without=of.platforms.answer.without,
+        platforms=of.platforms.answer.built,
+        platforms_refused=of.platforms.answer.refused,
+        cuda=of.cuda.answer.version,
+        cudnn=of.cuda.answer.cudnn,
+        gpu=of.on_cuda if config.gpu is None else config.gpu,
+        gui=of.command.answer.gui,
+        ports=of.command.answer.ports,
+        warnings=(
+            *(Warning_(message=message, file=file, line=line) for message, file, line in evidence.problems),
+            *(warn(message, origin) for message, origin in config.warnings),
+            *(warning for choice in choices for warning in choice.warnings),
+        ),
+        reasons=tuple(reason for choice in choices for reason in choice.reasons),
+    )
