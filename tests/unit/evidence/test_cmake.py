@@ -164,6 +164,16 @@ def test_added_folders_are_not_top_level(tmp_path: Path) -> None:
     assert projects[0].macros == ("cuda",)
 
 
+def test_folders_of_the_older_command_are_added(tmp_path: Path) -> None:
+    folders = {f"{name}/CMakeLists.txt": "add_executable(x x.cpp)\n" for name in ("one", "two", "three")}
+    projects = read(tmp_path, "project(a)\nSUBDIRS(one PREORDER two)\n", **folders)
+    assert {each.file: each.always for each in projects if each.executables} == {
+        "one/CMakeLists.txt": True,
+        "two/CMakeLists.txt": True,
+        "three/CMakeLists.txt": False,
+    }
+
+
 @pytest.mark.parametrize(
     "text",
     [

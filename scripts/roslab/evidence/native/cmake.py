@@ -43,6 +43,7 @@ _NAMES = (
             "cmake_minimum_required",
             "enable_language",
             "add_subdirectory",
+            "subdirs",
             "include",
             "set",
             "set_target_properties",
@@ -151,14 +152,14 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
     options = dict(above.options)
     for call in calls(repository.read(file), _NAMES, options):
         cmake_since.note(call, file.path, reading.newer)
-        if call.name == "add_subdirectory" and call.words:
+        if folders := cmake_needs.folders(call):
             adds = True
             switches = tuple(filter(cmake_needs.of_an_option, (*above.switches, *call.conditions)))
             within = above.within or not places.test(file.path)
             always = (above.always or file.folder not in added) and not (call.conditions or call.in_function)
             by_tool = (*above.by_tool, *filter(of_workspace, call.conditions))
             there = _Added(options=dict(options), switches=switches, by_tool=by_tool, within=within, always=always)
-            added.setdefault(_joined(file.folder, call.words[0]), there)
+            added |= {_joined(file.folder, folder): there for folder in folders} | added
         elif call.name == "include":
             _include(call, repository, file, reading)
             for needing, path in included.needing(call, repository, file, reading.included, options):

@@ -232,3 +232,13 @@ def _dependency(  # noqa: PLR0917 - called in one file, in the order of its sent
         role="test" if test else "build",
         condition=condition,
     )
+
+
+def folders(call: Call) -> tuple[str, ...]:
+    """Return the folders that a call adds: one, or those of CMake's older ``subdirs``.
+
+    https://cmake.org/cmake/help/latest/command/subdirs.html, read 2026-11-26.
+    """
+    if call.name == "subdirs":
+        return tuple(word for word in call.words if word not in {"PREORDER", "EXCLUDE_FROM_ALL"})
+    return call.words[:1] if call.name == "add_subdirectory" else ()
