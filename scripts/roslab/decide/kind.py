@@ -143,7 +143,7 @@ def _warnings(evidence: Evidence, kind: Kind) -> tuple[Warning_, ...]:
     """Warn about packages of rosbuild beside others, which no build tool builds together, and of a CUDA for nothing."""
     if kind == "python":
         return warnings_of_cuda(evidence)
-    old = next((project for project in evidence.cmake if "rosbuild" in project.macros), None)
+    old = next((p for p in evidence.cmake if "rosbuild" in p.macros and not places.test(p.file)), None)
     if kind != "ros1" or old is None or any(map(of_rosbuild, packages_of(evidence).built)):
         return ()
     message = "rosbuild's packages (manifest.xml) are not built here: catkin does not know them"

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
+from roslab.evidence.fixtures import of_tests
 from roslab.evidence.lex.branches import branches
 from roslab.evidence.lex.dockerfile import instructions
 from roslab.evidence.lex.shell import fill_placeholders
@@ -58,6 +59,7 @@ def read(repository: Repository) -> Prose:
         and (file.name in by_images or _NAME.search(file.path.lower()))
         and not _ROBOT.search(file.path.lower())
         and not places.vendored(file.path)
+        and not of_tests(repository, file.path)
         and file.size < MAX_SIZE
     ]
     for file in nearest(shells)[:MAX_SCRIPTS]:

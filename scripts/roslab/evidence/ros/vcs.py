@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
+from roslab.evidence.fixtures import of_tests
 from roslab.evidence.lex.yaml import load
 from roslab.knowledge.compiled import public_hosts
 from roslab.repository.checkout import File, Repository
@@ -108,6 +109,7 @@ def https(url: str, origin: str | None = None) -> str:
 def _files(repository: Repository) -> list[File]:
     files = [f for f in repository.suffixed(".repos", ".rosinstall", ".yaml", ".yml") if 0 < f.size <= MAX_SIZE]
     files += [f for f in repository.named(".rosinstall") if 0 < f.size <= MAX_SIZE]
+    files = [f for f in files if not of_tests(repository, f.path)]
     named = (f for f in files if _SUFFIX.search(f.name.lower()) or f.path in _GITMAN)
     found = {f.path: f for f in named if not places.vendored(f.path)}
     others = [f for f in files if f.path not in found and f.path.count("/") <= 2 and f.size <= 64 * 1024]
