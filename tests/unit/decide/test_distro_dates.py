@@ -200,3 +200,19 @@ def test_what_fits_the_code_is_of_the_time_of_the_last_commit(tmp_path: Path, mo
     evidence = gather(Repository.open(tmp_path))
     decided = decide(replace(evidence, mentions=(*evidence.mentions, said)), Config(), folder_name="a")
     assert decided.ros_distro == name
+
+
+@pytest.mark.parametrize(
+    ("condition", "name"),
+    [
+        ('(($ENV{ROS_DISTRO} MATCHES "other") OR ($ENV{ROS_DISTRO} MATCHES "lunar"))', "lunar"),
+        ('("$ENV{ROS_DISTRO}" STREQUAL "melodic" OR "$ENV{ROS_DISTRO}" STREQUAL "noetic")', "noetic"),
+        ('($ENV{ROS_DISTRO} MATCHES "other") # or $ENV{ROS_DISTRO} MATCHES "lunar"', "noetic"),
+    ],
+)
+def test_one_condition_may_compare_the_distribution_with_several(tmp_path: Path, condition: str, name: str) -> None:
+    (tmp_path / "package.xml").write_text(
+        "<package><name>a</name><buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend></package>"
+    )
+    (tmp_path / "CMakeLists.txt").write_text(f"project(a)\nfind_package(catkin REQUIRED)\nif{condition}\nendif()\n")
+    assert decide(gather(Repository.open(tmp_path)), Config(), folder_name="a").ros_distro == name

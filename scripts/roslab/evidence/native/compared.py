@@ -13,10 +13,10 @@ from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _WORD = "ENV{ROS_DISTRO}"
+_IF = pattern(r"^[ \t]*(?:else)?if[ \t]*\([^#\n]{0,400}", re.IGNORECASE | re.MULTILINE)
 _COMPARED = pattern(
-    r"^[ \t]*(?:else)?if[ \t]*\([^#\n]{0,200}?\$ENV\{ROS_DISTRO\}[\"']?[ \t]+"
-    r"(?:STREQUAL|MATCHES)[ \t]+[\"']?\^?([a-z]+)",
-    re.IGNORECASE | re.MULTILINE,
+    r"\$ENV\{ROS_DISTRO\}[\"']?[ \t]+(?:STREQUAL|MATCHES)[ \t]+[\"']?\^?([a-z]+)",
+    re.IGNORECASE,
 )
 
 
@@ -25,10 +25,10 @@ def read(repository: Repository) -> Iterator[Mention]:
     for file in repository.named("CMakeLists.txt"):
         text = "" if places.aside(file.path) else repository.read(file)
         told: set[str] = set()
-        for match in matching_lines(_COMPARED, text, _WORD) if _WORD in text else ():
-            name = match[1].lower()
-            if name in distros() and name not in told:
-                told.add(name)
-                line = text.count("\n", 0, match.start(1)) + 1
-                said = text[match.start() : end_of_line(text, match.start())].strip()[:120]
+        for condition in matching_lines(_IF, text, _WORD) if _WORD in text else ():
+            names = {match[1].lower() for match in _COMPARED.finditer(condition[0])} & distros().keys() - told
+            told |= names
+            line = text.count("\n", 0, condition.start()) + 1
+            said = text[condition.start() : end_of_line(text, condition.start())].strip()[:120]
+            for name in sorted(names):
                 yield Mention(topic="compared", value=name, source="code", file=file.path, line=line, text=said)
