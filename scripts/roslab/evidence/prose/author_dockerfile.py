@@ -11,7 +11,7 @@ from roslab.evidence.facts import AuthorDockerfile, Mention
 from roslab.evidence.lex.balance import unbalanced
 from roslab.evidence.lex.dockerfile import Instruction, argv, instructions, sources
 from roslab.evidence.lex.shell import Command, expand
-from roslab.evidence.prose import mentions
+from roslab.evidence.prose import mentions, other_dockerfiles
 from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.copies import in_copy
 from roslab.evidence.prose.dockerfile_purpose import purpose_of, removes_its_copy
@@ -70,13 +70,9 @@ def files(repository: Repository) -> list[File]:
 
 
 def _files(repository: Repository) -> list[File]:
-    named = [
-        file
-        for name, found in repository.by_name.items()
-        if _NAME.match(name) and not _NOT.search(name)
-        for file in found
-    ]
-    return sorted((file for file in named if file.size < 4 * MAX_SIZE), key=lambda file: file.path)[:200]
+    names = (name for name in repository.by_name if _NAME.match(name) and not _NOT.search(name))
+    found = (*repository.named(*names), *other_dockerfiles.read(repository))
+    return sorted((file for file in found if file.size < 4 * MAX_SIZE), key=lambda file: file.path)[:200]
 
 
 def _uncommented(text: str) -> str:
@@ -215,6 +211,8 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         missing = missing or f"it starts {started} and does not copy it: the repository is mounted when it is run"
     if removes_its_copy((each.text for each in written if each.name == "RUN"), start.source):
         missing = missing or f"it removes its copy of the repository and installs nothing of it: {start.source}"
+    if other_dockerfiles.named_otherwise(file):
+        missing = missing or "it has a name of its own: it tells what the image needs, and none is made with it"
     itself = any(_itself(repository, clone) for clone in collector.sources)
     return AuthorDockerfile(
         file=file.path,
