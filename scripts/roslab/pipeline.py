@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslab.config import Config, Override, configure, locate
-from roslab.decide import decide
+from roslab.decide import decide, nothing
 from roslab.decide.decision import Decision, Warning_
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
+from roslab.evidence import matlab
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
 from roslab.evidence.native import made_elsewhere, unread, written_beside
@@ -80,6 +81,8 @@ def plan_repository(
         decision = decide(evidence, config, folder_name=name)
     except NothingToBuildError as error:
         found = _what_is_there(repository)
+        if number := matlab.files(repository):
+            raise NothingToBuildError(nothing.of_matlab(number, found)) from None
         raise NothingToBuildError(*(replace(p, message=f"{p.message}; {found}") for p in error.problems)) from None
     decision, version = _with_version(decision, evidence, repository)
     plan = make_plan(

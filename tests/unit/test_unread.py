@@ -68,3 +68,26 @@ def test_a_page_that_has_its_own_repository_cloned_is_nothing_to_build(tmp_path:
     with pytest.raises(NothingToBuildError, match=r"there is only 1 \.md, 1 \.m"):
         plan_repository(tmp_path, folder_name="stereo")
     assert plan_repository(tmp_path, folder_name="another").decision.kind == "python"
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("% Plots.\nplot(1)\n", "MATLAB code: 1 .m file; .*there is only 1 .m"),
+        ("#import <Foundation/Foundation.h>\n@implementation A\n@end\n", "no package.xml"),
+    ],
+)
+def test_a_tree_of_matlab_is_refused_by_that_name(tmp_path: Path, text: str, told: str) -> None:
+    (tmp_path / "main.m").write_text(text, encoding="utf-8")
+    with pytest.raises(NothingToBuildError, match=told) as error:
+        plan_repository(tmp_path)
+    assert ("host_path" in (error.value.problems[0].hint or "")) == ("MATLAB" in told)
+
+
+@pytest.mark.parametrize(
+    "config", ["matlab: {host_path: /usr/local/MATLAB/R2020b}\n", "apt: [octave]\ncommand: octave\n"]
+)
+def test_what_the_refusal_of_matlab_names_is_planned(tmp_path: Path, config: str) -> None:
+    (tmp_path / "main.m").write_text("plot(1)\n", encoding="utf-8")
+    (tmp_path / "roslab.yaml").write_text(config, encoding="utf-8")
+    assert plan_repository(tmp_path).plan.run.command
