@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 
 from roslab.config.model import Kind
@@ -66,6 +67,10 @@ def named_like_it(candidates: Iterable[Candidate]) -> Candidate | None:
     return own[0] if len(own) == 1 else shown[0] if not own and len(shown) == 1 else None
 
 
+_SHOWN = pattern(r"^(?:examples?|tests?)[_.-]", re.IGNORECASE)
+"""A launch file that shows how others are written, or tests them."""
+
+
 def whole_of(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate | None:
     """Return the launch file that brings most of the others, itself brought by none: it starts the whole.
 
@@ -80,7 +85,8 @@ def whole_of(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate |
     for candidate in candidates:
         name = candidate.argv[-1].rpartition("/")[2]
         started = candidate.argv[0] == "roslaunch" or candidate.argv[:2] == ("ros2", "launch")
-        if started and not candidate.strong and name not in brought and len(named.get(name, ())) == 1:
+        whole = name not in brought and not _SHOWN.search(name)
+        if started and not candidate.strong and whole and len(named.get(name, ())) == 1:
             below = _below(name, named)
             if all(known(launch, evidence) for each in {name, *below} for launch in named[each]):
                 sizes.append((len(below), candidate))

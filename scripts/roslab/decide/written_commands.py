@@ -34,6 +34,8 @@ _BESIDE = pattern(r"\./[\w.+-]+")
 _ABOVE = pattern(r"^(--?[\w-]+=)?(?:\.\./)+(?=[\w-])")
 _NO_NODES = ("python", "bash", "jupyter")
 """What starts a program that may be no node: of a shell script nobody knows."""
+_MANY = 10
+"""Packages of a collection: what the page of one of them runs by its path is a tool of that one."""
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
 """Files that serve a project without being its purpose."""
 
@@ -41,12 +43,17 @@ TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "down
 def written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> tuple[Candidate, ...]:
     """Return what READMEs run; a subfolder's page, examples and helper scripts of compiled code are weaker.
 
-    So is a file of Python that no package has, beside nodes or on a page below the root of a repository of ROS.
+    So is a file of Python that no package has, beside nodes or on a page below the root of a repository of ROS, and any
+    that the page of one package runs in a collection of packages.
     """
     found = tuple(_said(evidence, kind, ros=ros, compiled=compiled))
     nodes = ros and any(each.strong and not each.argv[0].startswith(_NO_NODES) for each in found)
     folders = tuple(f"{m.file.rpartition('/')[0]}/" for m in packages_of(evidence).built if "/" in m.file)
-    lone = [c.argv[0].startswith("python") and not c.argv[1].startswith(folders) for c in found]
+    many = ros and len(folders) >= _MANY
+    lone = [
+        c.argv[0].startswith("python") and (not c.argv[1].startswith(folders) or (many and c.file.startswith(folders)))
+        for c in found
+    ]
     weak = [(nodes or (ros and "/" in c.file)) and outside for c, outside in zip(found, lone, strict=True)]
     return tuple(replace(c, strong=False) if outside else c for c, outside in zip(found, weak, strict=True))
 

@@ -1022,3 +1022,16 @@ def test_a_window_of_the_program_however_it_is_started(tree: Tree, call: str) ->
     }
     decision = tree({**files, "sim/__init__.py": "", "README.md": f"# Run\n```\n{call}\n```\n"})
     assert (" ".join(decision.command), decision.gui) == (call, True)
+
+
+@pytest.mark.parametrize(("others", "script"), [(2, True), (12, False)])
+def test_the_page_of_one_package_among_many_chooses_no_script(tree: Tree, others: int, script: bool) -> None:
+    files = {"src/gen/scripts/message.py": "if __name__ == '__main__':\n    print(1)\n"}
+    files["src/gen/README"] = "./scripts/message.py -p a -Ia:`rospack find a`/msg `rospack find b`/msg/B.msg\n"
+    for name in ("gen", *(f"part_{number}" for number in range(others))):
+        xml = f"<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend></package>"
+        files[f"src/{name}/package.xml"] = xml
+        files[f"src/{name}/CMakeLists.txt"] = f"project({name})\nfind_package(catkin REQUIRED)\n"
+    made = tree(files)
+    assert any("message.py" in word for word in made.command) == script
+    assert "rospack" not in " ".join(made.command)

@@ -90,6 +90,8 @@ _SAID_LAUNCH = pattern(
 )
 """A launch in a sentence: ``Run "roslaunch demo map.launch" to start``."""
 _SPAN = pattern(r"(`+)(.+?)\1")
+_SUBSTITUTED = pattern(r"(?<=[\w:=/-])`[^`\n]+`|`[^`\n]+`(?=/\w)")
+"""What a shell fills in within a word: ``-I:`rospack find demo`/msg``."""
 _THERE = pattern(r"cd\s+[^\s;&|()]+\s*(?:;|&&)\s*[^\s()][^()]*$")
 """Code that goes to a folder and goes on: ``cd lib; ./build.sh``."""
 _MARKED = pattern(r"\s{0,40}[>$]\s")
@@ -280,7 +282,7 @@ def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
     if match := _START.match(line.replace("\\\n", "\\\x01")):
         shell = re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n")
         # In a block they are the shell's, else Markdown's, but for the distribution in ros-`rosversion -d`-tf
-        yield shell if fenced else fill_placeholders(shell).replace("`", "")
+        yield shell if fenced else _SUBSTITUTED.sub("$UNKNOWN", fill_placeholders(shell)).replace("`", "")
     elif fenced:
         yield line
     else:
