@@ -147,6 +147,15 @@ def test_each_library_has_the_scripts_that_it_calls() -> None:
         assert stage.index("COPY --from=scripts /compile-jobs") < stage.index("$(compile-jobs)")
 
 
+def test_a_library_that_is_fetched_as_a_zip_has_what_unpacks_it() -> None:
+    archive = replace(CERES, name="torch", repo=None, ref=None, zip="https://example.org/torch.zip", depends=())
+    zipped, cloned = dockerfile(plan(source=(archive, CERES))).split("\nFROM base AS library-")[1:]
+    for tool in ("curl", "unzip"):
+        installed = re.compile(rf"^ +{tool}( |$)", re.MULTILINE)
+        assert installed.search(zipped.partition("&& curl")[0])
+        assert not installed.search(cloned.partition("\nFROM ")[0])
+
+
 def test_every_script_is_called_by_some_dockerfile() -> None:
     folder = Path(image_scripts.__path__[0])
     calls = "".join(path.read_text() for path in folder.parent.rglob("*.py"))

@@ -112,7 +112,8 @@ def library_stages(plan: Plan) -> str:
     for index, library in enumerate(plan.libraries):
         lines = [f"FROM base AS {stage_name(index, library)}"]
         ssh = ("openssh-client",) if SSH in plan.secrets else ()
-        depends = ("build-essential", "ca-certificates", "cmake", "git", *ssh, *library.depends)
+        unpacks = ("curl", "unzip") if library.zip else ()  # as `fetch` does
+        depends = ("build-essential", "ca-certificates", "cmake", "git", *ssh, *unpacks, *library.depends)
         lines.append(shell.apt_install(tuple(dict.fromkeys(depends)), secrets.for_apt(plan)))
         lines += [
             f"COPY --from={stage_name(i, earlier)} /installed/ /" for i, earlier in enumerate(plan.libraries[:index])
