@@ -76,6 +76,31 @@ def test_what_a_page_adds_to_a_package_of_a_list(
     assert python.beside_files == tuple(each for each in python.pip_guessed if each.extras)
 
 
+@pytest.mark.parametrize(
+    ("needs", "page", "more"),
+    [
+        ("'jax'", 'uv pip install -U "jax[cuda12]" --index-url https://pypi.org/simple', ["jax[cuda12]"]),
+        ("'jax>=0.4'", 'pip install "jax[cuda12]"\npip install "jax[tpu]"', ["jax[cuda12]>=0.4"]),
+        ("'jax==0.4.13'", 'pip install "jax[cuda12]==0.4.20"', []),
+        ("'jax[cuda12]'", 'pip install "jax[cuda12]"', []),
+        ("'jax'", 'pip install "jax[dev]"', []),
+        ("", 'pip install "jax[cuda12]"', ["jax[cuda12]"]),
+    ],
+)
+@pytest.mark.parametrize("file", ["pyproject.toml", "setup.py"])
+def test_what_a_page_adds_to_a_package_of_the_project(
+    tree: Tree, needs: str, page: str, more: list[str], file: str
+) -> None:
+    own = "[project]\nname='demo'\nversion='1'\ndependencies=[{}]\n"
+    if file == "setup.py":
+        own = "from setuptools import setup\nsetup(name='demo', version='1', install_requires=[{}])\n"
+    files = {file: own.format(needs), "demo/__init__.py": "import jax\n"}
+    python = tree({**files, "README.md": f"```\n{page}\npip install -e .\n```\n"}).python
+    assert python.projects == (".",)
+    assert [each.written for each in (*python.pip, *python.pip_guessed) if each.key == "jax"] == more
+    assert python.beside_files == ()
+
+
 GROUPS = """\
 [dependency-groups]
 sim = ["mujoco==3.1.0", {include-group = "draw"}]

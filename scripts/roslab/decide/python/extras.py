@@ -44,13 +44,17 @@ def extras(
     return tuple(found.values())
 
 
-def of_pages(evidence: Evidence, files: Iterable[RequirementFile]) -> tuple[Requirement, ...]:
-    """Return what the page at the root installs with extras and a list names without them: ``jax[cuda12]``.
+def of_pages(
+    evidence: Evidence, files: Iterable[RequirementFile], projects: Iterable[PythonProject]
+) -> tuple[Requirement, ...]:
+    """Return what the page at the root installs with extras and a list or project without them: ``jax[cuda12]``.
 
-    A list is for any machine, the page adds what one with a GPU needs, the first time it names the package. Another
-    version than the list's is for another time.
+    These are for any machine, the page adds what one with a GPU needs, the first time it names the package. Another
+    version than theirs is for another time.
     """
-    listed = {each.key: each for file in files for each in file.requirements if each.name and each.package}
+    declared = [each for project in projects for each in project.requirements if each.role in {"", "source"}]
+    declared += [each for file in files for each in file.requirements]
+    listed = {each.key: each for each in declared if each.name and each.package}
     found: dict[str, Requirement] = {}
     for asked in evidence.prose_pip:
         before = listed.get(asked.key)

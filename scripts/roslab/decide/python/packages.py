@@ -47,7 +47,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
         declared=declared,
         guessed=(
             *more,
-            *of_pages(evidence, files),
+            *of_pages(evidence, files, folders),
             *guesses(evidence, pins, kind, manifests=manifests, known=known, loose=loose),
         ),
         options=tuple(dict.fromkeys(_options(evidence))),
