@@ -55,6 +55,8 @@ class Bringing(Series):
     """Those of its extras that do; none: it always does."""
     brings: str
     """As a line of requirements, ``""`` for nothing."""
+    of_index: bool
+    """It holds for what the index has, not for what is taken from the package's repository."""
 
 
 Row = TypeVar("Row", bound=Series)
@@ -83,7 +85,9 @@ def natives() -> tuple[Native, ...]:
 def bringing() -> tuple[Bringing, ...]:
     """Return all rows of ``brought_packages``."""
     return tuple(
-        Bringing(**_series(row), extras=tuple(row["extras"].split()), brings=row["brings"])
+        Bringing(
+            **_series(row), extras=tuple(row["extras"].split()), brings=row["brings"], of_index=row["from"] == "index"
+        )
         for row in rows("brought_packages")
     )
 

@@ -38,6 +38,8 @@ def parts(line: str, day: str | None = None) -> list[str]:
         ("dm_control==0.0.322773188", None, "MuJoCo 2.0"),
         ("dm_control", "2021-01-01", "MuJoCo 2.0"),
         ("dm-control", "2021-11-01", "MuJoCo 2.1.0"),
+        ("baselines", "2018-11-22", "MuJoCo 1.50"),
+        ("baselines==0.1.5", "2019-05-01", "MuJoCo 2.0"),
     ],
 )
 def test_the_release_says_which(line: str, day: str | None, name: str) -> None:
@@ -55,6 +57,7 @@ def test_the_release_says_which(line: str, day: str | None, name: str) -> None:
         "robosuite",
         "robosuite==1.3.1",
         "dm_control",
+        "baselines @ git+https://host.test/baselines",
     ],
 )
 def test_what_needs_none(line: str) -> None:
@@ -78,6 +81,15 @@ def test_a_copy_in_the_tree_is_of_the_release_that_it_says(tree: Tree) -> None:
     }
     assert tree(old).python.compiled_modules == ()
     assert tree({**old, "dm_control/setup.py": setup.format("1.0.9")}).python.native_parts == ()
+
+
+def test_what_comes_with_what_comes_with_another(tree: Tree) -> None:
+    (found, further) = brought([stated("baselines")], "2018-11-22")
+    assert (found.key, further.written) == ("gym", "mujoco-py>=1.50")
+    assert [each.key for each in brought([stated("gym==0.17.3"), stated("baselines")], None)] == ["mujoco-py"]
+    files = {"train.py": "from baselines import logger\n", "README.md": "```\npip install gym==0.10.9\n```\n"}
+    (part,) = tree(files).python.native_parts
+    assert (part.package, part.guessed) == ("mujoco-py", True)
 
 
 def test_what_is_asked_for_by_itself_is_not_brought() -> None:

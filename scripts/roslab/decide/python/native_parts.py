@@ -9,7 +9,7 @@ from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because, warn
 from roslab.evidence.facts import PythonProject
 from roslab.knowledge.native_parts import Native, bringing, natives, series_of
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.native_part import NativePart
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -30,19 +30,28 @@ class NativeParts:
 
 
 def brought(asked: Iterable[Requirement], day: str | None) -> tuple[Requirement, ...]:
-    """Return what packages that are asked for have pip install with them, of those that are compiled here.
+    """Return what packages that are asked for have pip install with them, and these in turn, as far as a table knows.
 
     ``day``: pip's. What is asked for by itself is not returned.
     """
-    asked = tuple(asked)
-    named = {each.key for each in asked}
+    pending = [each for each in asked if each.package and each.role != "conda"]
+    named = {each.key: each for each in pending}
     found: dict[str, Requirement] = {}
-    for each in asked:
-        row = series_of(each, day, bringing()) if each.package and each.role != "conda" else None
-        if row and row.brings and (not row.extras or set(row.extras) & set(each.extras)):
-            other = stated(row.brings, "table", each.file, each.line)
-            if other.key not in named:
-                found.setdefault(other.key, other)
+    while pending:
+        each = pending.pop(0)
+        row = series_of(each, day, bringing())
+        if not row or not row.brings or (row.of_index and each.url):
+            continue
+        if row.extras and set(row.extras).isdisjoint(each.extras):
+            continue
+        other = stated(row.brings, "table", each.file, each.line)
+        before = named.setdefault(other.key, other)
+        if before is other:
+            found[other.key] = other
+            pending.append(other)
+        elif not set(other.extras) <= set(before.extras):  # the author's release, with these extras too
+            named[other.key] = replace(before, extras=(*before.extras, *other.extras))
+            pending.append(named[other.key])
     return tuple(found.values())
 
 
