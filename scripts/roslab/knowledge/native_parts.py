@@ -67,7 +67,7 @@ def natives() -> tuple[Native, ...]:
     """Return all rows of ``native_parts``."""
     return tuple(
         Native(
-            **_series(row),
+            **series(row),
             part=row["part"],
             folder=row["folder"],
             archive=row["archive"],
@@ -86,7 +86,7 @@ def bringing() -> tuple[Bringing, ...]:
     """Return all rows of ``brought_packages``."""
     return tuple(
         Bringing(
-            **_series(row), extras=tuple(row["extras"].split()), brings=row["brings"], of_index=row["from"] == "index"
+            **series(row), extras=tuple(row["extras"].split()), brings=row["brings"], of_index=row["from"] == "index"
         )
         for row in rows("brought_packages")
     )
@@ -103,5 +103,6 @@ def series_of(asked: Requirement, day: str | None, known: Iterable[Row]) -> Row 
     return then[-1] if then else next(iter(fitting), None)
 
 
-def _series(row: dict[str, str]) -> dict[str, str]:
+def series(row: dict[str, str]) -> dict[str, str]:
+    """Return the fields of a row that every such table has."""
     return {name: row[name] for name in ("pip", "first", "newest", "since")}

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from roslab.config.model import Config, Kind
 from roslab.decide.python.conda_environments import conda_file
+from roslab.decide.python.environment_extras import for_environments
 from roslab.decide.python.extras import extras, of_pages
 from roslab.decide.python.guesses import guesses, known_names, loose_names
 from roslab.decide.python.manifests import projects, requirement_files
@@ -41,6 +42,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     loose = frozenset() if ros or conda else loose_names(evidence, files, folders)
     more = tuple(each for each in extras(evidence, folders, files) if each.key not in known)
     known |= {each.key for each in more}
+    guessed = guesses(evidence, pins, kind, manifests=manifests, known=known, loose=loose)
     return Chosen(
         files=files,
         projects=folders,
@@ -48,7 +50,8 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
         guessed=(
             *more,
             *of_pages(evidence, files, folders),
-            *guesses(evidence, pins, kind, manifests=manifests, known=known, loose=loose),
+            *guessed,
+            *for_environments(evidence, guessed, known),
         ),
         options=tuple(dict.fromkeys(_options(evidence))),
         conda=conda,
