@@ -45,6 +45,14 @@ _AFTER = pattern(
 )
 """The name of a program that looks at what another one did; a README of Python may name its examples so."""
 _EVALUATION = pattern(r"(?:^|[_.-])(?:evaluat\w*|eval)(?:[_.-]|$)", re.IGNORECASE)
+_TRAINS = pattern(r"(?:^|[_.-])train\w*?[_-](?:(?:and|n)[_-])?(?:eval\w*|test\w*)(?:[_.-]|$)", re.IGNORECASE)
+"""The name of a program that trains first, and then looks at what came of it."""
+_ANALYSES = pattern(
+    r"(?:^|[_.-])(?:(?:comput|calc|summari|aggregat|gather|merg|average|parse|read|print)\w*[_-](?:\w+[_-])?results?|"
+    r"analy[sz](?:e|is|ing))(?:[_.-]|$)",
+    re.IGNORECASE,
+)
+"""The name of a file of Python that counts what others wrote down."""
 _OF_RESULTS = pattern(r"(?:eval|evaluat\w*|metrics?)", re.IGNORECASE)
 """The name of a folder whose programs look at what another one made."""
 _EVALUATES = pattern(
@@ -200,7 +208,11 @@ def _after(candidate: Candidate) -> bool:
     place = program_of(candidate.argv)[-1].rpartition("/")[0].rpartition("/")[2]
     of_results = bool(python and _OF_RESULTS.fullmatch(place))
     of_results = of_results or (python and any(map(_EVALUATES.fullmatch, candidate.argv)))
-    if of_results or _named(candidate, _AFTER):
+    if of_results or (python and _named(candidate, _ANALYSES)):
+        return True
+    if _named(candidate, _TRAINS):
+        return False
+    if _named(candidate, _AFTER):
         return True
     return not candidate.of_python and _named(candidate, _SHOWS if python else _TEST)
 

@@ -660,6 +660,26 @@ def test_a_section_that_trains_and_tests_is_about_what_the_code_does(tree: Tree,
     assert tree({**code, "README.md": page}).command == ("python", "train.py", "a.py")
 
 
+@pytest.mark.parametrize(
+    ("lines", "command"),
+    [
+        (["python compute_results.py a.csv", "bash train_and_eval.sh x"], ("bash", "train_and_eval.sh", "x")),
+        (["python analyze_log.py a.csv", "python main.py"], ("python", "main.py")),
+        (["python train_eval.py", "python main.py"], ("python", "train_eval.py")),
+        (["python eval.py", "python main.py"], ("python", "main.py")),
+        (["python compute_results.py a.csv"], ("python", "compute_results.py", "a.csv")),
+        (["python analyzer.py", "python main.py"], ("python", "analyzer.py")),
+    ],
+)
+def test_what_counts_results_comes_after_what_makes_them(
+    tree: Tree, lines: list[str], command: tuple[str, ...]
+) -> None:
+    page = "# Usage\n" + "".join(f"```\n{line}\n```\n" for line in lines)
+    files = {line.split()[1]: "import numpy\n" for line in lines if line.startswith("python")}
+    files |= {line.split()[1]: "python main.py\n" for line in lines if line.startswith("bash")}
+    assert tree({**files, "a.csv": "1\n", "README.md": page}).command == command
+
+
 def test_an_argument_that_a_shell_works_out_is_left_out_whole(tree: Tree) -> None:
     page = "# Run\nros2 launch demo map.launch.py file:='$(find-pkg-share demo)/a.yaml' robot:=a\n"
     assert tree({**ROS2, "README.md": page}).command == ("ros2", "launch", "demo", "map.launch.py", "robot:=a")
