@@ -124,7 +124,8 @@ def _obvious(
 
     Of the programs, only those that a container of the author's image can be given, if that is built.
     """
-    ours = [c for c in found if _own(c.argv, evidence) and not upkeep(c)]
+    built = {file for m in evidence.mentions if m.topic == "build_script" for file in m.files}
+    ours = [c for c in found if _own(c.argv, evidence) and not upkeep(c) and program_of(c.argv)[-1] not in built]
     if dockerfile:
         ours = [c for c in ours if authored and startable(c, authored)]
     if first := first_of(ours):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
 
 from roslab.config.model import Config, Kind
 from roslab.decide.command import decide_command
-from roslab.decide.decision import Python
+from roslab.decide.decision import Decision, Python
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.processor import OnX86
 from roslab.decide.python.installed import installed
@@ -26,6 +27,7 @@ from roslab.evidence.program import Program
 from roslab.values.conda import conda_package
 from roslab.values.requirement_line import stated
 
+Tree = Callable[[dict[str, str]], Decision]
 MAIN = Program(file="train.py", line=3, kind="main")
 LAUNCH = LaunchFile(file="launch/a.launch", line=1, package="me", ros=1, dependencies=(), gui=True)
 
@@ -148,3 +150,17 @@ def test_a_command_whose_file_shows_a_picture_has_a_window() -> None:
     for file, gui in (("train.py", True), ("tools/plot.py", False)):
         evidence = Evidence(programs=(MAIN,), code=(replace(call, file=file),))
         assert decide_command(evidence, Config(), "python", None).answer.gui is gui
+
+
+@pytest.mark.parametrize(
+    ("more", "command"),
+    [("", ("bash",)), ("# Usage\n```\nbash scripts/start_all.sh\n```\n", ("bash", "scripts/start_all.sh"))],
+)
+def test_a_script_that_the_build_runs_is_no_command(tree: Tree, more: str, command: tuple[str, ...]) -> None:
+    scripts = {"scripts/build_lib.sh": "cmake -S lib -B out\nmake -C out\n", "scripts/start_all.sh": "python -m demo\n"}
+    page = f"# Installation\n```\nbash scripts/build_lib.sh\n```\n{more}"
+    own = {"setup.py": "from setuptools import setup\nsetup(name='demo', install_requires=['numpy'])\n"}
+    root = "# Demo\nSee [the guide](docs/source/installation.md).\n```\npython gone.py\n```\n"
+    decision = tree({**own, **scripts, "README.md": root, "docs/source/installation.md": page})
+    assert [each.path for each in decision.scripts] == ["scripts/build_lib.sh"]
+    assert decision.command == command
