@@ -39,6 +39,8 @@ class Candidate:
     """Variables that the page starts it with, ``NAME=VALUE``."""
     installed: bool = False
     """pip installs the program with the repository."""
+    elsewhere: bool = False
+    """It is a shell script that goes to a folder of its author's computer, and ends where that is not."""
     of_python: bool = False
     """It is a shell script that starts a program of Python."""
 

@@ -108,7 +108,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     ordered = sorted(
         kept, key=lambda c: _order(c, pages[c.file], gap=c.line >= gaps.get((c.file, c.heading), c.line + 1))
     )
-    ordered.sort(key=lambda c: _stops(c, kept))
+    ordered.sort(key=lambda c: (c.elsewhere, _stops(c, kept)))
     return variant(_filled_in(ordered[0], rest), rest) if ordered else None
 
 

@@ -86,6 +86,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
     said = [m for m in said if not (places.vendored(m.file) or about_trouble(m.heading))]
     of_python = {m.value for m in evidence.mentions if m.topic == "runs"} if not (ros or compiled) else set()
+    elsewhere = {m.value for m in evidence.mentions if m.topic == "elsewhere"}
     options = {(m.file, m.value): m.text for m in evidence.mentions if m.topic == "option"}
     fetched = {file for m in evidence.mentions if m.topic in {"fetched", "unpacked"} for file in m.files} - {"", "."}
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
@@ -118,6 +119,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 blanks=blanks,
                 variables=mention.variables,
                 installed=argv[0] in tree.installed and not ros,
+                elsewhere=argv[0] == "bash" and not elsewhere.isdisjoint(argv[1:2]),
                 of_python=argv[0] == "bash" and not of_python.isdisjoint(argv[1:2]),
             )
 

@@ -201,7 +201,7 @@ class Mention:
         "date", "vcs_file", "compiled", "step", "build_script", "python_path", "from_root", "variable", "exported",
         "option", "gazebo", "compared", "skipped",
         "image_built", "image_pulled", "pointed", "included", "reference", "libtorch", "fetched", "unpacked", "runs",
-        "environment",
+        "environment", "elsewhere",
     ]  # fmt: skip
     value: str
     source: Literal[

@@ -680,6 +680,25 @@ def test_what_counts_results_comes_after_what_makes_them(
     assert tree({**files, "a.csv": "1\n", "README.md": page}).command == command
 
 
+@pytest.mark.parametrize(
+    ("script", "command"),
+    [
+        ("cd /home/me/work/demo || exit\npython main.py\n", ("python", "app.py")),
+        ("set -e\ncd /Users/me/demo\npython main.py\n", ("python", "app.py")),
+        ("cd /home/me/work/demo\npython main.py\n", ("bash", "launch/go.sh")),  # it goes on where it is
+        ("python main.py\n", ("bash", "launch/go.sh")),
+        ("cd .. || exit\npython main.py\n", "cd launch && exec bash go.sh"),
+        ("cd ../ && python main.py\n", "cd launch && exec bash go.sh"),
+        ("cd ../.. || exit\npython main.py\n", ("bash", "launch/go.sh")),
+        ("cd ..\npython gone.py\n", ("bash", "launch/go.sh")),
+    ],
+)
+def test_a_script_that_goes_to_another_folder(tree: Tree, script: str, command: tuple[str, ...] | str) -> None:
+    page = "# Usage\n```\nbash launch/go.sh\n```\n```\npython app.py\n```\n"
+    code = dict.fromkeys(("main.py", "app.py"), "import numpy\n")
+    assert tree({**code, "launch/go.sh": script, "README.md": page}).command == command
+
+
 def test_an_argument_that_a_shell_works_out_is_left_out_whole(tree: Tree) -> None:
     page = "# Run\nros2 launch demo map.launch.py file:='$(find-pkg-share demo)/a.yaml' robot:=a\n"
     assert tree({**ROS2, "README.md": page}).command == ("ros2", "launch", "demo", "map.launch.py", "robot:=a")

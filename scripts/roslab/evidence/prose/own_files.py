@@ -8,6 +8,7 @@ import re
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.runners import SIMULATORS
+from roslab.evidence.prose.script_folders import started_above
 from roslab.evidence.prose.started_in import beside_build, ends, script_in, started_in
 from roslab.evidence.ros import vcs
 from roslab.repository.checkout import Repository
@@ -64,7 +65,8 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
 
 def _folder_of(mention: Mention, words: list[str], repository: Repository) -> str:
     """Return the folder that a program has to be started in, ``""`` if any will do."""
-    return started_in(mention, words, repository) or beside_build(mention, words, repository)
+    found = started_in(mention, words, repository) or beside_build(mention, words, repository)
+    return found or started_above(words, repository)
 
 
 def _unseen(path: str, folder: str, repository: Repository) -> tuple[str, str] | None:

@@ -37,6 +37,7 @@ from roslab.evidence.prose.own_files import with_files
 from roslab.evidence.prose.own_scripts import called, checked, of_python
 from roslab.evidence.prose.preformatted import as_markdown
 from roslab.evidence.prose.runners import started
+from roslab.evidence.prose.script_folders import elsewhere
 from roslab.evidence.prose.shells import leads_elsewhere
 from roslab.evidence.prose.telling import Signs, signs_in, telling
 from roslab.repository.checkout import File, Repository
@@ -187,6 +188,7 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         yield told
         yield from fetched_by(told, repository)
         yield from of_python(told, repository)
+        yield from elsewhere(told, repository)
 
 
 def pages(repository: Repository) -> tuple[File, ...]:
