@@ -15,11 +15,11 @@ from roslab.decide.proof import compiled, rostests, runs_ctest
 from roslab.decide.python.compiling import Compiling
 from roslab.decide.python.paths import python_path
 from roslab.decide.reasons import warn
+from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.in_tree import apart
 from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.sought import without
-from roslab.decide.ros.sources import Sources
 from roslab.decide.ros.workspace import Packages, manifests_of, names_of
 from roslab.decide.system.linked_headers import linked_headers
 from roslab.decide.system.missing import Missing, marked

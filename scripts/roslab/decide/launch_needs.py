@@ -9,7 +9,7 @@ from roslab.decide.command import Command
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.launch_calls import launch_calls
 from roslab.decide.reasons import warn
-from roslab.decide.ros.sources import Sources
+from roslab.decide.ros.built_sources import Sources
 from roslab.decide.startable_launches import lacks
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from roslab.config.model import WORKSPACE_TOOLS, Config, Kind, Source
 from roslab.decide.decision import Choice, Python
+from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.layout import Layout
-from roslab.decide.ros.sources import Sources
 from roslab.decide.system.packages import SystemPackages
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource

@@ -199,3 +199,13 @@ def _alike(name: str, other: str) -> bool:
     left, right = name[len(start) :], other[len(start) :]
     same = left[1:] == right[1:] or left[1:] == right or left == right[1:]
     return same and not any(char.isdigit() for char in (*left[:1], *right[:1]))
+
+
+def installed_by_pip(evidence: Evidence) -> frozenset[str]:
+    """Return the names of the programs that pip installs with the projects of the tree."""
+    return frozenset(
+        posixpath.basename(program)
+        for project in evidence.python
+        if project.installable
+        for program in (*dict(project.scripts), *project.script_files)
+    )

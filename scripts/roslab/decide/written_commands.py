@@ -12,7 +12,7 @@ from roslab.decide.candidate import Candidate, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
 from roslab.decide.launch_calls import call_of, launch_calls, without_package
 from roslab.decide.programs import compiled as programs_of
-from roslab.decide.programs import in_packages, one_letter_off
+from roslab.decide.programs import in_packages, installed_by_pip, one_letter_off
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import bare, script_of, task_of
 from roslab.decide.sections import about_trouble
@@ -70,12 +70,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
         simulators=simulators_of(evidence),
         packages=packages_of(evidence).names,
         clones=any(git.kind in {"vcs", "git_url", "upstream", "submodule"} or git.beside for git in evidence.sources),
-        installed=frozenset(
-            posixpath.basename(program)
-            for project in evidence.python
-            if project.installable
-            for program in (*dict(project.scripts), *project.script_files)
-        ),
+        installed=installed_by_pip(evidence),
         projects=(
             *(project.folder for project in evidence.python if project.installable),
             *(m.value for m in evidence.mentions if m.topic == "python_path" and m.value != "."),

@@ -79,7 +79,7 @@ def test_what_a_page_adds_to_a_package_of_a_list(
 @pytest.mark.parametrize(
     ("needs", "page", "more"),
     [
-        ("'jax'", 'uv pip install -U "jax[cuda12]" --index-url https://pypi.org/simple', ["jax[cuda12]"]),
+        ("'jax'", 'uv pip install -U "jax[cuda12]" --index-url https://index.example.org/simple', ["jax[cuda12]"]),
         ("'jax>=0.4'", 'pip install "jax[cuda12]"\npip install "jax[tpu]"', ["jax[cuda12]>=0.4"]),
         ("'jax==0.4.13'", 'pip install "jax[cuda12]==0.4.20"', []),
         ("'jax[cuda12]'", 'pip install "jax[cuda12]"', []),

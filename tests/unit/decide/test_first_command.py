@@ -683,9 +683,9 @@ def test_what_counts_results_comes_after_what_makes_them(
 @pytest.mark.parametrize(
     ("script", "command"),
     [
-        ("cd /home/me/work/demo || exit\npython main.py\n", ("python", "app.py")),
+        ("cd /home/me/demo || exit\npython main.py\n", ("python", "app.py")),
         ("set -e\ncd /Users/me/demo\npython main.py\n", ("python", "app.py")),
-        ("cd /home/me/work/demo\npython main.py\n", ("bash", "launch/go.sh")),  # it goes on where it is
+        ("cd /home/me/demo\npython main.py\n", ("bash", "launch/go.sh")),  # it goes on where it is
         ("python main.py\n", ("bash", "launch/go.sh")),
         ("cd .. || exit\npython main.py\n", "cd launch && exec bash go.sh"),
         ("cd ../ && python main.py\n", "cd launch && exec bash go.sh"),

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
-from typing import TYPE_CHECKING
 
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
+from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
@@ -24,9 +24,6 @@ from roslab.knowledge.libraries import library
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
-
-if TYPE_CHECKING:
-    from roslab.decide.ros.sources import Sources
 
 _OWNER = pattern(r"(https://([\w.-]+)/[\w.-]+)/[\w.-]+?/?$")
 _PACKAGE = pattern(r"(?!lib|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)*")

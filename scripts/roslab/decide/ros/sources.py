@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind, Source
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
+from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.clones import clones, for_unknown, linked, unreleased, with_itself
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.in_tree import in_tree
@@ -20,7 +21,6 @@ from roslab.decide.ros.source_names import (
     fixed,
     itself_in,
     plain,
-    telling_words,
     wanted_names,
 )
 from roslab.decide.ros.used import used_by_build
@@ -34,46 +34,10 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.recipes import recipe_at
 from roslab.knowledge.released import released, rosdep_keys
-from roslab.knowledge.ros_sources import RosSource, alone, ros_sources
+from roslab.knowledge.ros_sources import RosSource, ros_sources
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.origin import Place
 from roslab.values.secret import SSH
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Sources:
-    """What is built from source, in this order, and the vcs files it came from."""
-
-    sources: tuple[Source, ...] = ()
-    vcs: tuple[str, ...] = ()
-    submodules: tuple[Source, ...] = ()
-    """What belongs in the tree and is not there, submodules and clones; the name of each is its path."""
-    libraries: tuple[tuple[str, Dependency], ...] = ()
-    """Names of rows in the table of recipes that these sources link, with what asks for each."""
-    sought: tuple[Source, ...] = ()
-    """Repositories in which the build looks for packages that nothing brings."""
-    names: frozenset[str] = frozenset()
-    """Names that these sources provide: they need no rosdep key and no package."""
-
-    asked: frozenset[str] = frozenset()
-    """The names, in one spelling, that the tree asks for: a clone of such a name is most likely that package alone."""
-
-    @property
-    def with_unknown_packages(self) -> bool:
-        """A clone may hold packages whose names are not known: it is no library, nor known to be a single package."""
-        return any(self._unknown())
-
-    def may_hold(self, wanted: str) -> bool:
-        """Tell whether a clone may hold a package: one that the tree asks for by its name only what is named alike."""
-        words = telling_words(wanted) | {plain(wanted)}
-        return any(name not in self.asked or words & (telling_words(name) | {name}) for name in self._unknown())
-
-    def _unknown(self) -> Iterator[str]:
-        """Yield the names of the clones whose packages are not known."""
-        single = {address(url) for url in alone()}
-        for source in (*self.sources, *self.submodules):
-            if source.build != "cmake" and address(source.repo or "") not in single:
-                yield plain(source.name)
 
 
 def decide_sources(

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from roslab.config.model import Config, Kind, Source
+from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.source_names import plain
-from roslab.decide.ros.sources import Sources
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_hand import as_written, by_hand
 from roslab.decide.system.libtorch import libtorch

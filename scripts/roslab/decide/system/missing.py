@@ -7,11 +7,11 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from roslab.config.model import BuildTool, Kind
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import because, warn
+from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.included import without_headers
 from roslab.decide.ros.rosbuild import ended_in
 from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import plain
-from roslab.decide.ros.sources import Sources
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.left_out import SKIP, SOURCE, folders_of, leave_out
 from roslab.decide.system.names import Target, resolve, written_for
