@@ -184,3 +184,16 @@ def test_unknown_question(roslab: Roslab, robot: Path) -> None:
     assert answer.returncode == 2
     assert answer.stderr.startswith("roslab: error: no question 'colour' here\n  one of: ")
     assert "base_image" in answer.stderr
+
+
+@pytest.mark.parametrize(
+    ("tag", "instead"), [("robot:1", "give --tag 1"), ("lab/robot", ""), (".1", ""), ("", ""), ("x; touch owned", "")]
+)
+@pytest.mark.parametrize("command", ["build", "run", "lock"])
+def test_what_is_no_tag_is_refused_before_anything_is_built(
+    roslab: Roslab, robot: Path, command: str, tag: str, instead: str
+) -> None:
+    answer = roslab(command, robot, f"--tag={tag}")
+    assert answer.returncode == 2, answer.stdout
+    assert f"argument --tag: {tag!r} is no tag" in answer.stderr
+    assert instead in answer.stderr

@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 from roslab import __version__
+from roslab.values.pattern import pattern
 
 EXIT_CODES = """\
 exit codes:
@@ -254,9 +255,25 @@ def _format(command: argparse.ArgumentParser) -> None:
 
 
 def _tag(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--tag", metavar="TAG", default="latest", help="tag of the image (default: latest)")
+    command.add_argument(
+        "--tag", metavar="TAG", type=_tag_name, default="latest", help="tag of the image (default: latest)"
+    )
 
 
+def _tag_name(text: str) -> str:
+    """Return the tag; https://github.com/opencontainers/distribution-spec/blob/main/spec.md#pulling-manifests."""
+    if not _TAG.fullmatch(text):
+        name, _, tag = text.rpartition(":")
+        instead = (
+            f": the name of the image is roslab.yaml's, so give --tag {tag}" if name and _TAG.fullmatch(tag) else ""
+        )
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is no tag (letters, digits, '_', '.' and '-', at most 128, none of '.' and '-' first){instead}"
+        )
+    return text
+
+
+_TAG = pattern(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}")
 _COMMANDS: dict[str, Callable[[Commands], None]] = {
     "inspect": _inspect,
     "plan": _plan,
