@@ -54,3 +54,15 @@ def test_a_script_that_is_named_as_a_demonstration_is_meant(tree: Tree, name: st
     files = {"requirements.txt": "numpy\n", "flow.py": "import numpy\n", f"scripts/{name}": "python flow.py --fast\n"}
     readme = f"# Flow\n## Demo\nPlease refer to [scripts/{name}](scripts/{name}) for its use.\n"
     assert tree({**files, "README.md": readme}).command == command
+
+
+@pytest.mark.parametrize("choice", ["[indoor|outdoor]", "{indoor|outdoor}", "<indoor|outdoor>"])
+def test_of_names_to_choose_from_in_a_word_the_first_is_taken(tree: Tree, choice: str) -> None:
+    files = {"requirements.txt": "numpy\n", "sfm/run_indoor.py": "import numpy\n", "sfm/run_outdoor.py": ""}
+    readme = page(f"python -m sfm.run_{choice}  # choose one")
+    assert tree({**files, "README.md": readme}).command == ("python", "-m", "sfm.run_indoor")
+
+
+def test_a_pipe_is_no_choice(tree: Tree) -> None:
+    files = {"requirements.txt": "numpy\n", "talk.py": "import numpy\n"}
+    assert tree({**files, "README.md": page("python talk.py|tee log")}).command[:2] == ("python", "talk.py")

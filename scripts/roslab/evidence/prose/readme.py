@@ -12,7 +12,14 @@ from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.lex.shell import UNKNOWN, commands, fill_placeholders, logical_lines, without_remarks
+from roslab.evidence.lex.shell import (
+    UNKNOWN,
+    commands,
+    fill_placeholders,
+    logical_lines,
+    with_first_choice,
+    without_remarks,
+)
 from roslab.evidence.prose import (
     apt_scripts,
     asides,
@@ -242,7 +249,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     That is the lines of fenced and indented blocks, lines that begin with a command, and inline code; with ``also``,
     only the lines of fenced blocks in which it is found.
     """
-    lines = without_remarks(text).split("\n")
+    lines = with_first_choice(without_remarks(text)).split("\n")
     signs = signs_in(text) if not also else ()
     titles: dict[int, str] = {}
     elsewhere = index = 0
