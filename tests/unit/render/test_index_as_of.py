@@ -34,6 +34,13 @@ FILES = {
         f"compiled-2.0-{BINARY}.whl": NEW,
         f"compiled-3.0-{BINARY}.whl": "2023-06-01",
     },
+    "ancient": {
+        **{f"ancient-0.1.4{end}": "2017-11-01" for end in (f"-{EVERY}.whl", ".tar.gz")},
+        "ancient-0.1.5.tar.gz": OLD,
+        "ancient-0.2rc1.tar.gz": OLD,
+    },
+    "binary": {f"binary-1.0-{BINARY}.whl": OLD, "binary-1.0.tar.gz": OLD, "binary-1.1.tar.gz": OLD},
+    "other": {**{f"other-1.0{end}": OLD for end in (f"-{EVERY}.whl", ".tar.gz")}, "other-2.0.tar.gz": OLD},
     "gone": {f"gone-{number}-{EVERY}.whl": OLD for number in ("2.1.3", "2.1.25", "2.1.30", "2.2.0")},
     "front": {f"front-{number}-{EVERY}.whl": day for number, day in (("1.0", OLD), ("2.1", NEW), ("3.0", NEW))},
     "later": {f"later-1.0-{EVERY}.whl": NEW, f"later-2.0-{EVERY}.whl": "2023-06-01"},
@@ -71,6 +78,7 @@ class Index(BaseHTTPRequestHandler):
                 "url": f"/files/{file}",
                 "hashes": {"sha256": hashlib.sha256(wheel(file)).hexdigest()},
                 **({} if self.path.startswith("/old") else {"upload-time": f"{day}T08:00:00Z"}),
+                **({"requires-python": "<3"} if file == "other-2.0.tar.gz" else {}),
             }
             for file, day in FILES.get(name, {}).items()
         ]
@@ -108,13 +116,13 @@ def step(tmp_path: Path, index: str) -> Iterator[list[subprocess.Popen[str]]]:
             os.killpg(process.pid, signal.SIGKILL)
 
 
-def ran(step: list[subprocess.Popen[str]], folder: Path, index: str, commands: str) -> str:
-    """Return what a step prints after the index was changed."""
+def ran(step: list[subprocess.Popen[str]], folder: Path, index: str, commands: str, before: str = ":") -> str:
+    """Return what a step prints after the index was changed; ``before`` is run before that."""
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("PIP_", "GIT_"))}
     path = f"{folder}:{Path(sys.executable).parent}:{environment['PATH']}"
     with (folder / "said").open("w") as said:
         process = subprocess.Popen(
-            ["bash", "-ec", f'eval "$(index-as-of {DAY} --or-today)"\n{commands}'],
+            ["bash", "-ec", f'{before}\neval "$(index-as-of {DAY} --or-today)"\n{commands}'],
             env=environment | {"PATH": path, "PIP_INDEX_URL": index, "no_proxy": "127.0.0.1"},
             stdout=subprocess.PIPE,
             stderr=said,
@@ -144,6 +152,21 @@ def test_what_came_later_is_hidden_unless_nothing_else_would_do(
     output = ran(step, tmp_path, f"{index}/simple/", PAGES.replace("AGENT", agent))
     assert output.splitlines() == ["plain 1.0", "source 1.0", "compiled 1.0 2.0", "later 1.0"]
     assert "compiled had nothing for this Python on 2021-01-10: compiled-2.0-" in (tmp_path / "said").read_text()
+
+
+@pytest.mark.parametrize(("agent", "preferred"), [("23.2.1", "1"), ("9.0.1", "1"), ("23.2.1", "0")])
+def test_where_wheels_are_preferred_an_old_one_of_plain_python_is_not_taken_before_newer_source(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, agent: str, preferred: str
+) -> None:
+    asked = PAGES.replace("AGENT", agent).replace("plain source compiled later", "ancient binary other")
+    shown = asked.replace('file.split("-")[1].replace(".tar.gz", "")', 'file.partition("-")[2]')
+    output = ran(step, tmp_path, f"{index}/simple/", shown, before=f"export PIP_PREFER_BINARY={preferred}")
+    wheel_too = [f"0.1.4-{EVERY}.whl"] if preferred == "0" else []
+    assert output.splitlines() == [
+        " ".join(("ancient", *wheel_too, "0.1.4.tar.gz", "0.1.5.tar.gz", "0.2rc1.tar.gz")),
+        f"binary 1.0-{BINARY}.whl 1.0.tar.gz 1.1.tar.gz",
+        f"other 1.0-{EVERY}.whl 1.0.tar.gz 2.0.tar.gz",
+    ]
 
 
 def test_a_later_version_is_there_for_its_exact_number(

@@ -7,6 +7,7 @@
 # version that is asked for, by a lower bound that is newer than the day, it is called again with that package's newer ones;
 # an exact version that is gone from the index becomes the next one with the same first two numbers, if there is one.
 # Of two packages that are released together (released-together.txt) one later version brings the other of that number.
+# Where wheels are preferred, one of plain Python is not taken before the source of a newer version: nothing is compiled.
 # Where git-as-of is in the image, what pip clones without naming a commit is of the day too.
 set -euo pipefail
 
@@ -51,6 +52,7 @@ except ImportError:
     from urlparse import urljoin
 
 try:
+    from pip._vendor.packaging.specifiers import SpecifierSet
     from pip._vendor.packaging.tags import sys_tags
 
     TAGS = set(map(str, sys_tags()))
@@ -62,6 +64,7 @@ OR_TODAY = sys.argv[4:5] == ["--or-today"]
 FREE = sys.argv[-1]
 TOGETHER = "/usr/local/share/roslab/released-together.txt"
 JSON = "application/vnd.pypi.simple.v1+json"
+PREFERRED = os.environ.get("PIP_PREFER_BINARY", "0") not in ("", "0", "no", "false")
 SAID = set()
 
 
@@ -149,9 +152,29 @@ def free(name):
         return name in [re.sub("[-_.]+", "-", line.strip()).lower() for line in names]
 
 
+def outdated(files):
+    """Return the wheels of plain Python whose versions are older than one that has its source alone.
+
+    Their versions have sources too. There is none where a version was ever compiled, or the newest is for other Pythons.
+    """
+    here = "%d.%d.%d" % sys.version_info[:3]
+    wheels = [file for file in files if file["filename"].endswith(".whl")]
+    sources = [file for file in files if file not in wheels and re.match(r"[0-9.]+([.]post[0-9]+)?$", version(file))]
+    if not TAGS or not PREFERRED or not sources or not all(file["filename"].endswith("-none-any.whl") for file in wheels):
+        return []
+    newest = max(sources, key=number)
+    if newest.get("yanked") or not SpecifierSet(newest.get("requires-python") or "").contains(here, True):
+        return []
+    if any(number(file) >= number(newest) for file in wheels):
+        return []
+    return [file for file in wheels if version(file) in set(map(version, sources))]
+
+
 def page(name, knows_yanked):
     address, files = files_of(name)
     kept = files if free(name) else of_day(name, files) + beside(name, files)
+    old = outdated(kept)
+    kept = [file for file in kept if file not in old]
     names = set(file["filename"] for file in kept)
     lines = []
     for file in files if OR_TODAY and knows_yanked else kept:
@@ -162,7 +185,7 @@ def page(name, knows_yanked):
         if file.get("requires-python"):
             more += ' data-requires-python="%s"' % escape(file["requires-python"], True)
         if file["filename"] not in names:  # pip takes it where its exact version is asked for, and nowhere else (PEP 592)
-            more += ' data-yanked="uploaded after %s"' % DAY
+            more += ' data-yanked="%s"' % ("an older version" if file in old else "uploaded after " + DAY)
         elif file.get("yanked"):
             more += ' data-yanked=""'
         lines.append('<a href="%s"%s>%s</a><br>' % (escape(link, True), more, escape(file["filename"])))
