@@ -41,10 +41,15 @@ FILES = {
     },
     "binary": {f"binary-1.0-{BINARY}.whl": OLD, "binary-1.0.tar.gz": OLD, "binary-1.1.tar.gz": OLD},
     "other": {**{f"other-1.0{end}": OLD for end in (f"-{EVERY}.whl", ".tar.gz")}, "other-2.0.tar.gz": OLD},
+    "shared": {f"shared-{number}-{EVERY}.whl": OLD for number in ("1.0", "2.0")},
+    "left": {f"left-1.0-{EVERY}.whl": OLD},
+    "right": {f"right-1.0-{EVERY}.whl": OLD},
     "gone": {f"gone-{number}-{EVERY}.whl": OLD for number in ("2.1.3", "2.1.25", "2.1.30", "2.2.0")},
     "front": {f"front-{number}-{EVERY}.whl": day for number, day in (("1.0", OLD), ("2.1", NEW), ("3.0", NEW))},
     "later": {f"later-1.0-{EVERY}.whl": NEW, f"later-2.0-{EVERY}.whl": "2023-06-01"},
 }
+
+REQUIRES = {"left": "Requires-Dist: shared==1.0\n", "right": "Requires-Dist: shared==2.0\n"}
 
 
 def wheel(file: str) -> bytes:
@@ -54,7 +59,7 @@ def wheel(file: str) -> bytes:
     with zipfile.ZipFile(made, "w") as archive:
         folder = f"{name}-{version}.dist-info"
         for part, text in (
-            ("METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n"),
+            ("METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n{REQUIRES.get(name, '')}"),
             ("WHEEL", "Wheel-Version: 1.0\nGenerator: test\nRoot-Is-Purelib: true\nTag: py3-none-any\n"),
             ("RECORD", f"{folder}/METADATA,,\n{folder}/WHEEL,,\n{folder}/RECORD,,\n"),
         ):
@@ -208,6 +213,30 @@ def test_a_version_that_is_gone_is_replaced_by_none_of_another_minor_one(
 ) -> None:
     install = f"python3 -m pip install --quiet --no-cache-dir --target {tmp_path}/got gone==2.0.1"
     assert ran(step, tmp_path, f"{index}/simple/", f"{install} || echo failed").strip() == "failed"
+
+
+def test_of_requirements_that_contradict_each_other_the_first_decides(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+) -> None:
+    install = f"python3 -m pip install --target {tmp_path}/made --quiet left right"
+    ran(step, tmp_path, f"{index}/simple/", install)
+    assert sorted(each.name for each in (tmp_path / "made").glob("*.dist-info")) == [
+        "left-1.0.dist-info",
+        "right-1.0.dist-info",
+        "shared-1.0.dist-info",
+    ]
+    said = (tmp_path / "said").read_text()
+    assert "roslab: Cannot install left==1.0 and right==1.0 because these package versions have conflicting" in said
+    assert "the first requirement that names a package decides" in said
+
+
+def test_requirements_that_contradict_each_other_and_cannot_be_had_fail(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+) -> None:
+    install = (
+        f"python3 -m pip install --target {tmp_path}/made --quiet --no-cache-dir left right nowhere || echo failed"
+    )
+    assert ran(step, tmp_path, f"{index}/simple/", install).split()[-1] == "failed"
 
 
 @pytest.mark.parametrize(("companion", "kept"), [("compiled", "1.0 2.1"), ("plain", "1.0")])

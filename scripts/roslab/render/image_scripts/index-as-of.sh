@@ -6,6 +6,8 @@
 # that is said and newer ones are taken; and a later version can still be had by its exact number. Where pip finds no
 # version that is asked for, by a lower bound that is newer than the day, it is called again with that package's newer ones;
 # an exact version that is gone from the index becomes the next one with the same first two numbers, if there is one.
+# Where the requirements contradict each other, the first that names a package decides, as in pip before 20.3: of their time
+# many lists were never resolved.
 # Of two packages that are released together (released-together.txt) one later version brings the other of that number.
 # Where wheels are preferred, one of plain Python is not taken before the source of a newer version: nothing is compiled.
 # Where git-as-of is in the image, what pip clones without naming a commit is of the day too.
@@ -259,13 +261,19 @@ if [ "${2:-}" = --or-today ]; then
   echo "INDEX_AS_OF=${free}"
   cat <<'BASH'
 roslab_pip() {
-  local free="${INDEX_AS_OF}" log="${INDEX_AS_OF}.log" name
+  local free="${INDEX_AS_OF}" log="${INDEX_AS_OF}.log" first=--use-deprecated=legacy-resolver name
   if [ "${2:-} ${3:-}" != '-m pip' ]; then
     command "$@"
     return
   fi
   local call=("$@")
   until rm -f "${log}" && PIP_LOG="${log}" command "${call[@]}"; do
+    if grep -q -E 'Cannot install .* conflicting dependencies|error: resolution-too-deep' "${log}" 2>/dev/null && [ "${call[-1]}" != "${first}" ]; then
+      sed -n 's/.*\(Cannot install .* conflicting dependencies\).*/roslab: \1/p' "${log}" | head -n 1 >&2
+      echo "roslab: the first requirement that names a package decides, as in pip before 20.3" >&2
+      call+=("${first}")
+      continue
+    fi
     name="$(sed -n 's/.*No matching distribution found for \([A-Za-z0-9._-]*\).*/\1/p' "${log}" 2>/dev/null | tail -n 1)"
     if [ -z "${name}" ]; then return 1; fi
     if grep -q -x -F "${name}" "${free}" 2>/dev/null; then
