@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Config
 from roslab.decide.candidate import Candidate
@@ -12,6 +12,7 @@ from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_n
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.build_variables import build_variables
 from roslab.knowledge.machine_variables import of_one_machine
+from roslab.knowledge.offscreen import offscreen
 from roslab.knowledge.search_paths import search_paths
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -35,15 +36,18 @@ def decide_variables(
     *,
     command: Candidate | None = None,
     image: str = "",
+    gui: bool = True,
 ) -> Choice[tuple[tuple[str, str], ...]]:
     """Return each variable with the value that roslab.yaml gives it, else a page first.
 
     After them those that a page starts the default ``command`` with, without those of one machine, and what keeps a
     new CMake from refusing old code; ``asked``: what pip installs or builds with. Where the base ``image`` has CUDA's
-    compiler, the folder that it lies in: NVIDIA's images do not say it, and build files read it.
+    compiler, the folder that it lies in: NVIDIA's images do not say it, and build files read it. Without ``gui``, what
+    has packages draw where there is no display.
     """
     if config.compatible:
         return Choice(answer=())
+    asked = tuple(asked)
     given = dict(config.env)
     found: dict[str, tuple[str, Mention]] = {}
     for mention in evidence.mentions:
@@ -69,7 +73,18 @@ def decide_variables(
         pairs[POLICY] = str(KEPT_BY_NEW)
         why = f"CMake 4 may be in the image, and refuses code for {old.version}"
         reasons.append(because("workspace", f"{POLICY}={KEPT_BY_NEW}", why, old, weight=SET))
+    for name, value, place in () if gui else _offscreen(asked):
+        if name not in {*pairs, *given}:
+            pairs[name] = value
+            why = f"{place.key} draws without a display then, and the image has none"
+            reasons.append(because("workspace", f"{name}={value}", why, place, weight=SET))
     return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons))
+
+
+def _offscreen(asked: Iterable[Requirement]) -> Iterator[tuple[str, str, Requirement]]:
+    for each in asked:
+        if each.key in offscreen():
+            yield (*offscreen()[each.key], each)
 
 
 def _conda(evidence: Evidence) -> set[str]:

@@ -84,7 +84,7 @@ def test_the_image_has_the_folders_of_models(tree: Tree) -> None:
     assert f'ENV GAZEBO_MODEL_PATH="{here}/models:{here}"\n' in text
 
 
-PROGRAM = {"train.py": "import mujoco\nif __name__ == '__main__':\n    print(1)\n", "requirements.txt": "mujoco\n"}
+PROGRAM = {"train.py": "import numpy\nif __name__ == '__main__':\n    print(1)\n", "requirements.txt": "numpy\n"}
 
 
 @pytest.mark.parametrize(
@@ -172,3 +172,31 @@ def test_the_compiler_of_a_conda_environment_is_left_to_be_found(tree: Tree) -> 
     decision = tree({"setup.py": EXTENSION, "ops.cu": "", "environment.yml": environment})
     assert "-devel" in decision.base_image
     assert not decision.variables
+
+
+@pytest.mark.parametrize(
+    ("files", "found"),
+    [
+        ({"requirements.txt": "mujoco==3.2.0\n", "main.py": "import mujoco\n"}, (("MUJOCO_GL", "egl"),)),
+        ({"requirements.txt": "dm_control\n", "main.py": "import dm_control\n"}, (("MUJOCO_GL", "egl"),)),
+        (
+            {
+                "requirements.txt": "mujoco\n",
+                "main.py": "import mujoco\nimport mujoco.viewer\nmujoco.viewer.launch()\n",
+            },
+            (),
+        ),
+        ({"requirements.txt": "numpy\n", "main.py": "import numpy\n"}, ()),
+    ],
+    ids=["mujoco", "dm_control", "window", "neither"],
+)
+def test_what_draws_without_a_window_is_told_so(
+    tree: Tree, files: dict[str, str], found: tuple[tuple[str, str], ...]
+) -> None:
+    assert tree({**files, "README.md": "# Demo\n## Usage\n```\npython main.py\n```\n"}).variables == found
+
+
+def test_a_page_says_how_to_draw(tree: Tree) -> None:
+    files = {"requirements.txt": "mujoco\n", "main.py": "import mujoco\n"}
+    page = "# Demo\n## Usage\n```\nMUJOCO_GL=osmesa python main.py\n```\n"
+    assert tree({**files, "README.md": page}).variables == (("MUJOCO_GL", "osmesa"),)
