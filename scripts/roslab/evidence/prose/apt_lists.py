@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterator
 
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.prose import readme
 from roslab.evidence.prose.headings import MAX_LINE, lines_of, title_of
 from roslab.evidence.prose.merged import Prose
+from roslab.evidence.prose.pages import pages, text_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -26,8 +26,8 @@ _UNASKED = pattern(
 
 def read(repository: Repository) -> Prose:
     """Return what the pages at the root name, each name at its first place."""
-    files = (file for file in readme.pages(repository) if "/" not in file.path)
-    return Prose(tuple(asked for file in files for asked in said(readme.text_of(repository, file), file.path)))
+    files = (file for file in pages(repository) if "/" not in file.path)
+    return Prose(tuple(asked for file in files for asked in said(text_of(repository, file), file.path)))
 
 
 def said(text: str, file: str) -> Iterator[Dependency]:

@@ -8,7 +8,8 @@ from typing import NamedTuple
 from urllib.parse import urlsplit
 
 from roslab.evidence.apt_source import AptSource
-from roslab.evidence.prose import author_dockerfile, readme
+from roslab.evidence.prose import author_dockerfile
+from roslab.evidence.prose.pages import pages, text_of
 from roslab.knowledge.apt_sources import keys_of_sources
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -42,7 +43,7 @@ class _Key(NamedTuple):
 
 def read(repository: Repository) -> tuple[AptSource, ...]:
     """Return the sources of the pages that explain how to install, and those of Dockerfiles whose key is known."""
-    found = [each for file in readme.pages(repository) for each in said(readme.text_of(repository, file), file.path)]
+    found = [each for file in pages(repository) for each in said(text_of(repository, file), file.path)]
     recipes = (each for file in author_dockerfile.files(repository) for each in said(repository.read(file), file.path))
     found += [each for each in recipes if urlsplit(each.url).hostname in keys_of_sources()]
     return tuple({(each.url, each.suite, each.components): each for each in reversed(found)}.values())[::-1]

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.readme import pages, text_of
+from roslab.evidence.prose.pages import pages, text_of
 from roslab.knowledge.distros import ever
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import matches_at
-from roslab.evidence.prose.readme import pages, text_of
+from roslab.evidence.prose.pages import pages, text_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 

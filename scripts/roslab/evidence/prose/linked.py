@@ -8,16 +8,11 @@ from collections.abc import Iterator, Mapping
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose import search_paths
-from roslab.evidence.prose.readme import MAX_SIZE, of_page, pages, text_of
+from roslab.evidence.prose.pages import LINK, MAX_SIZE, pages, path_of, text_of
+from roslab.evidence.prose.readme import of_page
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
-_LINK = pattern(
-    r"\]\(\s*<?(?:https?://git(?:hub|lab)\.com/[\w.-]+/[\w.-]+/(?:-/)?(?:blob|tree)/[\w.-]+/|(/))?"
-    r"((?:\.{1,2}/){0,4}\w[\w./-]*(?:\.(?:md|rst)|/|(?<=/)[\w-]+))(?:#[^)\s]*)?>?\s*\)"
-)
-"""A link of Markdown to a page or a folder of pages, by its path or by its whole address; one that begins with ``/``
-is meant from the root. What the tree lacks is no such."""
 _INDEX = ("index", "readme")
 _ASIDE = pattern(
     r"contribut|change|licen[sc]e|conduct|security|faq|trouble|news|history|author|issue|docker|develop|tools?\b"
@@ -65,9 +60,8 @@ def _pages(repository: Repository) -> Iterator[File]:
 
 def _links(page: File, repository: Repository, files: Mapping[str, File]) -> Iterator[str]:
     """Yield the paths of the pages that a page links to; of a folder its index first, then the pages right in it."""
-    for match in _LINK.finditer(text_of(repository, page)):
-        whole = match[0].startswith(("](http", "](<http")) or match[1]
-        path = posixpath.normpath(match[2] if whole else posixpath.join(page.folder, match[2]))
+    for match in LINK.finditer(text_of(repository, page)):
+        path = path_of(match, page)
         if path in files:
             yield path
         elif path in repository.folders and places.documentation(f"{path}/"):

@@ -7,7 +7,8 @@ import re
 from packaging.version import Version
 
 from roslab.evidence.code_limit import CodeLimit
-from roslab.evidence.prose import page_lists, readme
+from roslab.evidence.prose import page_lists
+from roslab.evidence.prose.pages import pages, text_of
 from roslab.knowledge.code_limits import bounds_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -32,8 +33,8 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
     3.2 has enough more often than one with 4.5.
     """
     found: dict[str, CodeLimit] = {}
-    for file in (page for page in readme.pages(repository) if "/" not in page.path):
-        for line, item in page_lists.items(readme.text_of(repository, file)):
+    for file in (page for page in pages(repository) if "/" not in page.path):
+        for line, item in page_lists.items(text_of(repository, file)):
             match = _NAMED.match(item.strip())
             if match is None or _OTHER.search(_URL.sub("", item.strip()[match.end() :]).lower()):
                 continue

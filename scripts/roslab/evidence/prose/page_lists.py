@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from roslab.evidence.prose import readme
+from roslab.evidence.prose.pages import pages, text_of
 from roslab.knowledge.prose_names import package_of, said_names
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -62,8 +62,8 @@ MAX_PARAGRAPH = 4000
 
 def read(repository: Repository) -> tuple[Requirement, ...]:
     """Return what the pages at the root list or name with a version, each once."""
-    pages = (file for file in readme.pages(repository) if "/" not in file.path)
-    texts = tuple((readme.text_of(repository, file), file.path) for file in pages)
+    found = (file for file in pages(repository) if "/" not in file.path)
+    texts = tuple((text_of(repository, file), file.path) for file in found)
     return tuple(dict.fromkeys(asked for page in texts for asked in (*blocks(*page), *said(*page), *bounded(*page))))
 
 

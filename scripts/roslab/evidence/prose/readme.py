@@ -8,9 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from functools import cache
 
-from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import (
     UNKNOWN,
@@ -31,9 +29,8 @@ from roslab.evidence.prose import (
     mentions,
     python_path,
 )
-from roslab.evidence.prose.blanks import BLANK, chosen, distros_of
-from roslab.evidence.prose.block_values import with_values
-from roslab.evidence.prose.comments import commented_out, without_comments
+from roslab.evidence.prose.blanks import BLANK, distros_of
+from roslab.evidence.prose.comments import commented_out
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of, under
@@ -42,7 +39,7 @@ from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.own_files import with_files
 from roslab.evidence.prose.own_scripts import called, checked, of_python
-from roslab.evidence.prose.preformatted import as_markdown
+from roslab.evidence.prose.pages import pages, text_of
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.script_folders import elsewhere
 from roslab.evidence.prose.shells import leads_elsewhere
@@ -53,17 +50,6 @@ from roslab.values.pattern import pattern
 from roslab.values.prompt import typed
 from roslab.values.words import joined
 
-MAX_SIZE = 256 * 1024
-MAX_PAGES = 60
-_PAGE = pattern(
-    r"^(?:readme|install|installation|building|build|compiling|compilation|"
-    r"getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
-)
-_TEXTS = (".md", ".mdx", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
-_DOCS_PAGE = pattern(
-    r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite|usage|running|"
-    r"launching"
-)
 _START = pattern(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z][A-Z0-9_]*=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
@@ -107,7 +93,6 @@ _MARKED = pattern(r"\s{0,40}[>$]\s")
 _MARK = pattern(r"^>\s{0,40}")
 _BRANCH = pattern(r"\s{0,40}(?:[├└]─|[|`+]--)")
 """A branch of a drawn tree: the line above the first one names its root and is no command."""
-_VARIANT = pattern(r"readme[-_.](?!md$|rst$|txt$|markdown$)\w", re.IGNORECASE)
 _STRUCK = pattern(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
 """Text that is struck through: ``~~outdated~~``."""
 
@@ -166,16 +151,6 @@ def _with_own_file(mention: Mention, programs: Mapping[str, str]) -> Mention:
     return replace(mention, files=(own, *mention.files)) if own else mention
 
 
-def text_of(repository: Repository, file: File) -> str:
-    """Return what a page says to those who read it, not what it comments out, with all its blocks of code fenced."""
-    return _shown(repository.read(file))
-
-
-@cache
-def _shown(text: str) -> str:
-    return with_values(chosen(as_markdown(without_comments(text))))
-
-
 def of_page(repository: Repository, file: File) -> Prose:
     """Return what a page says; in its commands, files of the tree are relative to the root: ``../map.yaml``."""
     prose = _read(text_of(repository, file), file)
@@ -196,32 +171,6 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         yield from fetched_by(told, repository)
         yield from of_python(told, repository)
         yield from elsewhere(told, repository)
-
-
-def pages(repository: Repository) -> tuple[File, ...]:
-    """Return the pages that explain how to install or to start, those nearest to the root first."""
-    return repository.once(_pages)
-
-
-def _pages(repository: Repository) -> tuple[File, ...]:
-    found = []
-    for file in repository.suffixed(*_TEXTS):
-        name = file.name.lower()
-        if file.size > MAX_SIZE or places.vendored(file.path) or places.test(file.path) or name.endswith("lists.txt"):
-            continue
-        if (name.endswith(".txt") or "." not in name) and not re.match(r"readme|install", name):
-            continue
-        page = _PAGE.match(name.rpartition(".")[0] or name)
-        docs = places.documentation(file.path) and _DOCS_PAGE.search(name)
-        if (page and file.path.count("/") <= 3) or docs:
-            found.append(file)
-    found.sort(key=lambda file: (file.path.count("/"), file.folder, _is_variant(file.name), file.path))
-    return tuple(found[:MAX_PAGES])
-
-
-def _is_variant(name: str) -> bool:
-    """Tell whether a page says what another one does, in a language or for a system: it comes after that."""
-    return bool(_VARIANT.match(name))
 
 
 def _read(text: str, file: File) -> Prose:

@@ -1,0 +1,118 @@
+"""The pages that explain how to install or to start, by their names, or by a link from the page at the root."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from functools import cache
+
+from roslab.evidence import places
+from roslab.evidence.prose.blanks import chosen
+from roslab.evidence.prose.block_values import with_values
+from roslab.evidence.prose.comments import without_comments
+from roslab.evidence.prose.headings import lines_of, title_of
+from roslab.evidence.prose.preformatted import as_markdown
+from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 256 * 1024
+MAX_PAGES = 60
+_PAGE = pattern(
+    r"^(?:readme|install|installation|building|build|compiling|compilation|"
+    r"getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
+)
+_TEXTS = (".md", ".mdx", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
+_DOCS_PAGE = pattern(
+    r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite|usage|running|"
+    r"launching"
+)
+_VARIANT = pattern(r"readme[-_.](?!md$|rst$|txt$|markdown$)\w", re.IGNORECASE)
+LINK = pattern(
+    r"\]\(\s*<?(?:https?://git(?:hub|lab)\.com/[\w.-]+/[\w.-]+/(?:-/)?(?:blob|tree)/[\w.-]+/|(/))?"
+    r"((?:\.{1,2}/){0,4}\w[\w./-]*(?:\.(?:md|rst)|/|(?<=/)[\w-]+))(?:#[^)\s]*)?>?\s*\)"
+)
+"""A link of Markdown to a page or a folder of pages, by its path or by its whole address; one that begins with ``/``
+is meant from the root. What the tree lacks is no such."""
+_INSTALLS = pattern(r"install|set(?:ting)?[-_ ]?up\b|prerequisite|dependenc|compil|build", re.IGNORECASE)
+"""Words of a title, of a page's name or of the text of a link."""
+_ASIDE = pattern(
+    r"contribut|change|licen[sc]e|conduct|security|faq|trouble|news|history|author|issue|docker|container|"
+    r"windows|mac ?os|hardware|jetson|raspberry|robot|data|train|evaluat|benchmark|model|develop|test|uninstall",
+    re.IGNORECASE,
+)
+"""What a page is about that an installation also names, and that is none of it."""
+
+
+def text_of(repository: Repository, file: File) -> str:
+    """Return what a page says to those who read it, not what it comments out, with all its blocks of code fenced."""
+    return _shown(repository.read(file))
+
+
+@cache
+def _shown(text: str) -> str:
+    return with_values(chosen(as_markdown(without_comments(text))))
+
+
+def pages(repository: Repository) -> tuple[File, ...]:
+    """Return the pages that explain how to install or to start, those nearest to the root first."""
+    return repository.once(_pages)
+
+
+def _pages(repository: Repository) -> tuple[File, ...]:
+    found = []
+    for file in repository.suffixed(*_TEXTS):
+        name = file.name.lower()
+        if file.size > MAX_SIZE or places.vendored(file.path) or places.test(file.path) or name.endswith("lists.txt"):
+            continue
+        if (name.endswith(".txt") or "." not in name) and not re.match(r"readme|install", name):
+            continue
+        page = _PAGE.match(name.rpartition(".")[0] or name)
+        docs = places.documentation(file.path) and _DOCS_PAGE.search(name)
+        if (page and file.path.count("/") <= 3) or docs:
+            found.append(file)
+    found += _linked(repository, found)
+    found.sort(key=lambda file: (file.path.count("/"), file.folder, _is_variant(file.name), file.path))
+    return tuple(found[:MAX_PAGES])
+
+
+def _is_variant(name: str) -> bool:
+    """Tell whether a page says what another one does, in a language or for a system: it comes after that."""
+    return bool(_VARIANT.match(name))
+
+
+def path_of(link: re.Match[str], page: File) -> str:
+    """Return the path that a ``LINK`` of a page leads to, from the root."""
+    whole = link[0].startswith(("](http", "](<http")) or link[1]
+    return posixpath.normpath(link[2] if whole else posixpath.join(page.folder, link[2]))
+
+
+def _linked(repository: Repository, found: list[File]) -> list[File]:
+    """Return the pages that the page at the root links to where it tells how to install, whatever their names are."""
+    taken = {file.path for file in found}
+    files = {file.path: file for file in repository.suffixed(*_TEXTS) if "." in file.name and file.size <= MAX_SIZE}
+    linked: dict[str, File] = {}
+    for page in found:
+        if "/" not in page.path and page.name.lower().startswith("readme"):
+            linked |= {path: files[path] for path in _install_links(repository, page) if path in files}
+    return [
+        file
+        for path, file in linked.items()
+        if path not in taken and not (places.vendored(path) or places.test(path) or _ASIDE.search(file.name))
+    ]
+
+
+def _install_links(repository: Repository, page: File) -> Iterator[str]:
+    """Yield where the links lead that stand below a title of installation, or have such a name or text."""
+    text = text_of(repository, page)
+    whole = title_of(text.split("\n"))
+    for line in lines_of(text):
+        titles = list(line.titles.values())[1 if whole else 0 :]
+        if "](" not in line.text or line.fenced or line.elsewhere or (titles and _ASIDE.search(titles[-1])):
+            continue
+        below = any(map(_INSTALLS.search, titles))
+        for link in LINK.finditer(line.text):
+            path, called = path_of(link, page), line.text[: link.start()].rpartition("[")[2]
+            told = below or _INSTALLS.search(posixpath.basename(path)) or _INSTALLS.search(called)
+            if told and not _ASIDE.search(called):
+                yield path
