@@ -55,3 +55,14 @@ def test_another_repository_is(tree: Tree, page: str) -> None:
 def test_what_a_manifest_asks_for_is_not_the_repository(tree: Tree) -> None:
     page = f"ROS Noetic\n\nClone this repo and what it needs:\n{BLOCK.format(name='arm_msgs')}"
     assert "arm_msgs" in names(tree({**TREE, "README.md": page}))
+
+
+@pytest.mark.parametrize(
+    ("title", "cloned"),
+    [("Install required simulation packages", {"arms"}), ("Simulation packages (not required)", set())],
+)
+def test_a_title_that_says_what_is_required(tree: Tree, title: str, cloned: set[str]) -> None:
+    released = {path: text.replace("<depend>arm_msgs</depend>", "") for path, text in TREE.items()}
+    released["robot_helper/CMakeLists.txt"] = "project(robot_helper)\nfind_package(catkin REQUIRED)\n"
+    page = f"# Demo\nROS Noetic\n## {title}\n{BLOCK.format(name='demo')}"
+    assert names(tree({**released, "README.md": page})) == cloned

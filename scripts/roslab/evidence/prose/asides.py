@@ -25,6 +25,8 @@ _TITLES = pattern(
     re.IGNORECASE,
 )
 """Titles of sections that not everybody follows."""
+_NEEDED = pattern(r"(?<!not )(?<!if )\b(?:required|necessary|mandatory)\b", re.IGNORECASE)
+"""Of a title that says so, everybody does: ``Install required simulation packages``."""
 _ITSELF = pattern(
     r"\b(?:clon|download|check(?:ing)? ?out|fetch)\w*\b[^.]{0,20}\b(?:this|our)\b[^.]{0,20}"
     r"\b(?:repo|package|project|code)",
@@ -68,7 +70,7 @@ def _block(lines: Sequence[str], line: int) -> int:
 def _marked(git: GitSource, lines: Sequence[str], title: str) -> GitSource:
     itself = any(_ITSELF.search(line) for line in _above(lines, git))
     sections = [each for each in git.heading.split(" / ") if each != title]
-    if any(map(_TITLES.search, sections)):
+    if any(_TITLES.search(each) and not _NEEDED.search(each) for each in sections):
         return replace(git, aside=True, beside=False, itself=itself)
     return replace(git, itself=itself, aside=any(_SAID.search(line) for line in _above(lines, git)))
 
