@@ -36,6 +36,15 @@ API = "git clone https://github.com/lab/graspAPI.git\n"
         ("git clone https://github.com/lab/demo.git\ncd demo\npip install -e .\n", []),
         (f"{API}pip install -r requirements.txt\n", []),
         (f"{API}cd graspAPI\npython setup.py install\n", ["git+https://github.com/lab/graspAPI.git"]),
+        (
+            "wget https://github.com/lab/Avoid/archive/master.zip && unzip master\ncd Avoid-master\npip install .\n",
+            ["git+https://github.com/lab/Avoid"],
+        ),
+        (
+            "curl -LO https://github.com/lab/avoid/archive/refs/tags/v1.2.tar.gz\npip install ./avoid-1.2/python\n",
+            ["git+https://github.com/lab/avoid@v1.2#subdirectory=python"],
+        ),
+        ("wget https://github.com/lab/demo/archive/master.zip\ncd demo-master\npip install .\n", []),
     ],
 )
 def test_a_clone_that_pip_installs(tree: Tree, page: str, urls: list[str]) -> None:

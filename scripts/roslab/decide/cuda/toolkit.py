@@ -54,7 +54,8 @@ def _compiled(evidence: Evidence, chosen: Chosen, asked: Iterable[Requirement]) 
     for authored in evidence.dockerfiles:
         if authored.purpose == "project" and "-devel" in (authored.base or ""):
             return True
-    return any(each.vcs or each.key in _WITH_NVCC or "torch" in build_needs().get(each.key, ()) for each in asked)
+    needs = build_needs()  # what is built from git is known by its needs, else nothing is
+    return any(each.key in _WITH_NVCC or "torch" in needs.get(each.key, ["torch"] * each.vcs) for each in asked)
 
 
 def _asked(evidence: Evidence, chosen: Chosen) -> Iterable[Requirement]:

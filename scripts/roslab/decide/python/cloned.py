@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator
 
 from roslab.config.model import Kind
-from roslab.decide.ros.source_names import itself_in
+from roslab.decide.ros.source_names import folders, itself_in, moves
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.values.dataclass import replace
@@ -33,12 +33,14 @@ def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
             continue
         folder = f"/{posixpath.normpath(asked.written.partition('[')[0])}/"
         before = [g for g in clones if g.file == asked.file and g.line < (asked.line or 0)]
-        before = [git for git in before if f"/{git.folder}/" in folder]
-        git = max(before, key=lambda g: folder.rindex(f"/{g.folder}/"), default=None)
-        if git is None or canonicalize_name(git.name) in named:
+        at = {name: git for git in before for name in folders(git) if f"/{name}/" in folder}
+        name = max(at, key=lambda name: folder.rindex(f"/{name}/"), default=None)
+        if name is None or canonicalize_name(at[name].name) in named:
             continue
-        below = folder.partition(f"/{git.folder}/")[2].strip("/")  # it may hold one of its name
+        git = at[name]
+        below = folder.partition(f"/{name}/")[2].strip("/")  # it may hold one of its name
         if below and any(project.folder == below for project in evidence.python):
             continue  # a page may go into the repository itself after it
-        url = f"git+{https(git.url)}" + (f"@{git.ref}" if git.ref else "") + (f"#subdirectory={below}" if below else "")
+        ref = git.ref if git.ref and not (moves(git.ref) and name.endswith(git.ref)) else ""
+        url = f"git+{https(git.url)}" + (f"@{ref}" if ref else "") + (f"#subdirectory={below}" if below else "")
         yield stated(url, "prose", asked.file, asked.line or 1)

@@ -33,6 +33,11 @@ def moves(ref: str | None) -> bool:
     return ref in {"master", "main"}
 
 
+def folders(git: GitSource) -> set[str]:
+    """Return the names that the folder of a clone, or of its archive, has."""
+    return {git.name, git.folder, *([f"{git.name}-{git.ref.removeprefix('v')}"] if git.ref else [])}
+
+
 def address(url: str) -> str:
     """Return an address in the one spelling in which two are compared."""
     return https(url).removesuffix(".git").rstrip("/").lower()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import shlex
 
 from roslab.config.model import Source
-from roslab.decide.ros.source_names import address, fixed
+from roslab.decide.ros.source_names import address, fixed, folders
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.values.dataclass import replace
@@ -24,7 +24,7 @@ def with_beside(source: Source, git: GitSource, evidence: Evidence) -> Source:
         for other in others:
             ref = fixed(other.ref)
             option, _, path = word.partition("=")
-            below = _below(path, _folders(other))
+            below = _below(path, folders(other))
             if ref and below is not None:
                 folder = shlex.quote(f"../{other.name}")
                 words[index] = f"{option}={ABOVE}/{other.name}{below}"
@@ -38,12 +38,7 @@ def lies_beside(git: GitSource, evidence: Evidence) -> bool:
     """Tell whether a clone has more modules for a library that the same file compiles: no package of a workspace."""
     libraries = (each for each in evidence.sources if each.installed and each.file == git.file)
     options = (word for each in libraries if address(each.url) != address(git.url) for word in each.options.split())
-    return not git.installed and any(_below(word.partition("=")[2], _folders(git)) is not None for word in options)
-
-
-def _folders(git: GitSource) -> set[str]:
-    """Return the names that the folder of a clone, or of its archive, has."""
-    return {git.name, git.folder, f"{git.name}-{(fixed(git.ref) or '').removeprefix('v')}"}
+    return not git.installed and any(_below(word.partition("=")[2], folders(git)) is not None for word in options)
 
 
 def _below(path: str, names: set[str]) -> str | None:
