@@ -83,3 +83,35 @@ def test_a_module_that_is_compiled_from_its_repository_comes_after_torch(tree: T
     assert asked.url.endswith("#subdirectory=pointnet2_ops_lib")
     assert "-devel-" in found.base_image
     assert [each.key for each in found.python.first] == ["torch"]
+
+
+SCAN = {
+    "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+    "src/scan.py": "import rospy\nimport range_libc\n",
+}
+LIBRARY = "git clone https://github.com/kctess5/range_libc\ncd range_libc/pywrapper\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({}, True),
+        ({"README.md": f"```\n{LIBRARY}```\n"}, True),  # nothing compiles it there
+        ({"src/range_libc/__init__.py": ""}, False),
+        ({"src/scan.py": "try:\n    import range_libc\nexcept ImportError:\n    pass\n"}, False),
+    ],
+)
+def test_a_package_of_ros_imports_what_pip_lacks(tree: Tree, files: dict[str, str], told: bool) -> None:
+    found = [(w.file, w.line) for w in tree({**SCAN, **files}).warnings if "imports range_libc" in w.message]
+    assert found == [("src/scan.py", 2)] * told
+
+
+@pytest.mark.parametrize("install", ["pip install .", "python setup.py install"])
+def test_what_a_page_installs_from_its_repository_is_not_lost(tree: Tree, install: str) -> None:
+    page = f"```\n{LIBRARY}{install}\n```\n"
+    found = tree({"play.py": "import range_libc\n", "requirements.txt": "numpy\n", "README.md": page})
+    assert not any("range_libc" in warning.message for warning in found.warnings)
+    assert [asked.url for asked in found.python.pip_guessed] == [
+        "git+https://github.com/kctess5/range_libc#subdirectory=pywrapper"
+    ]

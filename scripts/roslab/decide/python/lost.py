@@ -33,9 +33,9 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
     Where a manifest declares packages, a submodule is missing, or a page has people install what it links to, the
     warning says that one of them may bring such a module.
     """
-    for used in _imported(evidence, kind, chosen):
-        row = not_on_index().get(canonicalize_name(used.name))
-        if row and not row.instead:
+    for used in _refused(evidence, chosen):
+        row = not_on_index()[canonicalize_name(used.name)]
+        if not row.instead:
             then = f"install it with `custom` or `source` in roslab.yaml ({row.source})"
             yield warn(f"the code imports {used.name}, which pip cannot install: {row.why}; {then}", used)
     if unknown := unknown_modules(evidence, kind, chosen):
@@ -76,12 +76,29 @@ def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Depe
     return found
 
 
+def _refused(evidence: Evidence, chosen: Chosen) -> Iterator[Dependency]:
+    """Yield the imports that pip's index lacks, and that nothing else brings, of packages of ROS too.
+
+    What a page only clones is not installed by that.
+    """
+    used = [each for each in evidence.code if canonicalize_name(each.name) in not_on_index()]
+    if used := [each for each in used if _always(each)]:
+        only = {git for git in evidence.sources if git.kind == "clone" and not (git.installed or git.beside)}
+        left = tuple(git for git in evidence.sources if git not in only)
+        known = _known(replace(evidence, sources=left), chosen)
+        yield from (each for each in used if canonicalize_name(each.name) not in known)
+
+
+def _always(used: Dependency) -> bool:
+    """Tell whether it is a module that the program itself always imports."""
+    return used.namespace == "import" and used.strength == "used" and not places.aside(used.file)
+
+
 def _imported(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Dependency]:
     """Yield what the code always imports and nothing brings under its own name."""
     known = _known(evidence, chosen) if kind in {"cuda", "python"} else set()
     for used in evidence.code if kind in {"cuda", "python"} else ():
-        imported = used.namespace == "import" and used.strength == "used" and not places.aside(used.file)
-        if imported and canonicalize_name(used.name) not in known:
+        if _always(used) and canonicalize_name(used.name) not in known:
             yield used
 
 
