@@ -21,7 +21,7 @@ from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.indexes import file_options, indexes_of
 from roslab.decide.python.locked import locked_releases
-from roslab.decide.python.lost import lost, with_told_links
+from roslab.decide.python.lost import lost, with_told_links, without_history
 from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, left_to_parts, with_includes
 from roslab.decide.python.named_frameworks import named_frameworks
@@ -203,6 +203,7 @@ def decide_python(
             *native.warnings,
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
             *lost(evidence, kind, chosen),
+            *without_history(evidence),
             *ignored_environments(evidence, kind, chosen),
             *machine_lists(evidence, chosen.files),
             *left_to_parts(evidence, chosen.files),

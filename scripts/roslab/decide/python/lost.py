@@ -50,6 +50,14 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
         yield warn(f"{message}; {unless}name the package under `pip` in roslab.yaml if it is needed", unknown[0])
 
 
+def without_history(evidence: Evidence) -> Iterator[Warning_]:
+    """Yield a warning for the first place where the code opens the git repository that it lies in."""
+    for mention in (m for m in evidence.mentions if m.topic == "own_history"):
+        why = "the code opens its own git repository, and an image has no .git: it stops here"
+        yield warn(f"{why}, unless `custom` in roslab.yaml makes one with `git init` and a commit", mention)
+        return
+
+
 def with_told_links(evidence: Evidence, kind: Kind, chosen: Chosen) -> Chosen:
     """Add what a page at the root has people install by a link, where a module is imported that nothing else brings."""
     asked = {each.key for each in chosen.guessed}
