@@ -115,3 +115,23 @@ def test_what_a_page_installs_from_its_repository_is_not_lost(tree: Tree, instal
     assert [asked.url for asked in found.python.pip_guessed] == [
         "git+https://github.com/kctess5/range_libc#subdirectory=pywrapper"
     ]
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        ("As a prerequisite, you need to have [acme](https://github.com/lab/acme) installed.\n", True),
+        ("The code requires the package [acme](https://github.com/lab/acme).\n", True),
+        ("You need to have seen [acme](https://github.com/lab/acme).\n", False),
+        ("Thanks to [acme](https://github.com/lab/acme), which depends on nothing.\n", False),
+    ],
+)
+def test_what_a_page_requires_by_a_link(tree: Tree, said: str, told: bool) -> None:
+    """Its name begins like that of a submodule, which may hold it just as well."""
+    modules = '[submodule "acme_env"]\n\tpath = acme_env\n\turl = https://github.com/lab/acme_env.git\n'
+    files = {"play.py": "import acme_agent\n", "requirements.txt": "numpy\n", ".gitmodules": modules}
+    found = tree({**files, "README.md": f"# Run\n{said}```\npython play.py\n```\n"})
+    assert [each.url for each in found.python.pip_guessed] == ["git+https://github.com/lab/acme"] * told
+    messages = [w.message for w in found.warnings if "acme_agent" in w.message]
+    assert len(messages) == told
+    assert all("or acme brings it" in message for message in messages)

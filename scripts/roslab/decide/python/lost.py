@@ -73,14 +73,19 @@ def _told(evidence: Evidence) -> Iterator[GitSource]:
 
 
 def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Dependency]:
-    """Return the imports of no table; where a manifest declares packages, none that begins like the name of one."""
+    """Return the imports of no table; where a manifest declares packages, none that begins like the name of one.
+
+    What begins like the name of a link that a page has people install is of that.
+    """
     found = [used for used in _imported(evidence, kind, chosen) if canonicalize_name(used.name) not in not_on_index()]
     found = [used for used in found if used.name not in imports()]
     if found and (_declares(chosen) or _absent(evidence)):
         known = _known(evidence, chosen)
         stems = {part for name in known for part in name.split("-")} | {bare_name(name) for name in known}
         ros = released("noetic") | released("humble")  # a part for robots, without which the rest runs
-        found = [each for each in found if not _begins_like(each.name, stems) and each.name not in ros]
+        told = {bare_name(git.name) for git in _told(evidence)}
+        found = [each for each in found if each.name not in ros]
+        found = [each for each in found if not _begins_like(each.name, stems) or _begins_like(each.name, told)]
     return found
 
 

@@ -28,11 +28,12 @@ _HOLDS = pattern(
 """A sentence that says where the dependencies are, up to the link."""
 
 _INSTALLS = pattern(
-    r"\binstall(?:ing)?\b\s+(?:(?:the|our|their|a|an|and|also|then|latest|library|package|version|of|from)\s+){0,4}"
+    r"\b(?:install(?:ing)?|(?:need|required?|prerequisite)\b[^.\n]{0,40}\bhave|requires|depends on)\s+"
+    r"(?:(?:the|our|their|a|an|and|also|then|latest|library|package|version|of|from)\s+){0,4}"
     r"(?:\[[^\]\n]{1,80}\]\()?<?$",
     re.IGNORECASE,
 )
-"""A sentence that has the reader install what it links to, up to the link."""
+"""A sentence that has the reader install what it links to, or says that the code requires it, up to the link."""
 
 
 def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:

@@ -60,15 +60,28 @@ def _checked_out(repository: Repository, module: GitSource) -> bool:
 
 
 def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
-    """Return ``(message, file, line)`` for submodules that are not checked out, whose content was not read."""
+    """Return ``(message, file, line)`` for submodules that are not checked out, whose content was not read.
+
+    What the commit does not have is none by now, and no command of git brings it.
+    """
+    found: list[tuple[str, str, int]] = []
     for file in repository.named(".gitmodules"):
         missing = [source for source in _submodules(repository, file) if not _checked_out(repository, source)]
-        if missing:
-            names = ", ".join(source.name for source in missing)
-            what = "a submodule is" if len(missing) == 1 else "submodules are"
+        recorded = repository.recorded(tuple(source.name for source in missing)) if repository.committed else None
+        there = [source for source in missing if recorded is None or source.name in recorded]
+        gone = [source for source in missing if source not in there]
+        if there:
+            names = ", ".join(source.name for source in there)
+            what = "a submodule is" if len(there) == 1 else "submodules are"
             message = f"{what} not checked out and could not be read: {names}; git submodule update --init --recursive"
-            return ((message, file.path, missing[0].line),)
-    return ()
+            found.append((message, file.path, there[0].line))
+        if gone:
+            names = ", ".join(source.name for source in gone)
+            message = (
+                f"no submodule in this commit, though .gitmodules names it, so that its content was not read: {names}"
+            )
+            found.append((f"{message}; the image clones its newest state", file.path, gone[0].line))
+    return tuple(found)
 
 
 def submodules(repository: Repository) -> tuple[str, ...]:
