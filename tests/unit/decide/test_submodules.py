@@ -93,6 +93,9 @@ MAIN = "if __name__ == '__main__':\n    pass\n"
         ("src/main.py", "sys.path.insert(0, os.path.join(os.path.dirname(__file__), 'libs', 'Net'))", ["src/libs/Net"]),
         ("src/main.py", "sys.path.append('third_party/Net')", ["third_party/Net"]),
         ("main.py", "sys.path.append('../Net')", []),
+        ("main.py", "sys.path.append('/home/me/code/Net')", []),
+        ("main.py", "sys.path.insert(0, '~/Net')", []),
+        ("main.py", "sys.path.append(ROOT + '/Net/src')", ["Net"]),
         ("main.py", "sys.path.append('Network/src')", []),
         ("main.py", "print('Net/src')", []),
     ],
@@ -103,3 +106,11 @@ def test_what_a_page_clones_where_the_code_imports_it(tree: Tree, module: str, l
     assert [source.name for source in tree(files).submodules] == places
     there = {f"{place}/readme.txt": "" for place in places}
     assert not places or tree({**files, **there}).submodules == ()
+
+
+@pytest.mark.parametrize("start", ["Clone this repository:\n", ""])
+def test_the_repository_is_not_cloned_into_itself(tree: Tree, start: str) -> None:
+    origin = {".git/config": '[remote "origin"]\n\turl = https://github.com/lab/Net.git\n'} if not start else {}
+    page = f"# Install\n{start}```\ngit clone https://github.com/lab/Net\n```\n"
+    files = {"main.py": f"import sys\nsys.path.append('Net/src')\n{MAIN}", "requirements.txt": "numpy\n"}
+    assert tree({**files, **origin, "README.md": page}).submodules == ()
