@@ -197,6 +197,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         addresses=(source.repo or "" for source in (*sources.answer.sources, *sources.answer.submodules)),
         itself=names_of_itself(evidence, folder_name, packages.names),
         added=repositories.answer,
+        fetched=(each.url for each in downloads.answer),
     )
     test = decide_test(config)
     processor = decide_processor(

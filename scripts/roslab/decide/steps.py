@@ -12,7 +12,7 @@ from roslab.decide.ros.source_names import address, itself_in, plain
 from roslab.decide.system.by_everybody import PAGES
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.libraries import library
 from roslab.values.pattern import pattern
 
@@ -31,11 +31,13 @@ def decide_steps(
     addresses: Iterable[str],
     itself: set[str],
     added: Iterable[str] = (),
+    fetched: Iterable[str] = (),
 ) -> Choice[None]:
     """Return warnings about what pages and scripts install by other means than apt, pip, conda and known sources.
 
     ``taken`` are names and ``addresses`` are addresses of what the image has, ``itself`` are names of the
-    repository, and ``added`` are the package sources that the image gets.
+    repository, ``added`` are the package sources that the image gets, and ``fetched`` the addresses of files that it
+    gets.
     """
     if config.compatible or config.custom:
         return Choice(answer=None)
@@ -43,7 +45,8 @@ def decide_steps(
     there = {address(each) for each in addresses}
     lists = _lists(evidence) if config.vcs is None else ()
     cloned = _cloned(evidence, kind, names, there, itself)
-    return Choice(answer=None, warnings=(*_fetched(evidence, names, {*added}), *lists, *cloned))
+    data = _data(evidence, names, {*fetched})
+    return Choice(answer=None, warnings=(*_fetched(evidence, names, {*added}), *lists, *cloned, *data))
 
 
 def _fetched(evidence: Evidence, names: set[str], added: set[str]) -> Iterator[Warning_]:
@@ -58,6 +61,21 @@ def _fetched(evidence: Evidence, names: set[str], added: set[str]) -> Iterator[W
             message = f"not part of the image: `{mention.value}`; put what it brings under `apt`, `source` or `custom`"
             told.setdefault(mention.value.partition(" | ")[0], warn(f"{message} in roslab.yaml", mention))
     yield from list(told.values())[:MOST]
+
+
+def _data(evidence: Evidence, names: set[str], fetched: set[str]) -> Iterator[Warning_]:
+    """Yield one warning for all the data that pages near the root fetch and the image does not."""
+    told: dict[str, Mention] = {}
+    for mention in evidence.mentions:
+        near = mention.source == "readme" and mention.file.count("/") <= 1 and not places.aside(mention.file)
+        there = mention.value.partition(" ")[2] in fetched or _answered(mention.value, names)
+        if mention.topic == "data" and near and not there:
+            told.setdefault(mention.value, mention)
+    if told:
+        first, *others = told.values()
+        more = f" and {len(others)} more" if others else ""
+        message = f"data that a page fetches is not part of the image: `{first.value}`{more}"
+        yield warn(f"{message}; fetch it into a volume, or by `custom` in roslab.yaml", first)
 
 
 def _lists(evidence: Evidence) -> Iterator[Warning_]:

@@ -199,7 +199,7 @@ class Mention:
     topic: Literal[
         "distro", "ubuntu", "cuda", "cudnn", "python", "no_python", "build_tool", "base", "framework", "command",
         "date", "vcs_file", "compiled", "step", "build_script", "python_path", "from_root", "variable", "exported",
-        "option", "gazebo", "compared", "skipped", "own_history",
+        "option", "gazebo", "compared", "skipped", "own_history", "data",
         "image_built", "image_pulled", "pointed", "included", "reference", "libtorch", "fetched", "unpacked", "runs",
         "environment", "elsewhere",
     ]  # fmt: skip

@@ -213,3 +213,39 @@ def test_a_call_of_make_that_generates_modules_is_told(
     begin = "not part of the image: `make -j build_it=1`"
     found = [(w.file, w.line) for w in tree({**files, **more}).warnings if w.message.startswith(begin)]
     assert found == ([("README.md", 4)] if said else [])
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        (
+            "gdown https://drive.google.com/uc?id=1D2guAxDEgrKnJFMcLSBkf10SOagz0mr",
+            "`gdown https://drive.google.com/uc?id=1D2",
+        ),
+        (
+            "pip install gdown && gdown --id 1D2guAxDEgrKnJFMcLSBkf10SOagz0mr -O a.zip",
+            "`gdown 1D2guAxDEgrKnJFMcLSBkf10SOagz0mr`;",
+        ),
+        (
+            "wget https://example.org/a.bag\nwget https://example.org/b.bag",
+            "`wget https://example.org/a.bag` and 1 more;",
+        ),
+        ("wget https://example.org/demo.repos", ""),
+        ("pip install gdown", ""),
+        ("gdown $KEY", ""),
+        ("wget https://a.org/there.bag", ""),
+    ],
+)
+def test_data_that_a_page_fetches_is_told_once(tree: Tree, lines: str, said: str) -> None:
+    page = f"# Demo\n## Data\n```\n{lines}\n```\n## Again\n```\n{lines}\n```\n"
+    found = tree({"play.py": "import numpy\n", "bags/there.bag": "", "README.md": page})
+    data = [w.message for w in found.warnings if w.message.startswith("data that a page fetches")]
+    assert len(data) == bool(said)
+    assert not said or said in data[0]
+
+
+def test_data_that_the_image_fetches_is_not_told(tree: Tree) -> None:
+    page = "# Demo\n```\nwget https://example.org/net.pth\npython play.py --weights net.pth\n```\n"
+    found = tree({"play.py": "import numpy\n", "requirements.txt": "numpy\n", "README.md": page})
+    assert [each.path for each in found.downloads] == ["net.pth"]
+    assert not any("data that" in warning.message for warning in found.warnings)

@@ -6,17 +6,25 @@ import re
 from collections.abc import Iterator
 from typing import Literal
 
-from roslab.evidence.lex.shell import Command
+from roslab.evidence.lex.shell import UNKNOWN, Command
 from roslab.evidence.prose import downloads
 from roslab.evidence.prose.archives import is_release
 from roslab.evidence.prose.taken_out import marked
 from roslab.evidence.python.install_lines import builds_in_place
 from roslab.values.pattern import pattern
 
-Topic = Literal["step", "image_built", "image_pulled", "build_script", "fetched", "unpacked", "skipped"]
+Topic = Literal["step", "image_built", "image_pulled", "build_script", "fetched", "unpacked", "skipped", "data"]
 _PACKAGES = pattern(r"\.(?:deb|run|sh|tar(?:\.\w+)?|tgz|zip|AppImage)$")
 _INSTALLATION = pattern(r"instal|depend|prereq|requir|setup|set up|compil|getting started", re.IGNORECASE)
 _NO_LIBRARY = pattern(r"data|model|weight|vocabular|bag\b|map\b|example|troubl|optional|docker", re.IGNORECASE)
+_DATA = pattern(
+    r"\.(?:zip|7z|rar|tar(?:\.\w+)?|tgz|bag|db3|mcap|pcap|pcd|ply|pth?|ckpt|onnx|h5|hdf5|pkl|np[yz]|safetensors|weights|"
+    r"caffemodel)(?:\?[\w=&-]*)?$",
+    re.IGNORECASE,
+)
+"""An address of data or of weights, or of an archive of them."""
+_KEY = pattern(r"[\w-]{20,60}")
+"""Of a file at Google Drive, which ``gdown`` takes in place of an address: https://github.com/wkentaro/gdown#usage"""
 _SCRIPT = pattern(
     r"^(?:[\w./-]*/)?(?:build|make|compile|install)(?:[_-]\w+)*\.(?:sh|py)$|^[\w./-]*_(?:build|compile)\.sh$"
 )
@@ -50,6 +58,18 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
         urls = (word for word in words if "://" in word and _PACKAGES.search(word) and not is_release(word))
         if (url := next(urls, None)) and not _NO_LIBRARY.search(f"{heading} {url.rpartition('/')[2]}"):
             yield "step", f"{program} {url}"
+            return
+    if program in {"wget", "curl", "gdown"}:
+        yield from (("data", f"{program} {word}") for word in _data(program, words))
+
+
+def _data(program: str, words: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the address, or the key at Google Drive, of the data that a command fetches, if it fetches any."""
+    if program == "gdown":
+        named = [word for word in words[1:] if "://" in word or _KEY.fullmatch(word)]
+    else:
+        named = [word for word in words[1:] if "://" in word and _DATA.search(word) and not is_release(word)]
+    return tuple(word for word in named if UNKNOWN not in word)[:1]
 
 
 def _of_webots(words: tuple[str, ...]) -> bool:

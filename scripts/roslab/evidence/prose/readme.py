@@ -54,7 +54,7 @@ _START = pattern(
     r"^[\s>*\-$%#.\d)]*?((?:sudo\s|\$\s|!|%)?\s*(?:sudo\s+(?:-\w\s+)?)?(?:[A-Z][A-Z0-9_]*=\S+\s+)*"
     r"(?:apt|apt-get|aptitude|pipx|pip[23]?(?:\.\d+)?|python[\d.]*|conda|mamba|micromamba|git|ros2|roslaunch|"
     r"rosrun|gz|ign|gazebo|webots|catkin|catkin_make|catkin_make_isolated|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|accelerate|torchpack|horovodrun|streamlit|jupyter(?:-notebook|-lab)?|(?:ba)?sh|mkdir|(?:ros)?cd|"
-    r"wget|curl|dpkg|docker|add-apt-repository)\s.*|catkin_make(?:_isolated)?|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
+    r"wget|curl|gdown|dpkg|docker|add-apt-repository)\s.*|catkin_make(?:_isolated)?|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
 )
 _NAMED = pattern(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
 """A sentence that runs a program by its name."""
@@ -164,6 +164,8 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         yield from checked(mention, repository)
     elif mention.topic in {"fetched", "unpacked"}:
         yield from filter(None, [downloads.placed(mention, repository)])
+    elif mention.topic == "data":
+        yield from () if repository.named(mention.value.partition("?")[0].rpartition("/")[2]) else (mention,)
     elif mention.topic != "command":
         yield from () if mention.topic == "compiled" and of_another(mention, repository) else (mention,)
     elif not leads_elsewhere(told := with_files(mention, repository), repository):

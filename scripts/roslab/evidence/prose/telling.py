@@ -45,6 +45,7 @@ SIGNS: Signs = tuple(
         (".deb", r"\.deb\b"),
         (".t", r"\.t(?:ar|gz)\b"),
         ("wget", r"\bwget\s"),
+        ("gdown", r"\bgdown\s"),
         ("curl", r"\bcurl\s[^|\n]*?\s?(?:-\w*[oO]|--output|--remote-name)\b"),
         ("unzip", r"\bunzip\s"),
         ("docker", r"\bdocker\s"),
