@@ -54,6 +54,12 @@ def test_the_commit_that_ci_takes_of_the_same_repository(tree: Tree, clone: str,
     assert [source.ref for source in tree(files).submodules] == [ref]
 
 
+def test_the_repository_is_not_cloned_into_itself(tree: Tree) -> None:
+    origin = {".git/config": '[remote "origin"]\n\turl = https://github.com/lab/tinymesh.git\n'}
+    files = {"CMakeLists.txt": CMAKE.format("include_directories(tinymesh/include)"), "README.md": page(CLONE)}
+    assert tree({**files, **origin}).submodules == ()
+
+
 FORK = "git clone https://github.com/lab/mesh-fork"
 
 

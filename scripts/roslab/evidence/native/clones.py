@@ -37,11 +37,12 @@ _PATH = pattern(r"(?:\$\{(PROJECT|CMAKE|CMAKE_CURRENT)_SOURCE_DIR\}/)?((?:\.\.?/
 def read(repository: Repository, sources: Iterable[GitSource], projects: Iterable[CMakeProject]) -> Iterator[GitSource]:
     """Yield each such clone with the path in the tree that CMake means, once; the first file that names it counts.
 
-    What the tree has a folder of the same path for is there, and submodules are none of them.
+    What the tree has a folder of the same path for is there, and submodules are none of them, nor is the repository.
     """
     sources = tuple(sources)
     modules = {git.name for git in sources if git.kind == "submodule"}
     near = [git for git in sources if git.kind == "clone" and git.file.count("/") <= DEEPEST]
+    near = [git for git in near if git.name.lower() != repository.name.lower()]
     clones = {git.folder: git for git in reversed(near) if not places.vendored(git.file)}
     if not clones:
         return
