@@ -24,6 +24,7 @@ from roslab.render.layers import (
     shell,
     slim,
     system,
+    wheel_libraries,
     workspace,
 )
 from roslab.render.output import Beside
@@ -84,6 +85,7 @@ TODAY = Order(
         python.packages,
         cloned_files.install,
         python.guessed_packages,
+        wheel_libraries.install,
         native_parts.compile_modules,
         downloads.bring,
     ),

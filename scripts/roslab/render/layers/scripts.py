@@ -15,6 +15,7 @@ from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.frameworks import same_numbers
 from roslab.knowledge.keys import key
 from roslab.knowledge.os_releases import archives
+from roslab.knowledge.sonames import sonames
 from roslab.render.layers import shell
 from roslab.values.pattern import pattern
 
@@ -25,6 +26,7 @@ _TABLES: dict[str, Callable[[], str]] = {
     "archives.txt": archives,
     "git-hosts.txt": lambda: "\n".join(sorted(public_hosts())),
     "released-together.txt": same_numbers,
+    "sonames.txt": sonames,
 }
 """Tables of the program's knowledge that scripts read."""
 _WHY = "# What is the same in every image, as small scripts; what belongs to this repository begins below them."
