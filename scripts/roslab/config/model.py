@@ -74,6 +74,8 @@ class Source:
     unasked: bool = False
     """A page has everybody build it, and nothing that was read asks for it, or only a page below the root clones it:
     where it fails, the image goes without."""
+    listed: bool = False
+    """A list or a page names it: where its host asks for a password, or has it no longer, the image goes without."""
     holding: tuple[str, ...] = ()
     """Packages that nothing else brings, of which it may hold some: it is kept where it does."""
     place: Place | None = None

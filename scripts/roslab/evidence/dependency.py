@@ -71,6 +71,8 @@ class GitSource:
     """The name of the folder that it is cloned into, where that is not its own."""
     by_ssh: str = ""
     """The address of ssh that stands there, for a build that has a key; ``url`` is the same by https."""
+    private: bool = False
+    """A link to what a page calls private, or an address with somebody's user name: others may not have it."""
 
     @property
     def folder(self) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from roslab.render import image_scripts
-from roslab.render.layers.system import _BRANCH
+from roslab.render.layers.system import BRANCH
 
 SCRIPT = Path(image_scripts.__path__[0]) / "checkout-branch.sh"
 
@@ -81,4 +81,4 @@ def test_a_folder_of_the_branch_s_name(tmp_path: Path) -> None:
     ],
 )
 def test_which_refs_may_be_gone(ref: str, branch: bool) -> None:
-    assert bool(_BRANCH.fullmatch(ref)) == branch
+    assert bool(BRANCH.fullmatch(ref)) == branch

@@ -58,6 +58,7 @@ def decide_sources(
         ros=2 if kind == "ros2" else 1,
         by_ssh=SSH in config.secrets,
         before=date.value if date else "",
+        private=frozenset(address(git.url) for git in evidence.sources if git.private),
     )
     chosen.configure(config)
     chosen.in_tree(evidence, config)
@@ -121,11 +122,16 @@ class _Chosen:
     empty: list[Source] = field(default_factory=list)
     packages: set[str] = field(default_factory=set)
     """Packages that the table finds in these repositories."""
+    private: frozenset[str] = frozenset()
+    """Addresses of what pages call private."""
     others: set[str] = field(default_factory=set)
     """Addresses of the table in whose place another repository is cloned."""
 
-    def add(self, git: GitSource, why: str) -> bool:
-        """Add a repository unless one of that name or URL was added before; tell whether it was added."""
+    def add(self, git: GitSource, why: str, *, tabled: bool = False) -> bool:
+        """Add a repository unless one of that name or URL was added before; tell whether it was added.
+
+        ``tabled``: this program's table names it, not the repository.
+        """
         name = re.sub(r"[^\w.-]+", "_", git.name.strip("/").rpartition("/")[2]).strip(".") or "source"
         urls = {address(source.repo) for source in (*self.sources.values(), *self.empty) if source.repo}
         named = self.sources.keys() | {each.name.rpartition("/")[2] for each in self.empty}
@@ -139,9 +145,12 @@ class _Chosen:
             build=next((tool for tool in WORKSPACE_TOOLS if tool == self.build_tool), "none"),
             before="" if ref and not drifts(ref) else self.before,
             unasked=_beside(git),
+            listed=not tabled,
             place=Place(file=git.file, line=git.line),
         )
         self.reasons.append(because("source", name, why, git, weight=Weight.LISTED))
+        if git.private or address(git.url) in self.private:
+            self.warnings.append(_private(name, git))
         return True
 
     def configure(self, config: Config) -> None:
@@ -205,7 +214,7 @@ class _Chosen:
                     line=asked.line,
                     kind="clone",
                 )
-                self.add(git, f"{asked.name} is needed, and no distribution released {found.package}")
+                self.add(git, f"{asked.name} is needed, and no distribution released {found.package}", tabled=True)
                 if name in self.sources:
                     self.packages.add(found.package)
                     self._complete(name, found, asked, distro)
@@ -247,6 +256,14 @@ class _Chosen:
             reasons=tuple(self.reasons),
             warnings=(*self.warnings, *self.loose()),
         )
+
+
+def _private(name: str, git: GitSource) -> Warning_:
+    why = "its address has somebody's user name" if git.private else "a page calls it private"
+    message = (
+        f"{name} may not be there for everybody, as {why}: where {https(git.url)} cannot be cloned without a login"
+    )
+    return warn(f"{message}, it is left out, and what needs it may stop the build", git)
 
 
 def _beside(git: GitSource) -> bool:

@@ -20,6 +20,7 @@ from roslab.evidence.prose.runners import by_ros, started
 from roslab.evidence.prose.telling import telling
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks, setup_asks
 from roslab.evidence.python.manager_lines import manager_asks
+from roslab.evidence.ros.vcs import of_user
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -241,6 +242,7 @@ class Collector:
                 line=command.line,
                 kind="clone",
                 into="" if into == name else into,
+                private=of_user(url),
                 heading=self.heading,
                 beside=workspaces.beside(words[-1] if words[-1] != url else "", inside=self.inside),
             )

@@ -34,6 +34,13 @@ _INSTALLS = pattern(
     re.IGNORECASE,
 )
 """A sentence that has the reader install what it links to, or says that the code requires it, up to the link."""
+_PRIVATE = pattern(
+    r"(?<!not )(?<!not a )(?<!no )(?<!no longer )(?<!non-)\bprivate\b[^.\n]{0,40}"
+    r"\b(?:repo(?:sitory|s|sitories)?|package|fork|submodule)s?\b[^.\n]{0,40}$",
+    re.IGNORECASE,
+)
+"""A sentence that calls what it links to private, up to the link."""
+_CALLED_PRIVATE = pattern(r"[^\s)]{0,80}\)?[ \t]*\((?:a |our |this is |currently |still )*private\b", re.IGNORECASE)
 
 
 def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
@@ -59,10 +66,16 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
             found[url] = replace(found[url], holds=True)
         if _INSTALLS.search(text[max(0, match.start() - BEFORE) : match.start()]):
             found[url] = replace(found[url], told=True)
+        if _PRIVATE.search(_before(text, match.start())) or _CALLED_PRIVATE.match(text, match.end()):
+            found[url] = replace(found[url], private=True)
     return list(found.values())[:MAX_LINKS]
 
 
 def _holds(text: str, start: int) -> bool:
     """Tell whether the sentence before a link says that the dependencies are there."""
-    before = text[max(0, start - BEFORE) : start].rpartition("\n\n")[2]
-    return bool(_HOLDS.search(before.rpartition("://")[2]))
+    return bool(_HOLDS.search(_before(text, start)))
+
+
+def _before(text: str, start: int) -> str:
+    """Return what a paragraph says before a link, from the link before it on."""
+    return text[max(0, start - BEFORE) : start].rpartition("\n\n")[2].rpartition("://")[2]

@@ -26,6 +26,8 @@ _LOOKS = pattern(r"^repositories:[ \t]*(?:#.*)?$|^-[ \t]*(?:git|hg|svn|tar):", r
 _INLINE = pattern(r"\b(?:url|uri)[ \t]*:", re.MULTILINE)
 _SSH = pattern(r"^(?:ssh://)?(?:[\w.-]+@)([\w.-]+)(?::(?:\d+/)?|/)(.+)$")
 _BEHIND = pattern(r"^https?://([\w.-]+)/(?:https?:/{1,2})?([\w.-]+)/(.+)$")
+_LOGIN = pattern(r"^(https?://)[^/@:]+@([\w.-]+)(?=/)")
+"""An address with a user name and no password, which asks for that one's password."""
 _PLAIN_URL = pattern(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
 _GITMAN = frozenset({".gitman.yml", "gitman.yml"})
 """Its list, at the root: https://gitman.readthedocs.io/"""
@@ -98,10 +100,14 @@ def missing(repository: Repository) -> tuple[str, ...]:
 def https(url: str, origin: str | None = None) -> str:
     """Return a URL that anybody can clone: https in place of ssh and git, relative ones resolved against ``origin``.
 
+    At a public host without a user name, for which that asks for a password.
     Of somebody's proxy, whose address ends in that of a public host (``https://proxy.org/https://github.com/a/b``), the
     public address: such proxies come and go.
     """
     url = url.strip()
+    login = _LOGIN.match(url)
+    if login and login[2] in public_hosts():
+        url = login[1] + url[login.start(2) :]
     behind = _BEHIND.match(url)
     if behind and behind[1] not in public_hosts() and behind[2] in public_hosts():
         return f"https://{behind[2]}/{behind[3]}"
@@ -117,6 +123,11 @@ def https(url: str, origin: str | None = None) -> str:
         return "https://" + url[6:]
     match = None if url.startswith(("http://", "https://")) else _SSH.match(url)
     return f"https://{match[1]}/{match[2]}" if match else url
+
+
+def of_user(url: str) -> bool:
+    """Tell whether an address has somebody's user name, as a host gives it to who may see a private repository."""
+    return bool(_LOGIN.match(url.strip()))
 
 
 def _files(repository: Repository) -> list[File]:
@@ -163,6 +174,7 @@ def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
             file=file.path,
             line=_line(text, url),
             kind="vcs",
+            private=of_user(url),
             by_ssh=url.strip() if _SSH.match(url.strip()) and not url.strip().startswith("http") else "",
         )
 

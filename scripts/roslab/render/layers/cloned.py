@@ -6,8 +6,11 @@ from roslab.config.model import Source
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import locks, secrets, shell
-from roslab.render.layers.system import fetch, prepared
+from roslab.render.layers.system import BRANCH, fetch, prepared
 from roslab.render.layers.workspace import HOLDING, WS, source_folder, words
+
+LISTED = "clone-listed"
+"""The script that clones what a list or a page names, where its host lets anybody."""
 
 
 def sister_sources(plan: Plan) -> str:
@@ -17,8 +20,11 @@ def sister_sources(plan: Plan) -> str:
         return ""
     depends = tuple(dict.fromkeys(d for s in sources for d in s.depends))
     blocks = [shell.apt_install(depends, secrets.for_apt(plan), locks.apt(plan, "sisters"))] if depends else []
-    sure = [shell.run(*_fetched(plan, s), secrets=secrets.for_git(plan, "user")) for s in sources if not s.holding]
-    runs = ["# Sister packages, from their source", *sure] if sure else []
+    listed = [s for s in sources if _from_list(s)]
+    sure = [s for s in sources if not s.holding and s not in listed]
+    sure_runs = [shell.run(*_fetched(plan, s), secrets=secrets.for_git(plan, "user")) for s in sure]
+    runs = ["# Sister packages, from their source", *sure_runs] if sure else []
+    runs += _all_listed(plan, listed)
     tried = [shell.run(_tried(s), secrets=secrets.for_git(plan, "user")) for s in sources if s.holding]
     if tried:
         why = "# Packages that nothing known brings: what is not there is told and stops nothing"
@@ -26,12 +32,36 @@ def sister_sources(plan: Plan) -> str:
     return "\n".join([*blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
 
 
+def _from_list(source: Source) -> bool:
+    """Tell whether a source may be one that only its author can clone; what a table changes in it, anybody can."""
+    return source.listed and not (source.unasked or source.holding or source.prepare or source.zip)
+
+
+def _all_listed(plan: Plan, sources: list[Source]) -> list[str]:
+    """Return the instructions that clone what lists and pages name; root notes what is left out."""
+    if not sources:
+        return []
+    scripts = [LISTED, shell.CHECKOUT] if any(map(_is_branch, sources)) else [LISTED]
+    why = "# What lists and pages name: what only its author can clone is told and left out"
+    runs = [shell.run(_called(LISTED, s), secrets=secrets.for_git(plan)) for s in sources]
+    return [why, "USER root", *(shell.copy_script(name).rstrip() for name in scripts), *runs, "USER ${NB_USER}"]
+
+
+def _is_branch(source: Source) -> bool:
+    return bool(source.ref and BRANCH.fullmatch(source.ref))
+
+
 def _tried(source: Source) -> str:
     """Return the call of the script that keeps a repository where it holds what the workspace lacks."""
-    at = f" --ref {quote.shell(source.ref)}" if source.ref else ""
+    return f"{_called(HOLDING, source)}{words(source.holding)}"
+
+
+def _called(script: str, source: Source) -> str:
+    """Return the call of a script that clones a source."""
+    option = "branch" if script == LISTED and _is_branch(source) else "ref"
+    at = f" --{option} {quote.shell(source.ref)}" if source.ref else ""
     at += f" --before {quote.shell(source.before)}" if source.before else ""
-    folder = quote.shell_with_user(f"{WS}/src/{source.name}")
-    return f"{HOLDING}{at} {quote.shell(source.repo or '')} {folder}{words(source.holding)}"
+    return f"{script}{at} {quote.shell(source.repo or '')} {quote.shell_with_user(f'{WS}/src/{source.name}')}"
 
 
 def submodules(plan: Plan) -> str:

@@ -14,7 +14,7 @@ from roslab.values.secret import NETRC, SSH
 SOURCES = "/tmp/sources"  # noqa: S108 - a folder of the image while it is built
 CMAKE_URL = "https://cmake.org/files"
 """Kitware's own archive of every release, ``vX.Y/cmake-X.Y.Z.tar.gz``."""
-_BRANCH = pattern(r"(?![0-9a-f]{7,40}$)(?!.*\d+[._]\d)(?!refs/).+")
+BRANCH = pattern(r"(?![0-9a-f]{7,40}$)(?!.*\d+[._]\d)(?!refs/).+")
 """A ref that is no commit and has no number of a release: a branch, which may be gone."""
 CONFIGURE = "configure-library"
 """A script that calls CMake for a library whose own options nobody has read."""
@@ -212,7 +212,7 @@ def fetch(plan: Plan, source: Source, folder: str) -> list[str]:
 def clone(source: Source, folder: str) -> list[str]:
     """Return the commands that clone a source at its ref, submodules included, into an already quoted folder."""
     commands = [f"git clone {quote.shell(source.repo or '')} {folder}"]
-    if source.ref and _BRANCH.fullmatch(source.ref):
+    if source.ref and BRANCH.fullmatch(source.ref):
         commands.append(f"{shell.CHECKOUT} {folder} {quote.shell(source.ref)}")
     elif source.ref:
         commands.append(f"git -C {folder} -c advice.detachedHead=false checkout {quote.shell(source.ref)}")

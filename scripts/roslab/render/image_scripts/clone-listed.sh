@@ -1,0 +1,55 @@
+#!/bin/bash
+# usage: clone-listed [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER
+# Clones to a folder of the workspace, as its owner's, a repository that a list or a page names. Where its host asks for a
+# password or has no such repository, it is named and left out, as are such submodules; what else fails stops the build.
+#   --ref REF        a tag or commit
+#   --branch BRANCH  a branch, which may be gone
+#   --before DAY     the newest commit not after this day (YYYY-MM-DD)
+set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
+
+ref='' branch='' day=''
+while [[ "$1" = --* ]]; do
+  case "$1" in
+    --ref) ref="$2" ;;
+    --branch) branch="$2" ;;
+    --before) day="$2" ;;
+  esac
+  shift 2
+done
+url="$1" folder="$2" share=/usr/local/share/roslab
+refused='could not read (Username|Password)|Authentication failed|[Rr]epository not found|repository .* not found'
+refused+='|Permission denied \(|could not be found or you don.t have permission'
+# Nobody is there to give a password
+export GIT_TERMINAL_PROMPT=0 LC_ALL=C
+
+# Runs git; ends with 1 where the host refuses, and ends the script where something else fails
+try() {
+  local said status=0
+  said="$(git "$@" 2>&1)" || status=$?
+  printf '%s\n' "${said}" >&2
+  if [ "${status}" -eq 0 ]; then return 0; fi
+  if grep --quiet --extended-regexp "${refused}" <<<"${said}"; then return 1; fi
+  exit "${status}"
+}
+
+leave_out() { # WHAT
+  echo "roslab: left out: $1: its host asks for a password, or has it no longer"
+  if [ -w "${share}" ]; then echo "source $1" >>"${share}/left-out.txt"; fi
+}
+
+if ! try clone "${url}" "${folder}"; then
+  leave_out "${url}"
+  rm -rf "${folder}"
+  exit 0
+fi
+if [ -n "${branch}" ]; then
+  checkout-branch "${folder}" "${branch}"
+elif [ -n "${ref}" ]; then
+  git -C "${folder}" -c advice.detachedHead=false checkout "${ref}"
+fi
+if [ -n "${day}" ]; then
+  commit="$(git -C "${folder}" rev-list --max-count=1 --before="${day}T23:59:59Z" HEAD)"
+  git -C "${folder}" -c advice.detachedHead=false checkout "${commit:-HEAD}"
+fi
+if ! try -C "${folder}" submodule update --init --recursive; then leave_out "submodules of ${url}"; fi
+chown --recursive --reference="$(dirname "${folder}")" "${folder}"

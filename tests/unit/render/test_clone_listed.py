@@ -1,0 +1,80 @@
+"""The script that clones what a list or a page names, where its host lets anybody."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.usefixtures("scripts_on_path")
+
+GIT = """\
+#!/bin/sh
+# A stand-in for git whose clone fails
+[ "$GIT_TERMINAL_PROMPT" = 0 ] || echo "it waits for a password"
+echo "$SAID" >&2
+exit 128
+"""
+
+
+def _run(*words: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(["clone-listed", *words], capture_output=True, text=True, check=False)
+
+
+def _git(folder: Path, *words: str) -> str:
+    identity = ("-c", "user.name=a", "-c", "user.email=a@b.c", "-c", "init.defaultBranch=main")
+    return subprocess.run(
+        ["git", *identity, *words], cwd=folder, capture_output=True, text=True, check=True
+    ).stdout.strip()
+
+
+@pytest.fixture
+def remote(tmp_path: Path) -> Path:
+    """Return a repository with a branch."""
+    folder = tmp_path / "remote"
+    folder.mkdir()
+    _git(folder, "init", "--quiet")
+    _git(folder, "commit", "--quiet", "--allow-empty", "--message", "first")
+    _git(folder, "branch", "devel")
+    (folder / "new").write_text("new")
+    _git(folder, "add", ".")
+    _git(folder, "commit", "--quiet", "--message", "second")
+    return folder
+
+
+@pytest.mark.parametrize(("options", "new"), [((), True), (("--branch", "devel"), False), (("--ref", "devel"), False)])
+def test_what_is_there_is_cloned(tmp_path: Path, remote: Path, options: tuple[str, ...], new: bool) -> None:
+    answer = _run(*options, remote.as_uri(), str(tmp_path / "copy"))
+    assert (answer.returncode, (tmp_path / "copy/new").exists()) == (0, new), answer.stderr
+
+
+@pytest.mark.parametrize(
+    ("said", "status"),
+    [
+        ("fatal: could not read Username for 'https://github.com': terminal prompts disabled", 0),
+        ("fatal: Authentication failed for 'https://bitbucket.org/lab/quad/'", 0),
+        ("remote: Repository not found.", 0),
+        ("fatal: repository 'https://gitlab.com/lab/quad/' not found", 0),
+        ("git@github.com: Permission denied (publickey).", 0),
+        ("fatal: could not create work tree dir 'quad': Permission denied", 128),
+        ("fatal: unable to access 'https://github.com/lab/quad/': Could not resolve host: github.com", 128),
+        ("fatal: unable to access 'https://github.com/lab/quad/': The requested URL returned error: 503", 128),
+        ("fatal: early EOF", 128),
+    ],
+)
+def test_only_what_a_host_refuses_is_left_out(
+    tmp_path: Path, scripts_on_path: Path, monkeypatch: pytest.MonkeyPatch, said: str, status: int
+) -> None:
+    (scripts_on_path / "git").write_text(GIT)
+    (scripts_on_path / "git").chmod(0o755)
+    monkeypatch.setenv("SAID", said)
+    answer = _run("https://example.org/quad.git", str(tmp_path / "quad"))
+    assert answer.returncode == status
+    assert ("roslab: left out: https://example.org/quad.git: " in answer.stdout) == (status == 0)
+    assert said in answer.stderr
+    assert "waits" not in answer.stdout + answer.stderr
+
+
+def test_a_ref_that_is_not_there_stops(tmp_path: Path, remote: Path) -> None:
+    assert _run("--ref", "v9", remote.as_uri(), str(tmp_path / "copy")).returncode != 0
