@@ -99,7 +99,16 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         *(
             ()
             if of.own.answer
-            else (decide_launch_needs(evidence, config, of.command.answer, of.variables.answer, of.sources.answer),)
+            else (
+                decide_launch_needs(
+                    evidence,
+                    config,
+                    of.command.answer,
+                    there=of.variables.answer,
+                    sources=of.sources.answer,
+                    ros_distro=distro,
+                ),
+            )
         ),
         *(() if of.own.answer else (decide_outside(evidence, config, of.kind.answer),)),
     )

@@ -20,12 +20,15 @@ def decide_launch_needs(
     evidence: Evidence,
     config: Config,
     command: Command,
+    *,
     there: Iterable[tuple[str, str]],
     sources: Sources,
+    ros_distro: str | None,
 ) -> Choice[None]:
     """Return a warning for each variable and package without which the default command stops at once.
 
-    ``there``: the variables that it has, ``sources``: what is cloned. What it starts by including it is not read.
+    ``there``: the variables that it has, ``sources``: what is cloned. For its packages, what it
+    starts is read too.
     """
     argv = command.command
     launch = None if isinstance(argv, str) or config.compatible else _started(evidence, argv)
@@ -48,7 +51,7 @@ def decide_launch_needs(
             "it: give its repository under `source` in roslab.yaml",
             asked,
         )
-        for asked in lacks(evidence, sources.may_hold).get(launch.file, ())
+        for asked in lacks(evidence, sources.may_hold, ros_distro).get(launch.file, ())
     ]
     return Choice(answer=None, warnings=tuple(told))
 

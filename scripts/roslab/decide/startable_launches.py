@@ -44,25 +44,35 @@ def unstartable(evidence: Evidence, *, programs: bool) -> frozenset[str]:
     )
 
 
-def lacks(evidence: Evidence, may_hold: Callable[[str], bool]) -> dict[str, tuple[Dependency, ...]]:
+def lacks(
+    evidence: Evidence, may_hold: Callable[[str], bool], ros_distro: str | None = None
+) -> dict[str, tuple[Dependency, ...]]:
     """Return the packages that launch files need, whatever their arguments are, and nothing brings, by the file's path.
 
-    ``may_hold``: whether something that is cloned may hold a package of a name.
+    Also those that what they start needs. ``may_hold``: whether something that is cloned may hold a package of a name;
+    ``ros_distro``: the distribution that has to have it, else any.
     """
+    has = released(ros_distro or "").__contains__ if released(ros_distro or "") else ever_released
     asked = _asked(evidence)
     ours = _of_tree(evidence) | asked
     families = {ros: _families(frozenset(asked), ros) for ros in (1, 2)}
-    found = {launch.file: tuple(_lacking(launch, ours, families[launch.ros], may_hold)) for launch in evidence.launch}
+    found = {
+        launch.file: tuple(_lacking(launch, ours, families[launch.ros], may_hold, has)) for launch in evidence.launch
+    }
     return {file: names for file, names in found.items() if names}
 
 
 def _lacking(
-    launch: LaunchFile, ours: AbstractSet[str | None], families: frozenset[str], may_hold: Callable[[str], bool]
+    launch: LaunchFile,
+    ours: AbstractSet[str | None],
+    families: frozenset[str],
+    may_hold: Callable[[str], bool],
+    has: Callable[[str], bool],
 ) -> Iterator[Dependency]:
-    for asked in launch.dependencies:
+    for asked in (*launch.dependencies, *launch.reached):
         if asked.namespace != "ros" or asked.strength == "optional" or asked.name in ours:
             continue
-        if ever_released(asked.name) or ros_sources(asked.name, launch.ros):
+        if has(asked.name) or ros_sources(asked.name, launch.ros):
             continue
         if asked.name.partition("_")[0] not in families and not may_hold(asked.name):
             yield asked

@@ -24,6 +24,8 @@ class LaunchFile:
     """Number of its tests for rostest."""
     compiled: tuple[tuple[str, str], ...] = ()
     """Of a file with tests: package and program of what it starts that is no file of the tree."""
+    reached: tuple[Dependency, ...] = ()
+    """Packages that what it starts needs, whatever the arguments are: other launch files, descriptions, programs."""
     includes: tuple[str, ...] = ()
     """The names of other files that it names, as it does to include them: ``map.launch``."""
     demands: tuple[str, ...] = ()

@@ -73,3 +73,58 @@ def test_packages_that_nothing_brings(tree: Tree, launch: str, more: str, found:
     warnings = [each for each in tree(files).warnings if "needs the package" in each.message]
     assert all(each.file == "launch/demo.launch" and "`source` in roslab.yaml" in each.message for each in warnings)
     assert [(each.message.partition("package ")[2].partition(",")[0], each.line) for each in warnings] == found
+
+
+GAZEBO = '<param name="robot_description" command="xacro $(find demo)/urdf/a.xacro"/>\n'
+INCLUDE = '<include file="$(find demo)/launch/b.launch"/>\n'
+WORLD = '<node pkg="demo" type="world.py" name="w"/>\n'
+FOUND = '<xacro:include filename="$(find demo_arms)/a.xacro"/>'
+ASKS = "import rospkg\ndef main():\n    {before}rospkg.RosPack().get_path('demo_arms')\n"
+
+
+@pytest.mark.parametrize(
+    ("launch", "files", "where"),
+    [
+        (
+            INCLUDE,
+            {"launch/b.launch": '<launch>\n<node pkg="demo_arms" type="a" name="b"/></launch>'},
+            "launch/b.launch",
+        ),
+        (
+            INCLUDE,
+            {"launch/b.launch": f"<launch>{GAZEBO}</launch>", "urdf/a.xacro": f"<robot>\n{FOUND}"},
+            "urdf/a.xacro",
+        ),
+        (GAZEBO, {"urdf/a.xacro": f"<robot>{FOUND}</robot>"}, "urdf/a.xacro"),
+        (GAZEBO, {"urdf/a.xacro": f'<robot><xacro:if value="$(arg b)">{FOUND}</xacro:if></robot>'}, ""),
+        (GAZEBO, {"urdf/a.xacro": f'<robot><xacro:macro name="b">{FOUND}</xacro:macro></robot>'}, ""),
+        (GAZEBO, {"urdf/a.xacro": f"<robot><!-- {FOUND} --></robot>"}, ""),
+        (GAZEBO, {"urdf/a.xacro": FOUND.replace("demo_arms", "rviz")}, ""),
+        (GAZEBO, {"urdf/a.xacro": FOUND.replace("demo_arms", "rotors_description")}, "urdf/a.xacro"),
+        (GAZEBO, {"urdf/b.xacro": FOUND}, ""),
+        (GAZEBO.replace("<param", '<param if="$(arg b)"'), {"urdf/a.xacro": FOUND}, ""),
+        (WORLD, {"scripts/world.py": ASKS.format(before="")}, "scripts/world.py"),
+        (WORLD, {"scripts/world.py": ASKS.format(before="if a:\n        ")}, ""),
+        (WORLD, {"scripts/world.py": ASKS.format(before="try:\n        ")}, ""),
+        (WORLD, {"scripts/world.py": ASKS.replace("demo_arms", "tf").format(before="")}, ""),
+    ],
+)
+def test_packages_that_what_it_starts_needs(tree: Tree, launch: str, files: dict[str, str], where: str) -> None:
+    page = {"README.md": "ROS Noetic\n```\ncatkin_make\nroslaunch demo demo.launch\n```\n"}
+    decision = tree({**PACKAGE, "launch/demo.launch": f"<launch>\n{launch}{NODE}</launch>", **page, **files})
+    found = [each.file for each in decision.warnings if "needs the package" in each.message]
+    assert found == ([where] if where else [])
+
+
+def test_what_a_program_looks_for_is_installed(tree: Tree) -> None:
+    files = {"launch/demo.launch": f"<launch>\n{WORLD}</launch>", "scripts/world.py": ASKS.format(before="")}
+    files["scripts/world.py"] = files["scripts/world.py"].replace("demo_arms", "rviz")
+    decision = tree({**PACKAGE, **files, "README.md": "ROS Noetic\n"})
+    assert "ros-noetic-rviz" in (*decision.apt, *decision.apt_guessed)
+
+
+@pytest.mark.parametrize(("asked", "command"), [("demo_arms", ("bash",)), ("tf", ("roslaunch", "demo", "demo.launch"))])
+def test_a_lone_launch_file_whose_program_stops_is_no_command(tree: Tree, asked: str, command: tuple[str, ...]) -> None:
+    program = ASKS.replace("demo_arms", asked).format(before="")
+    files = {"launch/demo.launch": f"<launch>\n{WORLD}</launch>", "scripts/world.py": program}
+    assert tree({**PACKAGE, **files, "README.md": "ROS Noetic\n"}).command == command

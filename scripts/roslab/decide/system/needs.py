@@ -140,7 +140,7 @@ def started(evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
         return
     for launch in evidence.launch:
         if kind == f"ros{launch.ros}":  # a ported repository may keep launch files of the other version
-            yield from launch.dependencies
+            yield from (*launch.dependencies, *launch.reached)
     for dependency in evidence.code:
         if dependency.namespace == "ros":
             yield dependency

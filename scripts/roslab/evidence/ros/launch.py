@@ -15,7 +15,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import end_of_line, lines_with, matches_at, matching_lines
-from roslab.evidence.ros import launch_programs, launch_variables
+from roslab.evidence.ros import launch_programs, launch_variables, reached
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
@@ -110,7 +110,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 **_tested(text, repository if old else None),
             )
         )
-    return tuple(found)
+    return reached.with_reached(repository, tuple(found), packages, _conditional)
 
 
 def plugins(repository: Repository) -> tuple[Dependency, ...]:

@@ -1,0 +1,165 @@
+"""What a launch file needs by way of what it starts: launch files, robot descriptions, programs of Python.
+
+Only what is loaded whatever the arguments are is followed: what a condition or an argument decides may never be.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Callable, Iterator, Mapping
+
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.launch_file import LaunchFile
+from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import replace
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 256 * 1024
+MOST = 60
+"""Most files that are followed from one launch file."""
+_PACKAGE = r"[a-z][a-z0-9_-]{1,60}"
+_FOUND = pattern(rf"\$\(\s*find(?:-pkg-share)?\s+['\"]?({_PACKAGE})['\"]?\s*\)(?:/([\w./-]{{1,200}}\w))?")
+_NODE = pattern(r"<node\s([^>]{0,2000})>")
+_SAID = pattern(r"\b(pkg|type|exec)\s{0,9}=\s{0,9}[\"']([\w.-]{1,80})[\"']")
+_QUOTED = pattern(r"[\"'](?:[\w./-]{0,200}/)?([\w.-]{1,80}\.(?:py|launch\.xml|launch|xacro|urdf))[\"']")
+_LOOKED_UP = pattern(
+    rf"^([ \t]{{0,99}})[^\n#]{{0,200}}\b(?:get_path|get_package_share_directory|get_package_share_path)"
+    rf"\(\s{{0,9}}[\"']({_PACKAGE})[\"']\s{{0,9}}\)",
+    re.MULTILINE,
+)
+"""A package that a program of Python looks for, and the space before the line."""
+_DECIDES = pattern(r"(?:try|if|elif|else|except|for|while)\b")
+_HEAD = pattern(r"(?:async[ \t]+)?(?:def|class)\b")
+_COMMENT = pattern(r"<!--.*?-->", re.DOTALL)
+_ASIDE = pattern(r"<(/?)xacro:(?:if|unless|macro)\b")
+"""Where a part of a robot description that is not always read begins or ends."""
+_DESCRIPTIONS = (".xacro", ".urdf")
+
+Conditional = Callable[[str, int, int], bool]
+
+
+def with_reached(
+    repository: Repository, found: tuple[LaunchFile, ...], folders: Mapping[str, str], conditional: Conditional
+) -> tuple[LaunchFile, ...]:
+    """Return the launch files with what they need by way of others.
+
+    ``folders``: the package of each folder, ``conditional``: whether a condition decides about a part of a launch file.
+    """
+    follow = _Follow(repository, found, folders, conditional)
+    return tuple(replace(each, reached=tuple(follow.needs(each))) for each in found)
+
+
+class _Follow:
+    def __init__(
+        self,
+        repository: Repository,
+        launch: tuple[LaunchFile, ...],
+        folders: Mapping[str, str],
+        conditional: Conditional,
+    ) -> None:
+        self.repository, self.conditional = repository, conditional
+        self.launch = {each.file: each for each in launch}
+        self.packages = {name: folder for folder, name in folders.items()}
+        self.read: dict[str, tuple[tuple[str, ...], tuple[Dependency, ...]]] = {}
+
+    def needs(self, start: LaunchFile) -> Iterator[Dependency]:
+        """Yield each package once that the files need which a launch file loads, but not what it names itself."""
+        taken, waiting = {start.file}, list(self._of(start.file)[0])
+        seen = {each.name for each in start.dependencies}
+        while waiting and len(taken) < MOST:
+            path = waiting.pop(0)
+            if path in taken:
+                continue
+            taken.add(path)
+            loads, found = self._of(path)
+            waiting += loads
+            for each in found:
+                if each.name not in seen:
+                    seen.add(each.name)
+                    yield each
+
+    def _of(self, path: str) -> tuple[tuple[str, ...], tuple[Dependency, ...]]:
+        """Return the files that a file loads and the packages that it needs."""
+        if path not in self.read:
+            self.read[path] = self._reading(path)
+        return self.read[path]
+
+    def _reading(self, path: str) -> tuple[tuple[str, ...], tuple[Dependency, ...]]:
+        file = next((each for each in self.repository.named(posixpath.basename(path)) if each.path == path), None)
+        if file is None or file.size > MAX_SIZE:
+            return (), ()
+        text = self.repository.read(file)
+        if path in self.launch:
+            loads = self._quoted(text) if path.endswith(".py") else self._started(_without(_COMMENT, text))
+            named = self.launch[path].dependencies
+            return tuple(loads), tuple(d for d in named if d.namespace == "ros" and d.strength != "optional")
+        if path.endswith(_DESCRIPTIONS):
+            text = _always(_without(_COMMENT, text))
+            return tuple(self._files(text)), tuple(_asked(m[1], m, text, file) for m in _FOUND.finditer(text))
+        if path.endswith(".py"):
+            return (), tuple(_asked(m[2], m, text, file) for m in _LOOKED_UP.finditer(text) if _always_run(text, m))
+        return (), ()
+
+    def _started(self, text: str) -> Iterator[str]:
+        """Yield the files that a launch file in XML includes or loads, and the programs of Python that it starts."""
+        yield from self._files(text)
+        for match in _NODE.finditer(text):
+            said = dict(_SAID.findall(match[1]))
+            name, folder = said.get("type") or said.get("exec") or "", self.packages.get(said.get("pkg", ""))
+            if name.endswith(".py") and folder is not None and not self.conditional(text, match.start(), match.end()):
+                there = [
+                    each.path
+                    for each in self.repository.named(name)
+                    if each.path.startswith(f"{folder}/" if folder else "")
+                ]
+                yield from there if len(there) == 1 else ()
+
+    def _files(self, text: str) -> Iterator[str]:
+        for match in _FOUND.finditer(text):
+            folder = self.packages.get(match[1])
+            if match[2] and folder is not None and not self.conditional(text, match.start(), match.end()):
+                yield posixpath.normpath(posixpath.join(folder, match[2]))
+
+    def _quoted(self, text: str) -> Iterator[str]:
+        """Yield what a launch file in Python names that is the only file of its name."""
+        for match in _QUOTED.finditer(text):
+            there = self.repository.named(match[1])
+            if len(there) == 1 and not self.conditional(text, match.start(), match.end()):
+                yield there[0].path
+
+
+def _without(found: re.Pattern[str], text: str) -> str:
+    return found.sub(lambda match: "\n" * match[0].count("\n"), text)
+
+
+def _always(text: str) -> str:
+    """Return the text of a robot description without what a condition or a macro holds; its lines stay."""
+    kept, begin, depth = [], 0, 0
+    for match in _ASIDE.finditer(text):
+        part = text[begin : match.start()]
+        kept.append("\n" * part.count("\n") if depth else part)
+        begin, depth = match.start(), max(0, depth - 1) if match[1] else depth + 1
+    rest = text[begin:]
+    return "".join((*kept, "\n" * rest.count("\n") if depth else rest))
+
+
+def _always_run(text: str, match: re.Match[str]) -> bool:
+    """Tell whether no condition, loop or attempt is around a line of Python: none before the head of its function."""
+    depth = len(match[1])
+    for line in reversed(text[: match.start()].split("\n")):
+        bare = line.lstrip()
+        indent = len(line) - len(bare)
+        if not bare or bare.startswith("#") or indent >= depth:
+            continue
+        if _HEAD.match(bare):
+            return True
+        if _DECIDES.match(bare):
+            return bare.startswith("if __name__")
+        depth = indent
+    return True
+
+
+def _asked(name: str, match: re.Match[str], text: str, file: File) -> Dependency:
+    line = text.count("\n", 0, match.start()) + 1
+    return Dependency(namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec")
