@@ -32,6 +32,8 @@ class Dependency:
     """``build``, ``exec``, ``test``, ``doc`` … as in its source."""
     condition: str | None = None
     """Its condition as written (``$ROS_VERSION == 1``, a CMake ``if``)."""
+    required: bool = False
+    """CMake stops without it where its condition holds."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

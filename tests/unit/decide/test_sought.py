@@ -224,3 +224,25 @@ def test_the_headers_of_messages_of_ros_2(tree: Tree) -> None:
     files["CMakeLists.txt"] = "project(robo)\nfind_package(ament_cmake REQUIRED)\n"
     files["src/a.cpp"] = "#include <acme_msgs/msg/set_grid.hpp>\n#include <std_msgs/msg/string.hpp>\n"
     assert [*_sought(tree(files))] == [f"{LAB}/acme_msgs"]
+
+
+@pytest.mark.parametrize(
+    ("condition", "lacks"),
+    [
+        ("catkin_FOUND", True),
+        ("ament_cmake_FOUND", False),
+        ("NOT ament_cmake_FOUND", True),
+        ("catkin_FOUND AND WITH_QUAD", False),
+        ("WITH_QUAD", False),
+    ],
+)
+def test_what_a_file_requires_that_cmake_includes_for_this_ros(tree: Tree, condition: str, lacks: bool) -> None:
+    """Of ROS 1, in the ways of packages for both."""
+    files = _git(f"{LAB}/mpc") | _package("mpc", "roscpp") | _package("extra", "quad_x")
+    files["extra/CMakeLists.txt"] = (
+        f"project(extra)\nfind_package(catkin QUIET COMPONENTS roscpp)\nif({condition})\n"
+        "include(${CMAKE_CURRENT_SOURCE_DIR}/cmake/ROS1.cmake)\nendif()\n"
+    )
+    files["extra/cmake/ROS1.cmake"] = "find_package(quad_x REQUIRED)\ncatkin_package()\n"
+    decision = tree(files | {"README.md": f"ROS Noetic. Used with {LAB}/control.\n"})
+    assert decision.lacking == ((("quad_x", ("extra",)),) if lacks else ())

@@ -1,8 +1,11 @@
-"""Packages that a build takes if they are there, and without which it leaves out the program that the image runs."""
+"""Packages behind a condition of CMake that the build needs all the same: for the program that it runs, for its ROS."""
 
 from __future__ import annotations
 
+from roslab.config.model import Kind
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.evidence.lex.truth import workspace_holds
 from roslab.values.dataclass import replace
 
 
@@ -13,6 +16,27 @@ def required_by_command(evidence: Evidence, command: tuple[str, ...] | str) -> E
     if not any(program in started for project in evidence.cmake for program, _ in project.guards):
         return evidence
     return replace(evidence, cmake=tuple(_required(project, started) for project in evidence.cmake))
+
+
+def required_by_tool(evidence: Evidence, kind: Kind) -> Evidence:
+    """Return the evidence with what CMake requires where the build tool decides its condition: ``if(catkin_FOUND)``."""
+    if kind not in {"ros1", "ros2"}:
+        return evidence
+    ros = 1 if kind == "ros1" else 2
+    if not any(_stops(each, ros) for project in evidence.cmake for each in project.dependencies):
+        return evidence
+    return replace(evidence, cmake=tuple(_stopping(project, ros) for project in evidence.cmake))
+
+
+def _stopping(project: CMakeProject, ros: int) -> CMakeProject:
+    found = (replace(each, strength="declared") if _stops(each, ros) else each for each in project.dependencies)
+    return replace(project, dependencies=tuple(found))
+
+
+def _stops(asked: Dependency, ros: int) -> bool:
+    if not asked.required or asked.strength != "optional" or not asked.condition:
+        return False
+    return workspace_holds(asked.condition, ros) is True
 
 
 def _required(project: CMakeProject, started: set[str]) -> CMakeProject:

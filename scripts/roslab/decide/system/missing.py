@@ -13,6 +13,7 @@ from roslab.decide.ros.rosbuild import ended_in
 from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.guards import required_by_tool
 from roslab.decide.system.left_out import SKIP, SOURCE, folders_of, leave_out
 from roslab.decide.system.names import Target, resolve, written_for
 from roslab.decide.system.packages import SystemPackages
@@ -103,6 +104,7 @@ def decide_missing(
     """
     if kind not in {"ros1", "ros2", "cpp"}:
         return Choice(answer=Missing(), warnings=tuple(_without_pip(evidence, packages, target, provided)))
+    evidence = required_by_tool(evidence, kind)
     known = released(target.ros_distro or "") | rosdep_keys()
     provided = (*provided, *(key for key in keys if key in known or kind == "cpp"))
     ended = ended_in(packages, target.ros_distro, provided)

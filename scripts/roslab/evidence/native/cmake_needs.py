@@ -11,7 +11,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource, Strength
 from roslab.evidence.lex.cmake import Call
 from roslab.knowledge.libraries import library
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
 _FINDING = frozenset(["find_package", "find_dependency", "add_project_dependency", "add_project_private_dependency"])
@@ -161,9 +161,9 @@ def _found(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
             continue
         if name in _ROS_FINDERS:
             for component in finder.components:
-                yield _dependency("ros", component, strength, call, path)
+                yield replace(_dependency("ros", component, strength, call, path), required=required)
         else:
-            yield _dependency("cmake", name, strength, call, path, finder.version)
+            yield replace(_dependency("cmake", name, strength, call, path, finder.version), required=required)
             for component in (*finder.components, *finder.optional):
                 lesser = "optional" if component in finder.optional else strength
                 for part in _apart(name, component):
