@@ -10,6 +10,7 @@ class AptSource:
     """A line ``deb URL SUITE COMPONENT…`` of a page, with the key that the page fetches for it."""
 
     url: str
+    """With ``{codename}``, as the suite."""
     suite: str
     """``{codename}`` where the page asks the system for the name of its release."""
     components: tuple[str, ...]

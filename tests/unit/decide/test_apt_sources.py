@@ -196,3 +196,27 @@ def test_a_known_source_of_a_dockerfile_that_is_not_built(tree: Tree, host: str,
     found = tree(CODE | {"docker/Dockerfile": recipe, "README.md": "Tested on Ubuntu 22.04\n"})
     assert found.dockerfile is None
     assert [url in line for line in found.repositories] == [True] * added
+
+
+@pytest.mark.parametrize(
+    ("address", "added", "told"),
+    [
+        (
+            "$(lsb_release -cs)",
+            "deb [signed-by=https://apt.acme.org/acme.gpg] https://apt.acme.org/jammy jammy main",
+            "",
+        ),
+        (
+            "${UBUNTU_CODENAME}/x",
+            "deb [signed-by=https://apt.acme.org/acme.gpg] https://apt.acme.org/jammy/x jammy main",
+            "",
+        ),
+        ("$(lsb_release -rs)", None, "the page computes its address"),
+        ("$VERSION", None, "the page computes its address"),
+    ],
+)
+def test_the_release_in_an_address(tree: Tree, address: str, added: str | None, told: str) -> None:
+    add = ADD.replace("apt.acme.org/stable", f"apt.acme.org/{address}")
+    decision = tree(page(KEY, add, INSTALL))
+    assert decision.repositories == ((added,) if added else ())
+    assert any(told in each.message for each in decision.warnings) if told else True

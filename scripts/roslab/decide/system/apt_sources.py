@@ -13,6 +13,7 @@ from roslab.evidence.apt_source import AptSource
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.apt_sources import added_sources, keys_of_sources, known_sources
 from roslab.knowledge.distros import ubuntus
+from roslab.values.pattern import pattern
 
 WEIGHT = 40
 """Sources do not compete, so it only orders the report."""
@@ -20,6 +21,7 @@ NEAR = 60
 """Most lines between a source and what is installed from it."""
 _OF_ROS = "ros-"
 PPA = "ppa:"
+_COMPUTED = pattern(r"[$`{}()]")
 
 
 def decide_apt_sources(
@@ -36,7 +38,8 @@ def decide_apt_sources(
     told: list[Warning_] = []
     for source in (*evidence.apt_sources, *_ppas(evidence)):
         asked = _asked(source, evidence, installed)
-        host = urlsplit(source.url).hostname or ""
+        url = source.url.replace("{codename}", ubuntu)
+        host = urlsplit(url).hostname or ""
         if not asked or places.vendored(source.file) or host in known_sources():
             continue
         suite = source.suite.format(codename=ubuntu) if "{" in source.suite else source.suite
@@ -45,16 +48,16 @@ def decide_apt_sources(
         why_not = None if key else source.refused
         if release in ubuntus().values() and release != ubuntu:
             why_not = f"it is for {release}, the image is {ubuntu}"
+        if _COMPUTED.search(url):
+            why_not = "the page computes its address"
         if why_not:
-            message = (
-                f"not added: the package source {source.url}, with which {_who(source)} installs {asked}: {why_not}"
-            )
+            message = f"not added: the package source {url}, with which {_who(source)} installs {asked}: {why_not}"
             told.append(warn(message, source))
             continue
-        ppa = source.url.startswith(PPA)  # its key comes from Launchpad
-        line = source.url if ppa else " ".join((f"deb [signed-by={key}]", source.url, suite, *source.components))
+        ppa = url.startswith(PPA)  # its key comes from Launchpad
+        line = url if ppa else " ".join((f"deb [signed-by={key}]", url, suite, *source.components))
         why = f"{_who(source)} installs {asked} from it"
-        added.setdefault(line, because("dependencies", source.url, why, source, weight=WEIGHT))
+        added.setdefault(line, because("dependencies", url, why, source, weight=WEIGHT))
     for each in added_sources():
         name = next((name for name in sorted(installed) if each.packages.fullmatch(name)), None)
         there = any(urlsplit(each.url).hostname == urlsplit(line.split()[-3]).hostname for line in added if " " in line)

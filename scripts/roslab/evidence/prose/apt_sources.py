@@ -15,9 +15,14 @@ from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _SOURCE = pattern(
-    r"(?<![\w.-])deb[ \t]+(?:\[([^\]\n]{1,300})\][ \t]+)?(https?://[^\s\"'|>]{3,200})[ \t]+"
+    r"(?<![\w.-])deb[ \t]+(?:\[([^\]\n]{1,300})\][ \t]+)?(https?://(?:\$\([^()\n]{1,100}\)|[^\s\"'|>()]){3,200})[ \t]+"
     r"(\$\([^)\n]{1,100}\)|`[^`\n]{1,60}`|\$\{?\w+\}?|[\w./-]+)((?:[ \t]+[a-z][\w./-]*){0,6})"
 )
+_CODENAME = pattern(
+    r"\$\(\s*lsb_release\s+(?:-cs|-sc|-c\s+-s|-s\s+-c|--codename --short|--short --codename)\s*\)|"
+    r"\$\{?(?:\w*CODENAME|codename)\b\}?"
+)
+"""What asks the system for the name of its release, inside an address."""
 _ADDS = ("sources.list", "apt-repository")
 _AROUND = 300
 """Most characters between the line and the command that adds it."""
@@ -64,7 +69,7 @@ def said(text: str, file: str) -> Iterator[AptSource]:
         line = _line(text, match.start())
         key = _of(options or "", keys, line)
         yield AptSource(
-            url=url,
+            url=_CODENAME.sub("{codename}", url),
             suite="{codename}" if suite[0] in "$`" else suite,
             components=tuple(components.split()),
             key=key.url,
