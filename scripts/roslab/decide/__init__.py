@@ -39,6 +39,7 @@ from roslab.decide.ros.used import asked
 from roslab.decide.ros.workspace import of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.system.apt_sources import decide_apt_sources
+from roslab.decide.system.as_tried import as_tried
 from roslab.decide.system.gazebo import with_release
 from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
@@ -186,6 +187,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         linked=linked(sources.answer.sought),
     )
     left_out = () if own.answer else missing.answer.packages
+    sources, system = as_tried(sources, system, packages, left_out, none=own.answer is not None)
     steps = decide_steps(
         evidence,
         config,

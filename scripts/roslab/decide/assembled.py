@@ -19,7 +19,6 @@ from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.in_tree import apart
 from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.named import by_pages
-from roslab.decide.ros.sought import without
 from roslab.decide.ros.workspace import Packages, manifests_of, names_of
 from roslab.decide.system.linked_headers import linked_headers
 from roslab.decide.system.missing import Missing, marked
@@ -126,10 +125,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         python=of.python.answer,
         pip=of.everything,
         compiling=of.compiling,
-        source=(
-            *of.sources.answer.sources,
-            *(() if of.own.answer else without(of.sources.answer.sought, of.packages, of.left_out)),
-        ),
+        source=(*of.sources.answer.sources, *of.sources.answer.sought),
         vcs=of.sources.answer.vcs,
         submodules=() if of.own.answer else of.sources.answer.submodules,
         apart=() if of.own.answer or config.compatible else apart(evidence, of.packages),

@@ -117,6 +117,8 @@ def test_nothing_is_looked_for_that_only_a_package_needs_which_is_not_built(tree
     decision = tree(files | {"README.md": "ROS Noetic.\n\n    roslaunch mpc mpc.launch\n"})
     assert decision.left_out == ("extra",)
     assert not _sought(decision)
+    assert not any("the build looks for it" in each.message for each in decision.warnings)
+    assert not any(each.question == "source" for each in decision.reasons)
 
 
 def test_what_a_package_lacks_is_looked_for_first_where_a_page_names_a_repository(tree: Tree) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
@@ -20,6 +20,8 @@ from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
 _NO_KEY = pattern(r"rosdep has no key (\S+) for ROS (\S+): (.+)")
+_LOOKS = "the build looks for it in {}, and goes on without it where it is not there"
+_NOWHERE = "nothing here says where it comes from"
 _NOT_INSTALLED = frozenset({"doc"})
 """rosdep leaves documentation alone."""
 
@@ -150,13 +152,24 @@ def together(warnings: Iterable[Warning_]) -> Iterator[Warning_]:
         yield replace(first, message=f"rosdep has no keys {keys} for ROS {named}: {plural}")
 
 
+def not_tried(warnings: Iterable[Warning_], before: Mapping[str, str], after: Mapping[str, str]) -> Iterator[Warning_]:
+    """Yield the warnings, which tell of the repositories ``before``, with those ``after``, in which the build looks.
+
+    Both have for each package where it is looked for.
+    """
+    changed = {_LOOKS.format(url): _LOOKS.format(after[n]) if n in after else _NOWHERE for n, url in before.items()}
+    for warning in warnings:
+        found = next((each for each in changed if each in warning.message), "")
+        yield replace(warning, message=warning.message.replace(found, changed[found])) if found else warning
+
+
 def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, tried: str) -> str:
     if folder:
         return f"the submodule {folder} may hold it, but is not checked out: git submodule update --init --recursive"
     near = _nearest(name, rosdep_keys() | released(target.ros_distro or ""))
-    where = "one of the cloned repositories may hold it" if cloned else "nothing here says where it comes from"
+    where = "one of the cloned repositories may hold it" if cloned else _NOWHERE
     if tried:
-        where = f"the build looks for it in {tried}, and goes on without it where it is not there"
+        where = _LOOKS.format(tried)
     meant = f"correct the name (is {near} meant?)" if near else "correct the name"
     return f"{where}; else {meant}, or give its repository under source in roslab.yaml"
 

@@ -81,10 +81,21 @@ def linked(sought: Iterable[Source]) -> frozenset[str]:
     return frozenset(name for source in sought for name in source.holding if name != source.name)
 
 
-def without(sought: tuple[Source, ...], packages: Packages, left_out: Collection[str]) -> tuple[Source, ...]:
-    """Return the repositories without those that hold nothing but what packages need which are not built."""
-    if not left_out:
-        return sought
+def without(
+    choice: Choice[Sources], packages: Packages, left_out: Collection[str], *, none: bool = False
+) -> Choice[Sources]:
+    """Return the sources without those looked in that hold nothing but what packages need which are not built.
+
+    ``none``: the build looks in none.
+    """
+    sought = choice.answer.sought
+    kept = () if none else _without(sought, packages, left_out)
+    lost = {source.name for source in sought} - {source.name for source in kept}
+    reasons = (each for each in choice.reasons if each.weight != Weight.SOUGHT or each.answer not in lost)
+    return replace(choice, answer=replace(choice.answer, sought=kept), reasons=tuple(reasons))
+
+
+def _without(sought: tuple[Source, ...], packages: Packages, left_out: Collection[str]) -> tuple[Source, ...]:
     asking = {m.name: {d.name for d in m.dependencies} for m in packages.built}
     built = {name for each, names in asking.items() if each not in left_out for name in names}
     lost = {name for each, names in asking.items() if each in left_out for name in names} - built
