@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
+from roslab.config.model import Source
+from roslab.plan.plan import Plan
+from roslab.render.dockerfile import dockerfile
 
 pytestmark = pytest.mark.usefixtures("scripts_on_path")
 
@@ -78,3 +83,56 @@ def test_only_what_a_host_refuses_is_left_out(
 
 def test_a_ref_that_is_not_there_stops(tmp_path: Path, remote: Path) -> None:
     assert _run("--ref", "v9", remote.as_uri(), str(tmp_path / "copy")).returncode != 0
+
+
+CATKIN = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>"
+AMENT = CATKIN.replace("catkin", "ament_cmake")
+BOTH = AMENT.replace("<name>", '<buildtool_depend condition="$ROS_VERSION == 1">catkin</buildtool_depend><name>')
+
+
+@pytest.mark.parametrize(
+    ("options", "main", "branches", "taken", "told"),
+    [
+        (("--ros2",), CATKIN, {"ros2": AMENT}, AMENT, "its branch ros2 is taken"),
+        (("--ros2",), CATKIN, {"ros2": CATKIN, "humble": AMENT}, AMENT, "its branch humble is taken"),
+        (("--ros2", "--before", "2999-01-01"), CATKIN, {"humble": AMENT}, AMENT, "its branch humble is taken"),
+        (("--ros2",), CATKIN, {"foxy": AMENT}, CATKIN, "no branch for ROS 2"),
+        (("--ros2",), BOTH, {"ros2": AMENT}, BOTH, ""),
+        (("--ros2",), AMENT, {"ros2": BOTH}, AMENT, ""),
+        (("--ros2",), "<package><name>a</name></package>", {"ros2": AMENT}, "<package><name>a</name></package>", ""),
+        ((), CATKIN, {"ros2": AMENT}, CATKIN, ""),
+    ],
+)
+def test_packages_of_the_other_ros(
+    tmp_path: Path,
+    remote: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    *,
+    options: tuple[str, ...],
+    main: str,
+    branches: dict[str, str],
+    taken: str,
+    told: str,
+) -> None:
+    (remote / "a").mkdir()
+    for name, text in {"main": main, **branches}.items():
+        _git(remote, "checkout", "--quiet", "-B", name)
+        (remote / "a/package.xml").write_text(text)
+        _git(remote, "add", ".")
+        _git(remote, "commit", "--quiet", "--allow-empty", "--message", name)
+    _git(remote, "checkout", "--quiet", "main")
+    monkeypatch.setenv("ROS_DISTRO", "humble")
+    answer = _run(*options, remote.as_uri(), str(tmp_path / "copy"))
+    assert (answer.returncode, (tmp_path / "copy/a/package.xml").read_text()) == (0, taken), answer.stderr
+    assert told in answer.stdout
+    assert ("of ROS 1 alone" in answer.stdout) == bool(told)
+
+
+@pytest.mark.parametrize(("kind", "option"), [("ros1", ""), ("ros2", "--ros2 ")])
+def test_it_is_told_for_which_ros(plan: Callable[..., Plan], kind: str, option: str) -> None:
+    source = Source(name="quad", repo="https://example.org/quad.git", ref="devel", build="colcon", listed=True)
+    text = dockerfile(plan(kind=kind, sources=(source,)))
+    assert (
+        f"RUN clone-listed {option}--branch devel https://example.org/quad.git /home/${{NB_USER}}/ws/src/quad" in text
+    )
+    assert "COPY --from=scripts /checkout-branch /usr/local/bin/" in text

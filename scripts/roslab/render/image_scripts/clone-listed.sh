@@ -1,14 +1,20 @@
 #!/bin/bash
-# usage: clone-listed [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER
+# usage: clone-listed [--ros2] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER
 # Clones to a folder of the workspace, as its owner's, a repository that a list or a page names. Where its host asks for a
 # password or has no such repository, it is named and left out, as are such submodules; what else fails stops the build.
+#   --ros2           for a workspace of ROS 2: where all its packages are of ROS 1, a branch for ROS 2 is taken if there is one
 #   --ref REF        a tag or commit
 #   --branch BRANCH  a branch, which may be gone
 #   --before DAY     the newest commit not after this day (YYYY-MM-DD)
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
-ref='' branch='' day=''
+ref='' branch='' day='' ros2=''
 while [[ "$1" = --* ]]; do
+  if [ "$1" = --ros2 ]; then
+    ros2=yes
+    shift
+    continue
+  fi
   case "$1" in
     --ref) ref="$2" ;;
     --branch) branch="$2" ;;
@@ -47,9 +53,32 @@ if [ -n "${branch}" ]; then
 elif [ -n "${ref}" ]; then
   git -C "${folder}" -c advice.detachedHead=false checkout "${ref}"
 fi
-if [ -n "${day}" ]; then
-  commit="$(git -C "${folder}" rev-list --max-count=1 --before="${day}T23:59:59Z" HEAD)"
-  git -C "${folder}" -c advice.detachedHead=false checkout "${commit:-HEAD}"
+
+take() { git -C "${folder}" -c advice.detachedHead=false checkout --quiet "$1" --; }
+of_day() { # BRANCH
+  if [ -z "${day}" ]; then
+    echo "$1"
+    return
+  fi
+  commit="$(git -C "${folder}" rev-list --max-count=1 --before="${day}T23:59:59Z" "$1")"
+  echo "${commit:-$1}"
+}
+if [ -n "${day}" ]; then take "$(of_day HEAD)"; fi
+
+has() { git -C "${folder}" grep --quiet --extended-regexp "$1" "$2" -- 'package.xml' '*/package.xml'; }
+if [ -n "${ros2}" ] && has '<buildtool_depend[^>]*>\s*catkin' HEAD && ! has 'ament|<build_type>\s*cmake' HEAD; then
+  said="${url} has packages of ROS 1 alone at $(git -C "${folder}" rev-parse --short HEAD)"
+  for other in ros2 ${ROS_DISTRO:+"${ROS_DISTRO}" "${ROS_DISTRO}-devel" "ros2-${ROS_DISTRO}"} ros2-devel ros2-master; do
+    if ! git -C "${folder}" rev-parse --quiet --verify "origin/${other}" >/dev/null; then continue; fi
+    at="$(of_day "origin/${other}")"
+    if has ament "${at}"; then
+      take "${at}"
+      said+=": its branch ${other} is taken"
+      break
+    fi
+  done
+  if [[ "${said}" != *taken ]]; then said+=", and no branch for ROS 2: what needs it cannot be built"; fi
+  echo "roslab: ${said}"
 fi
 if ! try -C "${folder}" submodule update --init --recursive; then leave_out "submodules of ${url}"; fi
 chown --recursive --reference="$(dirname "${folder}")" "${folder}"

@@ -43,7 +43,8 @@ def _all_listed(plan: Plan, sources: list[Source]) -> list[str]:
         return []
     scripts = [LISTED, shell.CHECKOUT] if any(map(_is_branch, sources)) else [LISTED]
     why = "# What lists and pages name: what only its author can clone is told and left out"
-    runs = [shell.run(_called(LISTED, s), secrets=secrets.for_git(plan)) for s in sources]
+    script = f"{LISTED} --ros2" if plan.kind == "ros2" else LISTED
+    runs = [shell.run(_called(script, s), secrets=secrets.for_git(plan)) for s in sources]
     return [why, "USER root", *(shell.copy_script(name).rstrip() for name in scripts), *runs, "USER ${NB_USER}"]
 
 
@@ -58,7 +59,7 @@ def _tried(source: Source) -> str:
 
 def _called(script: str, source: Source) -> str:
     """Return the call of a script that clones a source."""
-    option = "branch" if script == LISTED and _is_branch(source) else "ref"
+    option = "branch" if script != HOLDING and _is_branch(source) else "ref"
     at = f" --{option} {quote.shell(source.ref)}" if source.ref else ""
     at += f" --before {quote.shell(source.before)}" if source.before else ""
     return f"{script}{at} {quote.shell(source.repo or '')} {quote.shell_with_user(f'{WS}/src/{source.name}')}"
