@@ -463,7 +463,10 @@ def test_colcon_is_told_of_each_sister(tmp_path: Path) -> None:
     (tmp_path / "colcon").chmod(0o755)
     script = Path(image_scripts.__path__[0]) / "leave-out-tests.sh"
     environment = {"PATH": f"{tmp_path}:{os.environ['PATH']}"}
-    subprocess.run(["bash", script, "src/sisters"], cwd=tmp_path, env=environment, check=True)
+    subprocess.run(["bash", script, "src/gone"], cwd=tmp_path, env=environment, check=True)
+    assert not (tmp_path / "colcon.meta").exists()
+    (tmp_path / "src/sisters").mkdir(parents=True)
+    subprocess.run(["bash", script, "src/gone", "src/sisters"], cwd=tmp_path, env=environment, check=True)
     off = {"cmake-args": ["-DBUILD_TESTING=OFF"]}
     assert json.loads((tmp_path / "colcon.meta").read_text()) == {"names": {"alpha_msgs": off, "beta": off}}
 
