@@ -9,6 +9,7 @@ from typing import Any
 
 from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import poetry, requirements, uv
+from roslab.evidence.python.backend_limits import backend_limits
 from roslab.evidence.python.manager_lines import GROUP
 from roslab.evidence.python.without_module import without_module
 from roslab.repository.checkout import Repository
@@ -72,6 +73,7 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
         classifiers=tuple(dict.fromkeys(line for part in parts for line in part.classifiers)),
         setup_imports=next((part.setup_imports for part in parts if part.setup_imports), ()),
         groups=tuple(each for part in parts for each in part.groups),
+        backend_limits=tuple(each for part in parts for each in part.backend_limits),
     )
 
 
@@ -146,11 +148,8 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
             asked += _listed(lines, path, line_of, role="test" if role == "test" else "")
         for name in files:
             asked += from_file(repository, folder, name.removeprefix("./"))
-    manifest = (
-        repository.read(f"{folder}/package.xml".strip("/"))
-        if repository.has(f"{folder}/package.xml".strip("/"))
-        else ""
-    )
+    package_xml = f"{folder}/package.xml".strip("/")
+    manifest = repository.read(package_xml) if repository.has(package_xml) else ""
     ros = script.catkin or bool(manifest and (_AMENT.search(text) or _AMENT.search(manifest)))
     return PythonProject(
         file=path,
@@ -260,14 +259,14 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         asked += from_file(repository, folder, str(name))
     for name, each in {**poetry.groups_of(of_poetry), **uv.groups_of(data)}.items():
         asked += _listed(each, path, line_of, extra=GROUP + name)
-    python = project.get("requires-python") or poetry.python(_table(of_poetry, "dependencies"))
     own = _table(of_poetry, "dependencies")
+    python = project.get("requires-python") or poetry.python(own)
     asked += _listed(poetry.lines(own), path, _finder_of_keys(text))
     for extra, names in _table(of_poetry, "extras").items():
         lines = poetry.lines(own, extra=frozenset(map(str, names)) if isinstance(names, list) else frozenset())
         asked += _listed(lines, path, _finder_of_keys(text), extra=extra)
     scripts = {**_table(of_poetry, "scripts"), **_table(project, "scripts")}
-    build = _list(_table(data, "build-system"), "requires")
+    build = _listed(_list(_table(data, "build-system"), "requires"), path, line_of)
     name = project.get("name") or of_poetry.get("name")
     backend = _table(data, "build-system").get("build-backend", "")
     return PythonProject(
@@ -277,13 +276,14 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         name=name if isinstance(name, str) else None,
         installable=bool(name) and bool(project or backend) and not without_module(repository, folder, str(name), data),
         requires_python=python if isinstance(python, str) else None,
-        build_requires=tuple(_listed(build, path, line_of)),
+        build_requires=tuple(build),
         requirements=tuple(asked),
         scripts=tuple((script, line_of(script)) for script in scripts),
         script_files=_in(folder, map(str, _list(_table(data, "tool", "setuptools"), "script-files"))),
-        extensions=_extensions(str(backend) + " ".join(map(str, build))),
+        extensions=_extensions(str(backend) + " ".join(each.written for each in build)),
         classifiers=tuple(line for line in _list(project, "classifiers") if isinstance(line, str)),
         groups=tuple(_listed([*uv.default_groups(data), *poetry.default_groups(of_poetry)], path, line_of)),
+        backend_limits=tuple(backend_limits(_table(data, "tool"), path, line_of, build)),
     )
 
 
