@@ -53,3 +53,20 @@ def test_what_is_not_compiled_for_an_editable_installation_is_copied(
     assert script != SETUP or not given
     decision = tree({"setup.py": script, "demo/__init__.py": "import numpy\n"})
     assert decision.compiling.copied == copied
+
+
+@pytest.mark.parametrize(
+    ("lines", "asked"),
+    [
+        ("MulticoreTSNE\n", ["cmake<4"]),
+        ("cmake\nMulticoreTSNE\n", ["cmake<4"]),
+        ("cmake==3.18.4\nMulticoreTSNE\n", ["cmake==3.18.4"]),
+        ("cmake>=4\nMulticoreTSNE\n", ["cmake>=4"]),
+        ("cmake\nunknown-and-built\n", ["cmake"]),
+        ("cmake\nabsl-py\n", []),
+        ("absl-py\n", []),
+    ],
+)
+def test_cmake_is_there_before_what_is_listed_beside_it(tree: Tree, lines: str, asked: list[str]) -> None:
+    found = tree({"requirements.txt": lines, "main.py": "print('x')\n"}).python.first
+    assert [each.text for each in found if each.key == "cmake"] == asked

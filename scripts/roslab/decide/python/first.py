@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from roslab.decide.python.bounds import excluded
 from roslab.decide.system.cmake_version import BRINGS_CMAKE, NEW
 from roslab.evidence.facts import PythonProject
+from roslab.knowledge.compiled import prebuilt
 from roslab.knowledge.frameworks import build_needs, imports
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -31,13 +33,22 @@ def first(
     elif "cython" in extensions or "c" in extensions:
         needs += [stated("numpy"), stated("Cython")]
     needs += [need for project in projects for need in _for_setup(project)]
+    if any(each.package and each.key not in {*prebuilt(), "cmake"} for each in asked):  # a list tells no order
+        needs = [*(each for each in asked if each.key == "cmake" and each.origin == "manifest"), *needs]
     if cmake and any(map(_calls_cmake, projects)):
         needs.append(stated(f"cmake<{NEW.major}"))
     if needs:
         asking = [line for project in projects for line in project.build_requires]
         while_building = [name for line in asking for name in build_needs().get(line.key, ())]
         needs += [*asking, *map(stated, while_building)]
-    return tuple({need.key: by_name.get(need.key, need) for need in needs}.values())
+    return tuple({need.key: _as_asked(need, by_name.get(need.key)) for need in needs}.values())
+
+
+def _as_asked(need: Requirement, author: Requirement | None) -> Requirement:
+    """Return the author's own line for what is needed, unless it is free and would bring what is too new."""
+    if author is None or (need.limited and not author.limited and not excluded(need, (author,))):
+        return need
+    return author
 
 
 def _isolated(project: PythonProject) -> bool:
