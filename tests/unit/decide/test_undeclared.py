@@ -26,6 +26,9 @@ Tree = Callable[[dict[str, str]], Decision]
         (["torchvision==0.4.0", "Pillow>=6"], ["pillow<7"]),
         (["tensorboardX==2.0", "tensorboard==2.2.0"], ["protobuf<3.21"]),
         (["flask==1.0.2"], ["itsdangerous<2.1", "jinja2<3.1", "werkzeug<2.1"]),
+        (["hdbscan==0.8.28"], ["Cython<3"]),
+        (["hdbscan==0.8.28", "Cython>=3"], []),
+        (["hdbscan"], []),
         (["flask @ https://example.org/flask-1.0.2.zip"], []),
     ],
 )
@@ -36,3 +39,9 @@ def test_a_release_that_does_not_say_what_it_needs(lines: list[str], bounds: lis
 def test_the_bound_holds_for_what_the_repository_does_not_name(tree: Tree) -> None:
     files = {"requirements.txt": "numpy\ntensorboardX==2.0\n", "main.py": "import tensorboardX\n"}
     assert "protobuf<3.21" in [each.written for each in tree(files).python.bounds]
+
+
+def test_sources_older_than_cython_3_are_built_with_an_older_one(tree: Tree) -> None:
+    python = tree({"requirements.txt": "numpy\nhdbscan==0.8.28\n", "main.py": "import hdbscan\n"}).python
+    assert "Cython<3" in [each.written for each in python.bounds]
+    assert {each.written for each in python.first} == {"numpy", "Cython<3"}
