@@ -104,7 +104,7 @@ class PythonProject:
     script_files: tuple[str, ...] = ()
     """Files of the tree that are installed as programs, each under its own name."""
     extensions: tuple[str, ...] = ()
-    """What it compiles: ``c``, ``cuda``, ``cython``, ``cmake``; ``not editable`` if it then leaves something out."""
+    """What it compiles: ``c``, ``cuda``, ``cython``, ``cmake``; ``not editable``, and ``gpu``: it stops without one."""
     classifiers: tuple[str, ...] = ()
     setup_imports: tuple[str, ...] = ()
     """Modules that its setup.py imports; ``.`` for the package that it installs."""

@@ -18,6 +18,7 @@ from roslab.decide.python.extras import beside_lists
 from roslab.decide.python.fetched import cloned_files, unseen
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
+from roslab.decide.python.gpu_projects import left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.indexes import file_options, indexes_of
 from roslab.decide.python.locked import locked_releases
@@ -202,6 +203,7 @@ def decide_python(
             *lists.warnings,
             *native.warnings,
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
+            *left_to_gpus(evidence),
             *lost(evidence, kind, chosen),
             *without_history(evidence),
             *ignored_environments(evidence, kind, chosen),

@@ -8,10 +8,11 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Warning_
+from roslab.decide.python.gpu_projects import only_on_gpu
 from roslab.decide.python.machine_lists import not_installed, of_machines
 from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
-from roslab.decide.ros.workspace import nothing_builds
+from roslab.decide.ros.workspace import nothing_builds, types
 from roslab.evidence import places
 from roslab.evidence.facts import CondaEnvironment, Evidence, PythonProject, RequirementFile
 from roslab.values.name import canonicalize_name
@@ -157,7 +158,10 @@ def projects(
     by_cmake = {project.file.rpartition("/")[0] for project in evidence.cmake}
     there = (m for m in evidence.manifests if ros and not m.ignored and not nothing_builds(m, by_cmake))
     manifests = {manifest.file.rpartition("/")[0] for manifest in there}
-    usable = {p.folder: p for p in evidence.python if p.installable}
+    by_cmake_alone = {
+        manifest.file.rpartition("/")[0] for manifest in evidence.manifests if types(manifest) == {"cmake"}
+    }
+    usable = {p.folder: p for p in evidence.python if p.installable and not only_on_gpu(p)}
     chosen: dict[str, PythonProject] = {}
     if "" in usable and "" not in manifests:
         members = {asked.key for asked in usable[""].requirements if asked.role == "member"}
@@ -169,7 +173,7 @@ def projects(
         if asked.role != "project" or asked.written in {".", "./"}:
             continue
         folder = resolve(asked, {folder for folder in usable if folder})
-        if folder and folder not in manifests:
+        if folder and folder not in manifests - by_cmake_alone:  # plain CMake leaves the Python part to pip
             chosen.setdefault(folder, usable[folder])
     if not chosen and kind != "cpp":
         own = [

@@ -11,6 +11,7 @@ from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import poetry, requirements, uv
 from roslab.evidence.python.backend_limits import backend_limits
 from roslab.evidence.python.manager_lines import GROUP
+from roslab.evidence.python.needs_gpu import needs_gpu
 from roslab.evidence.python.without_module import without_module
 from roslab.repository.checkout import Repository
 from roslab.values import toml
@@ -142,10 +143,8 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
     line_of = _finder(text)
     asked: list[Requirement] = []
     for role, (lines, files) in script.requirements.items():
-        if role.startswith("extra:"):
-            asked += _listed(lines, path, line_of, extra=role.removeprefix("extra:"))
-        else:
-            asked += _listed(lines, path, line_of, role="test" if role == "test" else "")
+        extra = role.removeprefix("extra:") if role.startswith("extra:") else None
+        asked += _listed(lines, path, line_of, extra=extra, role="test" if role == "test" else "")
         for name in files:
             asked += from_file(repository, folder, name.removeprefix("./"))
     package_xml = f"{folder}/package.xml".strip("/")
@@ -185,6 +184,8 @@ def _extensions(text: str) -> tuple[str, ...]:
         found.append("cython")
     if re.search(r"CMakeExtension|CMakeBuild|skbuild|scikit_build|['\"]cmake['\"]", text):
         found.append("cmake")
+    if needs_gpu(text):
+        found.append("gpu")
     if re.search(r"\bdisable_editable\s*=\s*True\b", text):
         found.append("not editable")
     return tuple(found)
