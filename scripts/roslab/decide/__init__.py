@@ -10,6 +10,7 @@ from roslab.decide.base import decide_base
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.chains import decide_bases
 from roslab.decide.command import decide_command
+from roslab.decide.cuda.for_extensions import for_extensions
 from roslab.decide.cuda.for_ubuntu import with_an_image_for
 from roslab.decide.cuda.toolkit import by_script, decide_toolkit
 from roslab.decide.cuda.version import NO_CUDA, decide_cuda
@@ -69,7 +70,13 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence = with_refs(one_way(evidence, cuda.answer.version), distro)
     mentioned = pins(evidence)
     version = decide_version(evidence, config, kind.answer, pins=mentioned, ros_distro=distro, cuda=cuda.answer.version)
-    cuda = with_an_image_for(cuda, evidence, config, kind.answer, version.answer.version)
+    cuda = for_extensions(
+        with_an_image_for(cuda, evidence, config, kind.answer, version.answer.version),
+        evidence,
+        config,
+        kind.answer,
+        version.answer,
+    )
     base = decide_base(
         evidence,
         config,

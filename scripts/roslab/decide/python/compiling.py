@@ -97,7 +97,7 @@ def decide_compiling(
 
 def _optioned(asked: Requirement) -> bool:
     """Tell whether a package is compiled for GPUs by an option alone, and taken as installed by pip's later calls."""
-    return asked.key in gpu_options() and not asked.url and asked.role in {"", "listed"}
+    return asked.key in gpu_options() and (not asked.url or asked.vcs) and asked.role in {"", "listed"}
 
 
 def _architectures(cuda: str, torch: str | None) -> str:

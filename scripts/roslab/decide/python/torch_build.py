@@ -129,7 +129,8 @@ def newer_wheel(
 ) -> Choice[Build]:
     """Return the index of a torch for the image's generation of CUDA where pip's index has it for an older one.
 
-    Nothing is compiled against it, so its wheel brings CUDA, and any of that generation runs with the image's driver.
+    Nothing is compiled against it, so its wheel brings CUDA, and any of that generation, or of one between the two,
+    runs with the image's driver.
     Wheels of CUDA 10 have no code for GPUs since Ampere:
     https://docs.nvidia.com/cuda/ampere-compatibility-guide/, read 2026-11-25.
     """
@@ -138,10 +139,10 @@ def newer_wheel(
         return Choice(answer=((), ()))
     row = framework("torch", torch.release) if torch.release else newest_framework("torch", day, python, below)
     fits = row is not None and torch.specifier.contains(torch.release or f"{row.first}.0")
-    major = Version(cuda).major
-    if row is None or not fits or Version(row.cuda[0]).major >= major:
+    if row is None or not fits:
         return Choice(answer=((), ()))
-    newer = max((each for each in row.cuda if Version(each).major == major), key=Version, default=None)
+    between = range(Version(row.cuda[0]).major + 1, Version(cuda).major + 1)
+    newer = max((each for each in row.cuda if Version(each).major in between), key=Version, default=None)
     if newer is None:
         return Choice(answer=((), ()))
     limits = () if torch.release else (stated(f"torch=={row.first}.*"),)

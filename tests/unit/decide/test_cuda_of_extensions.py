@@ -1,0 +1,47 @@
+"""Extensions of torch without a CUDA that anybody names, and a free torch whose day knew no CUDA of the image's."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
+
+Tree = Callable[[dict[str, str]], Decision]
+PAGE = "Python 3.8\n\nFirst, install [MinkowskiEngine](https://github.com/NVIDIA/MinkowskiEngine).\n"
+NET = "import MinkowskiEngine as ME\nimport torch\n\nME.SparseTensor(torch.zeros(1))\n"
+FREE = {"train.py": "import torch\ntorch.zeros(1).cuda()\n", "requirements.txt": "torch\n"}
+
+
+def of_day(tmp_path: Path, files: dict[str, str], day: str) -> Decision:
+    for path, text in files.items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    return decide(gather(Repository.open(tmp_path)), Config(pip_date=day), folder_name="demo")
+
+
+def test_torch_is_that_of_the_compiler_of_the_image(tree: Tree) -> None:
+    decision = tree({"README.md": PAGE, "net.py": NET})
+    assert decision.cuda == "11.8"
+    assert decision.base_image.startswith("nvidia/cuda:11.8")
+    assert [each.written for each in decision.python.bounds if each.key == "torch"] == ["torch==2.4.*"]
+    assert decision.python.options == ("--extra-index-url https://download.pytorch.org/whl/cu118",)
+
+
+def test_it_is_of_the_wheels_of_an_old_day(tmp_path: Path) -> None:
+    decision = of_day(tmp_path, {"README.md": PAGE, "net.py": NET}, "2022-07-10")
+    assert decision.cuda == "11.6"
+    assert [each.written for each in decision.python.bounds if each.key == "torch"] == ["torch==1.12.*"]
+
+
+@pytest.mark.parametrize(("day", "cuda"), [("2022-07-10", "cu116"), ("2023-06-01", None)])
+def test_a_free_torch_of_an_old_day_knows_the_gpus_of_the_image(tmp_path: Path, day: str, cuda: str | None) -> None:
+    decision = of_day(tmp_path, {**FREE, "README.md": "Python 3.8\n"}, day)
+    assert decision.cuda == "12.1"
+    options = (f"--extra-index-url https://download.pytorch.org/whl/{cuda}",) if cuda else ()
+    assert decision.python.options == options
