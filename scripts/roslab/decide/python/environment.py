@@ -20,7 +20,7 @@ from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.gpu_projects import left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
-from roslab.decide.python.indexes import file_options, indexes_of
+from roslab.decide.python.indexes import file_options, indexes_of, without_all_builds
 from roslab.decide.python.locked import locked_releases
 from roslab.decide.python.lost import lost, with_told_links, without_history
 from roslab.decide.python.machine_lists import machine_lists
@@ -169,7 +169,7 @@ def decide_python(
         first=compiled_first,
         defines=defines.answer,
         bounds=(*limits, *numpy.answer),
-        options=tuple(dict.fromkeys((*indexes, *build.answer[1], *of_files, *chosen.options))),
+        options=without_all_builds((*indexes, *build.answer[1], *of_files, *chosen.options), (*everything, *limits)),
         pip_options=lists.options,
         python2=lists.python2,
         python2_options=lists.python2_options,

@@ -50,7 +50,8 @@ def guesses(
             or (aside and pin.name in tooling("developers"))
         ):
             continue
-        found.setdefault(pin.name, pin.requirement)
+        if _names_the_build(pin.requirement, of=found.setdefault(pin.name, pin.requirement)):
+            found[pin.name] = pin.requirement
     first = opened(evidence, kind)
     if first and not {"jupyter", "jupyterlab", "notebook"} & {*known, *found}:
         found["notebook"] = stated("notebook", "prose", first.file, first.line)
@@ -121,6 +122,12 @@ def _repository(url: str) -> str:
     """Return the repository of a ``git+`` URL, so that two spellings of one package are not both installed."""
     match = re.search(r"git\+\w+://(?:[^@/]*@)?([\w.-]+/[\w.-]+/[\w.-]+?)(?:\.git)?(?:[@#].*)?$", url)
     return match[1].lower() if match else ""
+
+
+def _names_the_build(asked: Requirement, of: Requirement) -> bool:
+    """Tell whether a command installs the release that a sentence names, as the build for one CUDA: ``+cu101``."""
+    release, _, local = (asked.release or "").partition("+")
+    return bool(local) and not asked.role and of.role in {"listed", "bounded"} and of.release == release
 
 
 def _specific(pin: Pin) -> tuple[int, int, int]:
