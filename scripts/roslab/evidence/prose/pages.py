@@ -13,6 +13,7 @@ from roslab.evidence.prose.block_values import with_values
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.headings import lines_of, title_of
 from roslab.evidence.prose.preformatted import as_markdown
+from roslab.evidence.prose.translations import without_translations
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -28,6 +29,7 @@ _DOCS_PAGE = pattern(
     r"launching"
 )
 _VARIANT = pattern(r"readme[-_.](?!md$|rst$|txt$|markdown$)\w", re.IGNORECASE)
+"""A page that says what another one does, in a language or for a system: it comes after that."""
 LINK = pattern(
     r"\]\(\s*<?(?:https?://git(?:hub|lab)\.com/[\w.-]+/[\w.-]+/(?:-/)?(?:blob|tree)/[\w.-]+/|(/))?"
     r"((?:\.{1,2}/){0,4}\w[\w./-]*(?:\.(?:md|rst)|/|(?<=/)[\w-]+))(?:#[^)\s]*)?>?\s*\)"
@@ -72,13 +74,8 @@ def _pages(repository: Repository) -> tuple[File, ...]:
         if (page and file.path.count("/") <= 3) or docs:
             found.append(file)
     found += _linked(repository, found)
-    found.sort(key=lambda file: (file.path.count("/"), file.folder, _is_variant(file.name), file.path))
-    return tuple(found[:MAX_PAGES])
-
-
-def _is_variant(name: str) -> bool:
-    """Tell whether a page says what another one does, in a language or for a system: it comes after that."""
-    return bool(_VARIANT.match(name))
+    found.sort(key=lambda file: (file.path.count("/"), file.folder, bool(_VARIANT.match(file.name)), file.path))
+    return tuple(without_translations(found)[:MAX_PAGES])
 
 
 def path_of(link: re.Match[str], page: File) -> str:
