@@ -20,7 +20,7 @@ from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.gpu_projects import left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
-from roslab.decide.python.indexes import file_options, indexes_of, without_all_builds
+from roslab.decide.python.indexes import file_options, indexes_of
 from roslab.decide.python.locked import locked_releases
 from roslab.decide.python.lost import lost, with_told_links, without_history
 from roslab.decide.python.machine_lists import machine_lists
@@ -36,12 +36,10 @@ from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, in_full, of_pages, repair, right, untold
 from roslab.decide.python.too_new import loosened
-from roslab.decide.python.torch_build import (
-    decide_build,
-    numpy_of,
-)
+from roslab.decide.python.torch_build import decide_build, numpy_of
 from roslab.decide.python.undeclared import decide_undeclared
 from roslab.decide.python.weights import PackageWeight as Weight
+from roslab.decide.python.wheel_pages import fitting_pages
 from roslab.decide.reasons import because
 from roslab.decide.ros.workspace import packages_of, ros_versions, types
 from roslab.decide.system.cmake_version import from_pip
@@ -138,8 +136,11 @@ def decide_python(
         limits_of(evidence, conda),
     )
     compiled_first = first((*everything, *native.answer.brought), chosen.projects, cmake=manager != "system")
-    named_too = compiled_first or declared or chosen.guessed or chosen.projects
-    of_files = file_options(evidence, chosen, repaired, by_name=bool(named_too))
+    by_name = bool(compiled_first or declared or chosen.guessed or chosen.projects)
+    options = fitting_pages(
+        (*indexes, *build.answer[1], *file_options(evidence, chosen, repaired, by_name=by_name), *chosen.options),
+        (*limits, *everything),
+    )
     answer = Python(
         version=number,
         manager=manager,
@@ -169,7 +170,7 @@ def decide_python(
         first=compiled_first,
         defines=defines.answer,
         bounds=(*limits, *numpy.answer),
-        options=without_all_builds((*indexes, *build.answer[1], *of_files, *chosen.options), (*everything, *limits)),
+        options=options.answer,
         pip_options=lists.options,
         python2=lists.python2,
         python2_options=lists.python2_options,
@@ -202,6 +203,7 @@ def decide_python(
             *defines.warnings,
             *lists.warnings,
             *native.warnings,
+            *options.warnings,
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
             *left_to_gpus(evidence),
             *lost(evidence, kind, chosen),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Set
+from collections.abc import Iterable, Iterator, Mapping, Set
 
 from roslab.config.model import Kind
 from roslab.decide.notebooks import opened
@@ -45,6 +45,7 @@ def guesses(
             or _repository(pin.requirement.url) in urls
             or (pin.name in known and not (pin.name in loose and pin.requirement.limited and pin.requirement.specifier))
             or (pin.requirement.vcs and pin.name.replace("-", "") in own)
+            or (pin.requirement.vcs and _had(pin.name, evidence, found))
             or pin.name == "pip"
             or (pin.name in tooling("installers") and not pin.release)
             or (aside and pin.name in tooling("developers"))
@@ -122,6 +123,13 @@ def _repository(url: str) -> str:
     """Return the repository of a ``git+`` URL, so that two spellings of one package are not both installed."""
     match = re.search(r"git\+\w+://(?:[^@/]*@)?([\w.-]+/[\w.-]+/[\w.-]+?)(?:\.git)?(?:[@#].*)?$", url)
     return match[1].lower() if match else ""
+
+
+def _had(name: str, evidence: Evidence, found: Mapping[str, Requirement]) -> bool:
+    """Tell whether a repository is that of the tree's own project, or of a package that a line names in a release."""
+    pinned = {key for key, each in found.items() if each.release and not each.url}
+    own = {canonicalize_name(project.name) for project in evidence.python if project.name}
+    return any(same_module(name, other) for other in (*own, *pinned))
 
 
 def _names_the_build(asked: Requirement, of: Requirement) -> bool:

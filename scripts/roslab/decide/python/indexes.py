@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from packaging.version import Version
 
@@ -15,7 +15,6 @@ from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
 _WITH_LOCAL_VERSIONS = frozenset({"torch", "torchvision", "torchaudio"})
-_ALL_BUILDS = "download.pytorch.org/whl/torch_stable.html"
 _PLACES = pattern(r"--(?:extra-index-url|find-links) https?://")
 """An option that adds a place to look for packages; a folder is found from the file alone."""
 
@@ -34,18 +33,6 @@ def indexes_of(asked: Sequence[Requirement], files: Sequence[RequirementFile]) -
             page = f"https://download.pytorch.org/whl/{build}"
             old = each.key == "torch" and release < ONE_PAGE_BEFORE
             yield f"--find-links {page}/torch_stable.html" if old else f"--extra-index-url {page}"
-
-
-def without_all_builds(options: Iterable[str], asked: Iterable[Requirement]) -> tuple[str, ...]:
-    """Return the options, each once, without the page of all builds of torch, where no build is asked for.
-
-    pip takes the highest: ``+rocm`` and ``+cu92`` are above ``+cu110``, and all above the one of pip's index.
-    https://packaging.python.org/en/latest/specifications/version-specifiers/#local-version-identifiers, 2026-11-26
-    """
-    family = [each for each in asked if each.key in _WITH_LOCAL_VERSIONS]
-    builds = any(each.url or "+" in (each.release or "") for each in family)
-    kept = (each for each in options if builds or not family or not each.endswith(_ALL_BUILDS))
-    return tuple(dict.fromkeys(kept))
 
 
 def file_options(evidence: Evidence, chosen: Chosen, repaired: Repaired, *, by_name: bool) -> list[str]:
