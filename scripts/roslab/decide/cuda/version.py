@@ -12,6 +12,7 @@ from roslab.config.model import Config
 from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.cuda.gpus import gpu_limits, knows_gpus, nearest_that_knows, unknown_gpu
 from roslab.decide.cuda.local import cuda_of, cuda_of_build, of_the_cpu
+from roslab.decide.cuda.upstream_images import of_upstream
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import DEVELOPMENT, Pin
 from roslab.decide.python.version import python_version
@@ -231,8 +232,8 @@ def _of_pin(pin: Pin, day: str | None, python: str | None, below: str | None) ->
         and (newest := newest_framework(table, day, python, below))
         and not without_gpu(pin.name, newest.first)
     ):
-        which = "".join((f" of {day}" if day else "", f" for Python {python}" if python else ""))
-        why = f"{pin.name} is not pinned: its newest wheel{which} is for this CUDA"
+        of, runs = f" of {day}" if day else "", f" for Python {python}" if python else ""
+        why = f"{pin.name} is not pinned: its newest wheel{of}{runs} is for this CUDA"
         yield because("cuda", newest.cuda[0], why, asked, weight=Weight.UNPINNED), newest.cuda[1:]
 
 
@@ -240,7 +241,8 @@ def _of_dockerfiles(evidence: Evidence) -> Iterator[Candidate]:
     for authored in evidence.dockerfiles:
         match = _IMAGE.search(authored.base or "")
         if match and authored.purpose in {"project", "deploy", "broken"}:
-            weight = Weight.AUTHORS_IMAGE if authored.purpose == "project" else Weight.OTHER_IMAGE
+            own = authored.purpose == "project" and not of_upstream(evidence, authored)
+            weight = Weight.AUTHORS_IMAGE if own else Weight.OTHER_IMAGE
             weight += Weight.COPIES if authored.copies_repository else 0
             why = f"the author's image starts from {authored.base}"
             place = Place(file=authored.file, line=authored.base_line)
@@ -276,12 +278,8 @@ def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: t
     if others:
         having = accepted.cuda if accepted else "none"
         why += f"; of {', '.join(others)}, which the framework accepts too, {having} has one"
-    note = because(
-        "cuda",
-        instead.cuda,
-        f"CUDA {cuda} was asked for, but {why}; this is the nearest that can be built",
-        weight=Weight.NEAREST,
-    )
+    nearest = f"CUDA {cuda} was asked for, but {why}; this is the nearest that can be built"
+    note = because("cuda", instead.cuda, nearest, weight=Weight.NEAREST)
     said = reasons[0]
     loads = f"A framework that loads CUDA {cuda} itself will not see the GPU; set"
     if said.reason.endswith(_WHY["torch"]):
