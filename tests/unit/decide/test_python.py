@@ -379,6 +379,9 @@ def test_extensions_of_torch_are_compiled_without_a_gpu(tmp_path: Path) -> None:
     older = {"setup.py": setup, "requirements.txt": "torch==1.5.1\n"}  # it stops at a name that it does not know
     assert compiling_of(tmp_path / "older", older, "11.0").architectures == "6.1;7.0;7.5+PTX"
     assert not compiling_of(tmp_path / "plain", {"requirements.txt": "torch\n"}, "11.3").architectures
+    unknown = "git+https://github.com/someone/ops.git\n"  # it may be one
+    assert compiling_of(tmp_path / "git", {"requirements.txt": f"torch\n{unknown}"}, "11.3").architectures
+    assert not compiling_of(tmp_path / "none", {"requirements.txt": unknown}, "11.3").architectures
 
 
 def test_a_package_that_reads_a_variable_of_its_own_is_told_the_gpus(tmp_path: Path) -> None:

@@ -72,6 +72,8 @@ def decide_compiling(
     extensions = {*by_script, *(extension for project in projects for extension in project.extensions)}
     rust = bool(build & _RUST)
     on_torch = "cuda" in extensions or any("torch" in build_needs().get(each.key, ()) for each in packages)
+    # What no table knows may be an extension too: these variables do no harm where it is none
+    on_torch = on_torch or (any(each.vcs for each in packages) and any(each.key == "torch" for each in packages))
     closed = {match[1] or match[2] for each in packages if (match := _CLOSED.match(each.url))} | {*named}
     torch = next((each.release for each in packages if each.key == "torch" and each.release), None)
     torch_for = _architectures(cuda, torch) if cuda and on_torch else ""
