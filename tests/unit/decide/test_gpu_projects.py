@@ -55,9 +55,10 @@ def test_the_project_at_the_root_is_kept(tree: Tree) -> None:
     assert any("may stop the build" in each.message for each in decided.warnings)
 
 
+@pytest.mark.parametrize("page", ["pip install ./net\n", ""])
 @pytest.mark.parametrize(("build_type", "projects"), [("cmake", ("net",)), ("ament_cmake", ())])
 def test_pip_installs_the_python_part_of_a_package_of_plain_cmake(
-    tree: Tree, build_type: str, projects: tuple[str, ...]
+    tree: Tree, build_type: str, projects: tuple[str, ...], page: str
 ) -> None:
     files = {
         "nodes/package.xml": XML.format(name="nodes", build_type="ament_cmake"),
@@ -66,6 +67,18 @@ def test_pip_installs_the_python_part_of_a_package_of_plain_cmake(
         "net/CMakeLists.txt": "cmake_minimum_required(VERSION 3.10)\nproject(net)\n",
         "net/pyproject.toml": PYPROJECT,
         "net/net/__init__.py": "",
-        "docs/usage.md": "```\npip install ./net\n```\n",
+        "docs/usage.md": f"```\n{page}```\n",
     }
     assert tree(files).python.projects == projects
+
+
+def test_what_its_cmake_may_compile_is_not_compiled_again(tree: Tree) -> None:
+    files = {
+        "nodes/package.xml": XML.format(name="nodes", build_type="ament_cmake"),
+        "nodes/CMakeLists.txt": "find_package(ament_cmake REQUIRED)\nament_package()\n",
+        "net/package.xml": XML.format(name="net", build_type="cmake"),
+        "net/CMakeLists.txt": "cmake_minimum_required(VERSION 3.10)\nproject(net)\n",
+        "net/pyproject.toml": f'{PYPROJECT}[build-system]\nrequires = ["scikit-build-core"]\n',
+        "net/net/__init__.py": "",
+    }
+    assert tree(files).python.projects == ()

@@ -21,7 +21,7 @@ from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
 _RUST = frozenset({"maturin", "setuptools-rust"})
-_COMPILED_ON_IMPORT = frozenset({"meson-python", "scikit-build-core"})
+COMPILED_ON_IMPORT = frozenset({"meson-python", "scikit-build-core"})
 """What they need for it is gone by then.
 
 https://mesonbuild.com/meson-python/how-to-guides/editable-installs.html
@@ -84,7 +84,7 @@ def decide_compiling(
         copied=tuple(
             p.folder or "."
             for p in projects
-            if {each.key for each in p.build_requires} & _COMPILED_ON_IMPORT or "not editable" in p.extensions
+            if {each.key for each in p.build_requires} & COMPILED_ON_IMPORT or "not editable" in p.extensions
         ),
         hosts=tuple(sorted(closed & public_hosts())),
         architectures=torch_for,

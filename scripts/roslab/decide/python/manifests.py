@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Warning_
+from roslab.decide.python.compiling import COMPILED_ON_IMPORT
 from roslab.decide.python.gpu_projects import only_on_gpu
 from roslab.decide.python.machine_lists import not_installed, of_machines
 from roslab.decide.python.parts import of_parts
@@ -179,7 +180,7 @@ def projects(
         own = [
             folder
             for folder in usable
-            if not _inside(folder, manifests)
+            if not _inside(folder, manifests if _compiles(usable[folder]) else manifests - by_cmake_alone)
             and not places.vendored(folder + "/")
             and not places.test(folder + "/")
             and not places.example(folder + "/")
@@ -211,6 +212,11 @@ def _with_needed(
     for project in chosen:
         add(project)
     return list(found.values())
+
+
+def _compiles(project: PythonProject) -> bool:
+    """Tell whether a project compiles something, which the CMake of the same folder may do as well."""
+    return bool(project.extensions) or not COMPILED_ON_IMPORT.isdisjoint(each.key for each in project.build_requires)
 
 
 def _inside(folder: str, packages: set[str]) -> bool:
