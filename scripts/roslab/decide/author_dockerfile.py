@@ -9,9 +9,10 @@ from roslab.decide.chains import Local, local_bases, wanted
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.mended_bases import nearest
 from roslab.decide.reasons import because, configured
+from roslab.decide.system.code_fits import misfits
 from roslab.decide.uncopied_packages import uncopied_package
 from roslab.evidence.facts import AuthorDockerfile, Evidence
-from roslab.knowledge.distros import distro, distros
+from roslab.knowledge.distros import codename_of, distro, distros, ubuntus
 from roslab.knowledge.ended_bases import ended
 from roslab.knowledge.frameworks import cuda_image
 from roslab.knowledge.official_images import published
@@ -42,7 +43,6 @@ _ASIDE = pattern(
     r"(?:^|[/._-])(?:submi(?:t|ssion)|challenge|leaderboard|evaluat\w*|tests?|testing|debug|examples?|tutorials?)(?:[/._-]|$)"
 )
 """A part of the path of a Dockerfile for something else than the program itself."""
-_UBUNTU_TAG = pattern(r"ubuntu[:_-]?(\d\d)\.\d\d")
 
 
 class Weight:
@@ -89,8 +89,7 @@ def decide_dockerfile(
             reasons.append(_about(authored, against, Weight.DOUBTED))
     if not believed:
         return Choice(answer=None, reasons=tuple(reasons[:MOST_REASONS]))
-    named = _named(evidence)
-    best = min(believed, key=lambda authored: _rank(authored, kind, ros_distro, named))
+    best = _best(believed, evidence, kind, ros_distro)
     why = f"the author's Dockerfile: it copies the repository and starts from {best.base}"
     return Choice(
         answer=Dockerfile(file=best.file, context=best.context or ""),
@@ -195,6 +194,25 @@ def _gone(base: str) -> str | None:
     return ended(base)
 
 
+def _best(believed: list[AuthorDockerfile], evidence: Evidence, kind: Kind, ros_distro: str | None) -> AuthorDockerfile:
+    """Return the best of the usable Dockerfiles; of those for several Ubuntus one on which the code compiles."""
+    if len(believed) == 1:
+        return believed[0]
+    named, lacking, run = _named(evidence), misfits(evidence), _run_by_ci(evidence)
+
+    def fitting(authored: AuthorDockerfile) -> tuple[bool, bool]:
+        codename = codename_of(authored.base or "")
+        return codename in lacking, bool(run) and codename is not None and codename not in run
+
+    return min(believed, key=lambda authored: _rank(authored, kind, ros_distro, named, fitting(authored)))
+
+
+def _run_by_ci(evidence: Evidence) -> frozenset[str]:
+    """Return the codenames of the Ubuntus that CI names."""
+    said = (m for m in evidence.mentions if m.source == "ci" and m.topic == "ubuntu")
+    return frozenset(ubuntus().get(mention.value, mention.value) for mention in said)
+
+
 def _named(evidence: Evidence) -> frozenset[str]:
     """Return the Dockerfiles that the pages at the root have built: ``docker build -f docker/gpu.Dockerfile .``."""
     files = {authored.file for authored in evidence.dockerfiles}
@@ -205,13 +223,18 @@ def _named(evidence: Evidence) -> frozenset[str]:
 
 
 def _rank(
-    authored: AuthorDockerfile, kind: Kind, ros_distro: str | None, named: frozenset[str]
-) -> tuple[bool, bool, bool, bool, bool, int, bool, int, int, str]:
+    authored: AuthorDockerfile,
+    kind: Kind,
+    ros_distro: str | None,
+    named: frozenset[str],
+    unfit: tuple[bool, bool],
+) -> tuple[object, ...]:
     """Return the sort key of usable Dockerfiles; the smallest is the best.
 
     In this order: no other distribution in the path, and no other purpose (``Dockerfile.submission``); a base that
-    anybody can pull; one that a page has built (``named``); a base that suits the kind; few folders deep; the
-    repository's distribution, or none, in the name; the newer Ubuntu.
+    anybody can pull; one that a page has built (``named``); a base that suits the kind; an Ubuntu that the code
+    compiles on, and one that CI runs (``unfit``: it is neither); few folders deep; the repository's distribution, or
+    none, in the name; the newer Ubuntu.
     """
     path, base = authored.file.lower(), (authored.base or "").lower()
     mine = bool(ros_distro and ros_distro in path)
@@ -221,8 +244,8 @@ def _rank(
     unlike = kind in {"cuda", "cpp", "python"} and bool(_ACCELERATED.search(base)) != (kind == "cuda")
     plain = path.rpartition("/")[2] == "dockerfile"
     below = 0 if mine else max(0, path.count("/") - 1)  # docker/Dockerfile counts as one at the root
-    release = _UBUNTU_TAG.search(base) if kind not in {"ros1", "ros2"} else None
-    newest = -int(release[1]) if release else 0
+    codename = codename_of(base) if kind not in {"ros1", "ros2"} else None
+    newest = -1 - [*ubuntus().values()].index(codename) if codename else 0
     said = authored.file in named
     depth = path.count("/")
-    return (other, aside, private, not said, unlike, below, not (mine or plain), depth, newest, authored.file)
+    return (other, aside, private, not said, unlike, *unfit, below, not (mine or plain), depth, newest, authored.file)

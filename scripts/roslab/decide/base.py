@@ -19,7 +19,7 @@ from roslab.decide.system.cmake_version import has_it, needed_cmake
 from roslab.decide.system.code_fits import misfits
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
-from roslab.knowledge.distros import Distro, distros, ubuntu_released, ubuntus, variants
+from roslab.knowledge.distros import Distro, codename_of, ubuntu_released, ubuntus, variants
 from roslab.values.dataclass import dataclass, replace
 
 OLDEST_BY_DATE = "xenial"
@@ -68,7 +68,7 @@ def decide_base(
     base = config.base
     if base.image:
         said = configured(config, "base_image", base.image, "base.image")
-        ubuntu = base.ubuntu or _codename(base.image)
+        ubuntu = base.ubuntu or codename_of(base.image)
         return Choice(answer=BaseImage(image=base.image, ubuntu=ubuntu), reasons=(said,))
     if chosen.answer:
         return _ros(evidence, config, chosen.answer, chosen.reasons[0], cuda)
@@ -104,7 +104,7 @@ def of_dockerfile(
         said = f"in place of {authored.base}, from which the author's Dockerfile starts"
     why = because("base_image", taken, said, authored, weight=Weight.BUILT)
     others = (replace(r, decisive=r.question != "base_image" and r.decisive) for r in choice.reasons)
-    answer = replace(choice.answer, image=taken, ubuntu=_codename(taken) or choice.answer.ubuntu)
+    answer = replace(choice.answer, image=taken, ubuntu=codename_of(taken) or choice.answer.ubuntu)
     return replace(choice, answer=answer, reasons=(why, *others))
 
 
@@ -163,7 +163,7 @@ def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
     if config.base.ubuntu:
         reasons.append(configured(config, "ubuntu", config.base.ubuntu, "base.ubuntu"))
     for authored in evidence.dockerfiles:
-        codename = _codename(authored.base or "")
+        codename = codename_of(authored.base or "")
         if codename and authored.purpose in {"project", "ci"}:
             why = f"the author's image starts from {authored.base}"
             reasons.append(because("ubuntu", codename, why, authored, weight=Weight.AUTHORS_IMAGE))
@@ -274,14 +274,3 @@ def _new_enough(reasons: list[Reason], demand: Dependency | None, lacking: dict[
     asks = "the build asks for" if demand.name == "CMake" else f"{demand.name} is called, which needs"
     why = f"{asks} CMake {demand.version}"
     return [*reasons, because("ubuntu", fitting, why, demand, weight=Weight.NEW_ENOUGH)]
-
-
-def _codename(image: str) -> str | None:
-    """Return the Ubuntu of an image's name: ``nvidia/cuda:…-ubuntu20.04``, ``ubuntu:focal``, ``ros:noetic``."""
-    for version, codename in ubuntus().items():
-        if codename in image or f"ubuntu{version}" in image or f"ubuntu:{version}" in image:
-            return codename
-    for name, found in distros().items():
-        if f":{name}" in image or f"-{name}" in image:
-            return found.ubuntu
-    return None

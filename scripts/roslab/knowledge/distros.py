@@ -155,3 +155,14 @@ def distros_of(ubuntu: str | None, ros: Literal[1, 2]) -> tuple[str, ...]:
     """Return the distributions of ROS 1 or 2 on an Ubuntu, the preferred one first."""
     found = [d for d in distros().values() if d.ubuntu == ubuntu and d.ros == ros and not d.never_ends]
     return tuple(d.name for d in sorted(found, key=lambda d: d.preference, reverse=True))
+
+
+def codename_of(image: str) -> str | None:
+    """Return the Ubuntu of an image's name: ``nvidia/cuda:…-ubuntu20.04``, ``ubuntu:focal``, ``ros:noetic``."""
+    for version, codename in ubuntus().items():
+        if codename in image or f"ubuntu{version}" in image or f"ubuntu:{version}" in image:
+            return codename
+    for name, found in distros().items():
+        if f":{name}" in image or f"-{name}" in image:
+            return found.ubuntu
+    return None

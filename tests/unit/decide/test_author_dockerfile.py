@@ -202,3 +202,29 @@ def test_what_a_copied_package_requires_is_copied_too(
     why = "it copies arm and not arm_helpers, which arm/CMakeLists.txt:2 requires"
     assert [why in each.reason for each in choice.reasons] == [refused]
     assert not (refused and choice.answer)
+
+
+@pytest.mark.parametrize(
+    ("code", "ci", "file"),
+    [
+        ("Eigen::Vector<float, 3> v;", "", "docker/24.dockerfile"),
+        ("Eigen::Vector<float, 3> v;", "ubuntu-20.04, ubuntu-22.04", "docker/22.dockerfile"),
+        ("Eigen::Vector3f v;", "ubuntu-20.04", "docker/20.dockerfile"),
+    ],
+)
+def test_of_several_ubuntus_one_that_ci_runs_and_the_code_compiles_on(
+    tmp_path: Path, code: str, ci: str, file: str
+) -> None:
+    (tmp_path / "docker").mkdir()
+    for number, codename in (("20", "focal"), ("22", "jammy"), ("24", "noble")):
+        (tmp_path / f"docker/{number}.dockerfile").write_text(
+            f"FROM ubuntu:{codename}\nCOPY . demo\nRUN make -C demo\n"
+        )
+    (tmp_path / "CMakeLists.txt").write_text("project(demo)\nadd_executable(demo main.cpp)\n")
+    (tmp_path / "main.cpp").write_text(f"int main() {{ {code} }}\n")
+    (tmp_path / ".github/workflows").mkdir(parents=True)
+    workflow = (
+        f"jobs:\n  build:\n    strategy:\n      matrix:\n        os: [{ci}]\n    steps:\n      - run: cmake -B build\n"
+    )
+    (tmp_path / ".github/workflows/build.yml").write_text(workflow)
+    assert decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo").dockerfile == file
