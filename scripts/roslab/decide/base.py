@@ -71,7 +71,8 @@ def decide_base(
         ubuntu = base.ubuntu or codename_of(base.image)
         return Choice(answer=BaseImage(image=base.image, ubuntu=ubuntu), reasons=(said,))
     if chosen.answer:
-        return _ros(evidence, config, chosen.answer, chosen.reasons[0], cuda)
+        why = next((each for each in chosen.reasons if each.answer == chosen.answer.name), chosen.reasons[0])
+        return _ros(evidence, config, chosen.answer, why, cuda)
     if kind == "cpp" and not base.cuda:  # of CUDA's version a page may speak, for those who want it
         return _cpp(evidence, config)
     python = None if kind == "cpp" else python  # for C++ the Ubuntu is chosen without regard to Python

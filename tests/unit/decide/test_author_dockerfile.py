@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from roslab.config.model import Config
+from roslab.config.model import Base, Config
 from roslab.decide import decide
 from roslab.decide.author_dockerfile import Dockerfile, decide_dockerfile, doubt
 from roslab.evidence.facts import AuthorDockerfile, Evidence
@@ -228,3 +228,19 @@ def test_of_several_ubuntus_one_that_ci_runs_and_the_code_compiles_on(
     )
     (tmp_path / ".github/workflows/build.yml").write_text(workflow)
     assert decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo").dockerfile == file
+
+
+@pytest.mark.parametrize(("releases", "found"), [(("kinetic", "noetic"), False), (("kinetic",), True)])
+def test_what_the_one_for_another_distribution_installs_counts_only_without_one_for_this(
+    tmp_path: Path, releases: tuple[str, ...], found: bool
+) -> None:
+    for release in releases:
+        text = f"FROM osrf/ros:{release}-desktop\nRUN apt-get update && apt-get install -y lib{release}-tool\n"
+        (tmp_path / f"Dockerfile_{release}").write_text(text)
+    (tmp_path / "package.xml").write_text(
+        "<package><name>own</name><buildtool_depend>catkin</buildtool_depend></package>"
+    )
+    (tmp_path / "README.md").write_text("For ROS Noetic: `sudo apt install ros-noetic-desktop`.\n")
+    decision = decide(gather(Repository.open(tmp_path)), Config(base=Base(ros="noetic")), folder_name="own")
+    assert ("libkinetic-tool" in decision.apt_guessed) is found
+    assert ("libnoetic-tool" in decision.apt_guessed) is ("noetic" in releases)

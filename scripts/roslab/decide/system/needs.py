@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
+from roslab.decide.ros.vcs_files import distros_in
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import written_for
 from roslab.decide.system.switches import given, switched_off
@@ -168,13 +169,16 @@ def _of_ros(module: str) -> bool:
 def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependency]:
     """Yield what pages, CI and the author's Dockerfiles install by apt.
 
-    If a page has lines for this distribution, its lines for other distributions do not count.
+    If a page has lines for this distribution, its lines for other distributions do not count; nor do the
+    Dockerfiles for others if one is for this.
     """
     written = [dependency for dependency in evidence.prose if dependency.namespace == "apt"]
     ours = {d.file for d in written if ros_distro and written_for(d.name) == ros_distro}
     for dependency in written:
         if dependency.file not in ours or written_for(dependency.name) in {None, ros_distro, "{distro}"}:
             yield dependency
-    for authored in evidence.dockerfiles:
-        if authored.purpose in {"project", "ci"}:
+    authors = [authored for authored in evidence.dockerfiles if authored.purpose in {"project", "ci"}]
+    fitting = [authored for authored in authors if ros_distro and ros_distro in distros_in(authored.base or "")]
+    for authored in authors:
+        if not fitting or authored in fitting or not distros_in(authored.base or ""):
             yield from (dependency for dependency in authored.dependencies if dependency.namespace == "apt")
