@@ -20,9 +20,7 @@ from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
 FAMILY = 2  # Dockerfiles for more distributions are a family: none of them tells which distribution is meant
-LEFT_BEHIND = dt.timedelta(
-    days=182
-)  # from the end of a distribution on, so long CI and Dockerfiles may still be for it
+LEFT_BEHIND = dt.timedelta(days=182)  # from a distribution's end on, so long CI and Dockerfiles may still be for it
 QUOTED = 160  # most characters of a sentence that are quoted
 _AGAINST = pattern(
     r"not (?:been )?(?:tested|supported|work)|n't work|unsupported|no longer|deprecated|end[- ]of[- ]life|\beol\b|"
@@ -74,6 +72,7 @@ class Weight:
         "dockerfile": 430,  # a line other than its FROM
         "filename": 420,
         "script": 330,
+        "code": 280,  # a path of it: more than an Ubuntu alone, less than any sentence that names a distribution
     }
     RECOMMENDED = 420  # if a page names several
     TELLS_TO_HAVE = 400  # "tested on", "install", "requires"
@@ -215,7 +214,7 @@ def _weighed(mention: Mention) -> tuple[str, int]:
     if mention.source == "filename" and mention.file.endswith(_LIST):
         return f"a list is named {mention.text}", Weight.LIST - deeper
     if mention.source in Weight.PLACE:
-        return f"{_WHAT[mention.source]} {mention.text[:120]}", Weight.PLACE[mention.source] - deeper
+        return f"{_WHAT.get(mention.source, 'a path:')} {mention.text[:120]}", Weight.PLACE[mention.source] - deeper
     weight = max(_spoken(sentence, mention.value) for sentence in _sentences(mention.text, mention.value))
     weight -= Weight.DOCUMENTATION if places.documentation(mention.file) else 0
     return f"“{_quoted(mention)}”", weight - Weight.DEEPER_PAGE * depth
