@@ -41,6 +41,8 @@ class Candidate:
     """pip installs the program with the repository."""
     elsewhere: bool = False
     """It is a shell script that goes to a folder of its author's computer, and ends where that is not."""
+    tried: bool = False
+    """A page has the reader run it to see whether it works."""
     of_python: bool = False
     """It is a shell script that starts a program of Python."""
 

@@ -91,7 +91,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     written = [c for c in candidates if c.strong and not _helps(c) and not upkeep(c)]
     written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in _LAUNCHERS]
     rest = [c for c in written if not _after(c)] or [
-        c for c in written if is_python(c) or (about_running(c.heading) > 0 and not _named(c, _AFTER))
+        c for c in written if is_python(c) or (_meant(c) > 0 and not _named(c, _AFTER))
     ]
     rest = rest or [c for c in written if _purpose(c)]
     if before := _before_all(written, rest):
@@ -168,11 +168,21 @@ def _order(candidate: Candidate, page: int, *, gap: bool) -> tuple[bool, bool, b
         candidate.cut and not python,
         _lacks(candidate) and not python,
         candidate.file.count("/"),
-        -about_running(candidate.heading),
+        -_meant(candidate),
         page,
         gap,
         candidate.line,
     )
+
+
+def _meant(candidate: Candidate) -> int:
+    """Return 1 for a command that is to be run: its section or the sentence above it says so; -1 for one aside."""
+    return 1 if _tried(candidate) else about_running(candidate.heading)
+
+
+def _tried(candidate: Candidate) -> bool:
+    """Tell whether a page has the reader run it to see whether it works, in a section that is not about that alone."""
+    return candidate.tried and about_running(candidate.heading) >= 0
 
 
 def upkeep(candidate: Candidate) -> bool:
@@ -188,7 +198,7 @@ def serves(candidate: Candidate) -> bool:
 
 
 def _helps(candidate: Candidate) -> bool:
-    if _of_its_package(candidate):
+    if _of_its_package(candidate) or _tried(candidate):
         return False
     python = is_python(candidate)
     return _named(candidate, _SERVES) or (python and (_named(candidate, _DATASET) or _named(candidate, _FORMAT)))
@@ -202,6 +212,8 @@ def _of_its_package(candidate: Candidate) -> bool:
 
 
 def _after(candidate: Candidate) -> bool:
+    if _tried(candidate):
+        return False
     python = is_python(candidate)
     if python and shows(candidate.heading) and _named(candidate, _EVALUATION):
         return False  # of a model that is trained already

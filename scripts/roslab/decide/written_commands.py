@@ -82,6 +82,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     said = [m for m in said if not (places.vendored(m.file) or about_trouble(m.heading))]
     of_python = {m.value for m in evidence.mentions if m.topic == "runs"} if not (ros or compiled) else set()
     elsewhere = {m.value for m in evidence.mentions if m.topic == "elsewhere"}
+    tried = {(m.file, m.line, m.value) for m in evidence.mentions if m.topic == "tried"}
     options = {(m.file, m.value): m.text for m in evidence.mentions if m.topic == "option"}
     fetched = {file for m in evidence.mentions if m.topic in {"fetched", "unpacked"} for file in m.files} - {"", "."}
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
@@ -115,6 +116,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 variables=mention.variables,
                 installed=argv[0] in tree.installed and not ros,
                 elsewhere=argv[0] == "bash" and not elsewhere.isdisjoint(argv[1:2]),
+                tried=(mention.file, mention.line, mention.value) in tried,
                 of_python=argv[0] == "bash" and not of_python.isdisjoint(argv[1:2]),
             )
 

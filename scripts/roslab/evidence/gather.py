@@ -47,6 +47,7 @@ from roslab.evidence.prose import (
     page_lists,
     pointed,
     readme,
+    tried,
     worked_on,
 )
 from roslab.evidence.prose.merged import merge
@@ -168,6 +169,7 @@ def gather(repository: Repository) -> Evidence:
             *environments.read(own),
             *own_history.read(own),
             *options.read(own, (*prose.mentions, *by_name)),
+            *tried.read(own, (*prose.mentions, *by_name)),
             *commented.read(own, lists),
             *(commit_date.read(repository) if manifests or cmake_projects or listed else ()),
         ),

@@ -182,3 +182,22 @@ def test_a_folder_is_run_where_it_has_a_main(
     page = f"# Run\n```\n{line}\n```\nor\n```\npython run.py\n```\n"
     main = "import numpy\nif __name__ == '__main__':\n    pass\n"
     assert tree({"README.md": page, "run.py": main, "requirements.txt": "numpy\n", **files}).command == command
+
+
+@pytest.mark.parametrize(
+    ("sentence", "first"),
+    [
+        ("Test your installation by running:", "demo_test"),
+        ("After the workspace is built, source and run a demo:", "demo_test"),
+        ("The tests are here:", "mapping"),
+    ],
+)
+def test_what_a_page_has_the_reader_try(tree: Tree, sentence: str, first: str) -> None:
+    page = f"# Demo\n## Installation\n{sentence}\n```\nrosrun demo demo_test\n```\n"
+    page += "## Usage\n```\nrosrun demo mapping\n```\n"
+    cmake = (
+        "project(demo)\nfind_package(catkin REQUIRED)\nadd_executable(demo_test a.cpp)\nadd_executable(mapping b.cpp)\n"
+    )
+    manifest = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+    found = tree({"README.md": page, "CMakeLists.txt": cmake, "package.xml": manifest, "a.cpp": "", "b.cpp": ""})
+    assert found.command == ("rosrun", "demo", first)
