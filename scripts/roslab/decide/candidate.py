@@ -40,7 +40,7 @@ class Candidate:
     installed: bool = False
     """pip installs the program with the repository."""
     elsewhere: bool = False
-    """It is a shell script that goes to a folder of its author's computer, and ends where that is not."""
+    """It is a script that cannot do without a folder of its author's computer."""
     tried: bool = False
     """A page has the reader run it to see whether it works."""
     of_python: bool = False

@@ -115,7 +115,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 blanks=blanks,
                 variables=mention.variables,
                 installed=argv[0] in tree.installed and not ros,
-                elsewhere=argv[0] == "bash" and not elsewhere.isdisjoint(argv[1:2]),
+                elsewhere=argv[0].startswith(("bash", "python")) and not elsewhere.isdisjoint(argv[1:2]),
                 tried=(mention.file, mention.line, mention.value) in tried,
                 of_python=argv[0] == "bash" and not of_python.isdisjoint(argv[1:2]),
             )

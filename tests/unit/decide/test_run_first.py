@@ -201,3 +201,23 @@ def test_what_a_page_has_the_reader_try(tree: Tree, sentence: str, first: str) -
     manifest = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
     found = tree({"README.md": page, "CMakeLists.txt": cmake, "package.xml": manifest, "a.cpp": "", "b.cpp": ""})
     assert found.command == ("rosrun", "demo", first)
+
+
+@pytest.mark.parametrize(
+    ("code", "call", "first"),
+    [
+        ("if __name__ == '__main__':\n    data = '/media/me/disk/data/'\n    print(data)\n", "", "other.py"),
+        ("DATA = '/home/me/data'\nprint(DATA)\n", "", "other.py"),
+        ("DATA = '/home/me/data'\nprint(DATA)\n", " --data maps", "main.py"),  # the page gives it another
+        ("def tried():\n    data = '/home/me/data'\n    print(data)\nprint(1)\n", "", "main.py"),
+        ("DATA = '/opt/demo/data'\nprint(DATA)\n", "", "main.py"),
+    ],
+)
+def test_a_script_that_reads_its_authors_folder_comes_after_others(
+    tree: Tree, code: str, call: str, first: str
+) -> None:
+    page = f"# Usage\n```\npython main.py{call}\npython other.py\n```\n"
+    found = tree(
+        {"README.md": page, "main.py": code, "other.py": MAIN, "maps/a.txt": "", "requirements.txt": "numpy\n"}
+    )
+    assert found.command[1] == first

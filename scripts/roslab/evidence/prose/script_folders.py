@@ -1,4 +1,4 @@
-"""The folder that a shell script goes to at its beginning: that of its author's computer, or one above its own."""
+"""The folder that a script goes to or reads: that of its author's computer, or one above its own."""
 
 from __future__ import annotations
 
@@ -14,6 +14,12 @@ from roslab.values.pattern import pattern
 MAX_SIZE = 64 * 1024
 _GOES = pattern(r"^cd[ \t]+[\"']?([^\s\"';&|]+)[\"']?[ \t]*(\|\||&&)?", re.MULTILINE)
 _HOME = pattern(r"/(?:home|Users)/[A-Za-z][\w.-]*(?:/[\w.-]+)+/?")
+_READS = pattern(
+    r"^(?P<main>[ ]{4})?\w+[ \t]*=[ \t]*[\"']/(?:home|media|Users)/[A-Za-z][\w.-]*/[^\"'\n]+[\"'][ \t]*(?:#.*)?$",
+    re.MULTILINE,
+)
+"""A line of Python that names a folder of its author's computer."""
+_MAIN = pattern(r"^if __name__ ==", re.MULTILINE)
 _ABOVE = pattern(r"\.\.(?:/\.\.)*/?")
 _STOPS = pattern(r"^set[ \t]+-\w*e", re.MULTILINE)
 """The script ends where a command fails."""
@@ -21,12 +27,26 @@ _PROGRAM = pattern(r"(?:^|\s)((?:[\w-]+/)*[\w-]+\.(?:py|sh))(?=\s|$)", re.MULTIL
 
 
 def elsewhere(mention: Mention, repository: Repository) -> Iterator[Mention]:
-    """Yield the shell script that a command of a page runs, if it goes to its author's folder and ends without it."""
-    script = _script(mention.value.split(), repository)
+    """Yield the script that a command of a page runs, if it cannot do without a folder of its author's computer.
+
+    A shell script goes there, and ends where that is not; one of Python has it written down, and is given nothing.
+    """
+    words = mention.value.split()
+    if len(words) == 2 and words[0].startswith("python") and words[1].endswith(".py") and repository.has(words[1]):
+        if _reads(repository.read(words[1], limit=MAX_SIZE)):
+            yield replace(mention, topic="elsewhere", value=words[1])
+        return
+    script = _script(words, repository)
     text = repository.read(script, limit=MAX_SIZE) if script else ""
     goes = _GOES.search(text)
     if goes and _HOME.fullmatch(goes[1]) and (goes[2] or _STOPS.search(text, 0, goes.start())):
         yield replace(mention, topic="elsewhere", value=script)
+
+
+def _reads(text: str) -> bool:
+    """Tell whether a file of Python names such a folder for all of it, or where it is started."""
+    guard = _MAIN.search(text)
+    return any(not found["main"] or (guard and found.start() > guard.start()) for found in _READS.finditer(text))
 
 
 def started_above(words: Sequence[str], repository: Repository) -> str:
