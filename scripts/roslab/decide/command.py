@@ -12,6 +12,7 @@ from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.first_command import first_of, serves, upkeep
 from roslab.decide.included import included
+from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.meant_commands import named_like_it, pointed_at, whole_of
 from roslab.decide.reasons import because, configured
 from roslab.decide.scripts import ports_of
@@ -89,7 +90,8 @@ def decide_command(
     )
     if not (authored and started(authored)) and command != ("bash",):
         chosen = _given(chosen, dockerfile, authored)
-    return Choice(answer=chosen, reasons=(why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES])))
+    reasons = (why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES]))
+    return Choice(answer=chosen, reasons=reasons, warnings=left_to_reader(page, evidence) if page else ())
 
 
 def _started_by(version: str | None, candidate: Candidate, kind: Kind) -> Candidate:

@@ -36,7 +36,8 @@ _STANDS_FOR = pattern(
 """A file of the reader's own, where the tree has none of that name: ``CONFIG.yaml``."""
 _KEY = pattern(r"[A-Z][A-Z0-9_]*(?:\.[A-Z][A-Z0-9_]*)+")
 """A key of yacs, whose value is the next word: ``MODEL.WEIGHTS a.pth``."""
-
+_OVERRIDE = pattern(r"[+~]{0,2}[A-Za-z_][\w./@-]*=(?!=)")
+"""An argument with its name, as Hydra takes them in any order: ``data.root=PATH``."""
 _CAPITALS = pattern(r"[A-Z]{2,}(?:_[A-Z]+)*")
 _GIVEN = pattern(r"(?:-{0,2}|.*\.)([A-Za-z][\w-]*):?=(.*)")
 """An argument with its value: ``--seed=SEED``, ``train.seed=SEED``, ``map:=MAP``."""
@@ -81,12 +82,13 @@ def filled(command: str, files: tuple[str, ...]) -> Filled:
             kept.append(word)
             continue
         keyed = _named(kept[:-1]) and bool(_KEY.fullmatch(kept[-1])) and "=" not in word
-        option = word.partition("=")[0] if word.startswith("-") else kept[-1] if value else ""
+        override = not value and bool(_OVERRIDE.match(word))
+        option = word.partition("=")[0] if word.startswith("-") or override else kept[-1] if value else ""
         if keyed or (value and (":=" not in word or kept[-1] in {"-p", "-r"})):
             kept.pop()  # the option goes with it: ``-p map:=PATH``, and ``MODEL.WEIGHTS PATH``
         if ":=" not in word:
             gap.append(option)
-            positional = positional or not (value or keyed or word.startswith("-"))
+            positional = positional or not (value or keyed or override or word.startswith("-"))
         else:
             blanks.append(word.partition(":=")[0])
     return Filled(tuple(kept), tuple(gap), tuple(blanks))

@@ -120,7 +120,7 @@ def test_a_python_that_the_pinned_opencv_has_a_wheel_for(tmp_path: Path) -> None
         ("python -m tools.kitti_dataset create\n", ("bash",)),
         ("python demo.py --hid [32,32]\n", ("python", "demo.py", "--hid", "[32,32]")),
         ("python demo.py nets=['out/a.pth','b.pth'] n=1\n", ("python", "demo.py", "nets=[out/a.pth,b.pth]", "n=1")),
-        ("python demo.py net=[path/to/net] n=1\n", ("python", "demo.py")),
+        ("python demo.py net=[path/to/net] n=1\n", ("python", "demo.py", "n=1")),
         ("CUDA_VISIBLE_DEVICES=0 python demo.py\n", ("python", "demo.py")),
         ("poetry run python demo.py\n", ("python", "demo.py")),
         ("uv run --extra viz demo.py --fast\n", ("python", "demo.py", "--fast")),

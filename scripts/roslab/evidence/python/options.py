@@ -1,8 +1,9 @@
-"""Whether a program can do without an option that a page gives it: what it tells argparse, or click, of the option."""
+"""Whether a program can do without what a page gives it: what it tells argparse, click or Hydra of an argument."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import pairwise
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import matches_at
@@ -13,6 +14,12 @@ from roslab.values.pattern import pattern
 MAX_SIZE = 128 * 1024
 MAX_CALL = 1500
 _CALL = pattern(r"(?:add_argument|click\.option)\(\s*((?:[\"']-{1,2}[\w-]+[\"']\s*,?\s*)+)")
+_POSITIONAL = pattern(r"add_argument\(\s*[\"']([A-Za-z]\w*)[\"']")
+_LEFT_OUT = pattern(r"\bnargs\s?=\s?(?:[\"'][?*]|argparse\.REMAINDER)")
+"""An argument without a dash that may be left out."""
+_HYDRA = "@hydra.main"
+_KEY = pattern(r"[a-z_][\w-]*(?:[./][\w-]+)+")
+"""A key of a configuration: ``trainer.devices``."""
 _NAME = pattern(r"-{1,2}[\w-]+")
 _REQUIRED = pattern(r"\brequired\s?=\s?True\b|\bprompt\s?=\s?(?!False\b|None\b)")
 _GIVEN = pattern(
@@ -27,15 +34,45 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
     option that the file itself does not define. https://docs.python.org/3/library/argparse.html, read 2026-11-25
     click asks for an option with a ``prompt`` where it is not given, and nobody answers in an image:
     https://click.palletsprojects.com/en/stable/options/#prompting, read 2026-11-26
+    The arguments without a dash that the program requires are ``positional``, and one that Hydra refuses is
+    ``refused``: https://hydra.cc/docs/advanced/override_grammar/basic/, read 2026-11-26.
     """
     for mention in mentions:
         program = next((file for file in mention.files if file.endswith(".py")), "")
         if mention.topic != "command" or mention.source != "readme" or not program:
             continue
+        text = repository.read(program, limit=MAX_SIZE)
+        for name in (positional := _positional(text)):
+            yield replace(mention, topic="positional", value=name, text=name, file=program, files=(), inside="")
+        if positional:
+            yield replace(mention, topic="option", value="", text="required", file=program, files=(), inside="")
+        for word in _refused(mention.value, program) if _HYDRA in text else ():
+            yield replace(mention, topic="refused", value=word, text=mention.value, inside="")
         given = {word.partition("=")[0] for word in mention.value.split() if word.startswith("-")}
-        told = _options(repository.read(program, limit=MAX_SIZE)) if given else {}
+        told = _options(text) if given else {}
         for name in sorted(given & told.keys()):
             yield replace(mention, topic="option", value=name, text=told[name], file=program, files=(), inside="")
+
+
+def _positional(text: str) -> tuple[str, ...]:
+    """Return the arguments without a dash that a program requires, ``()`` where it has parsers for several commands."""
+    if "add_subparsers(" in text:
+        return ()
+    found = dict.fromkeys(
+        match[1]
+        for match in matches_at(_POSITIONAL, text, "add_argument(")
+        if not _LEFT_OUT.search(_until_closed(text[match.end() : match.end() + MAX_CALL]))
+    )
+    return tuple(found)
+
+
+def _refused(command: str, program: str) -> Iterator[str]:
+    """Yield the words behind a program that are neither an option nor a value of one, and have no ``=``."""
+    words = command.split()
+    behind = words[words.index(program) :] if program in words else []
+    for before, word in pairwise(behind):
+        if not word.startswith(("-", "~")) and not before.startswith("-") and _KEY.fullmatch(word):
+            yield word
 
 
 def _options(text: str) -> dict[str, str]:

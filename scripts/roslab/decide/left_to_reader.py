@@ -1,0 +1,50 @@
+"""What the default command lacks of what a page gives it: the values that the reader fills in, and what is refused."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.decision import Warning_
+from roslab.decide.filled_in import filled
+from roslab.decide.reasons import warn
+from roslab.evidence.facts import Evidence, Mention
+
+
+def left_to_reader(page: Candidate, evidence: Evidence) -> tuple[Warning_, ...]:
+    """Return the warnings about the default command, which is a page's."""
+    said = next((m for m in evidence.mentions if _is(m, page)), None)
+    return tuple(_told(said, page, evidence)) if said else ()
+
+
+def _is(mention: Mention, page: Candidate) -> bool:
+    same = mention.topic == "command" and (mention.file, mention.line) == (page.file, page.line)
+    return same and set(program_of(page.argv)) & {*mention.files, *mention.value.split()} != set()
+
+
+def _told(said: Mention, page: Candidate, evidence: Evidence) -> Iterator[Warning_]:
+    program = next((file for file in said.files if file.endswith(".py")), "")
+    gap = filled(said.value, said.files).gap
+    options = {m.value: m.text for m in evidence.mentions if m.topic == "option" and m.file == program}
+    needed = list(dict.fromkeys(m.value for m in evidence.mentions if m.topic == "positional" and m.file == program))
+    given = sum(not word.startswith("-") for word in page.argv[len(program_of(page.argv)) :])
+    missing = needed[given:] if "" in gap else []
+    if missing:
+        yield warn(
+            f"the default command stops without {', '.join(missing)}, which the page leaves to the reader: give it "
+            "under `command` in roslab.yaml",
+            said,
+        )
+    if named := [name for name in dict.fromkeys(gap) if name and options.get(name) != "default"]:
+        yield warn(
+            f"the default command is without {', '.join(named)}, whose value the page leaves to the reader: "
+            "give it under `command` in roslab.yaml where it is needed",
+            said,
+        )
+    for mention in evidence.mentions:
+        if mention.topic == "refused" and (mention.file, mention.line) == (said.file, said.line):
+            yield warn(
+                f"Hydra refuses the argument {mention.value} of the default command, which has no `=`: correct it "
+                "under `command` in roslab.yaml",
+                said,
+            )

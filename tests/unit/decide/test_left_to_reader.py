@@ -1,0 +1,44 @@
+"""What a page leaves to the reader of the command is told, and a command that cannot start without it comes later."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+TWO = "import argparse\np = argparse.ArgumentParser()\np.add_argument('config')\np.add_argument('checkpoint')\n"
+MAYBE = "import argparse\np = argparse.ArgumentParser()\np.add_argument('config', nargs='?')\n"
+OTHER = "import numpy\nprint(1)\n"
+HYDRA = "import hydra\n@hydra.main(config_name='a')\ndef main(config):\n    pass\nmain()\n"
+
+
+def told(decision: Decision) -> list[str]:
+    return [each.message for each in decision.warnings if "default command" in each.message]
+
+
+@pytest.mark.parametrize(
+    ("code", "page", "first", "said"),
+    [
+        (TWO, "python run.py $config $checkpoint --show\npython other.py", "other.py", ""),
+        (TWO, "python run.py $config $checkpoint --show", "run.py", "config, checkpoint"),
+        (TWO, "python run.py a.py $checkpoint --show", "run.py", "checkpoint"),
+        (TWO, "python run.py a.py b.py", "run.py", ""),
+        (MAYBE, "python run.py $config --show", "run.py", ""),
+    ],
+)
+def test_arguments_without_a_dash(tree: Tree, code: str, page: str, first: str, said: str) -> None:
+    files = {"run.py": code, "other.py": OTHER, "a.py": "", "b.py": "", "requirements.txt": "numpy\n"}
+    found = tree({**files, "README.md": f"# Usage\n```\n{page}\n```\n"})
+    assert found.command[1] == first
+    assert any(f"stops without {said}, which" in each for each in told(found)) is bool(said)
+
+
+def test_what_hydra_takes_and_refuses(tree: Tree) -> None:
+    page = "# Usage\n```\npython train.py trainer.devices-1 data.root=path/to/data model=small\n```\n"
+    found = tree({"train.py": HYDRA, "requirements.txt": "hydra-core\n", "README.md": page})
+    assert found.command == ("python", "train.py", "trainer.devices-1", "model=small")
+    assert ["refuses the argument trainer.devices-1" in each for each in told(found)] == [False, True]
+    assert "without data.root, whose value" in told(found)[0]
