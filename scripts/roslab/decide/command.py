@@ -12,6 +12,7 @@ from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.first_command import first_of, serves, upkeep
 from roslab.decide.included import included
+from roslab.decide.launched import launched
 from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.meant_commands import named_like_it, pointed_at, whole_of
 from roslab.decide.reasons import because, configured
@@ -85,8 +86,10 @@ def decide_command(
     inside = next((c for c in found if c.argv == command and c.inside), None)
     ports = ports_of(command)
     page = by_argv.get(command)
+    whole = launched(inside or page, evidence) if page else None
+    command = whole.argv if whole else command
     chosen = Command(
-        command=there(inside) if inside else command, candidates=candidates, gui=gui, ports=ports, page=page
+        command=there(whole or inside) if inside else command, candidates=candidates, gui=gui, ports=ports, page=page
     )
     if not (authored and started(authored)) and command != ("bash",):
         chosen = _given(chosen, dockerfile, authored)
