@@ -20,6 +20,7 @@ from roslab.decide.ros.in_tree import apart
 from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.workspace import Packages, manifests_of, names_of
+from roslab.decide.stops_without import decide_stops
 from roslab.decide.system.linked_headers import linked_headers
 from roslab.decide.system.missing import Missing, marked
 from roslab.decide.system.needs import host_options
@@ -110,6 +111,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             )
         ),
         *(() if of.own.answer else (decide_outside(evidence, config, of.kind.answer),)),
+        *(() if of.own.answer else (decide_stops(evidence, config, of.base.answer.image),)),
     )
     return Decision(
         kind=of.kind.answer,

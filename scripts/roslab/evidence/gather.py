@@ -22,6 +22,7 @@ from roslab.evidence.native import (
     misnamed,
     ros_paths,
     shared_objects,
+    stops_without,
     x86,
     x86_binaries,
 )
@@ -172,6 +173,7 @@ def gather(repository: Repository) -> Evidence:
             *options.read(own, (*prose.mentions, *by_name)),
             *tried.read(own, (*prose.mentions, *by_name)),
             *launchers.read(own, prose.mentions),
+            *stops_without.read(own, cmake_projects),
             *commented.read(own, lists),
             *(commit_date.read(repository) if manifests or cmake_projects or listed else ()),
         ),
