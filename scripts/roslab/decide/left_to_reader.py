@@ -37,8 +37,8 @@ def _told(said: Mention, page: Candidate, evidence: Evidence) -> Iterator[Warnin
         )
     if named := [name for name in dict.fromkeys(gap) if name and options.get(name) != "default"]:
         yield warn(
-            f"the default command is without {', '.join(named)}, whose value the page leaves to the reader: "
-            "give it under `command` in roslab.yaml where it is needed",
+            f"the default command is without what the page leaves to the reader ({', '.join(named)}): give it under "
+            "`command` in roslab.yaml where it is needed",
             said,
         )
     for mention in evidence.mentions:

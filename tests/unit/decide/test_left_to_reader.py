@@ -41,4 +41,4 @@ def test_what_hydra_takes_and_refuses(tree: Tree) -> None:
     found = tree({"train.py": HYDRA, "requirements.txt": "hydra-core\n", "README.md": page})
     assert found.command == ("python", "train.py", "trainer.devices-1", "model=small")
     assert ["refuses the argument trainer.devices-1" in each for each in told(found)] == [False, True]
-    assert "without data.root, whose value" in told(found)[0]
+    assert "leaves to the reader (data.root)" in told(found)[0]
