@@ -195,10 +195,15 @@ def _gone(base: str) -> str | None:
 
 
 def _best(believed: list[AuthorDockerfile], evidence: Evidence, kind: Kind, ros_distro: str | None) -> AuthorDockerfile:
-    """Return the best of the usable Dockerfiles; of those for several Ubuntus one on which the code compiles."""
+    """Return the best of the usable Dockerfiles; of those for several Ubuntus one on which the code compiles.
+
+    Where there is a ROS distribution, that has the Ubuntu; and on which one CI starts Python tells nothing.
+    """
     if len(believed) == 1:
         return believed[0]
-    named, lacking, run = _named(evidence), misfits(evidence), _run_by_ci(evidence)
+    named = _named(evidence)
+    lacking = {} if kind in {"ros1", "ros2"} else misfits(evidence)
+    run = _run_by_ci(evidence) if kind == "cpp" else frozenset()
 
     def fitting(authored: AuthorDockerfile) -> tuple[bool, bool]:
         codename = codename_of(authored.base or "")

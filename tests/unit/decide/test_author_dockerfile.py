@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from roslab.config.model import Base, Config
+from roslab.config.model import Base, Config, Kind
 from roslab.decide import decide
 from roslab.decide.author_dockerfile import Dockerfile, decide_dockerfile, doubt
-from roslab.evidence.facts import AuthorDockerfile, Evidence
+from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.evidence.gather import gather
 from roslab.repository.checkout import Repository
 
@@ -244,3 +244,17 @@ def test_what_the_one_for_another_distribution_installs_counts_only_without_one_
     decision = decide(gather(Repository.open(tmp_path)), Config(base=Base(ros="noetic")), folder_name="own")
     assert ("libkinetic-tool" in decision.apt_guessed) is found
     assert ("libnoetic-tool" in decision.apt_guessed) is ("noetic" in releases)
+
+
+@pytest.mark.parametrize("kind", ["ros2", "python"])
+def test_the_ubuntu_of_ci_chooses_none_for_ros_or_python(kind: Kind) -> None:
+    base = "ros:humble" if kind == "ros2" else "python:3.12-bookworm"
+    dockerfiles = (
+        replace(GOOD, file="Dockerfile", base=base),
+        replace(GOOD, file="tools/a.Dockerfile", base="debian:12"),
+    )
+    ci = Mention(
+        topic="ubuntu", value="24.04", source="ci", file=".github/workflows/a.yml", line=1, text="ubuntu-24.04"
+    )
+    choice = decide_dockerfile(Evidence(dockerfiles=dockerfiles, mentions=(ci,)), Config(), kind, "humble")
+    assert choice.answer == Dockerfile(file="Dockerfile", context="")
