@@ -196,3 +196,14 @@ def test_what_the_opencv_of_an_old_ubuntu_lacks(tree: Tree, code: str, ubuntu: s
     cmake = "cmake_minimum_required(VERSION 2.8.3)\nproject(demo)\nadd_executable(a a.cpp)\n"
     files = {"CMakeLists.txt": cmake, "a.cpp": code, "README.md": "Tested on Ubuntu 16.04.\n"}
     assert tree(files).ubuntu == ubuntu
+
+
+@pytest.mark.parametrize(("ref", "ubuntu", "built"), [("2.1.0", "24.04", ["2.1.0"]), ("2.2.0", "22.04", [])])
+def test_an_older_release_that_a_page_compiles_is_built(tree: Tree, ref: str, ubuntu: str, built: list[str]) -> None:
+    page = "On Ubuntu 24.04\n```\ngit clone https://github.com/ceres-solver/ceres-solver\ncd ceres-solver\n"
+    page += f"git checkout tags/{ref}\nmkdir build && cd build\ncmake .. && make\nsudo make install\n```\n"
+    cmake = "project(demo)\nfind_package(Ceres REQUIRED)\nadd_executable(a a.cpp)\n"
+    code = "class A : public ceres::LocalParameterization {};\nint main() {}\n"
+    found = tree({"CMakeLists.txt": cmake, "a.cpp": code, "README.md": page})
+    assert found.base_image == f"ubuntu:{ubuntu}"
+    assert [source.ref for source in found.source if source.name == "ceres"] == built

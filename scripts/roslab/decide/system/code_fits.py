@@ -8,6 +8,7 @@ from packaging.version import Version
 
 from roslab.decide.programs import top_of
 from roslab.decide.ros.workspace import packages_of, ros_versions
+from roslab.decide.system.page_releases import built_older
 from roslab.evidence import places
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.facts import CMakeProject, Evidence
@@ -38,7 +39,7 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     found: dict[str, dict[str, None]] = {ubuntu: {} for ubuntu in ubuntus().values()}
     for ubuntu, lacks in found.items():
         for limit in limits:
-            if limit.at_least and _brought(limit.library, evidence):
+            if (limit.at_least and _brought(limit.library, evidence)) or built_older(limit, evidence):
                 continue
             if limit.library == CUDA and not on_gpu:
                 continue

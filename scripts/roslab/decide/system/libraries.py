@@ -17,6 +17,7 @@ from roslab.decide.system.recipes import (
     recipes_for,
     refused_here,
     required_releases,
+    too_new_here,
     too_old_here,
 )
 from roslab.evidence.dependency import Dependency
@@ -48,6 +49,7 @@ def decide_libraries(
         *system.recipes,
         *of_another_release(evidence, system.apt_guessed),
         *too_old_here(evidence, system.apt, target),
+        *too_new_here(evidence, target),
         *refused_here(required, target),
     )
     tabled = as_written(recipes_for(wanted, target.ubuntu, (*evidence.limits, *required), own), evidence)

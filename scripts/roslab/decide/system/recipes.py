@@ -9,6 +9,7 @@ from packaging.version import Version
 from roslab.config.model import Source
 from roslab.decide.ros.source_names import itself_in, plain
 from roslab.decide.system.names import Target
+from roslab.decide.system.page_releases import built_older
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -110,6 +111,16 @@ def refused_here(required: Iterable[CodeLimit], target: Target) -> Iterator[tupl
                 namespace="cmake", name=limit.what, strength="declared", file=limit.file, line=limit.line
             )
             yield name, asked
+
+
+def too_new_here(evidence: Evidence, target: Target) -> Iterator[tuple[str, Dependency]]:
+    """Yield the libraries of which this Ubuntu has a newer release than the code compiles with, and a page an older."""
+    ubuntu, ros = target.ubuntu, bool(target.ros_distro)
+    for limit in evidence.limits if ubuntu else ():
+        built = not limit.cuda and built_older(limit, evidence)
+        if built and not fits(limit.library, ubuntu or "", at_least=None, below=limit.below, ros=ros):
+            asked = Dependency(namespace="include", name=limit.what, strength="used", file=limit.file, line=limit.line)
+            yield limit.library.lower(), asked
 
 
 def too_old_here(evidence: Evidence, apt: Iterable[str], target: Target) -> tuple[tuple[str, Dependency], ...]:
