@@ -7,7 +7,7 @@ import shlex
 
 from roslab.config.model import Config, Kind
 from roslab.decide.author_command import entry_point, given, startable, started
-from roslab.decide.candidate import Candidate, is_component, program_of, there
+from roslab.decide.candidate import Candidate, is_component, is_python, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.first_command import first_of, serves, upkeep
@@ -133,6 +133,7 @@ def _obvious(
     ours = [c for c in found if _own(c.argv, evidence) and not upkeep(c) and program_of(c.argv)[-1] not in built]
     if dockerfile:
         ours = [c for c in ours if authored and startable(c, authored)]
+        ours = [c for c in ours if kind != "cpp" or not is_python(c)]  # that image was made for what is compiled
     if first := first_of(ours):
         others = len({program_of(c.argv) for c in ours if c.strong}) - 1
         why = f"{first.why}, before {others} other{'s' * (others > 1)}" if others else f"the only one: {first.why}"

@@ -97,7 +97,8 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
         argv = _runnable(whole, mention, tree, ros=ros, compiled=compiled)
         if argv is not None and not fetching & {*argv[:2]}:
             strong = not compiled or not any(places.example(part) for part in argv[:2])
-            strong = strong and not (compiled and argv[0].startswith("python"))
+            once = (mention.file, mention.line, mention.value) in tried
+            strong = strong and (once or not (compiled and argv[0].startswith("python")))
             strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)
             strong = strong and not copies.below(mention.file, evidence.copies)
             yield Candidate(
@@ -116,7 +117,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 variables=mention.variables,
                 installed=argv[0] in tree.installed and not ros,
                 elsewhere=argv[0].startswith(("bash", "python")) and not elsewhere.isdisjoint(argv[1:2]),
-                tried=(mention.file, mention.line, mention.value) in tried,
+                tried=once,
                 of_python=argv[0] == "bash" and not of_python.isdisjoint(argv[1:2]),
             )
 

@@ -221,3 +221,20 @@ def test_a_script_that_reads_its_authors_folder_comes_after_others(
         {"README.md": page, "main.py": code, "other.py": MAIN, "maps/a.txt": "", "requirements.txt": "numpy\n"}
     )
     assert found.command[1] == first
+
+
+@pytest.mark.parametrize(
+    ("sentence", "dockerfile", "command"),
+    [
+        ("Test your installation by running:", "", ("python", "scripts/cage.py")),
+        ("Test your installation by running:", "FROM ubuntu:24.04\nCOPY . /demo\nWORKDIR /demo\nRUN make\n", ("bash",)),
+        ("There are scripts:", "", ("bash",)),
+    ],
+)
+def test_a_python_program_beside_compiled_code(
+    tree: Tree, sentence: str, dockerfile: str, command: tuple[str, ...]
+) -> None:
+    page = f"# Demo\n{sentence}\n```\npython scripts/cage.py\n```\n## Data\n```\npython scripts/to_json.py\n```\n"
+    files = {"README.md": page, "CMakeLists.txt": "project(demo)\nadd_library(demo a.cpp)\n", "a.cpp": ""}
+    files |= {"scripts/cage.py": MAIN, "scripts/to_json.py": MAIN, **({"Dockerfile": dockerfile} if dockerfile else {})}
+    assert tree(files).command == command
