@@ -13,9 +13,9 @@ from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-Sign = Literal["include", "name", "standard", "line", "python", "launch", "module"]
-"""A header, a name in C++, a C++ standard that CMake asks for, what stands on one line of Python code, or on several,
-what a launch file in Python has, what pkg-config is asked for."""
+Sign = Literal["include", "name", "standard", "cpp11", "line", "python", "launch", "module"]
+"""A header, a name in C++, a C++ standard that CMake asks for, a header in what is compiled as C++11, what stands on
+one line of Python code, or on several, what a launch file in Python has, what pkg-config is asked for."""
 _OWN = frozenset({"library", "same_major", "source", "date"})
 
 

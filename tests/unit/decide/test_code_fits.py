@@ -207,3 +207,29 @@ def test_an_older_release_that_a_page_compiles_is_built(tree: Tree, ref: str, ub
     found = tree({"CMakeLists.txt": cmake, "a.cpp": code, "README.md": page})
     assert found.base_image == f"ubuntu:{ubuntu}"
     assert [source.ref for source in found.source if source.name == "ceres"] == built
+
+
+@pytest.mark.parametrize(
+    ("cmake", "distro"),
+    [
+        ('set(CMAKE_CXX_FLAGS "-std=c++11 ${CMAKE_CXX_FLAGS}")\nfind_package(PCL REQUIRED)\n', "melodic"),
+        ("add_compile_options(-std=c++11)\n", "melodic"),
+        ("set(CMAKE_CXX_STANDARD 11)\n", "melodic"),
+        ("set(CMAKE_CXX_STANDARD 11)\nfind_package(PCL REQUIRED)\n", "noetic"),  # PCL's targets raise it
+        ('set(CMAKE_CXX_FLAGS "-std=c++11")\nset(CMAKE_CXX_FLAGS "-std=c++14")\n', "noetic"),
+        ('# set(CMAKE_CXX_FLAGS "-std=c++11")\n', "noetic"),
+        ('CHECK_CXX_COMPILER_FLAG("-std=c++11" HAS_11)\n', "noetic"),
+        ("", "noetic"),
+    ],
+)
+def test_a_pcl_that_refuses_cpp11_is_too_new_for_code_compiled_so(tree: Tree, cmake: str, distro: str) -> None:
+    code = "#include <pcl/point_types.h>\n"
+    assert tree(ros1(cmake, code, "Tested with ROS Noetic")).ros_distro == distro
+
+
+def test_a_package_compiled_as_cpp11_tells_nothing_of_another(tree: Tree) -> None:
+    files = ros1("", "#include <pcl/point_types.h>\n", "Tested with ROS Noetic")
+    other = ros1("add_compile_options(-std=c++11)\n", "#include <vector>\n", "")
+    moved = {f"{folder}/{path}": text for folder, each in (("a", files), ("b", other)) for path, text in each.items()}
+    moved["b/package.xml"] = PACKAGE.replace("demo", "other")
+    assert tree(moved | {"README.md": "Tested with ROS Noetic"}).ros_distro == "noetic"

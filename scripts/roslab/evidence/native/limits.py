@@ -10,6 +10,7 @@ from functools import cache
 from roslab.evidence import places
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.lex.lines import matching_lines
+from roslab.evidence.native import old_standard
 from roslab.evidence.native.unlisted import Unlisted
 from roslab.knowledge.code_limits import Limit, Sign, limits
 from roslab.knowledge.hints import Search
@@ -44,7 +45,7 @@ def _signs(where: Sign, value: str) -> tuple[Limit, ...]:
 
 def tells(header: str) -> bool:
     """Tell whether a header is a sign, or keeps names: of another one it matters once that a file includes it."""
-    return bool(_signs("include", header)) or header in kept_names()
+    return bool(_signs("include", header) or _signs("cpp11", header)) or header in kept_names()
 
 
 @cache
@@ -66,6 +67,8 @@ class Signs:
     """What each file includes: headers by their last parts, and those that bring dropped names whole."""
     by_cuda: set[str] = field(default_factory=set)
     """The last parts of the headers that files of CUDA include."""
+    newer: list[tuple[Limit, str, int]] = field(default_factory=list)
+    """The headers that newer libraries refuse to C++11, each with its place."""
     guarded: bool = False
     """A file of the tree asks for the version of a library: its names tell nothing."""
 
@@ -92,6 +95,9 @@ class Signs:
         found = _signs("include", name)
         for limit in found if found and not conditional(text, position) else ():
             self._add(limit, path, text.count("\n", 0, position) + 1)
+        for limit in _signs("cpp11", name):
+            if not conditional(text, position):
+                self.newer.append((limit, path, text.count("\n", 0, position) + 1))
 
     def all(self, repository: Repository) -> tuple[CodeLimit, ...]:
         """Return the signs of the sources that were read and of the CMake files, each at its first place.
@@ -107,10 +113,20 @@ class Signs:
                 for match in matching_lines(_STANDARD, text, "CXX_STANDARD", "-std=", "cxx_std_"):
                     for sign in _signs("standard", match[1]):
                         self._add(sign, file.path, text.count("\n", 0, match.start(1)) + 1)
+        self._as_cpp11(repository)
         kept = {header: self._including(header) for header in kept_names()}
         unlisted = Unlisted(repository)
         first = (next((limit for limit in self._meant(each, kept, unlisted)), None) for each in self.found.values())
         return tuple(limit for limit in first if limit)
+
+    def _as_cpp11(self, repository: Repository) -> None:
+        """Add the headers that a newer library refuses to the standard of their files."""
+        packages = frozenset(file.folder for file in repository.named("package.xml"))
+        for library in {limit.library for limit, _, _ in self.newer}:
+            standards = old_standard.read(repository, library)
+            for limit, path, line in self.newer:
+                if limit.library == library and old_standard.is_old(path, standards, packages):
+                    self._add(limit, path, line)
 
     def _meant(
         self, found: Iterable[tuple[str, CodeLimit]], kept: Mapping[str, AbstractSet[str]], unlisted: Unlisted
