@@ -10,13 +10,14 @@ from roslab.decide.author_command import entry_point, given, startable, started
 from roslab.decide.candidate import Candidate, is_component, is_python, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
-from roslab.decide.first_command import first_of, serves, upkeep
+from roslab.decide.first_command import LAUNCHERS, first_of, helps, serves, upkeep
 from roslab.decide.included import included
 from roslab.decide.launched import launched
 from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.meant_commands import named_like_it, pointed_at, whole_of
 from roslab.decide.reasons import because, configured
 from roslab.decide.scripts import ports_of
+from roslab.decide.sections import about_running
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence
@@ -149,16 +150,29 @@ def _obvious(
     if kind in {"ros1", "ros2"} and not any(c.strong for c in ours) and (whole := whole_of(ours, evidence)):
         why = f"{whole.why}, which brings most of the others"
         return whole.argv, because("command", shlex.join(whole.argv), why, whole, weight=Weight.ONLY_ONE)
+    every = ours
     ours = [c for c in ours if not (c.strong and serves(c))]
     obvious = [c for c in ours if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
     obvious = _barest(obvious if dockerfile or any(c.strong for c in ours) else ours)
-    if len(obvious) == 1 and not (obvious[0].strong and _others(evidence, obvious[0])):
-        only = obvious[0]
+    clear = len(obvious) == 1 and not (obvious[0].strong and _others(evidence, obvious[0]))
+    if only := obvious[0] if clear else _alone(found, every):
         why = f"the only one: {only.why}"
-        return only.argv, because("command", shlex.join(only.argv), why, only, weight=Weight.ONLY_ONE)
-    why = f"{len(found)} program{'s' * (len(found) > 1)} could be the default" if found else "no program stands out"
+        argv = given(only, authored) if dockerfile and authored else only.argv
+        return argv, because("command", shlex.join(argv), why, only, weight=Weight.ONLY_ONE)
+    why = f"{len(found)} programs could be the default" if len(found) > 1 else "no program stands out"
     said = because("command", "bash", f"{why}, so it is a shell; set `command` in roslab.yaml", weight=Weight.SHELL)
     return ("bash",), said
+
+
+def _alone(found: list[Candidate], ours: list[Candidate]) -> Candidate | None:
+    """Return the only program that there is, if a page runs it whole: named like a test, it comes after no other.
+
+    What converts or downloads is not meant, unless it is a node; nor is what a section about tests runs.
+    """
+    if len({program_of(c.argv) for c in found}) != 1:
+        return None
+    whole = (c for c in ours if c.strong and not c.cut and about_running(c.heading) >= 0)
+    return next((c for c in whole if c.argv[0] in LAUNCHERS or not helps(c)), None)
 
 
 def _found(candidate: Candidate) -> Reason:

@@ -70,7 +70,7 @@ _CLOUD = pattern(
 """Sections about somebody else's machines; the container that a page starts it in is what the image makes."""
 _DATA = pattern(r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya?ml|png|mp4|avi|pcd|ply|obj|csv|json)$")
 """An argument that names a file."""
-_LAUNCHERS = ("roslaunch", "rosrun", "ros2")
+LAUNCHERS = ("roslaunch", "rosrun", "ros2")
 _HELP = pattern(r"^(?:--?help|-h|--?usage|--?version|--show-args|-s)$")
 _TOPIC = pattern(r"(?!\w*(?:file|path|dir|folder|map|bag|conf|data|world|model|urdf|weight|vocab))\w+:=(?:/\w+)+")
 """An argument that names a topic or a namespace of ROS: ``image:=/camera/color/image_raw``."""
@@ -88,8 +88,8 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     running it has nothing else: the purpose may be to test. A quick start may evaluate. Of two calls of a program in
     one section, the one that needs no file which nothing brings.
     """
-    written = [c for c in candidates if c.strong and not _helps(c) and not upkeep(c)]
-    written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in _LAUNCHERS]
+    written = [c for c in candidates if c.strong and not helps(c) and not upkeep(c)]
+    written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in LAUNCHERS]
     rest = [c for c in written if not _after(c)] or [
         c for c in written if is_python(c) or (_meant(c) > 0 and not _named(c, _AFTER))
     ]
@@ -194,10 +194,11 @@ def upkeep(candidate: Candidate) -> bool:
 
 def serves(candidate: Candidate) -> bool:
     """Tell whether a program only serves the one that is meant: it converts, downloads, records, plots."""
-    return _helps(candidate) or _after(candidate)
+    return helps(candidate) or _after(candidate)
 
 
-def _helps(candidate: Candidate) -> bool:
+def helps(candidate: Candidate) -> bool:
+    """Tell whether a program only prepares what the one that is meant needs: it converts, downloads, records."""
     if _of_its_package(candidate) or _tried(candidate):
         return False
     python = is_python(candidate)
@@ -207,7 +208,7 @@ def _helps(candidate: Candidate) -> bool:
 def _of_its_package(candidate: Candidate) -> bool:
     """Tell whether the service in a node's name is in its package's too: the package is there for it."""
     words = program_of(candidate.argv)
-    found = _SERVES.search(_stem(words)) if words[0] in _LAUNCHERS else None
+    found = _SERVES.search(_stem(words)) if words[0] in LAUNCHERS else None
     return found is not None and found[0].strip("_.-") in words[-2].split("_")
 
 
@@ -232,7 +233,7 @@ def _after(candidate: Candidate) -> bool:
 def _purpose(candidate: Candidate) -> bool:
     """Tell whether a node or a launch file has the name of its package: what that is called is what it is for."""
     words = program_of(candidate.argv)
-    return words[0] in _LAUNCHERS and bare_name(words[-1]).startswith(bare_name(words[-2]))
+    return words[0] in LAUNCHERS and bare_name(words[-1]).startswith(bare_name(words[-2]))
 
 
 def _named(candidate: Candidate, names: re.Pattern[str]) -> bool:

@@ -168,3 +168,29 @@ def test_a_node_is_given_the_files_where_the_author_s_image_has_them(
     page = RUN.format("rosrun demo node cfg/a.yaml\nroslaunch demo other.launch")
     image = f"FROM ros:noetic\n{copied}RUN cd /ws && catkin_make\n"
     assert tree({**ROS, "cfg/a.yaml": "rate: 1\n", "README.md": page, "Dockerfile": image}).command == argv
+
+
+@pytest.mark.parametrize(
+    ("heading", "more", "started"),
+    [
+        ("Installation", "", True),
+        ("Testing", "", False),
+        ("Installation", "add_executable(other b.cpp)\n", False),  # two, and the page's is named like a test
+    ],
+)
+def test_the_only_program_is_the_command_though_it_is_named_like_a_test(
+    tree: Tree, heading: str, more: str, *, started: bool
+) -> None:
+    files = {
+        "package.xml": ROS["package.xml"],
+        "CMakeLists.txt": f"project(demo)\nfind_package(catkin REQUIRED)\nadd_executable(fetch_test a.cpp)\n{more}",
+        "README.md": f"## {heading}\n\n```\nrosrun demo fetch_test\n```\n",
+        "Dockerfile": IMAGE,
+    }
+    assert (tree(files).command == ("rosrun", "demo", "fetch_test")) is started
+
+
+def test_a_script_that_only_prepares_is_not_the_command_though_it_is_the_only_one(tree: Tree) -> None:
+    page = "## Installation\n\n```\nbash download_data.sh\n```\n"
+    files = {"README.md": page, "download_data.sh": "wget a\n", "requirements.txt": "numpy\n"}
+    assert tree(files).command == ("bash",)
