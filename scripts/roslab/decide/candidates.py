@@ -139,6 +139,7 @@ def _installed(evidence: Evidence) -> Iterator[Candidate]:
                 why = "a program that the project installs"
                 yield Candidate(argv=(script,), why=why, file=project.file, line=line, strong=False)
     library = any(project.installable and not project.folder and project.requirements for project in evidence.python)
+    imported = {(m.file, m.value) for m in evidence.mentions if m.topic == "from_root"}
     tests = {program.file for program in evidence.programs if _TESTS.fullmatch(program.file)}
     for program in evidence.programs:
         path = program.file
@@ -147,5 +148,11 @@ def _installed(evidence: Evidence) -> Iterator[Candidate]:
         aside = places.vendored(path) or places.example(path) or (library and _TOOLS.match(path))
         if program.kind == "main" and path.count("/") <= 1 and not aside:
             why = "it has a __main__ guard"
-            argv = ("python3", path)
+            argv = ("python3", *(_as_module(path) if (path, path.partition("/")[0]) in imported else (path,)))
             yield Candidate(argv=argv, why=why, file=path, line=program.line, strong=False, inside=program.inside)
+
+
+def _as_module(path: str) -> tuple[str, ...]:
+    """Return the words that start a file which imports the package that it lies in: Python finds that from the root."""
+    name = path.removesuffix(".py").replace("/", ".")
+    return ("-m", name) if all(map(str.isidentifier, name.split("."))) else (path,)

@@ -62,3 +62,33 @@ def test_where_python_finds_it_or_nobody_starts_the_program(tree: Tree, imports:
 def test_a_page_may_name_the_root_itself(tree: Tree) -> None:
     page = "```\nexport PYTHONPATH=$PWD:$PYTHONPATH\npython tools/train.py\n```\n"
     assert tree({**WALK, **tools("import walk"), "README.md": page}).python_path == (".",)
+
+
+@pytest.mark.parametrize(
+    ("imports", "more", "started"),
+    [
+        ("from tools.other import y", {}, ("python3", "-m", "tools.train")),
+        (
+            "from tools.other import y",
+            {"setup.py": "from setuptools import setup\nsetup(name='walk')\n"},
+            ("python3", "tools/train.py"),
+        ),
+        ("import walk", {}, ("python3", "tools/train.py")),
+        ("import numpy", {}, ("python3", "tools/train.py")),
+    ],
+)
+def test_a_program_that_imports_its_own_package_is_started_as_a_module(
+    tree: Tree, imports: str, more: dict[str, str], started: tuple[str, ...]
+) -> None:
+    files = {**WALK, **tools(imports), "tools/other.py": "y = 1\n", **more}
+    decision = tree({path: text for path, text in files.items() if path != "README.md"})
+    assert decision.command == started
+
+
+@pytest.mark.parametrize(("said", "variables"), [("`ROUTES=data/a.xml`", (("ROUTES", "data/a.xml"),)), ("a file", ())])
+def test_a_variable_whose_value_a_page_gives_below_its_command(
+    tree: Tree, said: str, variables: tuple[tuple[str, str], ...]
+) -> None:
+    page = f"## Usage\n```\nROUTES=[PATH TO ROUTES] ./run_all.sh\n```\nUse {said} for ours.\n"
+    decision = tree({**WALK, "README.md": page, "run_all.sh": "python -m walk.net\n", "data/a.xml": ""})
+    assert decision.variables == variables

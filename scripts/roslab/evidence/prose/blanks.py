@@ -31,6 +31,11 @@ _CHOSEN = tuple(
 )
 """A sentence that gives the values of a name in the commands of its page: replace `METHOD` with one of `bc`, `iql`."""
 
+_LEFT = pattern(
+    r"^(?P<before>[ \t$>]*(?P<name>[A-Z][A-Z0-9_]{2,})=)[\[<][A-Za-z][\w ./-]{1,40}[\]>](?=[ \t]+\S)", re.MULTILINE
+)
+"""A variable before a command whose value is left to the reader: ``ROUTES=[PATH TO ROUTES] ./run.sh``."""
+
 _RELEASE = pattern(r"distro|version|release|ubuntu|cuda", re.IGNORECASE)
 
 _USED = pattern(r"\bros-\$\{?([A-Za-z_]\w*)\}?-")
@@ -79,7 +84,13 @@ def chosen(text: str) -> str:
                 continue  # which one is meant is weighed with all that the tree says
             name = rf"(?<![\w`-]){re.escape(match['name'])}(?![\w`-])"
             text = re.sub(name, match["value"], text)
-    return text
+    return _LEFT.sub(lambda left: left["before"] + _said(left, text), text) if "=[" in text or "=<" in text else text
+
+
+def _said(left: re.Match[str], text: str) -> str:
+    """Return the first value that a page gives for a variable, ``Use `ROUTES=a.xml```, else what stands there."""
+    said = re.search(rf"`{left['name']}=([\w.+/-]+)`", text)
+    return said[1] if said else left[0].removeprefix(left["before"])
 
 
 def filled(text: str, *, of_page: bool) -> str:
