@@ -10,7 +10,9 @@ from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
 from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.prose.own_places import OPT, PYTHON
 from roslab.knowledge.build_variables import build_variables
+from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.machine_variables import of_one_machine
 from roslab.knowledge.offscreen import offscreen
 from roslab.knowledge.search_paths import search_paths
@@ -19,6 +21,7 @@ from roslab.values.requirement import Requirement
 
 SET = 40
 """Weight of the reason; nothing competes with it."""
+_SEARCHED = frozenset({"PATH", "PYTHONPATH"})
 _HOME, _FOLDER = "CUDA_HOME", "/usr/local/cuda"
 """https://docs.nvidia.com/cuda/cuda-installation-guide-linux/, read 2026-11-26."""
 _WITH_NVCC = pattern(r"(?:^|/)cuda(?:gl)?:[\w.-]*-devel\b")
@@ -52,11 +55,12 @@ def decide_variables(
     found: dict[str, tuple[str, Mention]] = {}
     for mention in evidence.mentions:
         name, _, value = mention.value.partition("=")
-        if mention.topic == "variable":
+        if mention.topic == "variable" and (name not in _SEARCHED or _installed(value, mention, evidence)):
+            value = value.replace(PYTHON, python_of_ubuntu().get(ubuntu or "", "3"))
             found.setdefault(name, (given.get(name, value), mention))
     pairs = {name: value for name, (value, _) in found.items()}
     reasons = [
-        because("workspace", f"{name}={value}", f"a page sets it, and {_reader(name)} it", place, weight=SET)
+        because("workspace", f"{name}={value}", f"a page sets it{_reader(name, value)}", place, weight=SET)
         for name, (value, place) in found.items()
     ]
     before = _before(command, evidence) if command else ()
@@ -103,8 +107,17 @@ def _before(command: Candidate, evidence: Evidence) -> tuple[str, ...]:
     return (*command.variables, *above)
 
 
-def _reader(name: str) -> str:
-    """Return what reads a variable, in words."""
+def _installed(value: str, mention: Mention, evidence: Evidence) -> bool:
+    """Tell whether the page of a path in ``/opt`` installs the package whose folder that is: ``drake-dev``."""
+    folder = value.removeprefix(OPT).partition("/")[0].lower()
+    said = (each for each in evidence.prose if each.namespace == "apt" and each.file == mention.file)
+    return any(each.name.removeprefix("lib").partition("-")[0] == folder for each in said)
+
+
+def _reader(name: str, value: str) -> str:
+    """Return what reads a variable, in words, nothing where that was not looked for."""
     if name in build_variables():
-        return f"the build of {build_variables()[name]} reads"
-    return "the simulator reads" if name in search_paths() else "the tree reads"
+        return f", and the build of {build_variables()[name]} reads it"
+    if name in search_paths():
+        return ", and the simulator reads it"
+    return "" if value.startswith(("./", OPT)) else ", and the tree reads it"

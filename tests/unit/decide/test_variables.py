@@ -200,3 +200,45 @@ def test_a_page_says_how_to_draw(tree: Tree) -> None:
     files = {"requirements.txt": "mujoco\n", "main.py": "import mujoco\n"}
     page = "# Demo\n## Usage\n```\nMUJOCO_GL=osmesa python main.py\n```\n"
     assert tree({**files, "README.md": page}).variables == (("MUJOCO_GL", "osmesa"),)
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ("export DEMO_ROOT=$(pwd)/tools", (("DEMO_ROOT", "./tools"),)),
+        ('export AGENT="[LINK TO DEMO REPO]/tools/agent.py"', (("AGENT", "./tools/agent.py"),)),
+        ("export A=./tools\nexport B=${A}/agent.py", ()),  # a name of one letter is the reader's own
+        ("export AA1=./tools\nexport AA2=${AA1}/agent.py", (("AA1", "./tools"), ("AA2", "./tools/agent.py"))),
+        ("export BOARD=[LINK TO THIS REPO]/board/data", (("BOARD", "./board/data"),)),
+        ("export CARLA_ROOT=[LINK TO YOUR CARLA FOLDER]/tools", ()),
+        ("export DATA_ROOT=$(pwd)/data\nexport TOP=$(pwd)\nexport ROS_X=$(pwd)/tools", ()),
+    ],
+)  # fmt: skip
+def test_a_place_of_the_tree_that_a_page_exports(tree: Tree, line: str, found: tuple[tuple[str, str], ...]) -> None:
+    modules = '[submodule "board"]\n\tpath = board\n\turl = https://github.com/a/board.git\n'
+    files = {**BUILT, "tools/agent.py": "", ".gitmodules": modules, "README.md": f"# imu_node\n```\n{line}\n```\n"}
+    assert tree(files).variables == found
+
+
+@pytest.mark.parametrize("package", ["drake-dev", "other-dev"])
+def test_the_folder_in_opt_of_a_package_that_the_page_installs(tree: Tree, package: str) -> None:
+    version = "python$(python3 -c 'import sys; print(\"{0}.{1}\".format(*sys.version_info))')"
+    lines = (
+        f"sudo apt-get install {package}",
+        'export PATH="/opt/drake/bin${PATH:+:${PATH}}"',
+        f'export PYTHONPATH="/opt/drake/lib/{version}/site-packages${{PYTHONPATH:+:${{PYTHONPATH}}}}"',
+        "export PATH=/opt/ros/jazzy/bin:$PATH",
+    )
+    page = "Tested with ROS 2 Jazzy.\n```\n" + "\n".join(lines) + "\n```\n"
+    decision = tree({**BUILT, "README.md": page})
+    paths = (("PATH", "/opt/drake/bin"), ("PYTHONPATH", "/opt/drake/lib/python3.12/site-packages"))
+    assert decision.variables == (paths if package == "drake-dev" else ())
+    text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
+    assert ('PATH="/opt/drake/bin:${PATH}"' in text) is (package == "drake-dev")
+
+
+def test_a_path_of_python_of_places_that_a_page_exports(tree: Tree) -> None:
+    page = 'export A_ROOT=./tools\nexport PYTHONPATH="${CARLA_ROOT}/api":"${A_ROOT}":"${A_ROOT}/more"\n'
+    files = {"requirements.txt": "numpy\n", "tools/more/agent.py": "", "README.md": f"```\n{page}```\n"}
+    decision = tree(files)
+    assert (decision.variables, decision.python_path) == ((("A_ROOT", "./tools"),), ("tools", "tools/more"))

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose import search_paths
+from roslab.evidence.prose import own_places, search_paths
 from roslab.evidence.prose.python_path import HERE, folder_of
 from roslab.knowledge.build_variables import build_variables
 from roslab.repository.checkout import File, Repository, nearest
@@ -39,6 +39,7 @@ package.xml ``condition="$NAME == …"``."""
 def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
     """Yield ``NAME=VALUE`` for each variable whose value is written out and which the tree or a simulator reads."""
     yield from search_paths.read(repository, file, text)
+    yield from own_places.read(repository, file, text)
     if "export " not in text or file.path.count("/") > DEEPEST:
         return
     for match in _EXPORT.finditer(text):

@@ -54,13 +54,18 @@ def older_names(plan: Plan) -> str:
 
 def variables(plan: Plan) -> str:
     """Set the variables that the build, a launch file or a simulator reads."""
-    pairs = [f"{name}={_value(value, plan)}" for name, value in plan.workspace.variables]
+    pairs = [f"{name}={_value(name, value, plan)}" for name, value in plan.workspace.variables]
     return "# What the build or a program reads\nENV " + " \\\n    ".join(pairs) if pairs else ""
 
 
-def _value(value: str, plan: Plan) -> str:
-    """Return a value as it is written, with the folders of the repository (``./models``) at their place."""
+def _value(name: str, value: str, plan: Plan) -> str:
+    """Return a value as it is written, with the folders of the repository (``./models``) at their place.
+
+    Those of PATH come before the others.
+    """
     parts = value.split(":")
+    if name == "PATH":
+        return f'"{quote.docker_path(value)}:${{PATH}}"'
     if not all(part.startswith("./") for part in parts):
         return quote.docker(value)
     placed = ":".join(f"/home/{quote.USER}/{plan.workspace.folder}/{part[2:]}".rstrip("/") for part in parts)
