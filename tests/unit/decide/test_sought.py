@@ -248,3 +248,21 @@ def test_what_a_file_requires_that_cmake_includes_for_this_ros(tree: Tree, condi
     files["extra/cmake/ROS1.cmake"] = "find_package(quad_x REQUIRED)\ncatkin_package()\n"
     decision = tree(files | {"README.md": f"ROS Noetic. Used with {LAB}/control.\n"})
     assert decision.lacking == ((("quad_x", ("extra",)),) if lacks else ())
+
+
+@pytest.mark.parametrize(
+    ("line", "sought"),
+    [
+        ("sudo apt-get install acme-dev", []),
+        (
+            "git clone https://github.com/other/acme\ncd acme\nmkdir build\ncd build\ncmake ..\nsudo make install",
+            [],
+        ),
+        ("sudo apt-get install acme-tools", [f"{LAB}/acme"]),
+    ],
+)
+def test_what_a_page_installs_is_looked_for_nowhere_else(tree: Tree, line: str, sought: list[str]) -> None:
+    page = f"# Robo\n\nROS noetic\n\n```\n{line}\n```\n"
+    decision = tree({**_package("mpc", "acme"), **_git(f"{LAB}/robo"), "README.md": page})
+    assert [*_sought(decision)] == sought
+    assert any("no key acme" in warning.message for warning in decision.warnings) is bool(sought)

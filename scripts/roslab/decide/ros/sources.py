@@ -9,6 +9,7 @@ from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind, Source
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
 from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.by_page import by_page
 from roslab.decide.ros.clones import clones, for_unknown, linked, unreleased, with_itself
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.in_tree import in_tree
@@ -92,7 +93,7 @@ def decide_sources(
     used = tuple(used_by_build(evidence, needed))
     chosen.known(used, known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
     chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
-    there = known | rosdep_keys()
+    there = known | rosdep_keys() | by_page(used, evidence)
     choice = chosen.choice(files)
     return with_sought(
         replace(choice, answer=replace(choice.answer, asked=frozenset(plain(each.name) for each in needed))),

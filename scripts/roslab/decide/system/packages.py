@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Python, Reason, Warning_
 from roslab.decide.reasons import because, configured
+from roslab.decide.ros.by_page import by_page
 from roslab.decide.ros.keys import (
     Translated,
     declared_keys,
@@ -29,6 +30,7 @@ from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.never import never
 from roslab.knowledge.on_request import packages as on_request
 from roslab.knowledge.recipes import beside, recipe
+from roslab.knowledge.released import rosdep_keys
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.name import bare_name
 from roslab.values.requirement import Requirement
@@ -118,6 +120,8 @@ def decide_system(
     found.skip = dict.fromkeys((*config.skip_keys, *(key.name for key in keys if key.name in sisters)))
     own = own_packages((key for key in keys if key.name not in found.skip), evidence, target)
     found.skip |= dict.fromkeys(own)
+    unknown = (key for key in keys if not target.knows(key.name) and key.name not in rosdep_keys())
+    found.skip |= dict.fromkeys(sorted(by_page(unknown, evidence)))
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
     for key in keys:
         if key.name not in found.skip:

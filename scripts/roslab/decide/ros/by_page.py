@@ -1,0 +1,24 @@
+"""Packages that the pages of the repository install themselves, so that no other place has to be looked for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+
+
+def by_page(asked: Iterable[Dependency], evidence: Evidence) -> frozenset[str]:
+    """Return the names of what a package of apt of their name has (``drake-dev``), or what is compiled and installed.
+
+    ``asked``: names of packages in a manifest.
+    """
+    apt = {each.name for each in evidence.prose if each.namespace == "apt"}
+    built = {git.name for git in evidence.sources if git.installed}
+    return frozenset(each.name for each in asked if each.name in built or not apt.isdisjoint(_packages(each.name)))
+
+
+def _packages(name: str) -> set[str]:
+    """Return the names that a package of Ubuntu with a library and its configuration for CMake may have."""
+    plain = name.replace("_", "-")
+    return {f"{prefix}{plain}-dev" for prefix in ("", "lib")}
