@@ -53,3 +53,10 @@ def ubuntus_of(soname: str) -> tuple[str, frozenset[str]] | None:
         ),
         None,
     )
+
+
+def ubuntus_with(package: str) -> frozenset[str]:
+    """Return the Ubuntus that have the package of such a library, ``libgfortran3``; none where they are not known."""
+    named = ((family.lower().replace("_", "-"), version, names) for (family, version), names in _of_ubuntus().items())
+    found = (n for family, version, n in named if package.startswith(family) and package.endswith(version))
+    return next(found, frozenset())

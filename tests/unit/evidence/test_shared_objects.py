@@ -103,3 +103,31 @@ def test_the_names_agree_with_the_versions_of_the_libraries(library: str, begins
     for row in (each for each in rows("soname_ubuntus") if each["begins"] == begins):
         for ubuntu in row["ubuntus"].split():
             assert f"{version_of(library, ubuntu)}.".startswith(f"{row['version']}.")
+
+
+@pytest.mark.parametrize(
+    ("line", "machine", "distro", "platforms"),
+    [
+        ("set_target_properties(a PROPERTIES IMPORTED_LOCATION ${PROJECT_SOURCE_DIR}/lib/a.so)", 0x3E, "melodic", 1),
+        ("target_link_libraries(demo ${CMAKE_CURRENT_SOURCE_DIR}/lib/a.so)", 0x3E, "melodic", 1),
+        ("target_link_libraries(demo ${CMAKE_CURRENT_SOURCE_DIR}/lib/a.so)", 0xB7, "noetic", 2),
+        ("target_link_libraries(demo ${CMAKE_CURRENT_SOURCE_DIR}/lib/a.a)", 0x3E, "noetic", 1),
+        ("install(FILES lib/a.so DESTINATION lib)", 0x3E, "noetic", 2),
+    ],
+)
+def test_a_library_that_is_linked_rules_out_processors_and_ubuntus(
+    tmp_path: Path, line: str, machine: int, distro: str, platforms: int
+) -> None:
+    (tmp_path / "package.xml").write_text(
+        "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+    )
+    (tmp_path / "CMakeLists.txt").write_text(
+        f"project(demo)\nfind_package(catkin REQUIRED)\nadd_library(demo a.cpp)\n{line}\n"
+    )
+    (tmp_path / "a.cpp").write_text("int a;\n")
+    (tmp_path / "lib").mkdir()
+    data = compiled("libc.so.6", "libgfortran.so.3", machine=machine)
+    (tmp_path / "lib/a.so").write_bytes(data)
+    (tmp_path / "lib/a.a").write_bytes(b"!<arch>\n" + bytes(60) + data)
+    decision = plan_repository(tmp_path).decision
+    assert (decision.ros_distro, len(decision.platforms)) == (distro, platforms)

@@ -15,6 +15,7 @@ from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.knowledge.code_limits import fits, satisfies
 from roslab.knowledge.cuda_gpus import NAME as CUDA
 from roslab.knowledge.distros import cmake_of_ubuntu, distro, distros, ubuntus
+from roslab.knowledge.shared_objects import ubuntus_with
 
 WORKFLOWS = ".github/workflows/"
 TOO_OLD_FOR_PIP = frozenset({"trusty"})
@@ -46,6 +47,7 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
             if not fits(limit.library, ubuntu, at_least=limit.at_least, below=limit.below, ros=ros):
                 wanted = f"{limit.at_least} or newer" if limit.at_least else f"older than {limit.below}"
                 lacks[f"{limit.library} {wanted} ({limit.what}, {limit.file}:{limit.line})"] = None
+        lacks.update(_unlinkable(evidence, ubuntu))
         cmake = cmake_of_ubuntu()[ubuntu]
         if needs_newer_cmake(evidence, ubuntu, cmake):
             lacks[f"CMake {needs_newer_cmake(evidence, ubuntu, cmake)}"] = None
@@ -55,6 +57,25 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     nowhere = set.intersection(*(set(lacks) for lacks in found.values()))
     left = {ubuntu: tuple(lack for lack in lacks if lack not in nowhere) for ubuntu, lacks in found.items()}
     return {ubuntu: lacks for ubuntu, lacks in left.items() if lacks}
+
+
+def _unlinkable(evidence: Evidence, ubuntu: str) -> dict[str, None]:
+    """Return what the libraries of the tree that CMake links need, and an Ubuntu does not have."""
+    needed = (each for each in _linked(evidence) if ubuntu not in ubuntus_with(each[0]))
+    return {f"{package} ({file}, which is linked, needs it)": None for package, file in needed}
+
+
+def _linked(evidence: Evidence) -> Iterator[tuple[str, str]]:
+    """Yield the packages of known Ubuntus alone that libraries of the tree need which CMake links, each with the file.
+
+    One that the repository builds from source may have any version.
+    """
+    folders = {project.file for project in _built(evidence)}
+    linked = {each.what for each in evidence.x86_only if each.source == "binary" and each.file in folders}
+    for each in evidence.code if linked else ():
+        known = each.role == "linked" and each.file in linked and ubuntus_with(each.name)
+        if known and not _brought(each.name.removeprefix("lib").partition("-")[0], evidence):
+            yield each.name, each.file
 
 
 def _compiled_in_workflows(evidence: Evidence) -> tuple[str, ...]:

@@ -20,8 +20,18 @@ _CHOOSES = pattern(r"SYSTEM_PROCESSOR|LIBRARY_ARCHITECTURE|\buname\b|aarch64|arm
 _ARCHIVE = pattern(r"https?://\S+\.(?:tar\.\w+|tgz|tbz2|txz|zip|deb|run|so(?:\.\d+)*|a)")
 _FETCHING = frozenset({"file", "externalproject_add", "fetchcontent_declare"})
 _LINKING = frozenset(
-    {"target_link_libraries", "link_libraries", "target_link_directories", "link_directories", "set_target_properties"}
+    (
+        *("target_link_libraries", "link_libraries", "target_link_directories", "link_directories"),
+        *("set_target_properties", "set_property"),
+    )
 )
+_LIBRARY = pattern(r"\.(?:so(?:\.\d+)*|a)(?=[\s)\"';])")
+_ELF = b"\x7fELF"
+_ARCHIVE_OF_OBJECTS = b"!<arch>\n"
+_X86_64 = b"\x3e\x00"
+"""https://refspecs.linuxfoundation.org/elf/gabi4+/ch4.eheader.html"""
+MAX_HEAD = 1024 * 1024
+"""What is read of a library: an archive begins with a table of names, before its first object."""
 _ROOT = pattern(r"^\$\{(?:(?:PROJECT|CMAKE|CMAKE_CURRENT|\w+)_SOURCE_DIR|CMAKE_CURRENT_LIST_DIR)\}/")
 
 
@@ -29,7 +39,11 @@ def read(repository: Repository) -> Iterator[X86Only]:
     """Yield each such download or path, once for a file of CMake that does not choose by the processor."""
     for file in cmake_files(repository):
         text = repository.read(file)
-        if not any(word in text for word in _WORDS) or places.vendored(file.path) or _CHOOSES.search(text):
+        if (
+            not (any(word in text for word in _WORDS) or _LIBRARY.search(text))
+            or places.vendored(file.path)
+            or _CHOOSES.search(text)
+        ):
             continue
         for call in calls(text, _FETCHING | _LINKING):
             what = _fetched(call) if call.name in _FETCHING else _linked(call, file, repository)
@@ -48,7 +62,17 @@ def _fetched(call: Call) -> str | None:
 def _linked(call: Call, file: File, repository: Repository) -> str | None:
     """Return the path of what a call links and the tree has."""
     for word in call.words:
-        path = posixpath.normpath(posixpath.join(file.folder, _ROOT.sub("", word))) if _X86.search(word) else ""
-        if path and (repository.has(path) or path in repository.folders):
+        named, library = _X86.search(word), _LIBRARY.search(f"{word} ")
+        path = posixpath.normpath(posixpath.join(file.folder, _ROOT.sub("", word))) if named or library else ""
+        if named and (repository.has(path) or path in repository.folders):
+            return path
+        if library and repository.has(path) and _is_x86(path, repository):
             return path
     return None
+
+
+def _is_x86(path: str, repository: Repository) -> bool:
+    """Tell whether a library, or the first object of an archive, is compiled for x86-64."""
+    data = repository.read_bytes(path, limit=MAX_HEAD)
+    start = data.find(_ELF) if data.startswith(_ARCHIVE_OF_OBJECTS) else 0
+    return start >= 0 and data[start : start + 4] == _ELF and data[start + 18 : start + 20] == _X86_64
