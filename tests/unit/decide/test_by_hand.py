@@ -542,3 +542,22 @@ def test_what_a_page_compiles_above_a_library_is_what_that_may_need(tree: Tree, 
     page = f"```\n{eigen + acme if above else acme + eigen}```\n"
     (found,) = (each for each in tree(ros1("find_package(acme REQUIRED)\n", page)).source if each.name == "acme")
     assert ("libeigen3-dev" in found.depends) is needs
+
+
+@pytest.mark.parametrize(
+    ("line", "built", "warned"),
+    [
+        ("target_link_libraries(demo /usr/local/lib/libnlopt.so)", True, False),
+        ("target_link_libraries(demo nlopt)", False, False),
+        ("target_link_libraries(demo /usr/local/lib/libasound.so)", False, True),
+        ("if(APPLE)\ntarget_link_libraries(demo /usr/local/lib/libnlopt.so)\nendif()", False, False),
+    ],
+)
+def test_a_library_that_is_linked_by_its_file_below_usr_local(
+    tree: Tree, line: str, *, built: bool, warned: bool
+) -> None:
+    package = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+    cmake = f"project(demo)\nfind_package(catkin REQUIRED)\nadd_library(demo a.cpp)\n{line}\n"
+    decision = tree({"package.xml": package, "CMakeLists.txt": cmake, "a.cpp": "int a;\n"})
+    assert ("nlopt" in {source.name for source in decision.source}) is built
+    assert any("linked by its file" in each.message for each in decision.warnings) is warned

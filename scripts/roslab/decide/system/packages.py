@@ -22,7 +22,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.carried import brought, held
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import compiler_of_cuda, needs
-from roslab.decide.system.recipes import linked
+from roslab.decide.system.recipes import lies_elsewhere, linked
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -142,6 +142,7 @@ def decide_system(
             _add(dependency, target, found, known, trusted=trusted, by_hand=by_hand)
     for library, dependency in linked(needed, evidence, target.ubuntu):
         found.recipes.setdefault(library, dependency)
+    found.warnings += lies_elsewhere(needed, evidence, target.ubuntu)
     for dependency in compiler_of_cuda(evidence, packages, kind, target.ubuntu) if not target.cuda else ():
         _add(dependency, target, found, known, trusted=True, by_hand=by_hand)
     for apt, asked in apt_for_wheels(python, installed, target.ubuntu, evidence):

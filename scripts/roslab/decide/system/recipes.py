@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator
 from packaging.version import Version
 
 from roslab.config.model import Source
+from roslab.decide.decision import Warning_
+from roslab.decide.reasons import warn
 from roslab.decide.ros.source_names import itself_in, plain
 from roslab.decide.system.names import Target
 from roslab.decide.system.page_releases import built_older
@@ -72,6 +74,7 @@ def linked(
 ) -> Iterator[tuple[str, Dependency]]:
     """Yield the libraries without a package that are linked and that a page or a script of the repository clones.
 
+    And those that are linked by a file below /usr/local, where no package of Ubuntu puts its own.
     A name that is only linked may be a library that is compiled beside it: the clone tells, where it is not one of the
     repository itself. ``needed`` are names, each with whether it may be taken for more than a guess.
     """
@@ -79,11 +82,32 @@ def linked(
     own = {name for name in names if name}
     cloned = {plain(git.name) for git in evidence.sources if git.kind == "clone" and not itself_in(git, own)}
     for dependency, trusted in needed:
+        if trusted and _by_file(dependency) and recipe(dependency.name, ubuntu):
+            yield dependency.name, dependency
         if not trusted or dependency.namespace != "link" or library("link", dependency.name, ubuntu):
             continue
         found = library("cmake", dependency.name, ubuntu)
         if found and found.recipe and not found.apt and plain(found.recipe) in cloned:
             yield found.recipe, dependency
+
+
+def lies_elsewhere(
+    needed: Iterable[tuple[Dependency, bool]], evidence: Evidence, ubuntu: str | None
+) -> Iterator[Warning_]:
+    """Yield what the author should know of a library that is linked by a file below /usr/local, and that apt brings."""
+    built = {plain(git.name) for git in evidence.sources if git.installed}
+    for dependency, trusted in needed:
+        name = dependency.name
+        if not (trusted and _by_file(dependency)) or recipe(name, ubuntu) or plain(name) in built:
+            continue
+        if (found := library("link", name, ubuntu)) and found.apt:
+            message = f"lib{name} is linked by its file in /usr/local, and {' '.join(found.apt)} puts it elsewhere"
+            yield warn(f"{message}: the build stops there; link it by its name, {name}", dependency)
+
+
+def _by_file(dependency: Dependency) -> bool:
+    """Tell whether a call names a library by its file below /usr/local: no other name of the linker is declared."""
+    return dependency.namespace == "link" and dependency.strength == "declared"
 
 
 def of_another_release(evidence: Evidence, apt: Iterable[str]) -> tuple[tuple[str, Dependency], ...]:
