@@ -26,10 +26,11 @@ from roslab.decide.system.missing import Missing, marked
 from roslab.decide.system.needs import host_options
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
 from roslab.decide.system.packages import SystemPackages
+from roslab.decide.uncopied_packages import copied_names
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.cpu import told
 from roslab.knowledge.distros import Distro
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.requirement import Requirement
 
 _ROS: frozenset[Kind] = frozenset({"ros1", "ros2"})
@@ -94,7 +95,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             of.test,
             of.platforms,
         ),
-        *(of.sources, of.system, of.inside),
+        *((replace(choice, warnings=()) if of.own.answer else choice) for choice in (of.sources, of.system, of.inside)),
         *(() if of.own.answer else (of.repositories, of.scripts, of.missing, of.steps, of.variables, of.downloads)),
         *(
             ()
@@ -137,7 +138,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         scripts=() if of.own.answer else of.scripts.answer,
         downloads=() if of.own.answer else of.downloads.answer,
         packages=manifests_of(of.packages, of.left_out) if ros else (),
-        package_names=names_of(of.packages, of.kind.answer, of.left_out, of.build_tool.answer),
+        package_names=copied_names(
+            names_of(of.packages, of.kind.answer, of.left_out, of.build_tool.answer), of.dockerfile, evidence
+        ),
         by_pages=by_pages(
             evidence,
             config,

@@ -18,6 +18,9 @@ from roslab.values.pattern import pattern
 
 _FETCHES = pattern(r"\b(?:wget|curl|vcs|wstool|rosinstall|rosws)\s")
 """Programs that fetch a list of repositories, or import one by its address."""
+_OF_ROS = pattern(r"\bros2?-apt-source\b")
+"""The package with ROS's own source of apt, which the base image has: https://github.com/ros-infrastructure/ros-apt-source,
+2026-11-26."""
 MOST = 8
 """Most steps that are told of one kind."""
 
@@ -46,16 +49,18 @@ def decide_steps(
     lists = _lists(evidence) if config.vcs is None else ()
     cloned = _cloned(evidence, kind, names, there, itself)
     data = _data(evidence, names, {*fetched})
-    return Choice(answer=None, warnings=(*_fetched(evidence, names, {*added}), *lists, *cloned, *data))
+    ros = kind in {"ros1", "ros2"}
+    return Choice(answer=None, warnings=(*_fetched(evidence, names, {*added}, ros=ros), *lists, *cloned, *data))
 
 
-def _fetched(evidence: Evidence, names: set[str], added: set[str]) -> Iterator[Warning_]:
+def _fetched(evidence: Evidence, names: set[str], added: set[str], *, ros: bool) -> Iterator[Warning_]:
     told: dict[str, Warning_] = {}
     for mention in evidence.mentions:
         if (
             mention.topic == "step"
             and mention.source in {"readme", "script"}
             and not places.vendored(mention.file)
+            and not (ros and _OF_ROS.search(mention.value))
             and not (_answered(mention.value, names) or added & {*mention.value.split()})
         ):
             message = f"not part of the image: `{mention.value}`; put what it brings under `apt`, `source` or `custom`"

@@ -37,6 +37,18 @@ def uncopied_package(authored: AuthorDockerfile, evidence: Evidence, ros_distro:
     return None
 
 
+def copied_names(names: tuple[str, ...], dockerfile: str | None, evidence: Evidence) -> tuple[str, ...]:
+    """Return the names of the packages that an author's Dockerfile copies: all of them where it copies none by name.
+
+    It then has them otherwise; ``dockerfile``: the one that is built, if any.
+    """
+    held = next((each.copied for each in evidence.dockerfiles if each.file == dockerfile), ())
+    if not held or "" in held:
+        return names
+    there = {m.name for m in evidence.manifests if _partly(m.file.rpartition("/")[0], held)}
+    return tuple(name for name in names if name in there) or names
+
+
 def _required(asked: Dependency) -> bool:
     return asked.namespace in {"ros", "cmake"} and asked.strength == "declared" and asked.role == "build"
 

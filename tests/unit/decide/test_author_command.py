@@ -194,3 +194,22 @@ def test_a_script_that_only_prepares_is_not_the_command_though_it_is_the_only_on
     page = "## Installation\n\n```\nbash download_data.sh\n```\n"
     files = {"README.md": page, "download_data.sh": "wget a\n", "requirements.txt": "numpy\n"}
     assert tree(files).command == ("bash",)
+
+
+@pytest.mark.parametrize(
+    ("copied", "names"),
+    [("COPY a /ws/src/a\n", ("a",)), ("COPY . /ws/src/demo\n", ("a", "b"))],
+)
+def test_of_an_image_of_the_author_only_what_it_copies_is_looked_for(
+    tree: Tree, copied: str, names: tuple[str, ...]
+) -> None:
+    files = {
+        f"{name}/package.xml": f"<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend>"
+        "<depend>acme_unknown</depend></package>"
+        for name in ("a", "b")
+    }
+    files |= {f"{name}/CMakeLists.txt": f"project({name})\nfind_package(catkin REQUIRED)\n" for name in ("a", "b")}
+    image = f"FROM ros:noetic\n{copied}RUN cd /ws && catkin_make\n"
+    decision = tree({**files, "Dockerfile": image})
+    assert (decision.dockerfile, tuple(sorted(decision.package_names))) == ("Dockerfile", names)
+    assert not any("rosdep has no key" in each.message for each in decision.warnings)

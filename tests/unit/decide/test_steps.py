@@ -249,3 +249,11 @@ def test_data_that_the_image_fetches_is_not_told(tree: Tree) -> None:
     found = tree({"play.py": "import numpy\n", "requirements.txt": "numpy\n", "README.md": page})
     assert [each.path for each in found.downloads] == ["net.pth"]
     assert not any("data that" in warning.message for warning in found.warnings)
+
+
+@pytest.mark.parametrize("name", ["ros2-apt-source", "other-apt-source"])
+def test_the_source_of_ros_itself_is_in_the_image(tree: Tree, name: str) -> None:
+    package = '<package format="3"><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend></package>'
+    page = f"ROS 2 jazzy\n\n```\nsudo dpkg -i /tmp/{name}.deb\n```\n"
+    decision = tree({"package.xml": package, "CMakeLists.txt": "project(demo)\n", "README.md": page})
+    assert any("not part of the image" in each.message for each in decision.warnings) is name.startswith("other")

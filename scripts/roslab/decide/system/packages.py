@@ -274,7 +274,8 @@ def _explained(
     declared: dict[str, Dependency | None], guessed: dict[str, Dependency | Requirement], keys: tuple[Dependency, ...]
 ) -> Iterator[Reason]:
     for key in keys:
-        yield because("dependencies", key.name, f"a package.xml asks for it ({key.role})", key, weight=Weight.KEY)
+        why = f"a {key.file.rpartition('/')[2]} asks for it ({key.role})"
+        yield because("dependencies", key.name, why, key, weight=Weight.KEY)
     for name, dependency in (*declared.items(), *guessed.items()):
         if isinstance(dependency, Requirement):
             why = f"the wheel of {dependency.written} lacks it"
