@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import warn
+from roslab.decide.ros.by_page import by_own_source
 from roslab.decide.ros.source_names import address, itself_in, plain
 from roslab.decide.system.by_everybody import PAGES
 from roslab.evidence import places
@@ -44,7 +45,7 @@ def decide_steps(
     """
     if config.compatible or config.custom:
         return Choice(answer=None)
-    names = {plain(name) for name in taken}
+    names = {plain(name) for name in (*taken, *by_own_source((git.name for git in evidence.sources), evidence))}
     there = {address(each) for each in addresses}
     lists = _lists(evidence) if config.vcs is None else ()
     cloned = _cloned(evidence, kind, names, there, itself)

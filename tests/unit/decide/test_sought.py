@@ -266,3 +266,14 @@ def test_what_a_page_installs_is_looked_for_nowhere_else(tree: Tree, line: str, 
     decision = tree({**_package("mpc", "acme"), **_git(f"{LAB}/robo"), "README.md": page})
     assert [*_sought(decision)] == sought
     assert any("no key acme" in warning.message for warning in decision.warnings) is bool(sought)
+
+
+@pytest.mark.parametrize("source", ["", "deb https://apt.acme.org/focal focal main"])
+def test_what_apt_brings_from_a_source_of_the_page_is_not_compiled_as_well(tree: Tree, source: str) -> None:
+    add = f'echo "{source}" | sudo tee /etc/apt/sources.list.d/acme.list\n' if source else ""
+    page = f"# Robo\n\nROS noetic\n\n```\n{add}sudo apt-get install acme-dev\n```\n"
+    steps = "git clone -b v1.2 https://github.com/other/acme\ncd acme\nmkdir build\ncd build\ncmake ..\nmake install\n"
+    files = _package("mpc", "acme")
+    files["mpc/CMakeLists.txt"] += "find_package(acme REQUIRED)\n"
+    decision = tree({**files, **_git(f"{LAB}/robo"), "README.md": page, "install.sh": steps})
+    assert ("acme" in {each.name for each in decision.source}) is not bool(source)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.by_page import by_own_source
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_hand import as_written, by_hand
@@ -56,6 +57,7 @@ def decide_libraries(
     submodules = (git.name for git in evidence.sources if git.kind == "submodule")
     elsewhere = {plain(name) for name in (*submodules, *(source.name for source, _ in tabled))}
     taken = sources.names | packages.names | own | elsewhere
+    taken |= {plain(name) for name in by_own_source((git.name for git in evidence.sources), evidence)}
     in_ubuntu = packaged(target.ubuntu)
     guessed = (name for name in system.apt_guessed if name in in_ubuntu)  # a page's own names may not exist
     depends = tuple(name for name in (*system.apt, *system.brought, *guessed) if name.endswith("-dev"))
