@@ -39,6 +39,14 @@ COPY --chmod=755 <<'EOF' /pip-cache
 @@ _constant/pip-cache @@
 EOF
 
+COPY --chmod=755 <<'EOF' /install-wheel-libraries
+@@ _constant/install-wheel-libraries @@
+EOF
+
+COPY <<'EOF' /sonames.txt
+@@ _constant/sonames.txt @@
+EOF
+
 COPY --chmod=755 <<'EOF' /roslab-entrypoint
 @@ _constant/roslab-entrypoint @@
 EOF
@@ -117,6 +125,12 @@ COPY --from=scripts /pip-cache /usr/local/bin/
 RUN --mount=type=cache,id=pip-python2_node-${TARGETARCH},target=/root/.cache/pip,sharing=locked \
     export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
  && install-optional-pip python2 "$(pip-cache)" -- pyserial
+
+# Libraries of the system that these packages are linked with
+COPY --from=scripts /install-wheel-libraries /usr/local/bin/
+COPY --from=scripts /sonames.txt /usr/local/share/roslab/
+RUN --mount=type=cache,id=apt-lists-python2_node-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    install-wheel-libraries python2
 
 # ROS and the workspace, for every command and every shell in the container
 RUN echo 'source /usr/local/share/roslab/environment.bash' >>/etc/bash.bashrc

@@ -27,6 +27,14 @@ COPY --chmod=755 <<'EOF' /pip-cache
 @@ _constant/pip-cache @@
 EOF
 
+COPY --chmod=755 <<'EOF' /install-wheel-libraries
+@@ _constant/install-wheel-libraries @@
+EOF
+
+COPY <<'EOF' /sonames.txt
+@@ _constant/sonames.txt @@
+EOF
+
 
 FROM ubuntu:22.04
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
@@ -83,6 +91,12 @@ COPY --from=scripts /pip-cache /usr/local/bin/
 RUN --mount=type=cache,id=pip-window-${TARGETARCH},target=/root/.cache/pip,sharing=locked \
     export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
  && python3 -m pip install "$(pip-cache)" --requirement /tmp/manifests/requirements.txt
+
+# Libraries of the system that these packages are linked with
+COPY --from=scripts /install-wheel-libraries /usr/local/bin/
+COPY --from=scripts /sonames.txt /usr/local/share/roslab/
+RUN --mount=type=cache,id=apt-lists-window-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    install-wheel-libraries python3
 
 # The source
 USER ${NB_USER}

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from roslab.evidence.prose.readme import pages
+from roslab.evidence.prose.pages import pages
 from roslab.repository.checkout import Repository
 
 LONG = "pip install demo\n" * 20

@@ -129,6 +129,7 @@ def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> No
         "install-rosdep-keys",
         "install-optional-pip",
         "pip-cache",
+        "install-wheel-libraries",
     ]
     assert carried.findall(text) == [*names, "roslab-entrypoint", "reuse-build"]
     library, image = text.split("\nFROM base AS library-1-ceres\n")[1].split("\nFROM base AS dependencies\n")

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.readme import pages, text_of
+from roslab.evidence.prose.pages import pages, text_of
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern

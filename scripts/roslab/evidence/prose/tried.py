@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.headings import MAX_LINE, fence
-from roslab.evidence.prose.readme import pages, text_of
+from roslab.evidence.prose.pages import pages, text_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
