@@ -11,13 +11,17 @@ import shutil
 import signal
 import subprocess
 import sys
+import tarfile
 import threading
 import zipfile
 from collections.abc import Iterator
+from functools import cache
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
+
+from roslab.knowledge.build_limits import build_limits
 
 SCRIPTS = Path(__file__).parents[3] / "scripts/roslab/render/image_scripts"
 DAY = "2021-01-10"
@@ -41,6 +45,8 @@ FILES = {
     },
     "binary": {f"binary-1.0-{BINARY}.whl": OLD, "binary-1.0.tar.gz": OLD, "binary-1.1.tar.gz": OLD},
     "other": {**{f"other-1.0{end}": OLD for end in (f"-{EVERY}.whl", ".tar.gz")}, "other-2.0.tar.gz": OLD},
+    "cython": {f"cython-{number}-{EVERY}.whl": OLD for number in ("0.29.36", "3.0")},
+    "needs": {"needs-1.0.tar.gz": OLD},
     "shared": {f"shared-{number}-{EVERY}.whl": OLD for number in ("1.0", "2.0")},
     "left": {f"left-1.0-{EVERY}.whl": OLD},
     "right": {f"right-1.0-{EVERY}.whl": OLD},
@@ -67,21 +73,56 @@ def wheel(file: str) -> bytes:
     return made.getvalue()
 
 
+BACKEND = """\
+import importlib.metadata, os, shutil
+
+def build_wheel(folder, config_settings=None, metadata_directory=None):
+    if importlib.metadata.version("cython") >= "3":
+        print("Error compiling Cython file:")
+        raise SystemExit(1)
+    shutil.copy("made.whl", os.path.join(folder, "needs-1.0-py3-none-any.whl"))
+    return "needs-1.0-py3-none-any.whl"
+"""
+
+
+def source(file: str) -> bytes:
+    """Return the source of a package of that name, which no Cython from 3.0 on compiles."""
+    made = io.BytesIO()
+    own = '[build-system]\nrequires = ["cython"]\nbuild-backend = "backend"\nbackend-path = ["."]\n'
+    parts = {
+        "pyproject.toml": own.encode(),
+        "backend.py": BACKEND.encode(),
+        "made.whl": wheel(f"needs-1.0-{EVERY}.whl"),
+    }
+    with tarfile.open(fileobj=made, mode="w:gz") as archive:
+        for name, content in parts.items():
+            member = tarfile.TarInfo(f"{file.removesuffix('.tar.gz')}/{name}")
+            member.size = len(content)
+            archive.addfile(member, io.BytesIO(content))
+    return made.getvalue()
+
+
+@cache
+def content(file: str) -> bytes:
+    """Return what the index has under a name."""
+    return source(file) if file.startswith("needs") else wheel(file)
+
+
 class Index(BaseHTTPRequestHandler):
     """PEP 691's pages; below /old they do not tell the times of PEP 700."""
 
     def do_GET(self) -> None:
         name = self.path.strip("/").rpartition("/")[2]
-        if name.endswith(".whl"):
+        if name.endswith((".whl", ".tar.gz")):
             self.send_response(200)
             self.end_headers()
-            self.wfile.write(wheel(name))
+            self.wfile.write(content(name))
             return
         files = [
             {
                 "filename": file,
                 "url": f"/files/{file}",
-                "hashes": {"sha256": hashlib.sha256(wheel(file)).hexdigest()},
+                "hashes": {"sha256": hashlib.sha256(content(file)).hexdigest()},
                 **({} if self.path.startswith("/old") else {"upload-time": f"{day}T08:00:00Z"}),
                 **({"requires-python": "<3"} if file == "other-2.0.tar.gz" else {}),
             }
@@ -111,7 +152,7 @@ def step(tmp_path: Path, index: str) -> Iterator[list[subprocess.Popen[str]]]:
     """Have the scripts under the names that they have in an image; what they start ends with the test."""
     if shutil.which("bash") is None or not Path("/dev/shm").is_dir():
         pytest.skip("a step of a build has bash and /dev/shm")
-    for name in ("index-as-of", "git-as-of"):
+    for name in ("index-as-of", "ask-pip-again", "git-as-of"):
         shutil.copy(SCRIPTS / f"{name}.sh", tmp_path / name)
         (tmp_path / name).chmod(0o755)
     started: list[subprocess.Popen[str]] = []
@@ -213,6 +254,21 @@ def test_a_version_that_is_gone_is_replaced_by_none_of_another_minor_one(
 ) -> None:
     install = f"python3 -m pip install --quiet --no-cache-dir --target {tmp_path}/got gone==2.0.1"
     assert ran(step, tmp_path, f"{index}/simple/", f"{install} || echo failed").strip() == "failed"
+
+
+@pytest.mark.parametrize("known", [True, False])
+def test_what_a_cython_of_the_day_does_not_compile_gets_an_older_one(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, *, known: bool
+) -> None:
+    table, script = tmp_path / "build-limits.txt", tmp_path / "ask-pip-again"
+    table.write_text(build_limits() + "\n" if known else "")
+    script.write_text(script.read_text().replace("/usr/local/share/roslab/build-limits.txt", str(table)))
+    install = f"python3 -m pip install --target {tmp_path}/made --quiet --no-cache-dir needs || echo failed"
+    output = ran(step, tmp_path, f"{index}/simple/", install)
+    said = (tmp_path / "said").read_text()
+    assert (tmp_path / "made/needs-1.0.dist-info").exists() is known
+    assert ("failed" in output.split()) is not known
+    assert said.count("does not suit cython 3 and newer: an older one is taken") == known
 
 
 def test_of_requirements_that_contradict_each_other_the_first_decides(

@@ -3,11 +3,8 @@
 # Gives every pip of this step, whatever its version, the index as it was at the end of a day (UTC): a server that lasts as
 # long as the step leaves out each file that the index got later. The index must tell when (PEP 700, as PyPI does).
 # With --or-today no package is missing for it: where the index does not tell, or has nothing of the day for this Python,
-# that is said and newer ones are taken; and a later version can still be had by its exact number. Where pip finds no
-# version that is asked for, by a lower bound that is newer than the day, it is called again with that package's newer ones;
-# an exact version that is gone from the index becomes the next one with the same first two numbers, if there is one.
-# Where the requirements contradict each other, the first that names a package decides, as in pip before 20.3: of their time
-# many lists were never resolved.
+# that is said and newer ones are taken; and a later version can still be had by its exact number. Where pip fails for
+# something that can be done about, ask-pip-again calls it again.
 # Of two packages that are released together (released-together.txt) one later version brings the other of that number.
 # Where wheels are preferred, one of plain Python is not taken before the source of a newer version: nothing is compiled.
 # Where git-as-of is in the image, what pip clones without naming a commit is of the day too.
@@ -172,8 +169,18 @@ def outdated(files):
     return [file for file in wheels if version(file) in set(map(version, sources))]
 
 
+def limited(name, files):
+    """Leave out the files of a package that builds others and was too new for one of them."""
+    if not os.path.exists(FREE + ".below"):
+        return files
+    with open(FREE + ".below") as limits:
+        found = [int(line.split()[1]) for line in limits if line.split()[:1] == [name]]
+    return [file for file in files if number(file)[:1] < [min(found)]] if found else files
+
+
 def page(name, knows_yanked):
     address, files = files_of(name)
+    files = limited(name, files)
     kept = files if free(name) else of_day(name, files) + beside(name, files)
     old = outdated(kept)
     kept = [file for file in kept if file not in old]
@@ -259,58 +266,5 @@ echo 'export no_proxy="127.0.0.1${no_proxy:+,${no_proxy}}"'
 rm -f "${ready}"
 if [ "${2:-}" = --or-today ]; then
   echo "INDEX_AS_OF=${free}"
-  cat <<'BASH'
-roslab_pip() {
-  local free="${INDEX_AS_OF}" log="${INDEX_AS_OF}.log" first=--use-deprecated=legacy-resolver name
-  if [ "${2:-} ${3:-}" != '-m pip' ]; then
-    command "$@"
-    return
-  fi
-  local call=("$@")
-  until rm -f "${log}" && PIP_LOG="${log}" command "${call[@]}"; do
-    if grep -q -E 'Cannot install .* conflicting dependencies|error: resolution-too-deep' "${log}" 2>/dev/null && [ "${call[-1]}" != "${first}" ]; then
-      sed -n 's/.*\(Cannot install .* conflicting dependencies\).*/roslab: \1/p' "${log}" | head -n 1 >&2
-      echo "roslab: the first requirement that names a package decides, as in pip before 20.3" >&2
-      call+=("${first}")
-      continue
-    fi
-    name="$(sed -n 's/.*No matching distribution found for \([A-Za-z0-9._-]*\).*/\1/p' "${log}" 2>/dev/null | tail -n 1)"
-    if [ -z "${name}" ]; then return 1; fi
-    if grep -q -x -F "${name}" "${free}" 2>/dev/null; then
-      roslab_next_version "${name}" || return 1
-      continue
-    fi
-    echo "${name}" >>"${free}"
-    echo "roslab: no version of ${name} that was there on the day fits what is asked for: newer ones are taken" >&2
-  done
-}
-# Replaces an exact version that the index no longer has, in the call and in its requirement files
-roslab_next_version() {
-  local asked minor next at pinned
-  asked="$(sed -n "s/.*No matching distribution found for $1==\([0-9][0-9.]*[0-9]\)\([^0-9.].*\)\{0,1\}$/\1/p" "${log}" | tail -n 1)"
-  minor="$(cut -d . -f 1,2 <<<"${asked}")"
-  next="$(sed -n "s/.*requirement $1==${asked}[ ;].*(from versions: \(.*\)).*/\1/p" "${log}" | tail -n 1 | tr -d ' ' | tr , '\n' \
-    | { grep -E "^${minor}([.][0-9]+)+$" || true; } | { cat && echo "${asked}"; } | sort -V | sed "1,/^${asked}$/d" | head -n 1)"
-  if [ -z "${asked}" ] || [ -z "${next}" ]; then return 1; fi
-  pinned="^\([[:space:]]*$1[[:space:]]*==[[:space:]]*\)${asked}\([^0-9.]\|$\)"
-  local changed=''
-  for at in "${!call[@]}"; do
-    case "${call[at - (at > 0)]}" in
-      -r | --requirement)
-        if ! grep -q "${pinned}" "${call[at]}" 2>/dev/null; then continue; fi
-        sed -i "s/${pinned}/\1${next}\2/" "${call[at]}"
-        ;;
-      *)
-        if ! grep -q "${pinned}" <<<"${call[at]}"; then continue; fi
-        call[at]="$(sed "s/${pinned}/\1${next}\2/" <<<"${call[at]}")"
-        ;;
-    esac
-    changed=yes
-  done
-  if [ -z "${changed}" ]; then return 1; fi
-  echo "roslab: the index no longer has $1 ${asked}: ${next} is taken" >&2
-}
-python3() { roslab_pip python3 "$@"; }
-python2() { roslab_pip python2 "$@"; }
-BASH
+  echo "source '$(command -v ask-pip-again)'"
 fi

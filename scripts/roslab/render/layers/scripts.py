@@ -11,6 +11,7 @@ from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
+from roslab.knowledge.build_limits import build_limits
 from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.frameworks import same_numbers
 from roslab.knowledge.keys import key
@@ -24,6 +25,7 @@ _COPY = pattern(r"^COPY --from=scripts (/.+) /usr/local/(?:bin|share/roslab)/$",
 """What ``shell.copy_script`` and ``shell.copy_data`` write."""
 _TABLES: dict[str, Callable[[], str]] = {
     "archives.txt": archives,
+    "build-limits.txt": build_limits,
     "git-hosts.txt": lambda: "\n".join(sorted(public_hosts())),
     "released-together.txt": same_numbers,
     "sonames.txt": sonames,

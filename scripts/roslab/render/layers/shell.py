@@ -55,7 +55,8 @@ def run(*commands: str, comment: str = "", secrets: Secrets = NONE, around: Arou
     body += " \\\n && ".join((*secrets.commands, *around.first, *commands, *around.last))
     said = "\n".join((*secrets.commands, *around.first, *commands))
     scripts = "".join(copy_script(name) for name in _PRINTING if f'"$({name}' in said)
-    scripts += copy_data(("released-together.txt",)) if "--or-today" in said else ""
+    if "--or-today" in said:
+        scripts += copy_script("ask-pip-again") + copy_data(("released-together.txt", "build-limits.txt"))
     scripts += copy_script(CHECKOUT) if f"{CHECKOUT} " in said else ""
     return f"{comment_lines(comment)}{scripts}{around.before}RUN {body}"
 

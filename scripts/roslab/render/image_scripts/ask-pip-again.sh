@@ -1,0 +1,76 @@
+#!/bin/bash
+# For a shell that reads it after index-as-of with --or-today: calls pip again where it failed for something that can be done
+# about. Where pip finds no version that is asked for, by a lower bound that is newer than the day, that package's newer ones
+# are there the next time; an exact version that is gone from the index becomes the next one with the same first two numbers,
+# if there is one. Where the requirements contradict each other, the first that names a package decides, as in pip before
+# 20.3: of their time many lists were never resolved. Where a package cannot be built with a Cython or setuptools of the day,
+# as its messages say (build-limits.txt), older ones are taken: its own day may be long before.
+
+roslab_pip() {
+  local free="${INDEX_AS_OF}" log="${INDEX_AS_OF}.log" first=--use-deprecated=legacy-resolver name
+  if [ "${2:-} ${3:-}" != '-m pip' ]; then
+    command "$@"
+    return
+  fi
+  local call=("$@")
+  until rm -f "${log}" && PIP_LOG="${log}" command "${call[@]}"; do
+    if grep -q -E 'Cannot install .* conflicting dependencies|error: resolution-too-deep' "${log}" 2>/dev/null && [ "${call[-1]}" != "${first}" ]; then
+      sed -n 's/.*\(Cannot install .* conflicting dependencies\).*/roslab: \1/p' "${log}" | head -n 1 >&2
+      echo "roslab: the first requirement that names a package decides, as in pip before 20.3" >&2
+      call+=("${first}")
+      continue
+    fi
+    if roslab_older_builder; then continue; fi
+    name="$(sed -n 's/.*No matching distribution found for \([A-Za-z0-9._-]*\).*/\1/p' "${log}" 2>/dev/null | tail -n 1)"
+    if [ -z "${name}" ]; then return 1; fi
+    if grep -q -x -F "${name}" "${free}" 2>/dev/null; then
+      roslab_next_version "${name}" || return 1
+      continue
+    fi
+    echo "${name}" >>"${free}"
+    echo "roslab: no version of ${name} that was there on the day fits what is asked for: newer ones are taken" >&2
+  done
+}
+# Takes an older release of what builds packages, where the output says that a package does not suit it
+roslab_older_builder() {
+  local package below pattern limits=/usr/local/share/roslab/build-limits.txt
+  if [ ! -e "${limits}" ]; then return 1; fi
+  while read -r package below pattern; do
+    if grep -q -E "${pattern}" "${log}" 2>/dev/null &&
+      ! grep -q -x -F "${package} ${below}" "${INDEX_AS_OF}.below" 2>/dev/null; then
+      echo "${package} ${below}" >>"${INDEX_AS_OF}.below"
+      echo "roslab: what is built here does not suit ${package} ${below} and newer: an older one is taken" >&2
+      return
+    fi
+  done <"${limits}"
+  return 1
+}
+# Replaces an exact version that the index no longer has, in the call and in its requirement files
+roslab_next_version() {
+  local asked minor next at pinned
+  asked="$(sed -n "s/.*No matching distribution found for $1==\([0-9][0-9.]*[0-9]\)\([^0-9.].*\)\{0,1\}$/\1/p" "${log}" | tail -n 1)"
+  minor="$(cut -d . -f 1,2 <<<"${asked}")"
+  next="$(sed -n "s/.*requirement $1==${asked}[ ;].*(from versions: \(.*\)).*/\1/p" "${log}" | tail -n 1 | tr -d ' ' | tr , '\n' \
+    | { grep -E "^${minor}([.][0-9]+)+$" || true; } | { cat && echo "${asked}"; } | sort -V | sed "1,/^${asked}$/d" | head -n 1)"
+  if [ -z "${asked}" ] || [ -z "${next}" ]; then return 1; fi
+  pinned="^\([[:space:]]*$1[[:space:]]*==[[:space:]]*\)${asked}\([^0-9.]\|$\)"
+  local changed=''
+  for at in "${!call[@]}"; do
+    case "${call[at - (at > 0)]}" in
+      -r | --requirement)
+        if ! grep -q "${pinned}" "${call[at]}" 2>/dev/null; then continue; fi
+        sed -i "s/${pinned}/\1${next}\2/" "${call[at]}"
+        ;;
+      *)
+        if ! grep -q "${pinned}" <<<"${call[at]}"; then continue; fi
+        # shellcheck disable=SC2001 # the pattern is one of sed
+        call[at]="$(sed "s/${pinned}/\1${next}\2/" <<<"${call[at]}")"
+        ;;
+    esac
+    changed=yes
+  done
+  if [ -z "${changed}" ]; then return 1; fi
+  echo "roslab: the index no longer has $1 ${asked}: ${next} is taken" >&2
+}
+python3() { roslab_pip python3 "$@"; }
+python2() { roslab_pip python2 "$@"; }
