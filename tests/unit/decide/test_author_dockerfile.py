@@ -235,7 +235,8 @@ def test_what_the_one_for_another_distribution_installs_counts_only_without_one_
     tmp_path: Path, releases: tuple[str, ...], found: bool
 ) -> None:
     for release in releases:
-        text = f"FROM osrf/ros:{release}-desktop\nRUN apt-get update && apt-get install -y lib{release}-tool\n"
+        packages = f"lib{release}-tool lib{release}-dev lld-6.0"
+        text = f"FROM osrf/ros:{release}-desktop\nRUN apt-get update && apt-get install -y {packages}\n"
         (tmp_path / f"Dockerfile_{release}").write_text(text)
     (tmp_path / "package.xml").write_text(
         "<package><name>own</name><buildtool_depend>catkin</buildtool_depend></package>"
@@ -244,6 +245,7 @@ def test_what_the_one_for_another_distribution_installs_counts_only_without_one_
     decision = decide(gather(Repository.open(tmp_path)), Config(base=Base(ros="noetic")), folder_name="own")
     assert ("libkinetic-tool" in decision.apt_guessed) is found
     assert ("libnoetic-tool" in decision.apt_guessed) is ("noetic" in releases)
+    assert "libkinetic-dev" in decision.apt_guessed  # headers of a library do no harm
 
 
 @pytest.mark.parametrize("kind", ["ros2", "python"])

@@ -189,6 +189,7 @@ def test_a_folder_is_run_where_it_has_a_main(
     [
         ("Test your installation by running:", "demo_test"),
         ("After the workspace is built, source and run a demo:", "demo_test"),
+        ("Run a demo on any of them. To test the planner, you can also run", "mapping"),
         ("The tests are here:", "mapping"),
     ],
 )

@@ -48,6 +48,8 @@ def test_a_page_that_is_about_something_else(tmp_path: Path, readme: str) -> Non
     assert read(tmp_path, {"README.md": readme, "guide/first.md": "text"}) == ["README.md"]
 
 
-@pytest.mark.parametrize("name", ["TRAINING.md", "docker.md", "troubleshooting.md", "CONTRIBUTING.md"])
+@pytest.mark.parametrize(
+    "name", ["TRAINING.md", "docker.md", "troubleshooting.md", "ERROR_CATCH.md", "CONTRIBUTING.md"]
+)
 def test_a_page_of_another_name_below_the_title(tmp_path: Path, name: str) -> None:
     assert read(tmp_path, {"README.md": f"# Demo\n## Installation\n[this]({name})\n", name: "text"}) == ["README.md"]

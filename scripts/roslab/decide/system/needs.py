@@ -23,6 +23,7 @@ from roslab.values.pattern import pattern
 _TOOLKIT = "nvidia-cuda-toolkit"
 _OF_CODE = frozenset({"called", "fetch", "linked", "typelib"})
 """Roles of packages that the code itself shows."""
+_HEADERS = pattern(r"lib[a-z-]+-dev")
 _STARTED = pattern(
     r"\b(?:rosrun|roslaunch|ros2\s+(?:run|launch|component\s+standalone))\s+(?:--?\S+\s+)*([a-z][a-z0-9_]+)\s"
 )
@@ -169,8 +170,8 @@ def _of_ros(module: str) -> bool:
 def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependency]:
     """Yield what pages, CI and the author's Dockerfiles install by apt.
 
-    If a page has lines for this distribution, its lines for other distributions do not count; nor do the
-    Dockerfiles for others if one is for this.
+    If a page has lines for this distribution, its lines for other distributions do not count; of the Dockerfiles for
+    others, if one is for this, only the headers of libraries do that have no release in their names.
     """
     written = [dependency for dependency in evidence.prose if dependency.namespace == "apt"]
     ours = {d.file for d in written if ros_distro and written_for(d.name) == ros_distro}
@@ -180,5 +181,7 @@ def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependenc
     authors = [authored for authored in evidence.dockerfiles if authored.purpose in {"project", "ci"}]
     fitting = [authored for authored in authors if ros_distro and ros_distro in distros_in(authored.base or "")]
     for authored in authors:
-        if not fitting or authored in fitting or not distros_in(authored.base or ""):
-            yield from (dependency for dependency in authored.dependencies if dependency.namespace == "apt")
+        whole = not fitting or authored in fitting or not distros_in(authored.base or "")
+        for dependency in authored.dependencies:
+            if dependency.namespace == "apt" and (whole or _HEADERS.fullmatch(dependency.name)):
+                yield dependency

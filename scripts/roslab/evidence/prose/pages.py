@@ -39,7 +39,7 @@ is meant from the root. What the tree lacks is no such."""
 _INSTALLS = pattern(r"install|set(?:ting)?[-_ ]?up\b|prerequisite|dependenc|compil|build", re.IGNORECASE)
 """Words of a title, of a page's name or of the text of a link."""
 _ASIDE = pattern(
-    r"contribut|change|licen[sc]e|conduct|security|faq|trouble|news|history|author|issue|docker|container|"
+    r"contribut|change|licen[sc]e|conduct|security|faq|trouble|error|news|history|author|issue|docker|container|"
     r"windows|mac ?os|hardware|jetson|raspberry|robot|data|train|evaluat|benchmark|model|develop|test|uninstall",
     re.IGNORECASE,
 )

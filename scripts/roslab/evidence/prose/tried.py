@@ -16,6 +16,9 @@ _SAID = pattern(
     r"\b(?:[Rr]un|[Ll]aunch|[Ss]tart|[Tt]ry)(?:ning|ing)?\s+(?:an?|the|our)\s+(?:\w+\s+){0,2}(?:demo\w*|example)\b"
 )
 
+_LAST = pattern(r"[.!?:]\)?\s+(?=[A-Z])")
+"""Between two sentences: the last one is about the block below it."""
+
 
 def read(repository: Repository, said: Iterable[Mention]) -> tuple[Mention, ...]:
     """Return the commands in blocks of pages below such a sentence."""
@@ -40,5 +43,5 @@ def _lines(text: str) -> frozenset[int]:
         elif fenced and introduced:
             found.add(number)
         elif not fenced and line.strip():
-            introduced = len(line) <= MAX_LINE and bool(_SAID.search(line))
+            introduced = len(line) <= MAX_LINE and bool(_SAID.search(_LAST.split(line.rstrip())[-1]))
     return frozenset(found)
