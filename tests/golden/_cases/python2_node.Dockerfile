@@ -126,7 +126,7 @@ RUN --mount=type=cache,id=pip-python2_node-${TARGETARCH},target=/root/.cache/pip
     export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
  && install-optional-pip python2 "$(pip-cache)" -- pyserial
 
-# Libraries of the system that these packages are linked with
+# Libraries of the system that the Python packages are linked with
 COPY --from=scripts /install-wheel-libraries /usr/local/bin/
 COPY --from=scripts /sonames.txt /usr/local/share/roslab/
 RUN --mount=type=cache,id=apt-lists-python2_node-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \

@@ -92,7 +92,7 @@ RUN --mount=type=cache,id=pip-window-${TARGETARCH},target=/root/.cache/pip,shari
     export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
  && python3 -m pip install "$(pip-cache)" --requirement /tmp/manifests/requirements.txt
 
-# Libraries of the system that these packages are linked with
+# Libraries of the system that the Python packages are linked with
 COPY --from=scripts /install-wheel-libraries /usr/local/bin/
 COPY --from=scripts /sonames.txt /usr/local/share/roslab/
 RUN --mount=type=cache,id=apt-lists-window-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \

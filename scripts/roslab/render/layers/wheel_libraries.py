@@ -1,4 +1,7 @@
-"""Layer 4, the libraries of the system that Python packages are linked with and do not bring."""
+"""The libraries of the system that Python packages are linked with and do not bring.
+
+They are installed once pip has installed all packages, which alone say what they are linked with.
+"""
 
 from __future__ import annotations
 
@@ -6,14 +9,23 @@ from roslab.plan.plan import Plan
 from roslab.render.layers import building, locks, python, secrets, shell
 
 
-def install(plan: Plan) -> str:
-    """Install them once pip has installed the packages, which alone say what they are linked with."""
-    if not building.installs(plan) or plan.compatible:
+def before_source(plan: Plan) -> str:
+    """Install them in a layer of its own, where the source brings no packages: its edits do not repeat that."""
+    return "" if plan.workspace.python_projects else _install(plan)
+
+
+def after_projects(plan: Plan) -> str:
+    """Install them after the repository's own projects, which bring what only their setup.py knows."""
+    return f"USER root\n{installed}" if plan.workspace.python_projects and (installed := _install(plan)) else ""
+
+
+def _install(plan: Plan) -> str:
+    if not (building.installs(plan) or plan.workspace.python_projects) or plan.compatible:
         return ""
     return shell.call(
         "install-wheel-libraries",
         f" {python.interpreter(plan)}",
-        comment="Libraries of the system that these packages are linked with",
+        comment="Libraries of the system that the Python packages are linked with",
         before=shell.copy_data(("sonames.txt",)) + shell.copy_script("install-optional-apt"),
         secrets=secrets.for_apt(plan),
         around=locks.apt(plan, "libraries"),
