@@ -14,7 +14,14 @@ from . import laboratory
 from .laboratory import Laboratory
 
 CASES = Path(__file__).resolve().parent.parent / "cases"
-BUILT = {"format_2019": [], "isolated": [], "local_base": [], "rosbuild": ["ros:indigo-ros-base"], "window": []}
+BUILT = {
+    "format_2019": [],
+    "isolated": [],
+    "local_base": [],
+    "offscreen": [],
+    "rosbuild": ["ros:indigo-ros-base"],
+    "window": [],
+}
 """Those that the lab builds, with the stand-ins that it makes only when they are asked for."""
 NEEDS_MORE = {
     "conda_environment": "conda's installer and its channels",
