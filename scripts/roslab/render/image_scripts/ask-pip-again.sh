@@ -4,14 +4,22 @@
 # are there the next time; an exact version that is gone from the index becomes the next one with the same first two numbers,
 # if there is one. Where the requirements contradict each other, the first that names a package decides, as in pip before
 # 20.3: of their time many lists were never resolved. Where a package cannot be built with a Cython or setuptools of the day,
-# as its messages say (build-limits.txt), older ones are taken: its own day may be long before.
+# as its messages say (build-limits.txt), older ones are taken: its own day may be long before. What a package prints while it
+# is built is shown at the end: a pip that writes a log has it there alone.
 
 roslab_pip() {
-  local free="${INDEX_AS_OF}" log="${INDEX_AS_OF}.log" first=--use-deprecated=legacy-resolver name
+  local log="${INDEX_AS_OF}.log"
   if [ "${2:-} ${3:-}" != '-m pip' ]; then
     command "$@"
     return
   fi
+  if roslab_call "$@"; then return; fi
+  # Without the times of the log's lines
+  grep -m 1 -B 60 -E 'ERROR: .*(exited with|errored out)' "${log}" 2>/dev/null | sed 's/^[0-9T:,-]* //' >&2
+  return 1
+}
+roslab_call() {
+  local free="${INDEX_AS_OF}" first=--use-deprecated=legacy-resolver name
   local call=("$@")
   until rm -f "${log}" && PIP_LOG="${log}" command "${call[@]}"; do
     if grep -q -E 'Cannot install .* conflicting dependencies|error: resolution-too-deep' "${log}" 2>/dev/null && [ "${call[-1]}" != "${first}" ]; then
