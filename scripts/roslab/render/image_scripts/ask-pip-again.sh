@@ -6,6 +6,7 @@
 # 20.3: of their time many lists were never resolved. Where a package cannot be built with a Cython or setuptools of the day,
 # as its messages say (build-limits.txt), older ones are taken: its own day may be long before. What a package prints while it
 # is built is shown at the end: a pip that writes a log has it there alone.
+set -eo pipefail # as the steps that read it have
 
 roslab_pip() {
   local log="${INDEX_AS_OF}.log"
