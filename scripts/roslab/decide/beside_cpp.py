@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from roslab.decide.decision import Warning_
 from roslab.decide.programs import compiled, top_of
 from roslab.decide.python.pins import DEVELOPMENT
+from roslab.decide.reasons import warn
 from roslab.evidence.facts import CondaEnvironment, Evidence
 from roslab.knowledge.guesses import tooling
 
@@ -36,3 +38,15 @@ def mostly_cpp(evidence: Evidence) -> bool:
     included = {d.file for d in evidence.code if d.namespace == "include"}
     imported = {d.file for d in evidence.code if d.namespace == "import"}
     return len(included) > len(imported)
+
+
+def uncompiled(evidence: Evidence) -> tuple[Warning_, ...]:
+    """Warn about C++ of a repository of which nothing shows how it is compiled."""
+    included = [found for found in evidence.code if found.namespace == "include"]
+    if not included:
+        return ()
+    message = (
+        "there is C++, and nothing shows how it is compiled, so nothing is compiled; "
+        "write the build under `custom` in roslab.yaml"
+    )
+    return (warn(message, included[0]),)

@@ -10,7 +10,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
-from roslab.evidence.native import cmake_needs, cmake_since, included
+from roslab.evidence.native import cmake_needs, cmake_since, included, own_project
 from roslab.evidence.native.output_folder import output_folder
 from roslab.evidence.native.outside import of_workspace, outside_of_workspaces
 from roslab.repository.checkout import File, Repository, nearest
@@ -150,7 +150,8 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
     reading = _Reading(switches=above.switches, by_tool=above.by_tool)
     adds = False
     options = dict(above.options)
-    for call in calls(repository.read(file), _NAMES, options):
+    text = repository.read(file)
+    for call in calls(text, _NAMES, options):
         cmake_since.note(call, file.path, reading.newer)
         if folders := cmake_needs.folders(call):
             adds = True
@@ -162,6 +163,9 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             added |= {_joined(file.folder, folder): there for folder in folders} | added
         elif call.name == "include":
             _include(call, repository, file, reading)
+            if reading.name is None and (by_macro := own_project.wrapped(call, file.path, text, repository)):
+                reading.name = by_macro[0]
+                reading.dependencies.append(by_macro[1])
             for needing, path in included.needing(call, repository, file, reading.included, options):
                 cmake_since.note(needing, path, reading.newer)
                 _note(needing, path, reading)
@@ -172,8 +176,13 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         file=file.path,
         line=1,
         name=reading.name,
-        top_level=(reading.name is not None or (adds and not file.folder and reading.minimum is not None))
-        and file.folder not in added,
+        top_level=file.folder not in added
+        and own_project.stands_alone(
+            reading.name,
+            makes=bool((adds and not file.folder) or reading.executables or reading.libraries),
+            minimum=reading.minimum is not None,
+            rosbuild="rosbuild" in reading.macros,
+        ),
         added=above.within,
         always=above.always,
         languages=tuple(dict.fromkeys(reading.languages)),
