@@ -43,3 +43,32 @@ def test_what_guards_the_commands_program_is_needed(tree: Tree, condition: str, 
     decision = tree(files)
     assert decision.command[0] == program
     assert ("pangolin" in [source.name for source in decision.source]) == built
+
+
+ALL = """\
+cmake_minimum_required(VERSION 3.5)
+project(demo)
+find_package(Pangolin 0.2 QUIET)
+find_package(OpenCV QUIET)
+if(OpenCV_FOUND AND Pangolin_FOUND)
+  add_executable(kitti kitti.cpp)
+  add_executable(euroc euroc.cpp)
+endif()
+"""
+
+
+@pytest.mark.parametrize(
+    ("folder", "more", "built"),
+    [
+        ("", "", True),
+        ("", "add_executable(other other.cpp)\n", False),
+        ("", "if(OpenCV_FOUND)\n  add_executable(other other.cpp)\nendif()\n", False),
+        ("examples/", "", False),  # the examples of a library
+    ],
+)
+def test_what_guards_every_program_is_needed(tree: Tree, folder: str, more: str, built: bool) -> None:
+    files = {f"{folder}{name}.cpp": "int main() {}\n" for name in ("kitti", "euroc", "other")}
+    top = "cmake_minimum_required(VERSION 3.5)\nproject(all)\nadd_library(all all.cpp)\nadd_subdirectory(examples)\n"
+    files |= {"CMakeLists.txt": top, "all.cpp": "int all() {}\n"} if folder else {}
+    decision = tree({**files, f"{folder}CMakeLists.txt": ALL + more})
+    assert ("pangolin" in [source.name for source in decision.source]) == built

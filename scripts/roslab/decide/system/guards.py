@@ -3,19 +3,35 @@
 from __future__ import annotations
 
 from roslab.config.model import Kind
+from roslab.decide.programs import compiled
+from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.evidence.lex.truth import workspace_holds
 from roslab.values.dataclass import replace
 
 
-def required_by_command(evidence: Evidence, command: tuple[str, ...] | str) -> Evidence:
-    """Return the evidence with what guards the command's program as needed: ``if(X_FOUND) add_executable(…)``."""
+def required_by_command(evidence: Evidence, command: tuple[str, ...] | str, kind: Kind) -> Evidence:
+    """Return the evidence with what guards the command's program as needed: ``if(X_FOUND) add_executable(…)``.
+
+    What guards every program of a C++ project is needed as well: without it none is compiled.
+    """
     words = command.split() if isinstance(command, str) else command
     started = {word.rpartition("/")[2] for word in words}
-    if not any(program in started for project in evidence.cmake for program, _ in project.guards):
+    everywhere = _of_all_programs(evidence) if kind in {"cpp", "cuda"} else frozenset()
+    if not everywhere and not any(program in started for project in evidence.cmake for program, _ in project.guards):
         return evidence
-    return replace(evidence, cmake=tuple(_required(project, started) for project in evidence.cmake))
+    return replace(evidence, cmake=tuple(_required(project, started, everywhere) for project in evidence.cmake))
+
+
+def _of_all_programs(evidence: Evidence) -> frozenset[str]:
+    """Return the packages, in lower case, without which no program of the project is compiled, examples aside."""
+    if not any(project.guards for project in evidence.cmake):
+        return frozenset()
+    guards = {project.file: project.guards for project in evidence.cmake}
+    programs = [program for program in compiled(evidence) if not places.sample(program.file)]
+    found = [{package for name, package in guards[each.file] if name == each.name} for each in programs]
+    return frozenset(set.intersection(*found)) if found else frozenset()
 
 
 def required_by_tool(evidence: Evidence, kind: Kind) -> Evidence:
@@ -39,8 +55,8 @@ def _stops(asked: Dependency, ros: int) -> bool:
     return workspace_holds(asked.condition, ros) is True
 
 
-def _required(project: CMakeProject, started: set[str]) -> CMakeProject:
-    needed = {package for program, package in project.guards if program in started}
+def _required(project: CMakeProject, started: set[str], everywhere: frozenset[str]) -> CMakeProject:
+    needed = everywhere | {package for program, package in project.guards if program in started}
     return replace(
         project,
         dependencies=tuple(
