@@ -31,3 +31,21 @@ def test_a_package_without_its_configuration_file_is_compiled(
     decision = tree({"README.md": f"ROS {distro}\n", **cmake, **more})
     assert [source.name for source in decision.source] == (["nlopt"] if built else [])
     assert ("libnlopt-dev" in (*decision.apt, *decision.apt_guessed)) is not built
+
+
+@pytest.mark.parametrize(
+    ("distro", "name", "more", "built"),
+    [
+        ("Melodic", "Glog", {}, True),
+        ("Kinetic", "glog", {}, True),
+        ("Melodic", "Glog", {"cmake/FindGlog.cmake": ""}, False),
+        ("Indigo", "Glog", {}, False),  # its CMake is too old for glog's
+    ],
+)
+def test_glog_is_compiled_where_ubuntu_has_no_configuration_file(
+    tree: Tree, distro: str, name: str, more: dict[str, str], built: bool
+) -> None:
+    asks = f"cmake_minimum_required(VERSION 2.8.3)\nproject(demo)\nfind_package({name} REQUIRED)\n"
+    decision = tree({"README.md": f"ROS {distro}\n", "CMakeLists.txt": asks, "package.xml": XML, **more})
+    assert [source.name for source in decision.source] == (["glog"] if built else [])
+    assert ("libgoogle-glog-dev" in (*decision.apt, *decision.apt_guessed)) is not built
