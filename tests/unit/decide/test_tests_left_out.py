@@ -92,3 +92,26 @@ def test_a_program_of_a_folder_that_an_option_adds_depends_on_the_option(tree: T
     decision = tree({**CODE, **files, "README.md": "# Usage\n```\n./show\n./run\n```\n"})
     assert decision.command == ("show",)
     assert "-DDEMO_EXAMPLES=ON" in decision.cmake_options
+
+
+XML = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+ROS = "cmake_minimum_required(VERSION 2.8.3)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+
+
+@pytest.mark.parametrize(
+    ("distro", "adds", "built", "installed"),
+    [
+        ("Kinetic", "add_subdirectory(src/tests)\n", True, False),
+        ("Noetic", "add_subdirectory(src/tests)\n", False, True),
+        ("Kinetic", "if(CATKIN_ENABLE_TESTING)\nadd_subdirectory(src/tests)\nendif()\n", False, False),
+        ("Kinetic", "option(TESTS OFF)\nif(TESTS)\nadd_subdirectory(src/tests)\nendif()\n", False, False),
+        ("Kinetic", "", False, False),
+    ],
+)
+def test_what_the_tests_of_a_package_always_require_is_there(
+    tree: Tree, distro: str, adds: str, built: bool, installed: bool
+) -> None:
+    files = {"README.md": f"ROS {distro}\n", "package.xml": XML, "CMakeLists.txt": ROS + adds}
+    decision = tree({**files, "src/tests/CMakeLists.txt": ASKS, "src/tests/try.cpp": "int main() {}\n"})
+    assert ("googletest" in [source.name for source in decision.source]) is built
+    assert ("libgtest-dev" in decision.apt) is installed

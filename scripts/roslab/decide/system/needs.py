@@ -9,7 +9,7 @@ from roslab.decide.ros.vcs_files import distros_in
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import written_for
 from roslab.decide.system.switches import given, switched_off
-from roslab.decide.system.tests import always_compiled
+from roslab.decide.system.tests import always_compiled, always_of_packages
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -36,6 +36,9 @@ def needs(
     yield from _cmake(evidence, packages, compiled=kind in {"ros1", "ros2", "cpp"})
     for dependency in always_compiled(evidence) if kind == "cpp" else ():
         yield dependency, True
+    if kind in {"ros1", "ros2"}:
+        folders = frozenset(manifest.file.rpartition("/")[0] for manifest in packages.built)
+        yield from ((dependency, True) for dependency in always_of_packages(evidence, folders))
     for dependency in evidence.code:
         started_by = dependency.role == "shebang" and kind in {"ros1", "ros2"}  # others have a `python` of their own
         if dependency.namespace == "include" or started_by or dependency.role in _OF_CODE:

@@ -36,6 +36,15 @@ def always_compiled(evidence: Evidence) -> Iterator[Dependency]:
             yield asked
 
 
+def always_of_packages(evidence: Evidence, folders: frozenset[str]) -> Iterator[Dependency]:
+    """Yield what CMake requires for tests in the folders that packages of a workspace always add."""
+    for project, asked in _asked(evidence):
+        if project.always and project.added and asked.strength == "declared" and not asked.condition:
+            folder = project.file.rpartition("/")[0]
+            if any(not each or f"{folder}/".startswith(f"{each}/") for each in folders):
+                yield asked
+
+
 def _asked(evidence: Evidence) -> Iterator[tuple[CMakeProject, Dependency]]:
     for project in evidence.cmake:
         for asked in project.dependencies if not places.vendored(project.file) else ():
