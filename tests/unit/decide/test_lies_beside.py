@@ -74,3 +74,25 @@ def test_modules_of_a_library_are_no_package_of_the_workspace(tree: Tree, more: 
     cmake = "project(demo)\nfind_package(catkin REQUIRED)\nfind_package(OpenCV REQUIRED)\n"
     decision = tree({"package.xml": xml, "CMakeLists.txt": cmake, "README.md": f"ROS Noetic\n```\n{page}```\n"})
     assert sorted(source.name for source in decision.source) == cloned
+
+
+OPTIONS = "-DWITH_CUDA=ON -D CUDA_ARCH_BIN=8.6 -DWITH_TBB=ON -DBUILD_opencv_cudacodec=OFF"
+
+
+@pytest.mark.parametrize(
+    ("more", "kept"),
+    [
+        ({}, False),
+        ({"kernel.cu": "__global__ void run() {}\n", "train.py": "import torch\n"}, True),
+    ],
+    ids=["without", "with"],
+)
+def test_options_for_cuda_need_it_in_the_image(tree: Tree, more: dict[str, str], kept: bool) -> None:
+    page = f"```\n{OF_PAGE}cmake {OPTIONS} ..\nsudo make install\n```\n"
+    languages = " LANGUAGES CXX CUDA" if kept else ""
+    cmake = f"project(demo{languages})\nfind_package(OpenCV 3 REQUIRED)\nadd_executable(demo main.cpp)\n"
+    files = {"CMakeLists.txt": f"cmake_minimum_required(VERSION 3.10)\n{cmake}", "main.cpp": "int main() {}\n"}
+    (source,) = (each for each in tree({**files, **more, "README.md": page}).source if each.name == "opencv")
+    words = source.cmake_options.split()
+    assert {"-DWITH_TBB=ON", "-DBUILD_opencv_cudacodec=OFF"} <= {*words}
+    assert ("-DWITH_CUDA=ON" in words, "-DCUDA_ARCH_BIN=8.6" in words) == (kept, kept)

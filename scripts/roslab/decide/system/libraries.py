@@ -10,7 +10,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_hand import as_written, by_hand
 from roslab.decide.system.libtorch import libtorch
 from roslab.decide.system.names import Target
-from roslab.decide.system.needs import needs
+from roslab.decide.system.needs import TOOLKIT, needs
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.recipes import (
     of_another_release,
@@ -21,6 +21,7 @@ from roslab.decide.system.recipes import (
     too_new_here,
     too_old_here,
 )
+from roslab.decide.system.without_cuda import without_cuda
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.libraries import packaged
@@ -66,4 +67,5 @@ def decide_libraries(
     needing = (
         (replace(each, depends=tuple(dict.fromkeys((*depends, *each.depends)))), asked) for each, asked in linked
     )
-    return (*tabled, *torch, *needing)
+    built = (*tabled, *torch, *needing)
+    return built if cuda or TOOLKIT in system.apt else without_cuda(built)

@@ -20,7 +20,7 @@ from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 
-_TOOLKIT = "nvidia-cuda-toolkit"
+TOOLKIT = "nvidia-cuda-toolkit"
 _OF_CODE = frozenset({"called", "fetch", "linked", "typelib"})
 """Roles of packages that the code itself shows."""
 _HEADERS = pattern(r"lib[a-z-]+-dev")
@@ -74,7 +74,7 @@ def compiler_of_cuda(evidence: Evidence, packages: Packages, kind: Kind, ubuntu:
         aside = places.aside(path)
         if "cuda" in project.macros and not aside and (not folders or "" in folders or _inside(path, folders)):
             asked = project.line
-            for name in (_TOOLKIT, compiler) if compiler else (_TOOLKIT,):
+            for name in (TOOLKIT, compiler) if compiler else (TOOLKIT,):
                 yield Dependency(namespace="apt", name=name, strength="used", file=path, line=asked, role="cuda")
 
 
@@ -85,7 +85,7 @@ def host_options(apt: Iterable[str], ubuntu: str | None) -> tuple[str, ...]:
     https://cmake.org/cmake/help/latest/variable/CMAKE_LANG_HOST_COMPILER.html
     """
     compiler = host_compilers().get(ubuntu or "")
-    variables = ("CUDA_HOST_COMPILER", "CMAKE_CUDA_HOST_COMPILER") if compiler and _TOOLKIT in apt else ()
+    variables = ("CUDA_HOST_COMPILER", "CMAKE_CUDA_HOST_COMPILER") if compiler and TOOLKIT in apt else ()
     return tuple(f"-D{variable}=/usr/bin/{compiler}" for variable in variables)
 
 
