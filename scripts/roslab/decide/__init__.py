@@ -41,6 +41,7 @@ from roslab.decide.ros.workspace import of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.system.apt_sources import decide_apt_sources
 from roslab.decide.system.as_tried import as_tried
+from roslab.decide.system.compiled_signs import with_compiled_signs
 from roslab.decide.system.gazebo import with_release
 from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
@@ -63,7 +64,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence, config = narrowed(evidence, config)
     day, pip_day, evidence = decide_days(evidence, config)
     kind = decide_kind(evidence, config, folder_name)
-    evidence = with_what_is_brought(evidence, kind.answer, folder_name)
+    evidence = with_compiled_signs(with_what_is_brought(evidence, kind.answer, folder_name), kind.answer)
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
     cuda = decide_cuda(evidence, config, pins(evidence))

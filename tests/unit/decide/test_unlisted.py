@@ -51,3 +51,33 @@ def test_lists_elsewhere_and_includes_of_sources_count(tree: Tree) -> None:
     assert tree({**files, "more.cmake": "set(MORE src/old.cpp)\n"}).ubuntu == "bionic"
     files["src/a.cpp"] = '#include "old.cpp"\n'
     assert tree({**files, "more.cmake": ""}).ubuntu == "bionic"
+
+
+XML = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+ROS = "find_package(catkin REQUIRED)\ncatkin_package()\n"
+
+
+@pytest.mark.parametrize(
+    ("other", "release"),
+    [
+        ("add_executable(b src/old.cpp)\n", "noetic"),  # another program, which catkin does not compile
+        ("add_executable(b ../node/src/old.cpp)\n", "melodic"),
+        ("", "noetic"),
+    ],
+)
+def test_a_list_names_the_file_of_its_own_folder(tree: Tree, other: str, release: str) -> None:
+    files = {f"node/{path}": text for path, text in plain(f"{ROS}add_executable(a src/a.cpp)\n").items()}
+    files |= {f"other/{path}": text for path, text in plain(other).items()}
+    page = "Works with ROS Melodic and ROS Noetic.\n"
+    assert tree({**files, "node/package.xml": XML, "README.md": page}).ros_distro == release
+
+
+@pytest.mark.parametrize(
+    ("text", "ubuntu"),
+    [
+        ("/* the old one:\n  show(CV_WINDOW_NORMAL);\n*/\nint main() {}\n", "jammy"),
+        ("/* the new one */\nvoid run() {\n  show(CV_WINDOW_NORMAL);\n}\n", "bionic"),
+    ],
+)
+def test_a_name_in_a_comment_is_no_sign(tree: Tree, text: str, ubuntu: str) -> None:
+    assert tree({**plain("add_executable(a src/a.cpp)\n", old="src/a.h"), "src/a.cpp": text}).ubuntu == ubuntu

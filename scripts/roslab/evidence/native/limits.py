@@ -81,7 +81,7 @@ class Signs:
                 before = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
                 if before.lstrip(" \t#").startswith("define") and not before.partition("define")[2].strip():
                     self.defined.add(match[0])
-                elif match[0] not in names and not _comment(before):
+                elif match[0] not in names and not (_comment(before) or _in_block(text, match.start())):
                     names[match[0]] = match.start()
             for name, start in names.items():
                 if not conditional(text, start):
@@ -116,7 +116,9 @@ class Signs:
         self._as_cpp11(repository)
         kept = {header: self._including(header) for header in kept_names()}
         unlisted = Unlisted(repository)
-        first = (next((limit for limit in self._meant(each, kept, unlisted)), None) for each in self.found.values())
+        packages = tuple(f"{file.folder}/" for file in repository.named("package.xml") if file.folder)
+        places_of = (sorted(each, key=lambda p: not p[1].file.startswith(packages)) for each in self.found.values())
+        first = (next((limit for limit in self._meant(each, kept, unlisted)), None) for each in places_of)
         return tuple(limit for limit in first if limit)
 
     def _as_cpp11(self, repository: Repository) -> None:
@@ -196,3 +198,8 @@ def conditional(text: str, position: int) -> bool:
 def _comment(before: str) -> bool:
     """Tell it from what stands before a name on its line."""
     return "//" in before or before.lstrip().startswith("*")
+
+
+def _in_block(text: str, position: int) -> bool:
+    """Tell whether a comment of several lines is open there; what only looks like one is in a string."""
+    return text.rfind("/*", 0, position) > text.rfind("*/", 0, position)

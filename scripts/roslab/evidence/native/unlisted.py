@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cached_property
 
 from roslab.repository.checkout import Repository
@@ -25,6 +26,8 @@ MOST = 3_000
 _COMMENT = pattern(r"#[^\n]*")
 _WORD = pattern(r"[^\s/\"'(){};,:=$]+")
 _CODE = pattern(r"\w\.(?:cpp|cc|cxx|c|cu)\b")
+_OUT = pattern(r"(?:\.\./|\$\{?\w*\}?/)[\w./-]*\.(?:cpp|cc|cxx|c|cu)\b")
+"""A source in a folder that is not the list's own, or that a variable gives."""
 _ANY = pattern(
     r"(?i:\bGLOB(?:_RECURSE)?\b|\baux_source_directory\b)|\bwildcard\b|\bglob\(|[*%}][\w-]*\.(?:cpp|cc|cxx|c|cu)\b|"
     r"\bament_auto_add_\w+\s*\([^)]*\bDIRECTORY\b"
@@ -41,7 +44,8 @@ class Unlisted:
     def has(self, path: str) -> bool:
         """Tell whether no list names a source, though the CMakeLists.txt of its folder, or of one above, names others.
 
-        A name without its ending counts as well: a loop may give the ending.
+        A name without its ending counts as well: a loop may give the ending. Of several files of one name, each is that
+        of the list of its own folder or one above, unless a list leads out of its folder.
         """
         folder, _, name = path.rpartition("/")
         if not name.endswith(_SOURCES):
@@ -53,7 +57,10 @@ class Unlisted:
         if any(map(_ANY.search, lists)):
             return False
         by_name = any(_CODE.search(text) for folder in above if (text := self._text(folder, _LISTS[0])))
-        return by_name and not {name, name.rpartition(".")[0]} & self._words
+        words = self._words
+        if by_name and len(self._repository.named(name)) > 1 and not self._leads_out:
+            words = _words_of(lists)
+        return by_name and not {name, name.rpartition(".")[0]} & words
 
     def _text(self, folder: str, name: str) -> str:
         path = f"{folder}/{name}" if folder else name
@@ -62,7 +69,18 @@ class Unlisted:
     @cached_property
     def _words(self) -> frozenset[str]:
         """The words of every list of the tree, with and without their endings."""
+        return _words_of(self._texts)
+
+    @cached_property
+    def _texts(self) -> tuple[str, ...]:
         files = (*self._repository.named(*_LISTS, "BUILD"), *self._repository.suffixed(*_ALSO))[:MOST]
-        texts = (_COMMENT.sub("", self._repository.read(file)) for file in files)
-        words = frozenset(word for text in texts for word in _WORD.findall(text))
-        return words | {word.rpartition(".")[0] for word in words}
+        return tuple(_COMMENT.sub("", self._repository.read(file)) for file in files)
+
+    @cached_property
+    def _leads_out(self) -> bool:
+        return any(map(_OUT.search, self._texts))
+
+
+def _words_of(texts: Iterable[str]) -> frozenset[str]:
+    words = frozenset(word for text in texts for word in _WORD.findall(text))
+    return words | {word.rpartition(".")[0] for word in words}
