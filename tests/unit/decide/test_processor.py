@@ -187,3 +187,21 @@ def test_a_cloned_vendor_package_may_be_for_amd64_alone(tree: Tree) -> None:
     files = {"package.xml": package, "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n"}
     assert tree({**files, "demo.repos": lists.format("fd_sdk_vendor")}).platforms == (AMD64,)
     assert tree({**files, "demo.repos": lists.format("others")}).platforms == (AMD64, ARM64)
+
+
+COPY = "configure_file(${{CMAKE_CURRENT_SOURCE_DIR}}/sdk/libCamx64.so ${{CMAKE_CURRENT_BINARY_DIR}}/libCam.so {how})"
+X86_64 = "\x7fELF\x02\x01\x01" + "\0" * 9 + "\x03\0\x3e\0"
+
+
+@pytest.mark.parametrize(
+    ("lines", "platforms"),
+    [
+        (f"{COPY.format(how='COPYONLY')}\ntarget_link_libraries(demo Cam)", (AMD64,)),
+        (f"{COPY.format(how='COPYONLY')}\ntarget_link_libraries(demo Other)", (AMD64, ARM64)),  # a plugin
+        (f"if(WIN32)\n{COPY.format(how='COPYONLY')}\nendif()\ntarget_link_libraries(demo Cam)", (AMD64, ARM64)),
+    ],
+)
+def test_a_library_that_is_copied_to_be_linked_rules_out_arm(
+    tree: Tree, lines: str, platforms: tuple[str, ...]
+) -> None:
+    assert tree(cmake(lines) | MAIN | {"sdk/libCamx64.so": X86_64}).platforms == platforms

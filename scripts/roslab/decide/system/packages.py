@@ -22,6 +22,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.carried import brought, held
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import compiler_of_cuda, needs
+from roslab.decide.system.one_qt import of_another_qt
 from roslab.decide.system.recipes import lies_elsewhere, linked
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.dependency import Dependency
@@ -148,7 +149,8 @@ def decide_system(
     for apt, asked in apt_for_wheels(python, installed, target.ubuntu, evidence):
         found.guessed.setdefault(apt, asked)
     refused = never()
-    kept = {n: d for n, d in found.guessed.items() if n not in found.declared and not refused.match(n)}
+    other = of_another_qt(found.guessed, found.declared, (each for each, _ in needed))
+    kept = {n: d for n, d in found.guessed.items() if n not in {*found.declared, *other} and not refused.match(n)}
     variant = config.base.ros.partition("-")[2] if config.base.ros else ""
     dropped = _drop(found, kept, target, [key.name for key in keys if key.name not in found.skip], variant)
     wanted = [name for name in _requested(config, target.ubuntu) if name not in found.declared]

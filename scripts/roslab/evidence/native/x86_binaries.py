@@ -25,6 +25,8 @@ _LINKING = frozenset(
         *("set_target_properties", "set_property"),
     )
 )
+_COPIED = pattern(r"lib([\w+-]+)\.so$")
+"""A library in the build folder, by the name that the linker looks for."""
 _LIBRARY = pattern(r"\.(?:so(?:\.\d+)*|a)(?=[\s)\"';])")
 _ELF = b"\x7fELF"
 _ARCHIVE_OF_OBJECTS = b"!<arch>\n"
@@ -45,11 +47,21 @@ def read(repository: Repository) -> Iterator[X86Only]:
             or _CHOOSES.search(text)
         ):
             continue
-        for call in calls(text, _FETCHING | _LINKING):
+        found = tuple(calls(text, _FETCHING | _LINKING | {"configure_file"}))
+        names = {word for call in found if call.name.endswith("link_libraries") for word in call.words}
+        for call in found:
+            if call.name == "configure_file" and not _copied_for(names, call):
+                continue
             what = _fetched(call) if call.name in _FETCHING else _linked(call, file, repository)
             if what and always(call, repository):
                 yield X86Only(what, "binary", file.path, call.line)
                 break
+
+
+def _copied_for(names: set[str], call: Call) -> bool:
+    """Tell whether a file is copied to where programs link it by its name: ``COPYONLY``."""
+    copied = _COPIED.search(call.words[1]) if "COPYONLY" in call.words[2:] else None
+    return copied is not None and copied[1] in names
 
 
 def _fetched(call: Call) -> str | None:
