@@ -23,8 +23,8 @@ FAMILY = 2  # Dockerfiles for more distributions are a family: none of them tell
 LEFT_BEHIND = dt.timedelta(days=182)  # from a distribution's end on, so long CI and Dockerfiles may still be for it
 QUOTED = 160  # most characters of a sentence that are quoted
 _AGAINST = pattern(
-    r"not (?:been )?(?:tested|supported|work)|n't work|unsupported|no longer|deprecated|end[- ]of[- ]life|\beol\b|"
-    r"coming soon|todo|"
+    r"not (?:been )?(?:tested|supported|recommended|work)|n't work|unsupported|no longer|deprecated|"
+    r"end[- ]of[- ]life|\beol\b|coming soon|todo|"
     r"(?:see|use|switch (?:over )?to|check ?out|available (?:in|on|at)|go to)\s+"
     r"(?:the\s+)?[\w\"'`/-]*\s*(?:branch|tag)|"
     r"\bbranch\b.*\bfor\b|for .*\bbranch\b|\bport(?:ed)?\b|previous(?:ly)?|legacy|\bold(?:er)?\b|archive|"
@@ -44,7 +44,7 @@ _TESTED = pattern(r"\b(?:test(?:ed)?|developed|validated|verified|requires?|requ
 """The sentence tells what the authors used, or what everybody needs."""
 _EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)(?!\w)", re.IGNORECASE)
 """The sentence only shows how a name is written."""
-_RECOMMENDED = pattern(r"\brecommend", re.IGNORECASE)
+_RECOMMENDED = pattern(r"(?<!not )(?<!n't )\brecommend", re.IGNORECASE)
 _LIST = (".repos", ".rosinstall")
 _SENTENCE = pattern(r"(?<=[.;!?])\s+|\s*\|\s*")
 _WHAT = {"filename": "a file is named", "ci": "CI:", "dockerfile": "the author's image:", "script": "a script:"}

@@ -14,6 +14,8 @@ from roslab.evidence.lex.yaml import Scalar, scalars
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
+from roslab.evidence.prose.other_branches import told
+from roslab.evidence.prose.pages import pages
 from roslab.evidence.prose.taken_out import conditional, taken_out
 from roslab.evidence.prose.upstream import upstream
 from roslab.knowledge.distros import ever
@@ -61,8 +63,20 @@ _FOLDED = pattern(r"^([ \t]*)(?:-[ \t]+)?\w+:[ \t]*>-?[ \t]*\n((?:\1[ \t]+\S.*\n
 def read(repository: Repository) -> Prose:
     """Return the install lines, container images and versions in CI files; release workflows are left out.
 
-    So is what only builds other branches, each named after a distribution, where other files name one for this branch.
+    So is what only builds other branches, each named after a distribution, where other files name one for this branch,
+    or a page tells the branches apart.
     """
+    found, others = repository.once(_all)
+    return merge(prose for path, prose in found.items() if path not in others)
+
+
+def of_others(repository: Repository) -> frozenset[str]:
+    """Return the files that ``read`` leaves out because they only build other branches."""
+    return repository.once(_all)[1]
+
+
+def _all(repository: Repository) -> tuple[dict[str, Prose], frozenset[str]]:
+    """Return what each file says, and which are only for other branches."""
     files = [file for file in (*repository.suffixed(".yml", ".yaml"), *repository.named("Jenkinsfile")) if _is_ci(file)]
     found: dict[str, Prose] = {}
     others: set[str] = set()
@@ -74,7 +88,8 @@ def read(repository: Repository) -> Prose:
             if values and repository.branch and _for_others(values, repository.branch):
                 others.add(file.path)
     own = any(mention.topic == "distro" for path in found.keys() - others for mention in found[path].mentions)
-    return merge(prose for path, prose in found.items() if not (own and path in others))
+    own = own or (bool(others) and any(told(repository, page) for page in pages(repository)))
+    return found, frozenset(others if own else ())
 
 
 def _is_ci(file: File) -> bool:

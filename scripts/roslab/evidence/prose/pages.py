@@ -12,6 +12,7 @@ from roslab.evidence.prose.blanks import chosen
 from roslab.evidence.prose.block_values import with_values
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.headings import lines_of, title_of
+from roslab.evidence.prose.other_branches import without
 from roslab.evidence.prose.preformatted import as_markdown
 from roslab.evidence.prose.translations import without_translations
 from roslab.repository.checkout import File, Repository
@@ -47,8 +48,11 @@ _ASIDE = pattern(
 
 
 def text_of(repository: Repository, file: File) -> str:
-    """Return what a page says to those who read it, not what it comments out, with all its blocks of code fenced."""
-    return _shown(repository.read(file))
+    """Return what a page says to those who read it, with all its blocks of code fenced.
+
+    That is not what it comments out, nor what it says of another branch.
+    """
+    return without(repository, _shown(repository.read(file)))
 
 
 @cache

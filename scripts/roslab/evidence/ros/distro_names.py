@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.prose.ci import of_others
 from roslab.knowledge.distros import distros, ever
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -37,10 +38,14 @@ def _branch(repository: Repository) -> Iterator[Mention]:
 
 
 def _files(repository: Repository) -> Iterator[Mention]:
-    """Read file names; if the same name without a distribution exists beside it, that one is for this branch."""
+    """Read file names; if the same name without a distribution exists beside it, that one is for this branch.
+
+    CI that only builds other branches is named after theirs.
+    """
+    others = of_others(repository)
     for file in repository.files:
         lower = file.name.lower()
-        if not _FILES.search(lower) or places.vendored(file.path) or file.path.count("/") > 4:
+        if not _FILES.search(lower) or places.vendored(file.path) or file.path.count("/") > 4 or file.path in others:
             continue
         for word in dict.fromkeys(_WORD.findall(lower)):
             if word not in distros():
