@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from itertools import takewhile
 from typing import Literal, cast
 
 from packaging.version import Version
@@ -67,9 +68,10 @@ def version_of(library: str, ubuntu: str, *, ros: bool = False) -> str | None:
 
 
 def _newest(library: str, ubuntu: str) -> str:
-    """Return the newest version that the table has of a library, for an Ubuntu that it does not have, else ``""``."""
+    """Return the newest version of a library in an older Ubuntu; one that the table does not have is the newest."""
     known = _versions().get(library, {})
-    return "" if ubuntu in known else next(reversed(known.values()), "")
+    older = tuple(takewhile(lambda each: each != ubuntu, known))
+    return next((known[each] for each in reversed(older) if known[each]), "")
 
 
 def fits(library: str, ubuntu: str, *, at_least: str | None, below: str | None, ros: bool = False) -> bool:

@@ -39,6 +39,11 @@ def ros1(cmake: str = "", code: str = "", page: str = "Tested with ROS Kinetic")
         ("", "#ifdef OLD\nint f = CV_LOAD_IMAGE_COLOR;\n#endif\n", "Tested with ROS Noetic", "noetic"),
         ("", "#ifndef A_H\n#define A_H\n#include <opencv/cv.h>\n#endif\n", "Tested with ROS Noetic", "melodic"),
         ("", "#ifdef OLD\n#endif\n#include <opencv/cv.h>\n", "Tested with ROS Noetic", "melodic"),
+        ("", "void f() { now = this->world_->GetSimTime(); }\n", "ROS Kinetic or Melodic", "kinetic"),
+        ("", "gazebo::math::Pose p = q;\n", "ROS Kinetic or Melodic", "kinetic"),
+        ("", "void f() { p = model->GetWorldPose(); }\n", "ROS Kinetic or Melodic", "kinetic"),
+        ("", "#if GAZEBO_MAJOR_VERSION < 9\ngazebo::math::Pose p;\n#endif\n", "ROS Kinetic or Melodic", "melodic"),
+        ("", "void f() { now = robot->GetSimTime(); }\n", "ROS Kinetic or Melodic", "melodic"),
         (f"find_package(CUDA REQUIRED)\n{GPU}", "", "Tested with ROS Kinetic", "melodic"),
         (f"find_package(CUDA QUIET)\n{GPU}", "", "Tested with ROS Kinetic", "kinetic"),
         (f"find_package(CUDA REQUIRED)\n{GPU.replace('61', '86')}", "", "Tested with ROS Noetic", "noetic"),
@@ -128,6 +133,11 @@ def test_what_a_workflow_compiles_beside_a_newer_library_is_behind_an_option(
     }
     files[file] = f"jobs:\n  a:\n    runs-on: ubuntu-22.04\n    steps:\n    - run: {steps}\n"
     assert tree(files).ubuntu == ubuntu
+
+
+def test_an_ubuntu_without_a_library_has_no_older_one() -> None:
+    assert not fits("Gazebo", "noble", at_least=None, below="9")
+    assert fits("Gazebo", "noble", at_least="9", below=None)
 
 
 def test_versions() -> None:
