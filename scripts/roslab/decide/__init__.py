@@ -50,6 +50,7 @@ from roslab.decide.system.missing import decide_missing, provided
 from roslab.decide.system.names import Target
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, with_libraries
+from roslab.decide.system.sections import of_this_ubuntu
 from roslab.decide.variables import decide_variables
 from roslab.evidence.facts import Evidence
 
@@ -104,6 +105,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     base, cuda, python = as_authored(dockerfile, evidence, config, mended.answer, base=base, cuda=cuda, python=python)
     command = decide_command(evidence, config, kind.answer, dockerfile, python.answer.version)
     evidence = required_by_command(evidence, command.answer.command, kind.answer)
+    evidence = of_this_ubuntu(evidence, base.answer.ubuntu, distro)
     build_tool = decide_build_tool(evidence, config, kind.answer, python.answer)
 
     packages = of_one_ros(packages_of(evidence), evidence, kind.answer)

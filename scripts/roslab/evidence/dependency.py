@@ -34,6 +34,8 @@ class Dependency:
     """Its condition as written (``$ROS_VERSION == 1``, a CMake ``if``)."""
     required: bool = False
     """CMake stops without it where its condition holds."""
+    heading: str = ""
+    """The titles of the page that a line of apt stands under."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -179,6 +179,7 @@ class Collector:
                         file=self.file,
                         line=line,
                         version=version or None,
+                        heading=self.heading,
                     )
                 )
 
