@@ -122,6 +122,8 @@ def test_what_a_page_installs_from_its_repository_is_not_lost(tree: Tree, instal
     [
         ("As a prerequisite, you need to have [acme](https://github.com/lab/acme) installed.\n", True),
         ("The code requires the package [acme](https://github.com/lab/acme).\n", True),
+        ("Download and install the acme code [here](https://github.com/lab/acme) by its page.\n", True),
+        ("Install the drivers, then look at the code [here](https://github.com/lab/acme).\n", False),
         ("You need to have seen [acme](https://github.com/lab/acme).\n", False),
         ("Thanks to [acme](https://github.com/lab/acme), which depends on nothing.\n", False),
     ],

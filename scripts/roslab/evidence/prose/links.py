@@ -30,7 +30,8 @@ _HOLDS = pattern(
 _INSTALLS = pattern(
     r"\b(?:install(?:ing)?|(?:need|required?|prerequisite)\b[^.\n]{0,40}\bhave|requires|depends on)\s+"
     r"(?:(?:the|our|their|a|an|and|also|then|latest|library|package|version|of|from)\s+){0,4}"
-    r"(?:\[[^\]\n]{1,80}\]\()?<?$",
+    r"(?:\[[^\]\n]{1,80}\]\()?<?$|"
+    r"\binstall\s+(?:[\w`'-]+\s+){1,5}\[(?:from\s+)?(?:here|this\s+(?:link|page|repo(?:sitory)?))\]\(<?$",
     re.IGNORECASE,
 )
 """A sentence that has the reader install what it links to, or says that the code requires it, up to the link."""
