@@ -22,6 +22,12 @@ Tree = Callable[[dict[str, str]], Decision]
         ),
         ("Required packages:\n\n* OpenCV (>= 3.4)\n* scikit image\n", ["opencv-python>=3.4", "scikit-image"]),
         ("## Prerequisites\n1. PyTorch 1.8 or newer\n2. tqdm, matplotlib\n", ["torch>=1.8", "tqdm", "matplotlib"]),
+        (
+            "## Setup\n- Known dependencies: Python (3.5.4), OpenAI gym (0.10.5), tensorflow (1.8.0), numpy (1.14.5)\n",
+            ["gym==0.10.5", "tensorflow==1.8.0", "numpy==1.14.5"],
+        ),
+        ("Requirements: a robot with numpy 1.14\n", []),
+        ("## Features\n- Known limits: numpy 1.14\n", []),
         ("It is tested with pytorch-1.0.\n", ["torch==1.0.*"]),
         ("Tested with PyTorch 1.8 / Python 3.6.\n", ["torch==1.8.*"]),
         (

@@ -21,6 +21,10 @@ _HEADING = pattern(r"^\s{0,3}#{1,6}\s+(.*?)\s*#*$")
 _UNDERLINE = pattern(r"^\s{0,3}([=~^\"'`+#*-])\1{3,}\s*$")
 _ITEM = pattern(r"^\s{0,8}(?:[-*+]|\d{1,2}[.)])\s+(.*)$")
 _MARKUP = pattern(r"[*_`]{1,3}|\[([^\[\]\n]{1,80})\]\([^()\s]{0,300}\)")
+_NAMED = pattern(
+    r"^\W{0,8}(?:\w+\s+){0,2}(?:requirements?|dependenc(?:y|ies)|prerequisites?)\s{0,3}:\s+(\S.*)$", re.IGNORECASE
+)
+"""A line that lists what is needed itself: "Known dependencies: Python (3.5.4), numpy (1.14.5)"."""
 _VERSION = r"(?:version\s*|v\.?\s*)?(==|>=|<=|~=|=|≥|<|>|-|:)?\s*(?:version\s*|v\.?\s*)?(\d{1,2}(?:\.\d{1,3}){1,2})"
 _MORE = r"(\.x|\+|\s*(?:or|and)\s+(?:newer|later|above|higher|greater|up))?"
 _LISTED = pattern(
@@ -116,6 +120,9 @@ def said(text: str, file: str) -> Iterator[Requirement]:
         if item is not None:
             yield from _listed(item[:MAX_LINE], file, number)
             continue
+        if listed := _NAMED.match(_plain(line)[:MAX_LINE]):
+            yield from _listed(listed[1], file, number)
+            continue
         for sentence in _SENTENCE.split(_plain(line)):
             if len(sentence) <= MAX_LINE and _MEANT.search(sentence) and not _NOT.search(sentence):
                 for match in _SAID.finditer(sentence):
@@ -163,6 +170,8 @@ def _listed(item: str, file: str, line: int) -> Iterator[Requirement]:
         match = _LISTED.match(part.strip())
         if match is None:
             return
+        if match[1].lower() == "python":
+            continue
         words = match[1].split()
         name = match[1] if package_of(match[1]) else words[0]
         if not package_of(name) or (name != match[1] and words[1:2] and not match[3]):
