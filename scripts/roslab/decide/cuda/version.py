@@ -11,6 +11,7 @@ from packaging.version import Version
 from roslab.config.model import Config
 from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.cuda.gpus import gpu_limits, knows_gpus, nearest_that_knows, unknown_gpu
+from roslab.decide.cuda.imported import imported
 from roslab.decide.cuda.local import cuda_of, cuda_of_build, of_the_cpu
 from roslab.decide.cuda.upstream_images import of_upstream
 from roslab.decide.decision import Choice, Reason
@@ -150,7 +151,7 @@ def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> It
     compiles = compiles or any("torch" in build_needs().get(pin.name, ()) for pin in pins)
     lowest = {use.bound.key: use.bound.below for use in evidence.bounds}
     of_conda = {each.file for each in evidence.conda if any(map(_names_cuda, each.packages))}
-    for pin in pins:
+    for pin in (*pins, *imported(evidence, pins)):
         if pin.requirement.role == "conda" and pin.requirement.file in of_conda:
             continue  # conda has it for the CUDA that the same file names
         # The wheels of torch bring the CUDA of their day: the image needs it only where something is compiled for them
