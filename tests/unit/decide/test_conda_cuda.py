@@ -40,6 +40,13 @@ def test_a_newer_cuda_of_the_environment_is_what_its_packages_ask_for(tree: Tree
     assert decision.python.conda_cuda == "12.1"
 
 
+def test_a_deleted_image_leaves_conda_its_own_cuda(tree: Tree) -> None:
+    decision = tree(_environment("pytorch=1.6.0", "cudatoolkit=10.2"))
+    (said,) = [each.message for each in decision.warnings if each.message.startswith("CUDA 10.2: its images were")]
+    assert "What conda installs loads its own, but what is compiled in the image is for 11." in said
+    assert "will not see the GPU" not in said
+
+
 def test_pip_needs_none(tree: Tree) -> None:
     assert not tree({"requirements.txt": "torch==1.13.1\n"}).python.conda_cuda
 

@@ -42,6 +42,7 @@ DEFAULT = "11.8"
 """The version when nothing names one: most frameworks of 2022 to 2025 have wheels for it."""
 _OLDEST = Version("8")
 _WHY = {"tensorflow": "loads it", "torch": "has it in its wheel", "jax": "is built for it"}
+_CONDA_HAS = "the conda environment has"
 _BUILT_FOR = frozenset({"torch", "torchvision", "torchaudio", "torch-scatter", "mmcv-full", "jaxlib", "cupy"})
 OF_CONDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda-toolkit", "cuda-version", "cuda"})
 """Packages of conda whose version is that of CUDA."""
@@ -178,7 +179,7 @@ def _of_conda(evidence: Evidence) -> Iterator[Candidate]:
                 cuda = cuda_of_build(package.build)
                 weight = weight if environment.file.count("/") > 1 else Weight.LOCAL_VERSION
             if cuda:
-                why = f"the conda environment has {package.written}"
+                why = f"{_CONDA_HAS} {package.written}"
                 yield because("cuda", cuda, why, environment, weight=weight), ()
 
 
@@ -285,6 +286,8 @@ def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: t
     loads = f"A framework that loads CUDA {cuda} itself will not see the GPU; set"
     if said.reason.endswith(_WHY["torch"]):
         loads = "The wheel loads its own; set"
+    elif said.reason.startswith(_CONDA_HAS):
+        loads = f"What conda installs loads its own, but what is compiled in the image is for {instead.cuda}; set"
     warning = warn(
         f"CUDA {cuda}: {why}; the image has {instead.tag}. {loads} base.cuda or base.image in roslab.yaml "
         "to choose another",
