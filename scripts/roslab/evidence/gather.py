@@ -157,7 +157,7 @@ def gather(repository: Repository) -> Evidence:
         own_keys=rosdep_lists.read(repository) if manifests else (),
         apt_sources=apt_sources.read(own),
         mentions=(
-            *distro_names.read(repository),
+            *distro_names.read(repository, ci.of_others(repository)),
             *branch_tables.read(own),
             *with_notebooks(fetched_here.without(prose.mentions, own), said),
             *linked.read(own, prose.mentions),

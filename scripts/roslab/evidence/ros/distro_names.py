@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.ci import of_others
 from roslab.knowledge.distros import distros, ever
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -18,9 +17,12 @@ _FILES = pattern(
 )
 
 
-def read(repository: Repository) -> tuple[Mention, ...]:
-    """Return the distributions in the names of the branch, Dockerfiles, vcs files, CI files and scripts."""
-    return tuple(_branch(repository)) + tuple(_files(repository))
+def read(repository: Repository, others: Collection[str] = ()) -> tuple[Mention, ...]:
+    """Return the distributions in the names of the branch, Dockerfiles, vcs files, CI files and scripts.
+
+    ``others``: the files that are only for other branches, which are named after theirs.
+    """
+    return tuple(_branch(repository)) + tuple(_files(repository, others))
 
 
 def _branch(repository: Repository) -> Iterator[Mention]:
@@ -37,12 +39,8 @@ def _branch(repository: Repository) -> Iterator[Mention]:
             yield _mention(ros.pop(), "branch", ".git/HEAD", branch)
 
 
-def _files(repository: Repository) -> Iterator[Mention]:
-    """Read file names; if the same name without a distribution exists beside it, that one is for this branch.
-
-    CI that only builds other branches is named after theirs.
-    """
-    others = of_others(repository)
+def _files(repository: Repository, others: Collection[str]) -> Iterator[Mention]:
+    """Read file names; if the same name without a distribution exists beside it, that one is for this branch."""
     for file in repository.files:
         lower = file.name.lower()
         if not _FILES.search(lower) or places.vendored(file.path) or file.path.count("/") > 4 or file.path in others:
