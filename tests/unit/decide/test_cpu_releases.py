@@ -36,10 +36,12 @@ def test_old_code_of_a_day_with_a_newer_framework_keeps_the_newest_old_one(tmp_p
 def test_old_code_whose_framework_nothing_names_loads_the_cuda_of_then(
     tree: Callable[[dict[str, str]], Decision], code: str, told: bool
 ) -> None:
-    decision = tree({"train.py": f"import tensorflow as tf\nx = {code}\n"})
-    assert decision.kind == "cuda"
-    warnings = [(w.file, w.line) for w in decision.warnings if w.message.startswith("CUDA 10.0: its images were")]
-    assert warnings == [("train.py", 1)] * told
+    files = {"train.py": f"import tensorflow as tf\nx = {code}\n"}
+    for more, expected in (({}, told), ({"requirements.txt": "torch\n"}, False)):
+        decision = tree({**files, **more})
+        assert decision.kind == "cuda"
+        warnings = [(w.file, w.line) for w in decision.warnings if w.message.startswith("CUDA 10.0: its images were")]
+        assert warnings == [("train.py", 1)] * expected
 
 
 def test_a_framework_that_only_ci_installs_for_the_tests_is_no_sign_of_cuda(

@@ -15,8 +15,13 @@ _LOADING = "tensorflow"
 
 
 def imported(evidence: Evidence, pins: tuple[Pin, ...]) -> Iterator[Pin]:
-    """Yield such a framework that nothing names, as a line of a page does without a version."""
-    named = {framework_on_cuda(pin.name) for pin in pins}
+    """Yield such a framework, as a line of a page does without a version.
+
+    None where anything names a framework, which is then what the tree is for, nor of one program beside packages of
+    ROS, whose image has the Python packages of the system.
+    """
+    if evidence.manifests or any(framework_on_cuda(pin.name) for pin in pins):
+        return
     for use in evidence.bounds:
-        if framework_on_cuda(use.bound.key) == _LOADING and _LOADING not in named and not places.aside(use.file):
+        if framework_on_cuda(use.bound.key) == _LOADING and not places.aside(use.file):
             yield Pin(stated(use.bound.key, "import", use.file, use.line), 1)
