@@ -48,7 +48,7 @@ def test_what_may_bring_it_is_told_with_the_module(tree: Tree) -> None:
     decision = tree({**CODE, "README.md": LINK.replace("AcmeEngine", "fast_core")})
     said = [each.message for each in decision.warnings if "no table knows" in each.message]
     assert len(said) == 1
-    assert "AcmeEngine; unless a declared package or fast_core brings it" in said[0]
+    assert "AcmeEngine; unless a declared package or fast_core (https://github.com/acme/fast_core) brings it" in said[0]
 
 
 @pytest.mark.parametrize(("backend", "tools"), [("scikit-build-core", {"cmake", "ninja"}), ("meson-python", {"ninja"})])

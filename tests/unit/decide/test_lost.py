@@ -136,4 +136,4 @@ def test_what_a_page_requires_by_a_link(tree: Tree, said: str, told: bool) -> No
     assert [each.url for each in found.python.pip_guessed] == ["git+https://github.com/lab/acme"] * told
     messages = [w.message for w in found.warnings if "acme_agent" in w.message]
     assert len(messages) == told
-    assert all("or acme brings it" in message for message in messages)
+    assert all("or acme (https://github.com/lab/acme) brings it" in message for message in messages)

@@ -41,10 +41,11 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
     if unknown := unknown_modules(evidence, kind, chosen):
         names = ", ".join(each.name for each in unknown[:MOST]) + (", …" if unknown[MOST:] else "")
         message = f"imported and declared nowhere, and no table knows which package brings it: {names}"
+        installed = {each.url for each in chosen.guessed}
         others = [
             *(["a declared package"] if _declares(chosen) else []),
             *(["a submodule"] if _absent(evidence) else []),
-            *(git.name for git in _told(evidence) if f"git+{https(git.url)}" in {each.url for each in chosen.guessed}),
+            *(f"{git.name} ({git.url})" for git in _told(evidence) if f"git+{https(git.url)}" in installed),
         ]
         unless = f"unless {' or '.join(others)} brings it, " if others else ""
         yield warn(f"{message}; {unless}name the package under `pip` in roslab.yaml if it is needed", unknown[0])
