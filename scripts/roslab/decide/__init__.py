@@ -104,8 +104,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     mended = decide_bases(evidence, config, dockerfile)
     base, cuda, python = as_authored(dockerfile, evidence, config, mended.answer, base=base, cuda=cuda, python=python)
     command = decide_command(evidence, config, kind.answer, dockerfile, python.answer.version)
-    evidence = required_by_command(evidence, command.answer.command, kind.answer)
-    evidence = of_this_ubuntu(evidence, base.answer.ubuntu, distro)
+    evidence = of_this_ubuntu(
+        required_by_command(evidence, command.answer.command, kind.answer), base.answer.ubuntu, distro
+    )
     build_tool = decide_build_tool(evidence, config, kind.answer, python.answer)
 
     packages = of_one_ros(packages_of(evidence), evidence, kind.answer)

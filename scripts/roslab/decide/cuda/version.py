@@ -179,8 +179,7 @@ def _of_conda(evidence: Evidence) -> Iterator[Candidate]:
                 cuda = cuda_of_build(package.build)
                 weight = weight if environment.file.count("/") > 1 else Weight.LOCAL_VERSION
             if cuda:
-                why = f"{_CONDA_HAS} {package.written}"
-                yield because("cuda", cuda, why, environment, weight=weight), ()
+                yield because("cuda", cuda, f"{_CONDA_HAS} {package.written}", environment, weight=weight), ()
 
 
 def _names_cuda(package: CondaPackage) -> bool:
@@ -288,11 +287,9 @@ def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: t
         loads = "The wheel loads its own; set"
     elif said.reason.startswith(_CONDA_HAS):
         loads = f"What conda installs loads its own, but what is compiled in the image is for {instead.cuda}; set"
-    warning = warn(
-        f"CUDA {cuda}: {why}; the image has {instead.tag}. {loads} base.cuda or base.image in roslab.yaml "
-        "to choose another",
-        Place(file=said.file, line=said.line) if said.file else None,
-    )
+    message = f"CUDA {cuda}: {why}; the image has {instead.tag}. {loads} base.cuda or base.image in roslab.yaml"
+    place = Place(file=said.file, line=said.line) if said.file else None
+    warning = warn(f"{message} to choose another", place)
     return Choice(answer=_cuda(instead, cudnn), reasons=(*reasons, note), warnings=(warning,))
 
 
