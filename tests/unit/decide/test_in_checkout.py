@@ -53,3 +53,22 @@ def test_a_container_that_starts_elsewhere_is_given_the_file_from_there(tmp_path
         "Dockerfile",
         ("rosrun", "vins", "vins_node", "src/demo/config/a.yaml"),
     )
+
+
+MAIN = "if __name__ == '__main__':\n    pass\n"
+OPTIONS = f"import argparse\np = argparse.ArgumentParser()\np.add_argument('--device', default='cpu')\n{MAIN}"
+
+
+@pytest.mark.parametrize(
+    ("said", "command"),
+    [
+        ("python3 vins-demo/flow/fly.py --device X", "python3 flow/fly.py"),
+        ("python3 Vins-Demo/flow/fly.py --map Vins-Demo/maps/a.yaml", "python3 flow/fly.py --map maps/a.yaml"),
+        ("python3 vins-demo/own.py", "python3 vins-demo/own.py"),
+        ("python3 another/flow/fly.py", "bash"),
+    ],
+)
+def test_a_page_may_be_read_from_above_the_clone(tmp_path: Path, said: str, command: str) -> None:
+    files = {"flow/fly.py": OPTIONS, "flow/land.py": MAIN, "own.py": MAIN, "vins-demo/own.py": MAIN, "maps/a.yaml": ""}
+    page = f"# Vins\n\n## Run\n\n```\n{said}\n```\n"
+    assert " ".join(decided(tmp_path, {**files, "README.md": page}).command) == command

@@ -37,7 +37,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
             continue
         named = any(sign in word for sign in "/._")
         path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", written(word))) if named else ""
-        path = _in_checkout(path, repository) or path
+        path = _in_checkout(path, repository) or _from_above(path, repository) or path
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = _only(path, repository) or path
@@ -127,6 +127,17 @@ def _in_checkout(path: str, repository: Repository) -> str | None:
     names = [place for place, part in enumerate(parts) if _is_name(part, repository.name)]
     rests = ("/".join(parts[place + 1 :]) for place in reversed(names))
     return next((rest for rest in rests if repository.has(rest) or rest in repository.folders), None)
+
+
+def _from_above(path: str, repository: Repository) -> str | None:
+    """Return the path from the root of a file that a page names from the folder which the clone lies in: ``demo/a.py``.
+
+    The root may hold a folder of that name, too: a file of it comes first.
+    """
+    first, _, rest = path.partition("/")
+    if not rest or ":=" in path or repository.has(path) or path in repository.folders:
+        return None
+    return rest if _is_name(first, repository.name) and repository.has(rest) else None
 
 
 def _is_name(part: str, name: str) -> bool:
