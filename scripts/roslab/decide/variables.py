@@ -14,7 +14,7 @@ from roslab.evidence.prose.own_places import OPT, PYTHON
 from roslab.knowledge.build_variables import build_variables
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.machine_variables import of_one_machine
-from roslab.knowledge.offscreen import offscreen
+from roslab.knowledge.offscreen import offscreen, onscreen
 from roslab.knowledge.search_paths import search_paths
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -46,7 +46,7 @@ def decide_variables(
     After them those that a page starts the default ``command`` with, without those of one machine, and what keeps a
     new CMake from refusing old code; ``asked``: what pip installs or builds with. Where the base ``image`` has CUDA's
     compiler, the folder that it lies in: NVIDIA's images do not say it, and build files read it. Without ``gui``, what
-    has packages draw where there is no display.
+    has packages draw where there is no display; with it, what they need to open a window.
     """
     if config.compatible:
         return Choice(answer=())
@@ -77,18 +77,20 @@ def decide_variables(
         pairs[POLICY] = str(KEPT_BY_NEW)
         why = f"CMake 4 may be in the image, and refuses code for {old.version}"
         reasons.append(because("workspace", f"{POLICY}={KEPT_BY_NEW}", why, old, weight=SET))
-    for name, value, place in () if gui else _offscreen(asked):
+    for name, value, place in _drawing(asked, gui=gui):
         if name not in {*pairs, *given}:
             pairs[name] = value
-            why = f"{place.key} draws without a display then, and the image has none"
+            without = f"{place.key} draws without a display then, and the image has none"
+            why = f"{place.key} stops without it where it opens a window" if gui else without
             reasons.append(because("workspace", f"{name}={value}", why, place, weight=SET))
     return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons))
 
 
-def _offscreen(asked: Iterable[Requirement]) -> Iterator[tuple[str, str, Requirement]]:
+def _drawing(asked: Iterable[Requirement], *, gui: bool) -> Iterator[tuple[str, str, Requirement]]:
+    table = onscreen() if gui else offscreen()
     for each in asked:
-        if each.key in offscreen():
-            yield (*offscreen()[each.key], each)
+        if each.key in table:
+            yield (*table[each.key], each)
 
 
 def _conda(evidence: Evidence) -> set[str]:

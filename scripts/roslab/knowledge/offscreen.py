@@ -1,4 +1,4 @@
-"""The variables that have Python packages draw without a display: by default they open a window, or stop."""
+"""The variables with which Python packages draw without a display, and those with which they open a window."""
 
 from __future__ import annotations
 
@@ -10,4 +10,14 @@ from roslab.knowledge.table import rows
 @cache
 def offscreen() -> dict[str, tuple[str, str]]:
     """Return each package of pip, by its normalised name, with the variable and its value."""
-    return {row["pip"]: (row["variable"], row["value"]) for row in rows("offscreen")}
+    return _variables("offscreen")
+
+
+@cache
+def onscreen() -> dict[str, tuple[str, str]]:
+    """Return the same of the packages that stop where they open a window."""
+    return _variables("onscreen")
+
+
+def _variables(table: str) -> dict[str, tuple[str, str]]:
+    return {row["pip"]: (row["variable"], row["value"]) for row in rows(table)}

@@ -196,6 +196,27 @@ def test_what_draws_without_a_window_is_told_so(
     assert tree({**files, "README.md": "# Demo\n## Usage\n```\npython main.py\n```\n"}).variables == found
 
 
+MAKE = "import gym\nimport mujoco_py\n\ndef main(show):\n    env = gym.make('Ant-v2')\n    while True:\n"
+
+
+@pytest.mark.parametrize(
+    ("code", "gui"),
+    [
+        (f"{MAKE}        env.render()\n", True),
+        (f"{MAKE}        if env.step(0):\n            break\n        env.render(mode='human')\n", True),
+        (f"{MAKE}        env.render('rgb_array')\n", False),
+        (f"{MAKE}        if show:\n            time.sleep(1)\n            env.render()\n", False),
+        (f"{MAKE.replace('main(show)', 'render(self)')}        env.render()\n", False),
+        (MAKE.replace("v2'", "v4', render_mode=None") + "        env.render()\\n", False),
+        (MAKE.replace("v2'", "v4', render_mode='human'") + "        pass\\n", True),
+    ],
+)
+def test_a_window_of_an_environment_needs_what_its_library_needs(tree: Tree, code: str, gui: bool) -> None:
+    files = {"requirements.txt": "gym\nmujoco-py==2.0.2.7\n", "main.py": code}
+    decision = tree({**files, "README.md": "# Demo\n## Usage\n```\npython main.py\n```\n"})
+    assert (decision.gui, ("LD_PRELOAD", "libGLEW.so") in decision.variables) == (gui, gui)
+
+
 def test_a_page_says_how_to_draw(tree: Tree) -> None:
     files = {"requirements.txt": "mujoco\n", "main.py": "import mujoco\n"}
     page = "# Demo\n## Usage\n```\nMUJOCO_GL=osmesa python main.py\n```\n"

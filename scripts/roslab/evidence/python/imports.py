@@ -14,6 +14,7 @@ from roslab.evidence.program import Program
 from roslab.evidence.python import notebooks
 from roslab.evidence.python.modules import Module, modules
 from roslab.evidence.python.own_folder import own_folder
+from roslab.evidence.python.rendered import rendered
 from roslab.evidence.python.told import told
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.standard_modules import standard_modules
@@ -59,7 +60,9 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
             found[""] = started
         if "import" not in text:
             continue
-        for library, position in shown(text, words=module.words).items():
+        drawn = rendered(text)
+        opened = shown(text, words=module.words)
+        for library, position in (opened if drawn is None else {**opened, "gym": drawn}).items():
             found[f"{library} {file.path}"] = Dependency(
                 namespace="call", name=library, strength="used", file=file.path, line=text.count("\n", 0, position) + 1
             )
