@@ -144,7 +144,7 @@ def _obvious(
     if meant and not upkeep(meant):
         return meant.argv, because("command", shlex.join(meant.argv), meant.why, meant, weight=Weight.FIRST)
     ours = [c for c in ours if c.strong or not c.cut]
-    if kind in {"ros1", "ros2", "cpp"} and (named := named_like_it(ours)):
+    if kind in {"ros1", "ros2", "cpp"} and (named := named_like_it(ours, evidence)):
         why = f"{named.why}, named like its package or like a demonstration"
         return named.argv, because("command", shlex.join(named.argv), why, named, weight=Weight.ONLY_ONE)
     if kind in {"ros1", "ros2"} and not any(c.strong for c in ours) and (whole := whole_of(ours, evidence)):

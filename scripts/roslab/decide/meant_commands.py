@@ -53,18 +53,38 @@ def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
     return next(iter(shown or (found if len(found) == 1 and found[0].argv[0] != "bash" else [])), None)
 
 
-def named_like_it(candidates: Iterable[Candidate]) -> Candidate | None:
+def named_like_it(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate | None:
     """Return the one launch file that is named like its package, else the one named like a demonstration.
 
-    Of many launch files, none is told apart by its name.
+    Of many launch files, none is told apart by its name. What another package of the tree includes is a part of that.
     """
-    launched = [c for c in candidates if c.argv[0] == "roslaunch" or c.argv[:2] == ("ros2", "launch")]
+    launched = _launched(candidates)
     if len(launched) > MANY:
         return None
-    stems = [(_SUFFIX.sub("", c.argv[-1]).lower(), c.argv[-2].lower(), c) for c in launched]
-    own = [c for stem, package, c in stems if stem == package]
-    shown = [c for stem, _, c in stems if stem in _DEMONSTRATION]
+    launched = [c for c in launched if not _part(c, evidence)]
+    own = [c for c in launched if _like_its_package(c)]
+    shown = [c for c in launched if _stem(c) in _DEMONSTRATION]
     return own[0] if len(own) == 1 else shown[0] if not own and len(shown) == 1 else None
+
+
+def _launched(candidates: Iterable[Candidate]) -> list[Candidate]:
+    return [c for c in candidates if c.argv[0] == "roslaunch" or c.argv[:2] == ("ros2", "launch")]
+
+
+def _stem(candidate: Candidate) -> str:
+    return _SUFFIX.sub("", candidate.argv[-1]).lower()
+
+
+def _like_its_package(candidate: Candidate) -> bool:
+    return _stem(candidate) == candidate.argv[-2].lower()
+
+
+def _part(candidate: Candidate, evidence: Evidence) -> bool:
+    """Tell whether a launch file of another package brings one; a package's own may only give it other arguments."""
+    package, name = candidate.argv[-2], candidate.argv[-1].rpartition("/")[2]
+    names = [launch.file.rpartition("/")[2] for launch in evidence.launch]
+    others = (launch for launch in evidence.launch if launch.package not in {None, package} and not launch.tests)
+    return names.count(name) == 1 and any(name in launch.includes for launch in others)
 
 
 _SHOWN = pattern(r"^(?:examples?|tests?)[_.-]", re.IGNORECASE)
@@ -74,24 +94,26 @@ _SHOWN = pattern(r"^(?:examples?|tests?)[_.-]", re.IGNORECASE)
 def whole_of(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate | None:
     """Return the launch file that brings most of the others, itself brought by none: it starts the whole.
 
-    It has to bring two or more, and more than any other that nothing brings, and nothing of a package that neither the
-    tree has, nor a package.xml asks for, nor any distribution of ROS released.
+    It has to bring two or more, or one of another package that is named like that, and more than any other that nothing
+    brings, and nothing of a package that neither the tree has, nor a package.xml asks for, nor any distribution of ROS
+    released.
     """
     named: dict[str, list[LaunchFile]] = {}
     for launch in evidence.launch:
         named.setdefault(launch.file.rpartition("/")[2], []).append(launch)
     brought = {name for launch in evidence.launch for name in launch.includes if name in named}
     sizes: list[tuple[int, Candidate]] = []
-    for candidate in candidates:
+    launched = _launched(candidates)
+    fewest = 1 if any(_like_its_package(c) and _part(c, evidence) for c in launched) else FEWEST
+    for candidate in launched:
         name = candidate.argv[-1].rpartition("/")[2]
-        started = candidate.argv[0] == "roslaunch" or candidate.argv[:2] == ("ros2", "launch")
         whole = name not in brought and not _SHOWN.search(name)
-        if started and not candidate.strong and whole and len(named.get(name, ())) == 1:
+        if not candidate.strong and whole and len(named.get(name, ())) == 1:
             below = _below(name, named)
             if all(known(launch, evidence) for each in {name, *below} for launch in named[each]):
                 sizes.append((len(below), candidate))
     sizes.sort(key=lambda each: -each[0])
-    alone = sizes and sizes[0][0] >= FEWEST and (len(sizes) == 1 or sizes[1][0] < sizes[0][0])
+    alone = sizes and sizes[0][0] >= fewest and (len(sizes) == 1 or sizes[1][0] < sizes[0][0])
     return sizes[0][1] if alone else None
 
 

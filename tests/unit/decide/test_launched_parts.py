@@ -1,0 +1,56 @@
+"""A launch file that another package of the tree includes is a part of that, whatever its name is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+
+
+def package(name: str, *launches: tuple[str, str]) -> dict[str, str]:
+    return {
+        f"{name}/package.xml": f"<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend></package>",
+        f"{name}/CMakeLists.txt": f"project({name})\nfind_package(catkin REQUIRED)\n",
+        **{f"{name}/launch/{file}": f"<launch>{text}</launch>" for file, text in launches},
+    }
+
+
+def included(package_name: str, name: str) -> str:
+    return f'<include file="$(find {package_name})/launch/{name}"/>'
+
+
+ARM = package("arm_control", ("arm_control.launch", '<node pkg="arm_control" type="a" name="a"/>'))
+
+
+@pytest.mark.parametrize(
+    ("more", "command"),
+    [
+        (
+            package(
+                "arm_gazebo",
+                ("world.launch", included("arm_control", "arm_control.launch") + included("arm_gazebo", "eye.launch")),
+                ("eye.launch", '<node pkg="arm_gazebo" type="b" name="b"/>'),
+            ),
+            "roslaunch arm_gazebo world.launch",
+        ),
+        (
+            package("arm_gazebo", ("world.launch", included("arm_control", "arm_control.launch"))),
+            "roslaunch arm_gazebo world.launch",
+        ),
+        (
+            package("arm_gazebo", ("world.launch", ""), ("eye.launch", included("arm_gazebo", "world.launch"))),
+            "roslaunch arm_control arm_control.launch",
+        ),
+        (
+            {"arm_control/launch/slow.launch": f"<launch>{included('arm_control', 'arm_control.launch')}</launch>"},
+            "roslaunch arm_control arm_control.launch",
+        ),
+    ],
+    ids=["another package's", "its only one", "of none", "its own package's"],
+)
+def test_a_part_is_not_the_program(tree: Tree, more: dict[str, str], command: str) -> None:
+    assert " ".join(tree({**ARM, **more}).command) == command
