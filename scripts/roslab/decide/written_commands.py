@@ -82,7 +82,9 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     said = [m for m in said if not (places.vendored(m.file) or about_trouble(m.heading))]
     of_python = {m.value for m in evidence.mentions if m.topic == "runs"} if not (ros or compiled) else set()
     elsewhere = {m.value for m in evidence.mentions if m.topic == "elsewhere"}
-    tried = {(m.file, m.line, m.value) for m in evidence.mentions if m.topic == "tried"}
+    tried, withheld = (
+        {(m.file, m.line, m.value) for m in evidence.mentions if m.topic == topic} for topic in ("tried", "withheld")
+    )
     options = {(m.file, m.value): m.text for m in evidence.mentions if m.topic == "option"}
     fetched = {file for m in evidence.mentions if m.topic in {"fetched", "unpacked"} for file in m.files} - {"", "."}
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
@@ -100,6 +102,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
             once = (mention.file, mention.line, mention.value) in tried
             strong = strong and (once or not (compiled and argv[0].startswith("python")))
             strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)
+            strong = strong and (mention.file, mention.line, mention.value) not in withheld
             strong = strong and not copies.below(mention.file, evidence.copies)
             yield Candidate(
                 argv=tuple(map(as_written, argv)),

@@ -73,3 +73,37 @@ def test_a_page_that_went_to_a_folder_without_the_program_goes_nowhere(tree: Tre
 def test_what_a_block_sets_before_it_runs_something(tree: Tree, block: str, command: str) -> None:
     files = {"run.py": "import numpy\n", "README.md": f"# Usage\n```\n{block}\n```\n"}
     assert tree(files).command == tuple(shlex.split(command))
+
+
+@pytest.mark.parametrize(
+    ("lines", "command"),
+    [
+        (
+            "python run.py --map maps/map_{name}.yml\n# for example: python run.py --map maps/map_a.yml",
+            "maps/map_a.yml",
+        ),
+        ("python run.py --map MAP_FILE  # e.g. python run.py --map maps/map_a.yml", "maps/map_a.yml"),
+        ("python run.py --map maps/map_b.yml\n# for example: python run.py --map maps/map_a.yml", "maps/map_b.yml"),
+        ("python run.py --map maps/map_{name}.yml\n# for example: python run.py --map /home/me/a.yml", ""),
+        ("python run.py --map maps/map_{name}.yml\n# python run.py --map maps/map_a.yml", ""),
+    ],
+)
+def test_a_remark_fills_in_the_command_above_it(tree: Tree, lines: str, command: str) -> None:
+    page = f"# Demo\n## Usage\n```\n{lines}\n```\n"
+    files = {"run.py": SCRIPT, "maps/map_a.yml": "", "maps/map_b.yml": "", "requirements.txt": "numpy\n"}
+    assert tree({**files, "README.md": page}).command == ("python", "run.py", *(("--map", command) if command else ()))
+
+
+@pytest.mark.parametrize(
+    ("sentence", "program"),
+    [
+        ("- Train (**the data is not available now, it will be released later**)", "run.py"),
+        ("Train. The data has not been released yet.", "run.py"),
+        ("More data has not been released yet. Train with:", "train.py"),
+        ("Train. If the data is not available, it is downloaded.", "train.py"),
+    ],
+)
+def test_a_program_whose_data_is_not_published_is_not_the_one(tree: Tree, sentence: str, program: str) -> None:
+    page = f"# Demo\n## Usage\n{sentence}\n```\npython train.py\n```\nThen\n```\npython run.py\n```\n"
+    files = {"run.py": SCRIPT, "train.py": SCRIPT, "requirements.txt": "numpy\n", "README.md": page}
+    assert tree(files).command == ("python", program)

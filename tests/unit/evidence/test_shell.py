@@ -38,6 +38,7 @@ def pip(text: str) -> list[str]:
         ("apt-get install -y \\\n  # why\n  libone \\\n  libtwo", ["libone", "libtwo"]),
         ("#RUN apt-get install nothing", []),
         ("apt-get install liba # libb", ["liba"]),
+        ("{ apt-get install liba-{name}.1 libb; }", ["libb"]),
         ('apt-get install "$(cat packages)" liba `pick` $LIBS', ["liba"]),
         ("if [ -f x ]; then sudo apt install liba; fi", ["liba"]),
         ('bash -c "apt-get update; apt-get install -y liba"', ["liba"]),

@@ -40,7 +40,7 @@ _TOKEN = pattern(
       | (?P<single>'[^']*') | (?P<double>"(?:\\.|[^"\\])*")
       | (?P<unknown>\$\((?:[^()]|\([^()]*\))*\)|`[^`]*`)
       | (?P<variable>\$\{[^}\n]*\}|\$\w+)
-      | (?P<separator>&&|\|\||;;|[;|&(){}](?=\s|$|[^\w])|[;|&()])
+      | (?P<separator>&&|\|\||;;|(?<![\w.-])[{}](?=\s|$|[^\w])|[;|&()])
       | (?P<version>[<>!=~]=|[<>](?=\d))
       | (?P<placeholder><[A-Za-z](?:[^<>|&;\n]{0,80}[^\s<>|&;])?>)   # <path to your images>: no redirection
       | (?P<redirect>\d?[<>]{1,3}&?\d?)

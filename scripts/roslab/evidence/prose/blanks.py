@@ -31,6 +31,16 @@ _CHOSEN = tuple(
 )
 """A sentence that gives the values of a name in the commands of its page: replace `METHOD` with one of `bc`, `iql`."""
 
+_EXAMPLE = pattern(
+    r"^(?P<before>[ \t$>]*)(?P<program>(?:python|bash|sh|ros|\./)\S*)[ \t]+(?P<rest>[^\n#]*)(?P<end>\n?)"
+    r"[ \t$>]*#+[ \t]*(?:for (?:example|instance)|e\.?g\b\.?|examples?)[ \t:,]+"
+    r"`?(?P<command>(?P=program)[ \t][^\n`]+)`?[ \t]*$",
+    re.MULTILINE | re.IGNORECASE,
+)
+"""A remark that fills in the command above it or beside it: ``# for example: python run.py a.yaml``."""
+_OWN = pattern(r"(?:[\s=]|\A)(?:/|~)")
+_BLANK = pattern(r"[\[{<\u2026]|\.{3}|path/to|your|(?-i:\b(?:X+|[A-Z][A-Z_]{2,})\b)", re.IGNORECASE)
+
 _LEFT = pattern(
     r"^(?P<before>[ \t$>]*(?P<name>[A-Z][A-Z0-9_]{2,})=)[\[<][A-Za-z][\w ./-]{1,40}[\]>](?=[ \t]+\S)", re.MULTILINE
 )
@@ -91,6 +101,17 @@ def _said(left: re.Match[str], text: str) -> str:
     """Return the first value that a page gives for a variable, ``Use `ROUTES=a.xml```, else what stands there."""
     said = re.search(rf"`{left['name']}=([\w.+/-]+)`", text)
     return said[1] if said else left[0].removeprefix(left["before"])
+
+
+def with_examples(text: str) -> str:
+    """Return a page with the command of a remark in the place of the one with blanks that it is an example of."""
+    return _EXAMPLE.sub(_as_example, text) if "#" in text else text
+
+
+def _as_example(match: re.Match[str]) -> str:
+    """Return the command of a remark if the one above has blanks, and no file of the author's own fills them in."""
+    taken = _BLANK.search(match["rest"]) and not _OWN.search(match["command"])
+    return f"{match['before']}{match['command']}{match['end']}" if taken else match[0]
 
 
 def filled(text: str, *, of_page: bool) -> str:

@@ -29,7 +29,7 @@ from roslab.evidence.prose import (
     mentions,
     python_path,
 )
-from roslab.evidence.prose.blanks import BLANK, distros_of
+from roslab.evidence.prose.blanks import BLANK, distros_of, with_examples
 from roslab.evidence.prose.comments import commented_out
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
@@ -200,7 +200,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     That is the lines of fenced and indented blocks, lines that begin with a command, and inline code; with ``also``,
     only the lines of fenced blocks in which it is found.
     """
-    lines = with_first_choice(without_remarks(text)).split("\n")
+    lines = with_examples(with_first_choice(without_remarks(text))).split("\n")
     signs = signs_in(text) if not also else ()
     titles: dict[int, str] = {}
     elsewhere = index = 0

@@ -1,8 +1,10 @@
-"""What a page has the reader run once to see whether it works: ``test your installation by running:``."""
+"""What the sentence above a block says of its commands: ``test your installation by running:``, or what they lack."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Literal
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.headings import MAX_LINE, fence
@@ -15,33 +17,45 @@ _SAID = pattern(
     r"\b(?:run|launch|start|execut)\w*\b|"
     r"\b(?:[Rr]un|[Ll]aunch|[Ss]tart|[Tt]ry)(?:ning|ing)?\s+(?:an?|the|our)\s+(?:\w+\s+){0,2}(?:demo\w*|example)\b"
 )
+_WITHHELD = pattern(
+    r"\b(?:not|n't)(?: been)?(?: yet| currently| publicly){0,2} (?:available|released|published|public)\b[^.\n]{0,20}"
+    r"(?:\b(?:now|yet|currently|so far|at the moment)\b|[^.\n]{0,40}\bwill be (?:available|released|published))|"
+    r"\b(?:not|n't)(?: been)?(?: yet| currently) (?:available|released|published|public)\b",
+    re.IGNORECASE,
+)
+"""What a program needs is not published: ``the data is not available now, it will be released later``."""
 
 _LAST = pattern(r"[.!?:]\)?\s+(?=[A-Z])")
 """Between two sentences: the last one is about the block below it."""
 
 
 def read(repository: Repository, said: Iterable[Mention]) -> tuple[Mention, ...]:
-    """Return the commands in blocks of pages below such a sentence."""
+    """Return the commands in blocks of pages below such a sentence: ``tried`` or ``withheld``."""
     commands = [mention for mention in said if mention.topic == "command" and mention.source == "readme"]
     files = {mention.file for mention in commands}
-    below = {page.path: _lines(text_of(repository, page)) for page in pages(repository) if page.path in files}
-    return tuple(
-        Mention(topic="tried", value=m.value, source="readme", file=m.file, line=m.line, text=m.text)
-        for m in commands
-        if m.line in below.get(m.file, ())
-    )
+    texts = {page.path: text_of(repository, page) for page in pages(repository) if page.path in files}
+    return (*_below("tried", _SAID, commands, texts), *_below("withheld", _WITHHELD, commands, texts))
 
 
-def _lines(text: str) -> frozenset[int]:
+def _below(
+    topic: Literal["tried", "withheld"], sentence: re.Pattern[str], commands: list[Mention], texts: Mapping[str, str]
+) -> Iterator[Mention]:
+    below = {file: _lines(text, sentence) for file, text in texts.items()}
+    for m in commands:
+        if m.line in below.get(m.file, ()):
+            yield Mention(topic=topic, value=m.value, source="readme", file=m.file, line=m.line, text=m.text)
+
+
+def _lines(text: str, sentence: re.Pattern[str]) -> frozenset[int]:
     """Return the numbers of the lines in the blocks that such a sentence introduces."""
     found: set[int] = set()
     fenced = introduced = False
-    for number, line in enumerate(text.split("\n") if _SAID.search(text) else (), 1):
+    for number, line in enumerate(text.split("\n") if sentence.search(text) else (), 1):
         if fence(line):
             fenced = not fenced
             introduced = introduced and fenced
         elif fenced and introduced:
             found.add(number)
         elif not fenced and line.strip():
-            introduced = len(line) <= MAX_LINE and bool(_SAID.search(_LAST.split(line.rstrip())[-1]))
+            introduced = len(line) <= MAX_LINE and bool(sentence.search(_LAST.split(line.rstrip())[-1]))
     return frozenset(found)
