@@ -33,8 +33,10 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     compiled = kind == "cpp" or (kind == "cuda" and _only_compiled(evidence))
     calls = launch_calls(evidence)
     demands = {calls[each.file]: each.demands for each in evidence.launch if each.file in calls}
-    for each in written(evidence, kind, ros=ros, compiled=compiled):
-        yield _cut(each, demands)
+    said = written(evidence, kind, ros=ros, compiled=compiled)
+    yield from (_cut(each, demands) for each in said)
+    if not compiled and not any(each.strong for each in said):
+        yield from _explained(evidence)
     if ros:
         launched = tuple(_launched(evidence, kind, calls))
         nodes = tuple(_nodes(evidence, kind))
@@ -47,6 +49,20 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         yield from of_notebooks(evidence)
     else:
         yield from _installed(evidence)
+
+
+def _explained(evidence: Evidence) -> Iterator[Candidate]:
+    """Yield the examples in Python of which a page at the root says what they show, without running any."""
+    for said in evidence.mentions:
+        if said.topic == "pointed" and said.value.endswith(".py") and not said.value.endswith(".launch.py"):
+            yield Candidate(
+                argv=("python3", said.value),
+                why="the README says what it shows",
+                file=said.file,
+                line=said.line,
+                strong=True,
+                heading=said.heading,
+            )
 
 
 def _cut(candidate: Candidate, demands: Mapping[tuple[str, ...], tuple[str, ...]]) -> Candidate:

@@ -40,7 +40,7 @@ def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
         if said.topic == "pointed" and (launch := owners.get(said.value)):
             start = ("roslaunch",) if kind == "ros1" else ("ros2", "launch")
             argv = (*start, *calls[launch.file])
-        elif said.topic == "pointed" and kind not in {"ros1", "ros2"} and RUNS.match(said.value.rpartition("/")[2]):
+        elif said.topic == "pointed" and kind not in {"ros1", "ros2"} and _runs(said.value):
             argv = ("bash", said.value)
         elif said.topic == "pointed" and kind in {"python", "cuda"} and said.value.endswith(".ipynb"):
             argv = (*NOTEBOOK, said.value)
@@ -51,6 +51,10 @@ def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
             )
     shown = [c for c in found if about_running(c.heading) > 0]
     return next(iter(shown or (found if len(found) == 1 and found[0].argv[0] != "bash" else [])), None)
+
+
+def _runs(file: str) -> bool:
+    return file.endswith(".sh") and bool(RUNS.match(file.rpartition("/")[2]))
 
 
 def named_like_it(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate | None:

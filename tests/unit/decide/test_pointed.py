@@ -59,6 +59,24 @@ def test_a_script_that_a_section_about_running_names(tree: Tree, page: str, comm
     assert " ".join(tree(CPP | {"README.md": page}).command) == command
 
 
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("The example.py files shows the basic functionality. A rosbag is there.\n", "python3 scripts/example.py"),
+        ("`scripts/plot_demo.py` demonstrates the plots.\n", "python3 scripts/plot_demo.py"),
+        ("Change example.py to your needs.\n", "bash"),
+        ("See how tools.py shows it.\n", "bash"),
+        ("example.py shows it.\n```\nroslaunch demo drive.launch\n```\n", "roslaunch demo drive.launch"),
+    ],
+)
+def test_an_example_of_which_a_sentence_says_what_it_shows(tree: Tree, page: str, command: str) -> None:
+    names = ("example", "plot_demo", "tools")
+    scripts = {f"scripts/{name}.py": "import matplotlib.pyplot as plt\nplt.show()\n" for name in names}
+    decision = tree({**ROS1, **scripts, "README.md": f"ROS Noetic\n{page}"})
+    assert " ".join(decision.command) == command
+    assert decision.gui is command.startswith("python3")
+
+
 @pytest.mark.parametrize("choice", ["{true, false}", "{true|false}", "{true,false}"])
 def test_the_first_of_a_choice_is_taken(tree: Tree, choice: str) -> None:
     page = f"ROS Noetic\n```\nroslaunch demo track.launch rviz:={choice} rate:=9\n```\n"

@@ -1,6 +1,8 @@
-"""Launch files, scripts and notebooks of the tree that a page at the root only names in its sentences."""
+"""Launch files, scripts, notebooks and examples of the tree that a page at the root only names in its sentences."""
 
 from __future__ import annotations
+
+import re
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.headings import MAX_LINE, lines_of
@@ -9,7 +11,10 @@ from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _FILE = pattern(r"(?<![\w./-])(?:[\w-]+/)*[\w-]+(?:\.launch(?:\.(?:py|xml))?|\.sh|\.ipynb)(?![\w/-])")
-_COMMAND = pattern(r"\b(?:roslaunch|rosrun|rosbag|ros2)\s")
+_EXAMPLE = pattern(r"(?<![\w./-])(?:[\w-]+/)*(?:[\w-]+_)?(?:examples?|demo)(?:_[\w-]+)?\.py(?![\w/-])")
+_SHOWS = pattern(r"\b(?:shows?|demonstrat(?:es?|ing)|illustrat(?:es?|ing)|explains?)\b", re.IGNORECASE)
+"""A sentence on what an example is for: ``example.py shows how to use it``."""
+_COMMAND = pattern(r"\b(?:roslaunch|rosrun|rosbag\s+(?:play|record|info|filter|reindex)|ros2)\s")
 """A line that runs something: it is read as a command."""
 MOST = 20
 """Most files that are kept."""
@@ -20,8 +25,8 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     found: dict[str, Mention] = {}
     for page in pages(repository):
         text = text_of(repository, page) if "/" not in page.path else ""
-        for number, line, heading in _sentences(text) if _FILE.search(text) else ():
-            for match in _FILE.finditer(line):
+        for number, line, heading in _sentences(text) if _FILE.search(text) or _EXAMPLE.search(text) else ():
+            for match in (*_FILE.finditer(line), *(_EXAMPLE.finditer(line) if _SHOWS.search(line) else ())):
                 if (path := _path(match[0], repository)) and len(found) < MOST:
                     said = Mention(
                         topic="pointed",
