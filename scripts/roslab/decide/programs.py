@@ -193,6 +193,12 @@ def one_letter_off(name: str, among: Iterable[str]) -> str | None:
     return near[0] if len(near) == 1 else None
 
 
+def one_of_several(name: str, among: Iterable[str]) -> str | None:
+    """Return the first of two or more names that begin with this one: a fork has ``run_kitti`` and ``run_euroc``."""
+    longer = [other for other in among if other.startswith((f"{name}_", f"{name}-")) and not _TEST.search(other)]
+    return longer[0] if len(name) > _SHORT and len(longer) > 1 else None
+
+
 def _alike(name: str, other: str) -> bool:
     """Tell whether two names differ by one letter; what counts differs by a digit: ``stage1``, ``stage2``."""
     start = posixpath.commonprefix((name, other))

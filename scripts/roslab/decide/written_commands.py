@@ -12,7 +12,7 @@ from roslab.decide.candidate import Candidate, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
 from roslab.decide.launch_calls import call_of, launch_calls, without_package
 from roslab.decide.programs import compiled as programs_of
-from roslab.decide.programs import in_packages, installed_by_pip, one_letter_off
+from roslab.decide.programs import in_packages, installed_by_pip, one_letter_off, one_of_several
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import bare, script_of, task_of
 from roslab.decide.sections import about_trouble
@@ -106,7 +106,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
             strong = strong and not copies.below(mention.file, evidence.copies)
             yield Candidate(
                 argv=tuple(map(as_written, argv)),
-                why="the README runs it",
+                why=_why(argv, mention, tree),
                 file=mention.file,
                 line=mention.line,
                 strong=strong,
@@ -123,6 +123,11 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 tried=once,
                 of_python=argv[0] == "bash" and not of_python.isdisjoint(argv[1:2]),
             )
+
+
+def _why(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> str:
+    own = tree.kind != "cpp" or argv[0].rpartition("/")[2] in mention.value
+    return "the README runs it" if own else "the README runs one of almost this name, which nothing compiles"
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -244,7 +249,7 @@ def _built(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
     if name in tree.made and argv[0].startswith("./"):  # it lies where make was called, or below
         return (f"./{posixpath.normpath(posixpath.join(tree.made[name], argv[0]))}", *argv[1:])
     if name not in tree.compiled and tree.kind == "cpp" and "/" in argv[0] and argv[0] not in tree.programs:
-        name = one_letter_off(name, tree.compiled) or name
+        name = one_letter_off(name, tree.compiled) or one_of_several(name, tree.compiled) or name
         argv = (posixpath.join(posixpath.dirname(argv[0]), name), *argv[1:])
     if name not in tree.compiled:
         return None

@@ -46,6 +46,27 @@ def test_a_page_that_mistypes_a_program(tree: Tree, called: str, command: tuple[
 
 
 @pytest.mark.parametrize(
+    ("called", "names", "command"),
+    [
+        (
+            "bin/odometry files=XXXX/a.zip mode=0",
+            ("convert_a", "odometry_kitti", "odometry_euroc"),
+            "odometry_kitti mode=0",
+        ),
+        ("bin/odometry mode=0", ("odometry", "odometry_kitti", "odometry_euroc"), "bin/odometry mode=0"),
+        ("bin/odometry mode=0", ("odometry_kitti", "convert_a"), "bash"),
+        ("bin/odo mode=0", ("odo_kitti", "odo_euroc"), "bash"),
+    ],
+)
+def test_the_page_of_what_was_forked_names_what_became_several(
+    tree: Tree, called: str, names: tuple[str, ...], command: str
+) -> None:
+    cmake = CMAKE + "".join(f"add_executable({name} a.cpp)\n" for name in names)
+    found = tree({**CODE, "CMakeLists.txt": cmake, "README.md": f"# Run\n```\n{called}\n```\n"})
+    assert " ".join(found.command).removeprefix("bin/") == command.removeprefix("bin/")
+
+
+@pytest.mark.parametrize(
     ("name", "among", "meant"),
     [
         ("test_pipline", ("test_pipeline", "test_live"), "test_pipeline"),
