@@ -77,7 +77,7 @@ def decide_variables(
         pairs[POLICY] = str(KEPT_BY_NEW)
         why = f"CMake 4 may be in the image, and refuses code for {old.version}"
         reasons.append(because("workspace", f"{POLICY}={KEPT_BY_NEW}", why, old, weight=SET))
-    for name, value, place in _drawing(asked, gui=gui):
+    for name, value, place in _drawing(asked, _windows(command, evidence)) if gui else _offscreen(asked):
         if name not in {*pairs, *given}:
             pairs[name] = value
             without = f"{place.key} draws without a display then, and the image has none"
@@ -86,11 +86,23 @@ def decide_variables(
     return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons))
 
 
-def _drawing(asked: Iterable[Requirement], *, gui: bool) -> Iterator[tuple[str, str, Requirement]]:
-    table = onscreen() if gui else offscreen()
+def _offscreen(asked: Iterable[Requirement]) -> Iterator[tuple[str, str, Requirement]]:
     for each in asked:
-        if each.key in table:
-            yield (*table[each.key], each)
+        if each.key in offscreen():
+            yield (*offscreen()[each.key], each)
+
+
+def _drawing(asked: Iterable[Requirement], windows: frozenset[str]) -> Iterator[tuple[str, str, Requirement]]:
+    for each in asked if windows else ():
+        by, name, value = onscreen().get(each.key, (frozenset(), "", ""))
+        if by & windows:
+            yield name, value, each
+
+
+def _windows(command: Candidate | None, evidence: Evidence) -> frozenset[str]:
+    """Return the libraries by which the file of a command opens windows."""
+    argv = command.argv if command else ()
+    return frozenset(each.name for each in evidence.code if each.namespace == "call" and each.file in argv)
 
 
 def _conda(evidence: Evidence) -> set[str]:

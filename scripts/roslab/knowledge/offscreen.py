@@ -10,14 +10,13 @@ from roslab.knowledge.table import rows
 @cache
 def offscreen() -> dict[str, tuple[str, str]]:
     """Return each package of pip, by its normalised name, with the variable and its value."""
-    return _variables("offscreen")
+    return {row["pip"]: (row["variable"], row["value"]) for row in rows("offscreen")}
 
 
 @cache
-def onscreen() -> dict[str, tuple[str, str]]:
-    """Return the same of the packages that stop where they open a window."""
-    return _variables("onscreen")
+def onscreen() -> dict[str, tuple[frozenset[str], str, str]]:
+    """Return the same of packages that stop where they open a window, before it the libraries whose window it is.
 
-
-def _variables(table: str) -> dict[str, tuple[str, str]]:
-    return {row["pip"]: (row["variable"], row["value"]) for row in rows(table)}
+    Without that window the variable stops the same packages where they draw.
+    """
+    return {row["pip"]: (frozenset(row["windows"].split()), row["variable"], row["value"]) for row in rows("onscreen")}

@@ -217,6 +217,13 @@ def test_a_window_of_an_environment_needs_what_its_library_needs(tree: Tree, cod
     assert (decision.gui, ("LD_PRELOAD", "libGLEW.so") in decision.variables) == (gui, gui)
 
 
+def test_a_window_of_another_library_changes_nothing_where_it_draws(tree: Tree) -> None:
+    code = "import matplotlib.pyplot as plt\nimport mujoco_py\nplt.show()\n"
+    files = {"requirements.txt": "matplotlib\nmujoco-py==2.0.2.7\n", "main.py": code}
+    decision = tree({**files, "README.md": "# Demo\n## Usage\n```\npython main.py\n```\n"})
+    assert (decision.gui, decision.variables) == (True, ())
+
+
 def test_a_page_says_how_to_draw(tree: Tree) -> None:
     files = {"requirements.txt": "mujoco\n", "main.py": "import mujoco\n"}
     page = "# Demo\n## Usage\n```\nMUJOCO_GL=osmesa python main.py\n```\n"
