@@ -158,7 +158,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cuda=cuda.answer.version if target.cuda else None,
     )
     sources = with_recipes(sources, libraries)
-    system = with_release(with_libraries(system, frozenset(s.name for s, _ in libraries)), evidence, target)
+    system = with_release(with_libraries(system, frozenset(s.name for s, _ in libraries), evidence), evidence, target)
 
     repositories = decide_apt_sources(
         evidence, config, frozenset((*system.answer.apt, *system.answer.apt_guessed)), base.answer.ubuntu

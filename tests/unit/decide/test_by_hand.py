@@ -561,3 +561,61 @@ def test_a_library_that_is_linked_by_its_file_below_usr_local(
     decision = tree({"package.xml": package, "CMakeLists.txt": cmake, "a.cpp": "int a;\n"})
     assert ("nlopt" in {source.name for source in decision.source}) is built
     assert any("linked by its file" in each.message for each in decision.warnings) is warned
+
+
+IN_ITS_SECTION = """\
+# Dependencies
+## {title}
+`git clone https://github.com/RainerKuemmerle/g2o.git`
+
+Tested until this commit: `git checkout 4b9c2f5b68d14ad479457b18c5a2a0bce1541a90`
+```
+mkdir build && cd build
+cmake ..
+make
+sudo make install
+```
+"""
+
+
+@pytest.mark.parametrize(
+    ("title", "cmake", "built", "skipped"),
+    [
+        ("g2o", "find_package(G2O REQUIRED)\n", ["g2o"], ["libg2o"]),
+        ("g2o", "find_package(G2O REQUIRED)\nfind_package(catkin REQUIRED libg2o)\n", ["g2o"], []),
+        ("Build", "find_package(G2O REQUIRED)\n", [], None),
+    ],
+)
+def test_what_stands_in_a_librarys_own_section_is_done_in_its_folder(
+    tree: Tree, title: str, cmake: str, built: list[str], skipped: list[str] | None
+) -> None:
+    files = ros1(cmake, IN_ITS_SECTION.format(title=title))
+    files["package.xml"] = PACKAGE.replace("</package>", "<depend>libg2o</depend></package>")
+    decision = tree(files)
+    assert [each.name for each in decision.source if each.build == "cmake"] == built
+    assert skipped is None or list(decision.skip_keys) == skipped
+
+
+@pytest.mark.parametrize(
+    ("options", "cloned"),
+    [
+        ("", []),
+        ("cmake -DUSE_LOOPS=ON ..", ["DLib"]),
+        ("catkin_make -DUSE_LOOPS=ON", ["DLib"]),
+        ("catkin_make -DTHREADS=ON\ncatkin_make -DUSE_LOOPS=ON", []),
+    ],
+)
+def test_a_clone_that_waits_for_an_option_that_is_off_is_none_of_the_workspace(
+    tree: Tree, options: str, cloned: list[str]
+) -> None:
+    cmake = "option(USE_LOOPS loops OFF)\nif(USE_LOOPS)\nfind_package(DLib REQUIRED)\nendif()\n"
+    page = f"```\ncd ~/catkin_ws/src\ngit clone https://github.com/dorian3d/DLib.git\n```\n```\n{options}\n```\n"
+    assert [each.name for each in tree(ros1(cmake, page)).source] == cloned
+
+
+def test_a_clone_beside_the_key_of_another_name_is_told_as_such(tree: Tree) -> None:
+    files = ros1("", "```\ncd ~/catkin_ws/src\ngit clone https://github.com/RainerKuemmerle/g2o.git\n```\n")
+    files["package.xml"] = PACKAGE.replace("</package>", "<depend>libg2o</depend></package>")
+    said = [warning.message for warning in tree(files).warnings if "is cloned from" in warning.message]
+    assert len(said) == 1
+    assert said[0].endswith("which is installed, too: the build may find either")

@@ -29,6 +29,8 @@ from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
 from roslab.decide.system.by_everybody import PAGES, told
 from roslab.decide.system.lies_beside import lies_beside
+from roslab.decide.system.own_options import own_options
+from roslab.decide.system.switches import given, waits
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
@@ -77,7 +79,8 @@ def decide_sources(
                 chosen.library(library, git)
             else:
                 chosen.add(git, f"{git.file} lists it")
-    wanted = wanted_names(needed)
+    options = " ".join(own_options(evidence, config, folder_name, build_tool)) or given(evidence)
+    wanted = wanted_names(each for each in needed if not waits(each, options))
     answered: set[str] = set()
     for git in clones(evidence, ros_distro):
         other = itself_in(git, itself) or plain(git.name) in own or lies_beside(git, evidence)
@@ -168,6 +171,8 @@ class _Chosen:
         if new and asked.namespace == "rosdep" and asked.name in elsewhere:
             message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
             more = "rosdep has a package of the same name, which may be another one: the clone is used"
+            if asked.name not in {git.name, plain(git.name)}:  # its key stays
+                more = "rosdep has a package of the same name, which is installed, too: the build may find either"
             self.warnings.append(warn(f"{message}; {more}", asked))
 
     def in_tree(self, evidence: Evidence, config: Config) -> None:

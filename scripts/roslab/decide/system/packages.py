@@ -188,16 +188,21 @@ def _drop(
     return (*dropped, *guessed)
 
 
-def with_libraries(choice: Choice[SystemPackages], built: frozenset[str]) -> Choice[SystemPackages]:
+def with_libraries(choice: Choice[SystemPackages], built: frozenset[str], evidence: Evidence) -> Choice[SystemPackages]:
     """Add what the libraries that are built from their source need beside them, and leave out ROS's packages of these.
 
-    Two versions would be mixed.
+    Two versions would be mixed. What CMake finds as packages of ROS keeps its keys.
     """
     names = "|".join(bare_name(name) for name in built)
-    twin = re.compile(rf"ros-[a-z]+-(?:{names})") if names else None
+    twin = re.compile(rf"ros-[a-z]+-(?:lib)?(?:{names})") if names else None
+    key = re.compile(rf"lib(?:{names})") if names else None
     kept = {name for name in choice.answer.apt_guessed if twin is None or not twin.fullmatch(name)}
     kept |= {name for library in built for name in beside(library) if name not in choice.answer.apt}
-    return replace(choice, answer=replace(choice.answer, apt_guessed=tuple(sorted(kept))))
+    answer = replace(choice.answer, apt_guessed=tuple(sorted(kept)))
+    components = {each.name for made in evidence.cmake for each in made.dependencies if each.namespace == "ros"}
+    skip = [name for name in answer.rosdep if key and key.fullmatch(name) and name not in components]
+    rosdep = tuple(name for name in answer.rosdep if name not in skip)
+    return replace(choice, answer=replace(answer, rosdep=rosdep, skip_keys=(*answer.skip_keys, *skip)))
 
 
 def _requested(config: Config, ubuntu: str | None) -> Iterator[str]:

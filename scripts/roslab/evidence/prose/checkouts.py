@@ -55,5 +55,15 @@ def clone_at(folders: Iterable[str], sources: Sequence[GitSource]) -> int | None
     return None
 
 
+def titled(heading: str, sources: Sequence[GitSource]) -> int | None:
+    """Return the index of the last source where it was cloned in the section of its own name, ``None`` elsewhere.
+
+    What is done there is done in its folder, also where nobody writes ``cd``.
+    """
+    if not sources or sources[-1].heading != heading:
+        return None
+    return len(sources) - 1 if _plain(heading.rpartition(" / ")[2]) == _plain(sources[-1].name) else None
+
+
 def _plain(name: str) -> str:
     return re.sub(r"[-_.]+", "_", name).lower()

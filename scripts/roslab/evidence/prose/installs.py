@@ -12,7 +12,7 @@ from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.prose import blanks, workspaces
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
-from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at
+from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at, titled
 from roslab.evidence.prose.configured import options_of, source_of
 from roslab.evidence.prose.install_tree import from_workspace, package_and_program
 from roslab.evidence.prose.merged import Prose
@@ -263,6 +263,7 @@ class Collector:
         if not {"install", "--install"} & {*words}:
             return
         clone = clone_at(self.folder.split("/"), self.sources)
+        clone = titled(self.heading, self.sources) if clone is None else clone
         if clone is not None:
             said = self.sources[clone]
             by_cmake = said.configured or self.configured
