@@ -78,6 +78,7 @@ TODAY = Order(
         cloned.submodules,
         building.variables,  # conditions of a package.xml read them, too
         workspace.rosdep,  # 4. what the manifests name
+        cloned.plain_clones,
         system.package_data,
         system.header_links,
         python.constraints,

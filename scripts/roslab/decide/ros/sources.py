@@ -166,6 +166,9 @@ class _Chosen:
     def clone(self, git: GitSource, asked: Dependency, elsewhere: frozenset[str]) -> None:
         """Add what a page or a manifest clones; warn if rosdep has a package of that name too."""
         new = self.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
+        if new and self.build_tool.startswith("catkin") and asked.role != "exec" and _called(git, asked):
+            name = next(reversed(self.sources))
+            self.sources[name] = replace(self.sources[name], unread=True)  # it may be plain CMake
         tabled = ros_sources(asked.name, self.ros)[-1:]
         self.others |= {address(found.repo) for found in tabled} - {address(git.url)}
         if new and asked.namespace == "rosdep" and asked.name in elsewhere:
@@ -270,6 +273,11 @@ def _private(name: str, git: GitSource) -> Warning_:
         f"{name} may not be there for everybody, as {why}: where {https(git.url)} cannot be cloned without a login"
     )
     return warn(f"{message}, it is left out, and what needs it may stop the build", git)
+
+
+def _called(git: GitSource, asked: Dependency) -> bool:
+    """Tell whether a clone is called what asks for it: ``stonefish`` for ``Stonefish``, ``g2o`` for ``libg2o``."""
+    return plain(asked.name).removeprefix("lib") in {plain(git.name).removeprefix("lib"), plain(git.folder)}
 
 
 def _beside(git: GitSource) -> bool:

@@ -6,9 +6,11 @@ from roslab.config.model import Source
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import locks, secrets, shell
-from roslab.render.layers.system import BRANCH, fetch, prepared
+from roslab.render.layers.system import BRANCH, CONFIGURE, fetch, prepared
 from roslab.render.layers.workspace import HOLDING, WS, source_folder, words
 
+PLAIN = "install-plain-clones"
+"""The script that compiles and installs clones in which catkin finds no package."""
 LISTED = "clone-listed"
 """The script that clones what a list or a page names, where its host lets anybody."""
 
@@ -63,6 +65,16 @@ def _called(script: str, source: Source) -> str:
     at = f" --{option} {quote.shell(source.ref)}" if source.ref else ""
     at += f" --before {quote.shell(source.before)}" if source.before else ""
     return f"{script}{at} {quote.shell(source.repo or '')} {quote.shell_with_user(f'{WS}/src/{source.name}')}"
+
+
+def plain_clones(plan: Plan) -> str:
+    """Compile what CMake of the workspace asks for by its name, where it turns out to be no package of ROS."""
+    folders = [quote.shell_with_user(f"{WS}/src/{s.name}") for s in plan.workspace.sources if s.unread]
+    if not folders:
+        return ""
+    scripts = "".join(map(shell.copy_script, (CONFIGURE, "compile-jobs")))
+    comment = "Clones without a package.xml, which catkin passes by"
+    return f"USER root\n{shell.call(PLAIN, ''.join(f' {each}' for each in folders), comment=comment, before=scripts)}"
 
 
 def submodules(plan: Plan) -> str:
