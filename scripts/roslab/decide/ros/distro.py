@@ -10,6 +10,7 @@ from roslab.decide.ros.compared import by_comparison
 from roslab.decide.ros.distro_dates import dated, of_its_time, supported
 from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
 from roslab.decide.ros.gazebo import by_gazebo, without_library
+from roslab.decide.ros.lost_keys import with_every_package
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.code_fits import misfits, unincluded, unlaunchable
@@ -261,6 +262,11 @@ def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]])
             )
             why += f"and {best} was there, too"
         answer = best
+    fitting = [name for name, missing in unknown.items() if not missing]
+    if older := with_every_package(evidence, 1 if kind == "ros1" else 2, answer, fitting):
+        why = f"no distribution is named, and {older[0]} is the last that released {older[1].name}"
+        answer = older[0]
     message = f"nothing says which ROS distribution this is for: {answer} is used; set base.ros in roslab.yaml"
-    reason = because("ros_distro", answer, why, date, weight=Weight.DEFAULT)
+    at = older[1] if older else date
+    reason = because("ros_distro", answer, why, at, weight=Weight.DEFAULT)
     return Choice(answer=distros()[answer], reasons=(reason,), warnings=(warn(message),))
