@@ -1,6 +1,7 @@
 #!/bin/bash
 # usage: install-rosdep-keys [--tables TAG] [--skip KEYS] [--complete] [--before DAY] FOLDER...
-# Installs what the package.xml files below the folders name. Keys that rosdep does not know are named and left out.
+# Installs what the package.xml files below the folders name. Keys that rosdep does not know, or whose packages apt does
+# not have, are named and left out.
 #   --tables TAG  use the tables of ros/rosdistro at this tag: newer ones forget a distro some years after its end;
 #                 where they do not answer, the base's own are used
 #   --skip KEYS   keys to install nothing for, separated by spaces
@@ -51,6 +52,23 @@ unknown_keys() {
     sed --quiet --regexp-extended 's/.*definition (for|of) \[([^]]+)\].*/\2/p' | sort --unique
 }
 
+# Prints the keys whose packages the sources of apt do not have, for their rule names none for this Ubuntu
+absent_keys() {
+  local keys key='' line package
+  mapfile -t keys < <(rosdep keys --ignore-src --rosdistro "${ROS_DISTRO}" --from-paths "${folders[@]}" 2>/dev/null |
+    grep --invert-match --line-regexp --fixed-strings --file=<(tr ' ' '\n' <<<"${skip}" | grep .))
+  if [ "${#keys[@]}" -eq 0 ]; then return; fi
+  while read -r line; do
+    case "${line}" in
+      '#ROSDEP['*) key="${line#*[}" && key="${key%]}" ;;
+      '#apt') read -r line && for package in ${line}; do
+        if apt-cache show "${package}" >/dev/null 2>&1; then continue; fi
+        if ! apt-get install --simulate "${package}" >/dev/null 2>&1; then echo "${key}" && break; fi
+      done ;;
+    esac
+  done < <(rosdep resolve "${keys[@]}" "${keys[0]}" 2>/dev/null) | sort --unique # one alone has no line of its own
+}
+
 # rosdep calls apt several times, and each call would read all the lists anew: Docker's bases keep no cache of them
 caches=/etc/apt/apt.conf.d/zz-roslab-caches
 printf 'Dir::Cache::%s "/tmp/apt-%s.bin";\n' pkgcache pkgcache srcpkgcache srcpkgcache >"${caches}"
@@ -84,6 +102,10 @@ else
       echo "rosdep ${key}" >>"${left_out}"
       skip="${skip} ${key}"
     done
+  done
+  for key in $(absent_keys); do
+    echo "rosdep ${key}" >>"${left_out}"
+    skip="${skip} ${key}"
   done
   if [ "${skip}" = "${asked}" ] && [ -z "${completed}" ]; then cat "${said}" >&2 && exit 1; fi
   if [ -s "${left_out}" ]; then sed 's/^/roslab: left out: /' "${left_out}"; fi
