@@ -13,6 +13,7 @@ from roslab.decide.python.conda_channels import no_channels, told
 from roslab.decide.python.conda_cuda import cuda_of_conda
 from roslab.decide.python.conda_limits import limits_of
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
+from roslab.decide.python.contradicting import contradicting
 from roslab.decide.python.extension_code import decide_defines
 from roslab.decide.python.extras import beside_lists
 from roslab.decide.python.fetched import cloned_files, unseen
@@ -211,6 +212,7 @@ def decide_python(
             *ignored_environments(evidence, kind, chosen),
             *machine_lists(evidence, chosen.files),
             *left_to_parts(evidence, chosen.files),
+            *contradicting(evidence, chosen.files, chosen.contradicting),
         ),
     )
 

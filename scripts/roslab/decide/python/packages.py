@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from roslab.config.model import Config, Kind
 from roslab.decide.python.conda_environments import conda_file
+from roslab.decide.python.contradicting import afterwards, of_one_call
 from roslab.decide.python.environment_extras import for_environments
 from roslab.decide.python.extras import extras, of_pages
 from roslab.decide.python.guesses import guesses, known_names, loose_names
@@ -21,6 +22,8 @@ class Chosen:
     """The chosen files, projects and packages, each with the place that names it."""
 
     files: tuple[RequirementFile, ...] = ()
+    contradicting: tuple[RequirementFile, ...] = ()
+    """Files with a pin that one of those contradicts."""
     projects: tuple[PythonProject, ...] = ()
     declared: tuple[Requirement, ...] = ()
     """What a project at the root needs whose backend refuses to install it: pip installs these alone."""
@@ -34,6 +37,8 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     """Return what pip or conda installs."""
     conda = conda_file(evidence, config, kind)
     files = requirement_files(evidence, config, kind, conda)
+    whole = conda is None and config.requirements is None
+    kept, left = of_one_call(evidence, files) if whole else (files, ())
     folders = projects(evidence, kind, conda, files)
     ros = kind in {"ros1", "ros2"}
     declared = () if ros or files or conda or folders else tuple(_of_refused(evidence))
@@ -44,7 +49,8 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     known |= {each.key for each in more}
     guessed = guesses(evidence, pins, kind, manifests=manifests, known=known, loose=loose)
     return Chosen(
-        files=files,
+        files=kept,
+        contradicting=left,
         projects=folders,
         declared=declared,
         guessed=(
@@ -52,6 +58,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
             *of_pages(evidence, files, folders),
             *guessed,
             *for_environments(evidence, guessed, known),
+            *afterwards(evidence, kept, left),
         ),
         options=tuple(dict.fromkeys(_options(evidence))),
         conda=conda,
