@@ -15,6 +15,7 @@ from roslab.decide.system.lies_beside import with_beside
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
 from roslab.decide.system.switches import given, waits
+from roslab.decide.system.tried_headers import included
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
@@ -148,7 +149,9 @@ def _asked(
         pinned = git.installed and bool(fixed(git.ref))
         by_file = git.installed and (asked.namespace, asked.strength) == ("link", "declared")
         newer = pinned and _newer(asked, target, fixed(git.ref) or "")
-        if by_file or newer or _unknown(asked, target, pinned=pinned):
+        tried = git.installed and included(asked, evidence)
+        needed = replace(asked, strength="declared") if tried else asked  # CMake goes on, the compiler does not
+        if by_file or newer or _unknown(needed, target, pinned=pinned):
             yield name, asked  # what is named by its file below /usr/local is there only where it was built
 
 

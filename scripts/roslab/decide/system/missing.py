@@ -28,6 +28,7 @@ from roslab.decide.system.required import (
 )
 from roslab.decide.system.switches import given, switch_of
 from roslab.decide.system.tests import left_to_a_switch
+from roslab.decide.system.tried_headers import without_tried
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.code_limits import satisfies, version_of
@@ -144,6 +145,7 @@ def decide_missing(
         told = {asked.name for _, asked in unmet}
         there = names | known | told
         warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
+    warnings += without_tried(evidence, packages, target, provided, build_tool)
     hidden = {f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages)}
     warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]
     asks = of_program_and_below if kind == "cpp" else required
