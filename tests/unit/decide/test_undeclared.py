@@ -45,3 +45,8 @@ def test_sources_older_than_cython_3_are_built_with_an_older_one(tree: Tree) -> 
     python = tree({"requirements.txt": "numpy\nhdbscan==0.8.28\n", "main.py": "import hdbscan\n"}).python
     assert "Cython<3" in [each.written for each in python.bounds]
     assert {each.written for each in python.first} == {"numpy", "Cython<3"}
+
+
+def test_what_only_the_list_of_a_package_from_git_names_is_there(tree: Tree) -> None:
+    pip = "dependencies:\n  - python=3.7\n  - pip:\n    - git+https://github.com/mit-han-lab/torchsparse.git\n"
+    assert "backports.cached_property" in [each.name for each in tree({"environment.yaml": pip}).python.first]
