@@ -619,3 +619,18 @@ def test_a_clone_beside_the_key_of_another_name_is_told_as_such(tree: Tree) -> N
     said = [warning.message for warning in tree(files).warnings if "is cloned from" in warning.message]
     assert len(said) == 1
     assert said[0].endswith("which is installed, too: the build may find either")
+
+
+@pytest.mark.parametrize(("also", "cloned"), [(True, ["darknet_ros"]), (False, ["darknet"])])
+def test_no_other_clone_stands_for_a_package_that_one_is_called_like(tree: Tree, also: bool, cloned: list[str]) -> None:
+    line = "git clone https://github.com/lab/{}.git\n"
+    page = "".join(map(line.format, ["darknet", "darknet_ros"] if also else ["darknet"]))
+    files = ros1("", f"```\n{page}```\n")
+    files["package.xml"] = PACKAGE.replace("</package>", "<depend>darknet_ros</depend></package>")
+    assert [each.name for each in tree(files).source] == cloned
+
+
+def test_the_reason_for_a_library_says_who_names_its_source(tree: Tree) -> None:
+    page = "Needs [acme_lidar](https://github.com/lab/acme_lidar)\n"
+    said = [each.reason for each in tree(ros1("find_package(acme_lidar REQUIRED)\n", page)).reasons]
+    assert "acme_lidar is needed, and README.md:2 names its source" in said

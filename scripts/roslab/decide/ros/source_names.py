@@ -84,6 +84,11 @@ def wanted_names(needed: Iterable[Dependency]) -> dict[str, Dependency]:
     return found
 
 
+def called_like(git: GitSource, asked: Dependency) -> bool:
+    """Tell whether a clone is called what asks for it: ``stonefish`` for ``Stonefish``, ``g2o`` for ``libg2o``."""
+    return plain(asked.name).removeprefix("lib") in {plain(git.name).removeprefix("lib"), plain(git.folder)}
+
+
 def asked_for(git: GitSource, wanted: dict[str, Dependency], known: frozenset[str]) -> Dependency | None:
     """Return what needs a clone: a name equal to the clone's, or an unreleased package whose name begins with it.
 

@@ -18,6 +18,7 @@ from roslab.decide.ros.sought import with_sought
 from roslab.decide.ros.source_names import (
     address,
     asked_for,
+    called_like,
     drifts,
     fixed,
     itself_in,
@@ -82,9 +83,11 @@ def decide_sources(
     options = " ".join(own_options(evidence, config, folder_name, build_tool)) or given(evidence)
     wanted = wanted_names(each for each in needed if not waits(each, options))
     answered: set[str] = set()
-    for git in clones(evidence, ros_distro):
+    found = clones(evidence, ros_distro)
+    exact = {wanted[name].name for name in {plain(git.name) for git in found} if name in wanted}
+    for git in found:
         other = itself_in(git, itself) or plain(git.name) in own or lies_beside(git, evidence)
-        asked = None if other else asked_for(git, wanted, known)
+        asked = None if other else asked_for(git, wanted, known | exact)  # no other clone stands for these
         if asked is not None:
             answered.add(asked.name)
             chosen.clone(git, asked, known | rosdep_keys())
@@ -166,7 +169,7 @@ class _Chosen:
     def clone(self, git: GitSource, asked: Dependency, elsewhere: frozenset[str]) -> None:
         """Add what a page or a manifest clones; warn if rosdep has a package of that name too."""
         new = self.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
-        if new and self.build_tool.startswith("catkin") and asked.role != "exec" and _called(git, asked):
+        if new and self.build_tool.startswith("catkin") and asked.role != "exec" and called_like(git, asked):
             name = next(reversed(self.sources))
             self.sources[name] = replace(self.sources[name], unread=True)  # it may be plain CMake
         tabled = ros_sources(asked.name, self.ros)[-1:]
@@ -275,11 +278,6 @@ def _private(name: str, git: GitSource) -> Warning_:
     return warn(f"{message}, it is left out, and what needs it may stop the build", git)
 
 
-def _called(git: GitSource, asked: Dependency) -> bool:
-    """Tell whether a clone is called what asks for it: ``stonefish`` for ``Stonefish``, ``g2o`` for ``libg2o``."""
-    return plain(asked.name).removeprefix("lib") in {plain(git.name).removeprefix("lib"), plain(git.folder)}
-
-
 def _beside(git: GitSource) -> bool:
     """Tell whether only a page below the root, which may be about another project, has it cloned."""
     page = "/" in git.file and git.file.endswith(PAGES) and not places.documentation(git.file)
@@ -295,6 +293,8 @@ def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Depend
         if source.name not in choice.answer.names and source.name not in added:
             added[source.name] = source
             why = f"{asked.name} is needed, and no package of this Ubuntu contains it"
+            if source.place:
+                why = f"{asked.name} is needed, and {source.place.file}:{source.place.line} names its source"
             if source.unasked:
                 why = f"{asked.file} has everybody build it"
                 warnings.append(told(source, asked))
