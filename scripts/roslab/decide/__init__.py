@@ -35,8 +35,9 @@ from roslab.decide.ros.filled_refs import with_refs
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.sought import linked, tried
-from roslab.decide.ros.sources import decide_sources, with_recipes
+from roslab.decide.ros.sources import decide_sources
 from roslab.decide.ros.used import asked
+from roslab.decide.ros.with_recipes import with_recipes
 from roslab.decide.ros.workspace import of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.system.apt_sources import decide_apt_sources

@@ -13,6 +13,7 @@ from roslab.decide.filled_in import PLACEHOLDER, filled
 from roslab.decide.launch_calls import call_of, launch_calls, without_package
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages, installed_by_pip, one_letter_off, one_of_several
+from roslab.decide.python_calls import module_of, program_here
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import bare, script_of, task_of
 from roslab.decide.sections import about_trouble
@@ -185,9 +186,9 @@ def _runnable(
     named = (file for file in mention.files if file.endswith(".py") or bare(file))  # a script needs no guard to be run
     programs = tuple(dict.fromkeys((*tree.programs, *named)))
     if argv[1:2] == ("-m",):
-        here = _module(argv, programs, (*tree.projects, *filter(None, (mention.inside,))))
+        here = module_of(argv, programs, (*tree.projects, *filter(None, (mention.inside,))))
     else:
-        here = _here(argv, programs, mention.file.rpartition("/")[0])
+        here = program_here(argv, programs, mention.file.rpartition("/")[0])
     if here is None or (compiled and _tests(here)) or not tree.nodes.isdisjoint(here[:1]):
         return None
     return ("python3" if ros else argv[0], *here)
@@ -277,31 +278,3 @@ def _tests(argv: tuple[str, ...]) -> bool:
     """Tell whether a command only runs tests or benchmarks."""
     programs = [part for part in argv if part.endswith(".py")]
     return any(part.endswith("_test.py") or places.test(part) for part in programs)
-
-
-def _module(argv: tuple[str, ...], programs: tuple[str, ...], above: tuple[str, ...]) -> tuple[str, ...] | None:
-    """Return the arguments of ``python -m`` if the module is at the root, or the one of that name below a folder.
-
-    ``above``: the folders that pip installs, whose packages any folder may import, and the one that the page goes to.
-    """
-    module = argv[2].replace(".", "/") if len(argv) > 2 else ""
-    files = (f"{module}.py", f"{module}/__main__.py")
-    if not {*files} & {*programs}:
-        below = [program for program in programs if program.endswith(tuple(f"/{file}" for file in files))]
-        if len(below) != 1 or not any(not folder or below[0].startswith(f"{folder}/") for folder in above):
-            return None
-    return argv[1:]
-
-
-def _here(argv: tuple[str, ...], programs: tuple[str, ...], folder: str) -> tuple[str, ...] | None:
-    """Return the arguments of a Python that runs a program of the tree, its path from the root; else ``None``.
-
-    ``folder``: that of the page, whose own program is meant where others have the same name.
-    """
-    for position, part in enumerate(argv[1:], 1):
-        if part.endswith(".py") or (bare(part) and part in programs):
-            path = posixpath.normpath(part)
-            beside = [near for near in (path, f"{folder}/{path}") if near in programs]
-            ends = beside[:1] or [program for program in programs if program.endswith("/" + path)]
-            return (*argv[1:position], ends[0], *argv[position + 1 :]) if len(ends) == 1 else None
-    return None

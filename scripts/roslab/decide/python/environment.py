@@ -219,8 +219,7 @@ def decide_python(
 
 def _without(asked: Sequence[Requirement], of_conda: Sequence[Requirement]) -> tuple[Requirement, ...]:
     """Return what pip is asked for and conda's own packages do not bring: their build is the file's choice."""
-    names = {each.key for each in of_conda}
-    return tuple(each for each in asked if each.key not in names)
+    return tuple(each for each in asked if each.key not in {of.key for of in of_conda})
 
 
 def _no_old_numpy(of_conda: Sequence[Requirement]) -> Iterator[Requirement]:
@@ -233,8 +232,8 @@ def _default_channels(evidence: Evidence, conda: str | None) -> bool:
 
     https://docs.conda.io/projects/conda/en/stable/user-guide/tasks/manage-environments.html, read 2026-11-21.
     """
-    channels = next((environment.channels for environment in evidence.conda if environment.file == conda), None)
-    return channels is not None and not {"defaults", "nodefaults"} & set(channels)
+    of_file = (environment.channels for environment in evidence.conda if environment.file == conda)
+    return any(not {"defaults", "nodefaults"} & {*channels} for channels in of_file)
 
 
 def _interpreter(version: str | None) -> Interpreter:

@@ -28,7 +28,7 @@ from roslab.decide.ros.source_names import (
 from roslab.decide.ros.used import used_by_build
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
-from roslab.decide.system.by_everybody import PAGES, told
+from roslab.decide.system.by_everybody import PAGES
 from roslab.decide.system.lies_beside import lies_beside
 from roslab.decide.system.own_options import own_options
 from roslab.decide.system.switches import given, waits
@@ -282,26 +282,3 @@ def _beside(git: GitSource) -> bool:
     """Tell whether only a page below the root, which may be about another project, has it cloned."""
     page = "/" in git.file and git.file.endswith(PAGES) and not places.documentation(git.file)
     return git.kind == "clone" and git.strength == "prose" and page
-
-
-def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]]) -> Choice[Sources]:
-    """Put libraries from the table of recipes before the sister packages that link them."""
-    added: dict[str, Source] = {}
-    reasons = list(choice.reasons)
-    warnings = list(choice.warnings)
-    for source, asked in recipes:
-        if source.name not in choice.answer.names and source.name not in added:
-            added[source.name] = source
-            why = f"{asked.name} is needed, and no package of this Ubuntu contains it"
-            if source.place:
-                why = f"{asked.name} is needed, and {source.place.file}:{source.place.line} names its source"
-            if source.unasked:
-                why = f"{asked.file} has everybody build it"
-                warnings.append(told(source, asked))
-            reasons.append(because("source", source.name, why, asked, weight=Weight.RECIPE))
-    answer = replace(
-        choice.answer,
-        sources=(*added.values(), *choice.answer.sources),
-        names=choice.answer.names | added.keys(),
-    )
-    return replace(choice, answer=answer, reasons=tuple(reasons), warnings=tuple(warnings))

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, included, own_project
+from roslab.evidence.native.macros import macros
 from roslab.evidence.native.output_folder import output_folder
 from roslab.evidence.native.outside import of_workspace, outside_of_workspaces
 from roslab.repository.checkout import File, Repository, nearest
@@ -55,17 +55,6 @@ _NAMES = (
     | {"cs_*", "ament_*", "rosbuild_*", "rosidl_generate_interfaces"}
 )
 _LANGUAGES = frozenset({"C", "CXX", "CUDA", "Fortran"})
-_FAMILIES = (
-    ("cuda", pattern(r"cuda_add")),
-    ("rosbuild", pattern(r"rosbuild_")),
-    ("ament", pattern(r"ament_(?!target_dependencies)|autoware_package|rosidl_generate_interfaces")),
-    ("catkin", pattern(r"catkin_package|catkin_simple|cs_")),
-)
-_FOUND = (
-    ("catkin", pattern(r"catkin(?:_simple)?$")),
-    ("ament", pattern(r"ament_|autoware_cmake$")),
-)
-_CUDA = pattern(r"(?:CUDA|CUDAToolkit|CUDNN|TensorRT)$")
 _AT_ONCE = "CMAKE_RUNTIME_OUTPUT_DIRECTORY"
 """A program is written where this says when it is added; what the other says last is for all programs without it."""
 _PROGRAMS_IN = frozenset({_AT_ONCE, "EXECUTABLE_OUTPUT_PATH"})
@@ -241,7 +230,7 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
     elif name in cmake_needs.CALLS and (not call.in_function or name == "find_package"):
         reading.dependencies += cmake_needs.needs(told, path, reading.name)
     reading.linked |= {path: line for path, line in cmake_needs.inside(call) if path not in reading.linked}
-    _macros(call, reading)
+    reading.macros |= macros(call)
 
 
 def _program(call: Call, reading: _Reading) -> None:
@@ -257,22 +246,6 @@ def _program(call: Call, reading: _Reading) -> None:
         reading.optional |= {(name, switch): None} if _SWITCH.fullmatch(switch) else {}
         found = _WHERE_FOUND.finditer(condition) if not condition.startswith("NOT (") else ()
         reading.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
-
-
-@cache
-def _families(name: str) -> dict[str, None]:
-    """Return the families that have a macro; a tree calls few of them, thousands of times."""
-    return dict.fromkeys(family for family, pattern in _FAMILIES if pattern.match(name))
-
-
-def _macros(call: Call, reading: _Reading) -> None:
-    """Note the families of macros that a call belongs to or finds."""
-    name, words = call.name, call.words
-    reading.macros |= _families(name)
-    if name == "find_package" and words and not call.conditions:
-        reading.macros |= dict.fromkeys(family for family, pattern in _FOUND if pattern.match(words[0]))
-        if _CUDA.match(words[0]) and "REQUIRED" in words:
-            reading.macros["cuda"] = None
 
 
 def _place_programs(call: Call, folder: str, reading: _Reading) -> None:

@@ -1,0 +1,37 @@
+"""Libraries that are built before what links them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslab.config.model import Source
+from roslab.decide.decision import Choice
+from roslab.decide.reasons import because
+from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.weights import Weight
+from roslab.decide.system.by_everybody import told
+from roslab.evidence.dependency import Dependency
+from roslab.values.dataclass import replace
+
+
+def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]]) -> Choice[Sources]:
+    """Put libraries from the table of recipes before the sister packages that link them."""
+    added: dict[str, Source] = {}
+    reasons = list(choice.reasons)
+    warnings = list(choice.warnings)
+    for source, asked in recipes:
+        if source.name not in choice.answer.names and source.name not in added:
+            added[source.name] = source
+            why = f"{asked.name} is needed, and no package of this Ubuntu contains it"
+            if source.place:
+                why = f"{asked.name} is needed, and {source.place.file}:{source.place.line} names its source"
+            if source.unasked:
+                why = f"{asked.file} has everybody build it"
+                warnings.append(told(source, asked))
+            reasons.append(because("source", source.name, why, asked, weight=Weight.RECIPE))
+    answer = replace(
+        choice.answer,
+        sources=(*added.values(), *choice.answer.sources),
+        names=choice.answer.names | added.keys(),
+    )
+    return replace(choice, answer=answer, reasons=tuple(reasons), warnings=tuple(warnings))
