@@ -55,3 +55,9 @@ def test_a_build_that_takes_the_whole_folder_reads_all(tmp_path: Path, text: str
 
 def test_a_name_that_is_no_word_of_a_dockerfile_is_left_alone(tmp_path: Path) -> None:
     assert names(tmp_path, {"read me.md": "", "a$b.md": "", "CMakeLists.txt": ""}) == ()
+
+
+@pytest.mark.parametrize("file", ["package.xml", "setup.py", "pyproject.toml"])
+def test_a_folder_with_a_package_is_read(tmp_path: Path, file: str) -> None:
+    files = {f"tests/sync_test/{file}": "", "docs/index.md": "", "core/package.xml": ""}
+    assert names(tmp_path, files) == ("docs",)

@@ -12,6 +12,7 @@ from roslab.values.pattern import pattern
 
 MOST = 8
 """Each is a line of the Dockerfile; of more, the first."""
+_PROJECTS = ("package.xml", "setup.py", "pyproject.toml")
 _PLAIN = pattern(r"[A-Za-z0-9._][A-Za-z0-9._-]*\Z")
 """A name that is one word of a Dockerfile."""
 _EVERYTHING = pattern(r"\bDIRECTORY\s+\"?(?:\./?|\$\{\w+\}/?)\"?[\s)]|\bGLOB_RECURSE\b[^)]*[\s\"]\*[\s\")]")
@@ -21,10 +22,12 @@ _EVERYTHING = pattern(r"\bDIRECTORY\s+\"?(?:\./?|\$\{\w+\}/?)\"?[\s)]|\bGLOB_REC
 def names(repository: Repository) -> tuple[str, ...]:
     """Return the names at the top that a build of the workspace certainly does not read, sorted.
 
-    What any build file of the repository names, at the top or by another path, may be read.
+    What any build file of the repository names, at the top or by another path, may be read; a folder with packages of
+    ROS or projects of Python is.
     """
-    top = sorted({file.path.partition("/")[0] for file in repository.files})
-    found = [name for name in top if _PLAIN.match(name) and unread().match(name)]
+    top = {file.path.partition("/")[0] for file in repository.files}
+    projects = {file.path.partition("/")[0] for file in repository.named(*_PROJECTS) if "/" in file.path}
+    found = [name for name in sorted(top - projects) if _PLAIN.match(name) and unread().match(name)]
     if not found:
         return ()
     files = (
