@@ -22,6 +22,7 @@ from pathlib import Path
 import pytest
 
 from roslab.knowledge.build_limits import build_limits
+from roslab.knowledge.build_programs import build_programs
 
 SCRIPTS = Path(__file__).parents[3] / "scripts/roslab/render/image_scripts"
 DAY = "2021-01-10"
@@ -47,6 +48,8 @@ FILES = {
     "other": {**{f"other-1.0{end}": OLD for end in (f"-{EVERY}.whl", ".tar.gz")}, "other-2.0.tar.gz": OLD},
     "cython": {f"cython-{number}-{EVERY}.whl": OLD for number in ("0.29.36", "3.0")},
     "needs": {"needs-1.0.tar.gz": OLD},
+    "swig": {f"swig-1.0-{EVERY}.whl": OLD},
+    "wrapped": {"wrapped-1.0.tar.gz": OLD},
     "shared": {f"shared-{number}-{EVERY}.whl": OLD for number in ("1.0", "2.0")},
     "left": {f"left-1.0-{EVERY}.whl": OLD},
     "right": {f"right-1.0-{EVERY}.whl": OLD},
@@ -85,15 +88,25 @@ def build_wheel(folder, config_settings=None, metadata_directory=None):
 """
 
 
+WRAPPED = """\
+import os, shutil
+
+def build_wheel(folder, config_settings=None, metadata_directory=None):
+    if not os.path.exists(os.environ["BROUGHT"] + "/swig-1.0.dist-info"):
+        print("error: command 'swig' failed: No such file or directory")
+        raise SystemExit(1)
+    shutil.copy("made.whl", os.path.join(folder, "wrapped-1.0-py3-none-any.whl"))
+    return "wrapped-1.0-py3-none-any.whl"
+"""
+
+
 def source(file: str) -> bytes:
-    """Return the source of a package of that name, which no Cython from 3.0 on compiles."""
+    """Return the source of a package: one that no Cython from 3.0 on compiles, or one that calls a program."""
     made = io.BytesIO()
-    own = '[build-system]\nrequires = ["cython"]\nbuild-backend = "backend"\nbackend-path = ["."]\n'
-    parts = {
-        "pyproject.toml": own.encode(),
-        "backend.py": BACKEND.encode(),
-        "made.whl": wheel(f"needs-1.0-{EVERY}.whl"),
-    }
+    name, backend, needs = ("needs", BACKEND, '"cython"') if file.startswith("needs") else ("wrapped", WRAPPED, "")
+    own = f'[build-system]\nrequires = [{needs}]\nbuild-backend = "backend"\nbackend-path = ["."]\n'
+    whole = wheel(f"{name}-1.0-{EVERY}.whl")
+    parts = {"pyproject.toml": own.encode(), "backend.py": backend.encode(), "made.whl": whole}
     with tarfile.open(fileobj=made, mode="w:gz") as archive:
         for name, content in parts.items():
             member = tarfile.TarInfo(f"{file.removesuffix('.tar.gz')}/{name}")
@@ -105,7 +118,7 @@ def source(file: str) -> bytes:
 @cache
 def content(file: str) -> bytes:
     """Return what the index has under a name."""
-    return source(file) if file.startswith("needs") else wheel(file)
+    return source(file) if file.startswith(("needs", "wrapped")) else wheel(file)
 
 
 class Index(BaseHTTPRequestHandler):
@@ -270,6 +283,21 @@ def test_what_a_cython_of_the_day_does_not_compile_gets_an_older_one(
     assert ("failed" in output.split()) is not known
     assert said.count("does not suit cython 3 and newer: an older one is taken") == known
     assert ("Error compiling Cython file:" in said) is not known  # what stops the build is seen
+
+
+def test_a_program_that_a_build_lacks_comes_from_pip(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+) -> None:
+    table, script = tmp_path / "build-programs.txt", tmp_path / "ask-pip-again"
+    table.write_text(build_programs() + "\n")
+    script.write_text(script.read_text().replace("/usr/local/share/roslab/build-programs.txt", str(table)))
+    before = f"export PIP_TARGET={tmp_path}/made BROUGHT={tmp_path}/made"
+    install = "python3 -m pip install --quiet --no-cache-dir wrapped || echo failed"
+    output = ran(step, tmp_path, f"{index}/simple/", install, before=before)
+    said = (tmp_path / "said").read_text()
+    assert "failed" not in output.split(), said
+    assert (tmp_path / "made/wrapped-1.0.dist-info").exists()
+    assert said.count("calls a program that is not there: pip installs swig") == 1
 
 
 def test_of_requirements_that_contradict_each_other_the_first_decides(

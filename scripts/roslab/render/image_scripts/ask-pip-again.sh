@@ -4,8 +4,9 @@
 # are there the next time; an exact version that is gone from the index becomes the next one with the same first two numbers,
 # if there is one. Where the requirements contradict each other, the first that names a package decides, as in pip before
 # 20.3: of their time many lists were never resolved. Where a package cannot be built with a Cython or setuptools of the day,
-# as its messages say (build-limits.txt), older ones are taken: its own day may be long before. What a package prints while it
-# is built is shown at the end: a pip that writes a log has it there alone.
+# as its messages say (build-limits.txt), older ones are taken: its own day may be long before. A program that a package is
+# built with and does not ask pip for (build-programs.txt) is installed by pip. What a package prints while it is built is
+# shown at the end: a pip that writes a log has it there alone.
 set -eo pipefail # as the steps that read it have
 
 roslab_pip() {
@@ -29,7 +30,7 @@ roslab_call() {
       call+=("${first}")
       continue
     fi
-    if roslab_older_builder; then continue; fi
+    if roslab_older_builder || roslab_program "${call[0]}"; then continue; fi
     name="$(sed -n 's/.*No matching distribution found for \([A-Za-z0-9._-]*\).*/\1/p' "${log}" 2>/dev/null | tail -n 1)"
     if [ -z "${name}" ]; then return 1; fi
     if grep -q -x -F "${name}" "${free}" 2>/dev/null; then
@@ -52,6 +53,20 @@ roslab_older_builder() {
       return
     fi
   done <"${limits}"
+  return 1
+}
+# Installs a program that a build lacks, each once
+roslab_program() { # PYTHON
+  local package pattern programs=/usr/local/share/roslab/build-programs.txt
+  if [ ! -e "${programs}" ]; then return 1; fi
+  while read -r package pattern; do
+    if grep -q -E "${pattern}" "${log}" 2>/dev/null && ! grep -q -x -F "${package}" "${INDEX_AS_OF}.programs" 2>/dev/null; then
+      echo "${package}" >>"${INDEX_AS_OF}.programs"
+      echo "roslab: what is built here calls a program that is not there: pip installs ${package}" >&2
+      command "$1" -m pip install --no-cache-dir "${package}" </dev/null
+      return
+    fi
+  done <"${programs}"
   return 1
 }
 # Replaces an exact version that the index no longer has, in the call and in its requirement files

@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from roslab.knowledge.build_limits import build_limits
+from roslab.knowledge.build_programs import build_programs
 from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.frameworks import same_numbers
 from roslab.knowledge.keys import key
@@ -26,6 +27,7 @@ _COPY = pattern(r"^COPY --from=scripts (/.+) /usr/local/(?:bin|share/roslab)/$",
 _TABLES: dict[str, Callable[[], str]] = {
     "archives.txt": archives,
     "build-limits.txt": build_limits,
+    "build-programs.txt": build_programs,
     "git-hosts.txt": lambda: "\n".join(sorted(public_hosts())),
     "released-together.txt": same_numbers,
     "sonames.txt": sonames,

@@ -56,7 +56,8 @@ def run(*commands: str, comment: str = "", secrets: Secrets = NONE, around: Arou
     said = "\n".join((*secrets.commands, *around.first, *commands))
     scripts = "".join(copy_script(name) for name in _PRINTING if f'"$({name}' in said)
     if "--or-today" in said:
-        scripts += copy_script("ask-pip-again") + copy_data(("released-together.txt", "build-limits.txt"))
+        tables = ("released-together.txt", "build-limits.txt", "build-programs.txt")
+        scripts += copy_script("ask-pip-again") + copy_data(tables)
     scripts += copy_script(CHECKOUT) if f"{CHECKOUT} " in said else ""
     return f"{comment_lines(comment)}{scripts}{around.before}RUN {body}"
 
