@@ -116,3 +116,18 @@ def test_a_giant_file_is_read_as_far_as_a_person_writes(tmp_path: Path) -> None:
         stream.truncate(2 * 1024**3)
     (file,) = requirements.read(Repository.open(tmp_path))
     assert len(file.requirements) <= requirements.MAX_LINES
+
+
+def test_a_list_of_another_tool_is_not_pips(tmp_path: Path) -> None:
+    files = {
+        "requirements.txt": "# for cget\nnlohmann/json@v3.8.0\n",
+        "dev/requirements.txt": "# none yet\n",
+        "a/requirements.txt": "owner/name@tag\nnumpy\n",
+        "wide/requirements.txt": "",
+    }
+    assert sorted(read(tmp_path, files)) == ["a/requirements.txt", "dev/requirements.txt", "wide/requirements.txt"]
+
+
+def test_a_list_in_two_bytes_a_letter_is_pips(tmp_path: Path) -> None:
+    (tmp_path / "requirements.txt").write_bytes("numpy\n".encode("utf-16"))
+    assert [file.file for file in requirements.read(Repository.open(tmp_path))] == ["requirements.txt"]

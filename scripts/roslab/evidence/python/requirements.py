@@ -54,7 +54,10 @@ def read(repository: Repository) -> tuple[RequirementFile, ...]:
         path = pending.pop()
         if path in found or not repository.has(path):
             continue
-        file = parse(repository.read(path, limit=MAX_SIZE), path, purpose_of(path))
+        text = repository.read(path, limit=MAX_SIZE)
+        file = parse(text, path, purpose_of(path))
+        if of_another_tool(text, file):
+            continue
         there = tuple(constraint for constraint in file.constraints if repository.has(constraint))
         found[path] = replace(file, constraints=there)
         pending += found[path].includes
@@ -113,6 +116,15 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
         options=tuple(dict.fromkeys(options)),
         purpose=purpose,
     )
+
+
+def of_another_tool(text: str, file: RequirementFile) -> bool:
+    """Tell whether pip can read no line of a file: one of cget for C++, say, lists ``owner/name@tag`` under this name.
+
+    https://pip.pypa.io/en/stable/reference/requirements-file-format/, read 2026-11-26. An empty file is pip's.
+    """
+    read = file.requirements or file.includes or file.constraints or file.options
+    return not read and any(not line.startswith("-") for _, line in _lines(text))
 
 
 def _several(line: str, path: str, number: int) -> tuple[list[Requirement], list[str]]:
