@@ -28,6 +28,7 @@ from roslab.decide.python.brought import with_what_is_brought
 from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
 from roslab.decide.python.installed import installed
+from roslab.decide.python.other_environments import of_one_environment
 from roslab.decide.python.own import decide_version
 from roslab.decide.python.pins import pins
 from roslab.decide.ros.distro import decide_distro
@@ -64,7 +65,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     """
     require_something(evidence, config, folder_name)
     evidence, config = narrowed(evidence, config)
-    day, pip_day, evidence = decide_days(evidence, config)
+    day, pip_day, evidence = decide_days(of_one_environment(evidence, config), config)
     kind = decide_kind(evidence, config, folder_name)
     evidence = with_compiled_signs(with_what_is_brought(evidence, kind.answer, folder_name), kind.answer)
     release = decide_distro(evidence, config, kind.answer)

@@ -202,7 +202,7 @@ class Mention:
         "date", "vcs_file", "compiled", "step", "build_script", "python_path", "from_root", "variable", "exported",
         "option", "gazebo", "compared", "skipped", "own_history", "data",
         "image_built", "image_pulled", "pointed", "included", "reference", "libtorch", "fetched", "unpacked", "runs",
-        "environment", "elsewhere", "tried", "positional", "refused", "launcher", "stops", "withheld",
+        "environment", "elsewhere", "tried", "positional", "refused", "launcher", "stops", "withheld", "entered",
     ]  # fmt: skip
     value: str
     source: Literal[

@@ -30,6 +30,7 @@ from roslab.decide.python.named_frameworks import named_frameworks
 from roslab.decide.python.native_parts import decide_native_parts
 from roslab.decide.python.old_setuptools import setuptools_of
 from roslab.decide.python.older_torch import older_torch, without_release
+from roslab.decide.python.other_environments import left_to_others
 from roslab.decide.python.own import OwnPython, manager_of, of_ubuntu, outvoted
 from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin, of_conda
@@ -212,6 +213,7 @@ def decide_python(
             *ignored_environments(evidence, kind, chosen),
             *machine_lists(evidence, chosen.files),
             *left_to_parts(evidence, chosen.files),
+            *left_to_others(evidence, chosen.files),
             *contradicting(evidence, chosen.files, chosen.contradicting),
         ),
     )

@@ -9,11 +9,14 @@ from typing import Literal
 from roslab.evidence.lex.shell import UNKNOWN, Command
 from roslab.evidence.prose import downloads
 from roslab.evidence.prose.archives import is_release
+from roslab.evidence.prose.entered import entered
 from roslab.evidence.prose.taken_out import marked
 from roslab.evidence.python.install_lines import builds_in_place
 from roslab.values.pattern import pattern
 
-Topic = Literal["step", "image_built", "image_pulled", "build_script", "fetched", "unpacked", "skipped", "data"]
+Topic = Literal[
+    "step", "image_built", "image_pulled", "build_script", "fetched", "unpacked", "skipped", "data", "entered"
+]
 _PACKAGES = pattern(r"\.(?:deb|run|sh|tar(?:\.\w+)?|tgz|zip|AppImage)$")
 _INSTALLATION = pattern(r"instal|depend|prereq|requir|setup|set up|compil|getting started", re.IGNORECASE)
 _NO_LIBRARY = pattern(r"data|model|weight|vocabular|bag\b|map\b|example|troubl|optional|docker", re.IGNORECASE)
@@ -42,6 +45,7 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
     program = words[0].rpartition("/")[2]
     called = words[1:] if program in _RUNNERS else words
     script = called and _SCRIPT.match(called[0]) and (called is not words or "/" in called[0])
+    yield from _entering(words)
     if program in downloads.PROGRAMS:
         yield from downloads.told(words, folder)
     if script or (called is not words and builds_in_place(called)):
@@ -61,6 +65,11 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
             return
     if program in {"wget", "curl", "gdown"}:
         yield from (("data", f"{program} {word}") for word in _data(program, words))
+
+
+def _entering(words: tuple[str, ...]) -> Iterator[tuple[Topic, str]]:
+    if environment := entered(words):
+        yield "entered", environment
 
 
 def _data(program: str, words: tuple[str, ...]) -> tuple[str, ...]:
