@@ -10,6 +10,8 @@ from packaging.version import Version
 from roslab.decide.decision import Warning_
 from roslab.decide.python.fetched import cloned_files, lacking
 from roslab.decide.python.manifests import with_includes
+from roslab.decide.python.nightlies import dropped
+from roslab.decide.python.nightlies import told as of_nightly
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.too_new import loosened, told, too_new
@@ -50,7 +52,12 @@ def refused(asked: Requirement) -> NotOnIndex | None:
 
 
 def in_full(asked: Requirement) -> Requirement:
-    """Return what is pinned to the first numbers of a version with more of them as any version that begins so."""
+    """Return what is pinned to the first numbers of a version with more of them as any version that begins so.
+
+    A nightly build that the index has dropped is the stable release of its number.
+    """
+    if stable := dropped(asked):
+        return stable
     row = numbered().get(asked.key)
     pins = [each.version for each in asked.specifier if each.operator == "=="]
     if row is None or len(pins) != 1 or pins[0].count(".") + 2 != row.numbers or pins != [asked.release]:
@@ -165,6 +172,8 @@ def _kept(found: Iterable[Requirement], own: set[str], pages: Mapping[str, Requi
 
 
 def _in_full(asked: Requirement) -> Warning_:
+    if stable := dropped(asked):
+        return of_nightly(asked, stable)
     return warn(_SHORT.format(asked=asked.written, taken=in_full(asked).written), asked)
 
 
