@@ -85,7 +85,7 @@ def blanks(root: Path) -> None:
 def hyphens(root: Path) -> None:
     """Words that hang together: the end of a name is looked for from each of its beginnings."""
     for name in ("README.md", "install.sh", "Dockerfile", "requirements.txt", "main.py"):
-        (root / name).write_text("# robot\n" + "-".join(["word"] * 1_000_000) + "\n" + "ros-" * 60_000)
+        (root / name).write_text("# robot\nsix\n" + "-".join(["word"] * 1_000_000) + "\n" + "ros-" * 60_000)
 
 
 @pytest.mark.parametrize(
