@@ -53,6 +53,8 @@ class CMakeProject:
     """It calls ``project()`` and no CMakeLists.txt above it adds its folder."""
     added: bool = False
     """A CMakeLists.txt above it, which is not about tests alone, adds its folder."""
+    top: str = ""
+    """The folder of the first CMakeLists.txt of those that add it, its own where none does."""
     always: bool = False
     """Those above it add its folder under no condition, from the one that is called first."""
     languages: tuple[str, ...]
@@ -73,6 +75,8 @@ class CMakeProject:
     the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, ``build/…`` to the build folder."""
     placed: tuple[tuple[str, str], ...] = ()
     """Programs that are written to another folder than most, each with it."""
+    made: tuple[str, ...] = ()
+    """Libraries that are targets of it, but for imported ones."""
     linked: tuple[tuple[str, int], ...] = ()
     """Files of libraries below the source that it links and that are not there, as written, each with its line."""
     lacks: bool = False

@@ -634,3 +634,31 @@ def test_the_reason_for_a_library_says_who_names_its_source(tree: Tree) -> None:
     page = "Needs [acme_lidar](https://github.com/lab/acme_lidar)\n"
     said = [each.reason for each in tree(ros1("find_package(acme_lidar REQUIRED)\n", page)).reasons]
     assert "acme_lidar is needed, and README.md:2 names its source" in said
+
+
+LINKED = "Physics are those of [acme_solver](https://github.com/acme/acme_solver).\n"
+MADE = "ExternalProject_Add(outside URL https://example.org/acme.zip)\nadd_library(acme_solver INTERFACE)\n"
+
+
+@pytest.mark.parametrize(
+    ("adds", "inner", "built"),
+    [
+        ("add_subdirectory(contrib)\n", MADE, []),
+        ("", MADE, ["acme_solver"]),
+        ("add_subdirectory(contrib)\n", MADE.replace("INTERFACE", "SHARED IMPORTED"), ["acme_solver"]),
+    ],
+)
+def test_a_target_that_the_tree_makes_is_no_outside_library(
+    tree: Tree, adds: str, inner: str, built: list[str]
+) -> None:
+    outer = f"project(demo)\n{adds}add_executable(demo main.cpp)\ntarget_link_libraries(demo acme_solver)\n"
+    files = {"CMakeLists.txt": outer, "contrib/CMakeLists.txt": inner, "README.md": LINKED}
+    decision = tree({**files, "main.cpp": "int main() {}\n"})
+    assert [source.name for source in decision.source] == built
+    assert all(source.unasked for source in decision.source)
+
+
+def test_a_library_that_is_required_stops_the_build(tree: Tree) -> None:
+    outer = "project(demo)\nfind_package(acme_solver REQUIRED)\nadd_executable(demo main.cpp)\n"
+    (source,) = tree({"CMakeLists.txt": outer, "README.md": LINKED, "main.cpp": "int main() {}\n"}).source
+    assert not source.unasked

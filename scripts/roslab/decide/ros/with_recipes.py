@@ -25,7 +25,7 @@ def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Depend
             why = f"{asked.name} is needed, and no package of this Ubuntu contains it"
             if source.place:
                 why = f"{asked.name} is needed, and {source.place.file}:{source.place.line} names its source"
-            if source.unasked:
+            if source.unasked and asked.namespace != "link":
                 why = f"{asked.file} has everybody build it"
                 warnings.append(told(source, asked))
             reasons.append(because("source", source.name, why, asked, weight=Weight.RECIPE))

@@ -89,9 +89,9 @@ def by_hand(
     for name, asked in _asked(evidence, packages, target, free):
         if plain(asked.name) not in taken:
             found.setdefault(free[name], asked)
+    unasked = {git for git, asked in found.items() if _only_named(git, asked)}
     last = {git.file: git.line for git in sorted(found, key=lambda git: git.line) if git.installed}
     unread = any(git.absent for git in evidence.sources)
-    unasked: set[GitSource] = set()
     there = {*taken, *named_in(evidence.cmake)}
     for git in free.values():
         asked = Dependency(namespace="cmake", name=git.name, strength="declared", file=git.file, line=git.line)
@@ -138,13 +138,15 @@ def _asked(
 ) -> Iterator[tuple[str, Dependency]]:
     """Yield the names of what is offered that the build asks for, and that has to be built for it."""
     added = {_bare(project.name) for project in evidence.cmake if project.name and not project.top_level}
+    made = {(project.top, _bare(target)) for project in evidence.cmake if project.added for target in project.made}
+    tops = {project.file: project.top for project in evidence.cmake}
     options = given(evidence)
     for asked in code_needs(evidence, packages):
         name = _bare(asked.name)
         if name not in offered or len(name) < SHORTEST or waits(asked, options):
             continue
-        if asked.namespace == "link" and name in added:
-            continue  # what a project of the tree that another one adds compiles is linked from there
+        if asked.namespace == "link" and (name in added or (tops.get(asked.file), name) in made):
+            continue  # what a folder of the tree that CMake adds makes is linked from there
         git = offered[name]
         pinned = git.installed and bool(fixed(git.ref))
         by_file = git.installed and (asked.namespace, asked.strength) == ("link", "declared")
@@ -168,6 +170,11 @@ def _source(git: GitSource, day: str) -> Source:
         unread=True,
         place=Place(file=git.file, line=git.line),
     )
+
+
+def _only_named(git: GitSource, asked: Dependency) -> bool:
+    """Tell whether a link in prose and a name that is linked are all: no page builds it, no ``find_package`` asks."""
+    return git.kind == "link" and not git.told and asked.namespace == "link"
 
 
 def _newer(asked: Dependency, target: Target, ref: str) -> bool:

@@ -90,6 +90,8 @@ class _Reading:
     placed: dict[str, str | None] = field(default_factory=dict)
     """Programs with the folder that was set when they were added."""
     libraries: set[str] = field(default_factory=set)
+    made: dict[str, None] = field(default_factory=dict)
+    """Those that it makes by itself, not what lies elsewhere (``IMPORTED``)."""
     named: set[str] = field(default_factory=set)
     """Files of code that programs name, relative to this one's folder."""
     dependencies: list[Dependency] = field(default_factory=list)
@@ -106,7 +108,16 @@ def read(repository: Repository) -> tuple[CMakeProject, ...]:
     added: dict[str, _Added] = {}
     found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
     kept = (
-        p for p in found if p.name or p.top_level or p.dependencies or p.executables or p.macros or p.linked or p.newer
+        p
+        for p in found
+        if p.name
+        or p.top_level
+        or p.dependencies
+        or p.executables
+        or p.macros
+        or p.linked
+        or p.newer
+        or (p.added and p.made)
     )
     return tuple(sorted(cmake_since.without_own(kept, repository, modules(repository)), key=lambda each: each.file))
 
@@ -129,6 +140,8 @@ class _Added:
     """Those that the build tool decides."""
     within: bool = False
     """It is a part of a project that is not about tests alone."""
+    top: str | None = None
+    """The folder of the first file of those that add it."""
     always: bool = False
     """No condition stands before it, nor before the one that adds it."""
 
@@ -148,7 +161,10 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             within = above.within or not places.test(file.path)
             always = (above.always or file.folder not in added) and not (call.conditions or call.in_function)
             by_tool = (*above.by_tool, *filter(of_workspace, call.conditions))
-            there = _Added(options=dict(options), switches=switches, by_tool=by_tool, within=within, always=always)
+            top = file.folder if above.top is None else above.top
+            there = _Added(
+                options=dict(options), switches=switches, by_tool=by_tool, within=within, top=top, always=always
+            )
             added |= {_joined(file.folder, folder): there for folder in folders} | added
         elif call.name == "include":
             _include(call, repository, file, reading)
@@ -173,6 +189,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             rosbuild="rosbuild" in reading.macros,
         ),
         added=above.within,
+        top=file.folder if above.top is None else above.top,
         always=above.always,
         languages=tuple(dict.fromkeys(reading.languages)),
         macros=tuple(reading.macros | ({"cuda": None} if "CUDA" in reading.languages else {})),
@@ -186,6 +203,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         tests=reading.tests,
         programs_in=reading.programs_in,
         placed=tuple(_placed(reading)),
+        made=tuple(reading.made),
         linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
         guards=tuple((reading.outputs.get(name, name), package) for name, package in reading.guards),
         outside=tuple((reading.outputs.get(name, name), ros) for name, ros in reading.outside),
@@ -225,6 +243,7 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.tests = True
     elif name in _LIBRARY:
         reading.libraries.update(words[:1])
+        reading.made |= {} if "IMPORTED" in words else dict.fromkeys(words[:1])
     elif name in cmake_needs.FETCHING:
         reading.sources += cmake_needs.fetched(told, path)
     elif name in cmake_needs.CALLS and (not call.in_function or name == "find_package"):

@@ -136,10 +136,10 @@ def library_stages(plan: Plan) -> str:
 
 
 def _tried(library: Source, commands: list[str]) -> list[str]:
-    """Return the commands; for a library that nothing asks for, so that their failure is told and stops nothing."""
+    """Return the commands; for a library that nothing requires, so that their failure is told and stops nothing."""
     if not library.unasked or not commands:
         return commands
-    left_out = quote.shell(f"roslab: left out: {library.name} cannot be built, which nothing that was read asks for")
+    left_out = quote.shell(f"roslab: left out: {library.name} cannot be built, which nothing that was read requires")
     tried = " \\\n && ".join(commands)
     return [f"{{ ( {tried} ) || {{ rm -rf /installed; echo {left_out}; }}; }}"]
 
