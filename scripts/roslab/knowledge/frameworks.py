@@ -62,6 +62,12 @@ def tabled(package: str) -> str:
 
 
 @cache
+def framework_sources() -> dict[str, str]:
+    """Return the packages with wheels whose repository takes hours to compile, by ``owner/name``."""
+    return {row["repository"]: row["pip"] for row in rows("framework_sources")}
+
+
+@cache
 def released_together() -> dict[str, tuple[str, ...]]:
     """Return, for each framework, the packages of which each release is built for one release of it."""
     found: dict[str, tuple[str, ...]] = {}

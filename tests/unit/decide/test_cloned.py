@@ -127,3 +127,24 @@ def test_the_image_has_the_path(tree: Tree) -> None:
     decision = tree({**CODE, "README.md": "```\nexport PYTHONPATH=$PWD:$PWD/src\n```\n"})
     text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
     assert 'PYTHONPATH="/home/${NB_USER}/demo:/home/${NB_USER}/demo/src"' in text
+
+
+@pytest.mark.parametrize(
+    ("options", "repository", "asked"),
+    [
+        ("--recursive --depth 1 -b v1.8.1", "pytorch/pytorch", "torch==1.8.1"),
+        ("--recursive", "pytorch/pytorch", "torch"),
+        ("-b v0.9.1", "pytorch/vision", "torchvision==0.9.1"),
+        ("-b v1.8.1", "lab/pytorch", "git+https://github.com/lab/pytorch.git@v1.8.1"),
+    ],
+)
+def test_a_framework_that_a_page_compiles_comes_as_a_wheel(
+    tree: Tree, options: str, repository: str, asked: str
+) -> None:
+    folder = repository.rpartition("/")[2]
+    lines = f"git clone {options} https://github.com/{repository}.git\ncd {folder}\npython setup.py install\n"
+    page = {"README.md": f"# Install\n```\n{lines}```\n", "play.py": "import numpy\n"}
+    python = tree(page).python
+    written = [each.written for each in (*python.pip, *python.pip_guessed)]
+    assert asked in written
+    assert not any("pytorch.git" in each for each in written if each != asked)

@@ -6,17 +6,25 @@ import posixpath
 from collections.abc import Iterator
 
 from roslab.config.model import Kind
-from roslab.decide.ros.source_names import folders, itself_in, moves
+from roslab.decide.ros.source_names import address, folders, itself_in, moves
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
+from roslab.knowledge.frameworks import framework_sources
 from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
+_RELEASE = pattern(r"v?(\d+\.\d+\.\d+)")
+"""The tag of a release of a framework."""
+
 
 def with_cloned(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
-    """Return the evidence with a line of pip for each; ``folder_name`` is the repository's, which is none of them."""
+    """Return the evidence with a line of pip for each; ``folder_name`` is the repository's, which is none of them.
+
+    A framework that a page has compiled comes as the wheel of that release.
+    """
     if kind not in {"python", "cuda"}:
         return evidence
     names = {project.name for project in evidence.python if project.name} | {folder_name}
@@ -38,6 +46,10 @@ def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
         if name is None or canonicalize_name(at[name].name) in named:
             continue
         git = at[name]
+        if package := framework_sources().get("/".join(address(git.url).split("/")[-2:])):
+            match = _RELEASE.fullmatch(git.ref or "")
+            yield stated(f"{package}=={match[1]}" if match else package, "prose", asked.file, git.line)
+            continue
         below = folder.partition(f"/{name}/")[2].strip("/")  # it may hold one of its name
         if below and any(project.folder == below for project in evidence.python):
             continue  # a page may go into the repository itself after it
