@@ -108,7 +108,8 @@ class PythonProject:
     script_files: tuple[str, ...] = ()
     """Files of the tree that are installed as programs, each under its own name."""
     extensions: tuple[str, ...] = ()
-    """What it compiles: ``c``, ``cuda``, ``cython``, ``cmake``; ``not editable``, and ``gpu``: it stops without one."""
+    """What it compiles: ``c``, ``cuda``, ``cython``, ``cmake``; ``not editable``, ``by install``: by its own command of
+    that name alone, and ``gpu``: it stops without one."""
     classifiers: tuple[str, ...] = ()
     setup_imports: tuple[str, ...] = ()
     """Modules that its setup.py imports; ``.`` for the package that it installs."""

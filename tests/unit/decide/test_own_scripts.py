@@ -159,3 +159,34 @@ def test_the_tool_of_a_script_that_builds(tree: Tree, path: str, script: str, to
         ".github/workflows/a.yml": f"jobs:\n  build:\n    steps:\n      - run: ./{path}\n",
     }
     assert tree({**files, path: script}).build_tool == tool
+
+
+BY_INSTALL = """
+import subprocess
+from setuptools import Command, setup
+from setuptools.command.install import install as usual
+
+class install(usual):
+    def run(self):
+        subprocess.check_call([{tool!r}, "."])
+        usual.run(self)
+
+setup(name="arm", packages=["arm"], cmdclass={{{commands}}})
+"""
+
+
+@pytest.mark.parametrize(
+    ("tool", "commands", "called"),
+    [
+        ("cmake", "'install': install", True),
+        ("cmake", "'install': install, 'build_ext': Command", False),
+        ("cmake", "'develop': install", False),
+        ("git", "'install': install", False),
+    ],
+)
+def test_an_install_of_its_own_that_compiles_is_called(tree: Tree, tool: str, commands: str, called: bool) -> None:
+    setup = BY_INSTALL.format(tool=tool, commands=commands)
+    decision = tree({"arm/__init__.py": "import numpy\n", "setup.py": setup})
+    assert decision.python.projects == (".",)
+    line = "python3 setup.py install --single-version-externally-managed --record /dev/null"
+    assert [each.command for each in decision.scripts] == ([line] if called else [])

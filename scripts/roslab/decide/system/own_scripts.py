@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 import shlex
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 
 from roslab.config.model import Config, Kind
 from roslab.decide.beside_cpp import of_cpp
@@ -27,6 +27,7 @@ _UNREAD = pattern(r"(?:^|/)(?:build|make|compile)(?:[_-]\w+)*\.(?:sh|py)$")
 _ASIDE = pattern(
     r"\b(?:docker|docs?|documentation|tests?|wheels?|release|optional|windows?|mac\w*|jetson|real)\b", re.IGNORECASE
 )
+_INSTALL = "its own `install` compiles, which an editable installation does not run"
 _PLAIN = pattern(r"[\w./=+-]+")
 
 
@@ -80,15 +81,26 @@ def decide_scripts(
         for project, m in said_so
         if not _ASIDE.search(m.heading) and not (itself and "/" not in project.file)
     ]
+    built = list(_by_install(evidence, projects))
     why, other = "the README runs it to compile", "a CMake project beside the one that is compiled"
     return Choice(
-        answer=(*(script for script, _ in chosen), *parts, *(part for part, _ in beside)),
+        answer=(*built, *(script for script, _ in chosen), *parts, *(part for part, _ in beside)),
         reasons=(
+            *(because("source", s.path, _INSTALL, Place(file=s.path, line=1), weight=WEIGHT) for s in built),
             *(because("source", script.path, why, mention, weight=WEIGHT) for script, mention in chosen),
             *(because("source", part.folder, other, Place(file=part.path, line=1), weight=WEIGHT) for part in parts),
             *(because("source", part.folder, "the page has CMake compile it", m, weight=WEIGHT) for part, m in beside),
         ),
     )
+
+
+def _by_install(evidence: Evidence, projects: Collection[str]) -> Iterator[OwnScript]:
+    """Yield the call of each setup.py whose ``install`` compiles, with pip's own options: its needs are there."""
+    for project in evidence.python:
+        how = next((each for each in project.extensions if each.startswith("by install")), None)
+        if how and (project.folder or ".") in projects:
+            options = " --single-version-externally-managed --record /dev/null" if how.endswith("setuptools") else ""
+            yield OwnScript(folder=project.folder, path=project.file, command=f"python3 setup.py install{options}")
 
 
 def _part(project: CMakeProject, *, found: bool, options: str = "") -> OwnScript:

@@ -22,6 +22,10 @@ from roslab.values.requirement_line import requirement
 
 MAX_SIZE = 256 * 1024
 _AMENT = pattern(r"ament_index/resource_index|ament_python")
+_BUILDING = frozenset({"build", "build_ext", "build_py", "build_clib", "develop", "editable_wheel"})
+"""Commands that an editable installation runs."""
+_BUILDS = pattern(r"[\"'](?:cmake|make|ninja|scons|bazel)(?:[\"']|\s(?!sure))")
+"""A program that compiles, as the first word of a command."""
 
 
 def read(repository: Repository) -> tuple[PythonProject, ...]:
@@ -162,7 +166,7 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
         requirements=tuple(asked),
         scripts=tuple((name, line_of(name)) for name in script.scripts),
         script_files=_in(folder, script.script_files),
-        extensions=_extensions(text),
+        extensions=(*_extensions(text), *_by_install(text, script.commands)),
         classifiers=script.classifiers,
         setup_imports=tuple(dict.fromkeys(_imported(repository, folder, script.imports))),
     )
@@ -189,6 +193,15 @@ def _extensions(text: str) -> tuple[str, ...]:
     if re.search(r"\bdisable_editable\s*=\s*True\b", text):
         found.append("not editable")
     return tuple(found)
+
+
+def _by_install(text: str, commands: tuple[str, ...]) -> Iterator[str]:
+    """Yield how its own ``install`` is called where that alone compiles: an editable installation never runs it.
+
+    https://setuptools.pypa.io/en/latest/userguide/extension.html#adding-commands, read 2026-11-26.
+    """
+    if "install" in commands and _BUILDING.isdisjoint(commands) and _BUILDS.search(text):
+        yield "by install of setuptools" if "setuptools.command.install" in text else "by install"
 
 
 def _imported(repository: Repository, folder: str, modules: tuple[str, ...]) -> Iterator[str]:

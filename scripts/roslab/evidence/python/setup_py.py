@@ -34,6 +34,8 @@ class SetupScript:
     script_files: tuple[str, ...] = ()
     """Files that are installed as programs of the same names, as ``scripts`` lists them."""
     classifiers: tuple[str, ...] = ()
+    commands: tuple[str, ...] = ()
+    """Commands of setuptools for which it has classes of its own."""
     imports: tuple[str, ...] = ()
     """Modules that it imports at the top, without those of the standard library."""
 
@@ -74,6 +76,7 @@ def read(text: str) -> SetupScript:
     entries = _dictionary(keywords.get("entry_points"), names).get("console_scripts")
     script.scripts = tuple(line.partition("=")[0].strip() for line in reader.strings(entries)) if entries else ()
     script.script_files = tuple(given("scripts"))
+    script.commands = tuple(_dictionary(keywords.get("cmdclass"), names))
     return script
 
 
