@@ -93,3 +93,20 @@ def test_what_cmake_only_tries_is_optional(tree: Tree, asked: str) -> None:
 def test_a_page_below_is_about_a_part(tree: Tree) -> None:
     files = page()
     assert built(tree({**files, "tools/README.md": files["README.md"], "README.md": "ROS Noetic\n"})) == []
+
+
+@pytest.mark.parametrize(
+    ("code", "names"),
+    [
+        ("#include <g2o/core/base_vertex.h>\n", [("g2o", False)]),
+        ("#include <vector>\n", []),
+        ('#include "own/core/base_vertex.h"\n', []),
+    ],
+)
+def test_what_the_distribution_has_too_is_built_for_its_headers(
+    tree: Tree, code: str, names: list[tuple[str, bool]]
+) -> None:
+    build = BUILD.replace("lab/odd_icp", "RainerKuemmerle/g2o").replace("odd_icp", "g2o")
+    files = {**page("", build), "cmake/g2o.cmake": "find_path(G2O_INCLUDE_DIR g2o/core/base_vertex.h)\n"}
+    files |= {"CMakeLists.txt": f"{MADE}include(cmake/g2o.cmake)\nadd_executable(a src/a.cpp)\n", "src/a.cpp": code}
+    assert [(source.name, source.unasked) for source in tree(files).source] == names

@@ -169,7 +169,7 @@ def test_a_driver_that_is_started_under_a_condition_is_not_cloned(
 def test_an_authors_dockerfile_without_tables_is_built_where_they_are_brought(
     tmp_path: Path, update: str, config: str, file: str | None
 ) -> None:
-    made = f"FROM ros:kinetic-ros-base\nCOPY . /ws/src/demo\nRUN {update}\n"
+    made = f"FROM ros:kinetic-ros-base\nCOPY . /ws/src/demo\nRUN {update}\nRUN cd /ws && catkin_make\n"
     files = {"README.md": "", "Dockerfile": made, "roslab.yaml": f"format: 3\n{config}"}
     for path, text in {**ros1("", ""), **files}.items():
         (tmp_path / path).write_text(text, encoding="utf-8")

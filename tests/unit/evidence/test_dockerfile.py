@@ -144,3 +144,25 @@ CMD ["bash"]
     assert authored.starts_in_source
     other = read(tmp_path, {"Dockerfile": text.replace("FROM first\n", "FROM ubuntu:22.04\nCOPY . /x\n")})["Dockerfile"]
     assert (other.entrypoint, other.command, other.starts_in_source) == ((), ("bash",), False)
+
+
+@pytest.mark.parametrize(
+    ("base", "text", "problem"),
+    [
+        ("osrf/ros:noetic-desktop-full", "COPY . /ws/src/me\nRUN rm -rf /var/lib/apt/lists/*", True),
+        (
+            "osrf/ros:noetic-desktop",
+            "ENV W=/ws\nRUN make install\nCOPY . $W/src/me\nRUN rosdep install --from-paths .",
+            True,
+        ),
+        ("ros:humble", "COPY . /ws/src/me\nRUN . /opt/ros/humble/setup.sh && colcon build", False),
+        ("ros:humble", "COPY . /ws/src/me\nRUN bash /ws/src/me/compile.sh", False),
+        ("ros:humble", 'COPY . /ws/src\nENTRYPOINT ["/ws/src/start.sh"]', False),
+        ("ros:humble", "COPY . /opt/me", False),
+        ("python:3.11", "COPY . /usr/src/app", False),
+    ],
+)
+def test_copied_packages_are_built(tmp_path: Path, base: str, text: str, *, problem: bool) -> None:
+    files = {"Dockerfile": f"FROM {base}\n{text}\n", "package.xml": "<package/>", "compile.sh": "", "start.sh": ""}
+    found = read(tmp_path, files)["Dockerfile"].problem
+    assert (found is not None and "builds none of them" in found) is problem

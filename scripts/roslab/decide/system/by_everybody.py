@@ -6,16 +6,17 @@ and one that is not needed only minutes.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from roslab.config.model import Kind, Source
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.source_names import address, plain
 from roslab.decide.system.names import Target
+from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
-from roslab.evidence.facts import CMakeProject
-from roslab.knowledge.libraries import packaged
+from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.knowledge.libraries import header, packaged
 from roslab.knowledge.recipes import recipe_at
 from roslab.knowledge.released import released
 from roslab.values.pattern import pattern
@@ -44,17 +45,38 @@ def named_in(projects: Iterable[CMakeProject]) -> Iterator[str]:
             yield project.name
 
 
-def built_by_everybody(git: GitSource, kind: Kind, target: Target, taken: Iterable[str]) -> bool:
+def headers_of(evidence: Evidence) -> Mapping[str, Dependency]:
+    """Return the folders of headers that the code includes and no table knows, ``g2o`` of ``g2o/core/factory.h``."""
+    found: dict[str, Dependency] = {}
+    for each in evidence.code:
+        sure = each.namespace == "include" and each.strength == "used" and not places.aside(each.file)
+        folder, inside, _ = each.name.partition("/")
+        if sure and inside and folder != ".." and header(each.name, None) is None:
+            found.setdefault(_bare(folder), each)
+    return found
+
+
+def includes(git: GitSource, headers: Mapping[str, Dependency]) -> Dependency | None:
+    """Return what includes a header of a library, which lies in a folder of the library's name."""
+    return headers.get(_bare(git.name)) or headers.get(_bare(recipe_at(address(git.url)) or git.name))
+
+
+def built_by_everybody(
+    git: GitSource, kind: Kind, target: Target, taken: Iterable[str], *, included: bool = False
+) -> bool:
     """Tell whether a page at the root has everybody compile and install a library that comes from nowhere else.
 
     ``taken``: names of what the image has, and of what CMake names. What the Ubuntu or the distribution has a package
-    of is none of these: were it needed, the code would ask for it by a name that the tables know.
+    of is none of these: were it needed, the code would ask for it by a name that the tables know, unless the code is
+    known to include its headers.
     """
     if kind not in _KINDS or git.kind != "clone" or git.aside or "/" in git.file or not git.file.endswith(PAGES):
         return False
     if not (git.installed and git.configured):
         return False
-    there = {*taken, *packaged(target.ubuntu), *released(target.ros_distro or ""), *_TOOLS}
+    there = {*taken, *_TOOLS}
+    if not included:
+        there |= {*packaged(target.ubuntu), *released(target.ros_distro or "")}
     known = {_bare(name) for name in there}
     names = {_bare(git.name), _bare(recipe_at(address(git.url)) or git.name)}
     return not any(_same(name, each) for name in names for each in known)

@@ -10,7 +10,7 @@ from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import address, drifts, fixed, moves, plain
 from roslab.decide.ros.workspace import Packages
-from roslab.decide.system.by_everybody import built_by_everybody, named_in
+from roslab.decide.system.by_everybody import built_by_everybody, headers_of, includes, named_in
 from roslab.decide.system.lies_beside import with_beside
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
@@ -92,16 +92,18 @@ def by_hand(
     unasked = {git for git, asked in found.items() if _only_named(git, asked)}
     last = {git.file: git.line for git in sorted(found, key=lambda git: git.line) if git.installed}
     unread = any(git.absent for git in evidence.sources)
-    there = {*taken, *named_in(evidence.cmake)}
+    there, headers = {*taken, *named_in(evidence.cmake)}, headers_of(evidence)
     for git in free.values():
         asked = Dependency(namespace="cmake", name=git.name, strength="declared", file=git.file, line=git.line)
         above = git.line < last.get(git.file, 0)  # what is below it may need it
         may_be = git.installed and (above or (unread and git.kind == "clone" and bool(fixed(git.ref))))
         if may_be and _unknown(asked, target, pinned=False):
             found.setdefault(git, asked)
-        if git not in found and built_by_everybody(git, kind, target, there):
-            found[git] = asked
-            unasked.add(git)
+        header = includes(git, headers)
+        if git not in found and built_by_everybody(git, kind, target, there, included=header is not None):
+            found[git] = header or asked
+            if header is None:
+                unasked.add(git)
     files = [git.file for git in found]
     in_order = sorted(found, key=lambda git: (files.index(git.file), git.line))
     built = (

@@ -14,7 +14,7 @@ from roslab.evidence.lex.shell import Command, expand
 from roslab.evidence.prose import mentions, other_dockerfiles
 from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.copies import in_copy
-from roslab.evidence.prose.dockerfile_purpose import purpose_of, removes_its_copy
+from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_its_copy
 from roslab.evidence.prose.entry_scripts import started_by
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
@@ -211,6 +211,10 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         missing = missing or f"it starts {started} and does not copy it: the repository is mounted when it is run"
     if removes_its_copy((each.text for each in written if each.name == "RUN"), start.source):
         missing = missing or f"it removes its copy of the repository and installs nothing of it: {start.source}"
+    last = reading.copied[-1][1] if reading.copied else 0
+    after = [each.text for each in written if each.line > last and each.name in {"RUN", "CMD", "ENTRYPOINT"}]
+    if repository.named("package.xml") and builds_nothing(reading.base or "", start.source, after):
+        missing = missing or f"it copies the packages into {start.source} and builds none of them"
     if other_dockerfiles.named_otherwise(file):
         missing = missing or "it has a name of its own: it tells what the image needs, and none is made with it"
     itself = any(_itself(repository, clone) for clone in collector.sources)
