@@ -16,6 +16,7 @@ from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import end_of_line, lines_with, matches_at, matching_lines
 from roslab.evidence.ros import launch_programs, launch_variables, reached
+from roslab.evidence.ros.worlds import opens_window
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
@@ -103,7 +104,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 package=_owner(file.folder, packages),
                 ros=1 if old else 2,
                 dependencies=tuple(_named(text, file, python=python)),
-                gui=any(matches_at(_GUI, text, *_VIEWERS)),
+                gui=any(matches_at(_GUI, text, *_VIEWERS)) or opens_window(text, _conditional, python=python),
                 includes=tuple(sorted({*_included(text)} - {file.name})),
                 demands=_demanded(text) if xml else _declared(text) if python else (),
                 variables=launch_variables.needed(text, _conditional) if xml else (),
