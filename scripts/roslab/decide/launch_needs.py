@@ -1,4 +1,4 @@
-"""What the launch file of the default command needs and nothing gives it: variables that are set, packages."""
+"""What the launch file of the default command needs and nothing gives it: variables, packages, interpreters."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ def decide_launch_needs(
     sources: Sources,
     ros_distro: str | None,
 ) -> Choice[None]:
-    """Return a warning for each variable and package without which the default command stops at once.
+    """Return a warning for each variable, package and interpreter without which the default command stops at once.
 
-    ``there``: the variables that it has, ``sources``: what is cloned. For its packages, what it
+    ``there``: the variables that it has, ``sources``: what is cloned. For its packages and interpreters, what it
     starts is read too.
     """
     argv = command.command
@@ -52,6 +52,15 @@ def decide_launch_needs(
             asked,
         )
         for asked in lacks(evidence, sources.may_hold, ros_distro).get(launch.file, ())
+    ]
+    told += [
+        Warning_(
+            message=f"the default command starts {file}, whose first line names {named}, which the image does not "
+            "have: it cannot be started; write `#!/usr/bin/env python`, or `python3`, there",
+            file=file,
+            line=1,
+        )
+        for file, named in launch.foreign
     ]
     return Choice(answer=None, warnings=tuple(told))
 

@@ -32,3 +32,5 @@ class LaunchFile:
     """Arguments without a default, without which it is not started."""
     variables: tuple[tuple[str, int], ...] = ()
     """Variables of the environment without which it does not start, each with its line."""
+    foreign: tuple[tuple[str, str], ...] = ()
+    """Files that it starts whose first line names an interpreter of the author's machine, each with that."""

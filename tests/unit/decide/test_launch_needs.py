@@ -128,3 +128,24 @@ def test_a_lone_launch_file_whose_program_stops_is_no_command(tree: Tree, asked:
     program = ASKS.replace("demo_arms", asked).format(before="")
     files = {"launch/demo.launch": f"<launch>\n{WORLD}</launch>", "scripts/world.py": program}
     assert tree({**PACKAGE, **files, "README.md": "ROS Noetic\n"}).command == command
+
+
+@pytest.mark.parametrize(
+    ("first", "made", "found"),
+    [
+        ("#!/home/somebody/anaconda2/bin/python", "", ["/home/somebody/anaconda2/bin/python"]),
+        ("#! /opt/miniconda3/envs/a/bin/python", "", ["/opt/miniconda3/envs/a/bin/python"]),
+        ("#!/usr/bin/env python", "", []),
+        ("#!/usr/bin/python3", "", []),
+        ("#!/home/somebody/anaconda2/bin/python", "catkin_install_python(PROGRAMS scripts/a.py DESTINATION bin)\n", []),
+    ],
+)
+def test_an_interpreter_of_the_author_s_machine(tree: Tree, first: str, made: str, found: list[str]) -> None:
+    files = {**PACKAGE, "scripts/a.py": f"{first}\nprint(1)\n"}
+    files["CMakeLists.txt"] += made
+    files["launch/b.launch"] = '<launch><node pkg="demo" type="a.py" name="b"/></launch>'
+    files["launch/demo.launch"] = f'<launch>{NODE}<include file="$(find demo)/launch/b.launch"/></launch>'
+    files["README.md"] = "ROS Noetic\n```\nroslaunch demo demo.launch\n```\n"
+    told = [warning for warning in tree(files).warnings if "first line names" in warning.message]
+    assert [each.message.partition("first line names ")[2].partition(",")[0] for each in told] == found
+    assert all((each.file, each.line) == ("scripts/a.py", 1) for each in told)

@@ -34,6 +34,10 @@ _HEAD = pattern(r"(?:async[ \t]+)?(?:def|class)\b")
 _COMMENT = pattern(r"<!--.*?-->", re.DOTALL)
 _ASIDE = pattern(r"<(/?)xacro:(?:if|unless|macro)\b")
 """Where a part of a robot description that is not always read begins or ends."""
+_ELSEWHERE = pattern(
+    r"#![ \t]{0,9}(/(?:home|Users|root|mnt|media|data)/\S{1,200}|/(?!opt/conda/)\S{0,99}conda\d?/\S{1,200})"
+)
+"""A first line that names an interpreter in somebody's own folder; images of conda have theirs in `/opt/conda`."""
 _DESCRIPTIONS = (".xacro", ".urdf")
 
 Conditional = Callable[[str, int, int], bool]
@@ -47,7 +51,10 @@ def with_reached(
     ``folders``: the package of each folder, ``conditional``: whether a condition decides about a part of a launch file.
     """
     follow = _Follow(repository, found, folders, conditional)
-    return tuple(replace(each, reached=tuple(follow.needs(each))) for each in found)
+    return tuple(
+        replace(each, reached=tuple(follow.needs(each)), foreign=tuple(follow.foreign(each)) if each.ros == 1 else ())
+        for each in found
+    )
 
 
 class _Follow:
@@ -78,6 +85,33 @@ class _Follow:
                 if each.name not in seen:
                     seen.add(each.name)
                     yield each
+
+    def foreign(self, start: LaunchFile) -> Iterator[tuple[str, str]]:
+        """Yield the programs of Python that cannot be started as they are, with what their first line names.
+
+        Not those that catkin starts by a program of its own, which it writes where CMake installs them:
+        https://github.com/ros/catkin/blob/noetic-devel/cmake/catkin_install_python.cmake, read 2026-11-26.
+        """
+        taken, waiting = {start.file}, list(self._of(start.file)[0])
+        while waiting and len(taken) < MOST:
+            path = waiting.pop(0)
+            if path in taken:
+                continue
+            taken.add(path)
+            waiting += self._of(path)[0]
+            name = posixpath.basename(path)
+            file = next((each for each in self.repository.named(name) if each.path == path), None)
+            if file is not None and path.endswith(".py") and file.size <= MAX_SIZE:
+                named = _ELSEWHERE.match(self.repository.read(file))
+                if named and not self._installed(path):
+                    yield path, named[1]
+
+    def _installed(self, path: str) -> bool:
+        made = (
+            f for f in self.repository.named("CMakeLists.txt") if path.startswith(f"{f.folder}/" if f.folder else "")
+        )
+        name = posixpath.basename(path)
+        return any("catkin_install_python" in (text := self.repository.read(f)) and name in text for f in made)
 
     def _of(self, path: str) -> tuple[tuple[str, ...], tuple[Dependency, ...]]:
         """Return the files that a file loads and the packages that it needs."""
