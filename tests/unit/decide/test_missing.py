@@ -360,3 +360,22 @@ def test_what_a_package_requires_of_another_one_without_saying_so(tree: Tree) ->
     assert any("CMake of a requires utils" in each.message for each in found.warnings)
     named = tree({"a/package.xml": manifest.format("a", "<depend>utils</depend>")})
     assert not named.undeclared
+
+
+@pytest.mark.parametrize(
+    ("code", "more", "names"),
+    [
+        ("from acme_msgs.msg import Arm\n", {}, ["acme_msgs"]),
+        ("from std_msgs.msg import String\n", {}, []),
+        ("try:\n    from acme_msgs.msg import Arm\nexcept ImportError:\n    Arm = None\n", {}, []),
+        ("from acme_msgs.msg import Arm\n", package("acme_msgs"), []),
+        ("from acme_msgs.msg import Arm\n", package("other", needs="acme_msgs"), []),
+    ],
+)
+def test_messages_that_the_code_imports_and_nothing_brings(
+    tree: Tree, code: str, more: dict[str, str], names: list[str]
+) -> None:
+    files = {**package("arm"), **more, "arm/scripts/a.py": f"import rclpy\n{code}rclpy.init()\n"}
+    told = [warning for warning in tree(files).warnings if "imports messages of" in warning.message]
+    assert [warning.message.split("messages of ")[1].split(",")[0] for warning in told] == names
+    assert all((warning.file, warning.line) == ("arm/scripts/a.py", 2) for warning in told)

@@ -1,4 +1,7 @@
-"""Packages of ROS whose messages the code includes: their headers are generated, so that the package must be built."""
+"""Packages of ROS whose messages the code includes or imports.
+
+Their headers and modules are generated, so that the package must be built.
+"""
 
 from __future__ import annotations
 
@@ -13,9 +16,12 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.generated import package_of
+from roslab.knowledge.frameworks import imports
 from roslab.knowledge.libraries import header
 
 ROLE = "include"
+_MESSAGES = ("_msgs", "_srvs")
+"""How the names of packages of messages end: https://www.ros.org/reps/rep-0144.html"""
 
 
 def included(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
@@ -40,7 +46,7 @@ def without_headers(
     build_tool: str,
     cloned: bool,
 ) -> Iterator[Warning_]:
-    """Yield a warning for each of them that nothing brings and that neither a manifest nor CMake names.
+    """Yield a warning for each of them, and each imported, that nothing brings and neither a manifest nor CMake names.
 
     ``there``: names that something brings, also in one spelling; ``tried``: where the build looks for packages;
     ``cloned``: repositories are cloned whose packages are not known.
@@ -57,3 +63,23 @@ def without_headers(
         where_not = f"{perhaps}, and where it is not there, " if perhaps else ""
         hint = "give its repository under `source` in roslab.yaml"
         yield warn(f"{what}: {where_not}{build_tool} will stop where that is compiled; {hint}", asked)
+    for asked in _imported(evidence, packages):
+        if asked.name in named or asked.name in tried or not there.isdisjoint((asked.name, plain(asked.name))):
+            continue
+        perhaps = "one of the cloned repositories may hold them, and else " if cloned else ""
+        what = f"the code imports messages of {asked.name}, which no package.xml asks for and no table knows"
+        hint = "give its repository under `source` in roslab.yaml"
+        yield warn(f"{what}: {perhaps}what imports them stops; {hint}", asked)
+
+
+def _imported(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
+    """Yield the first import of each package of messages by Python in the built packages, under no condition."""
+    folders = tuple(manifest.file.rpartition("/")[0] for manifest in packages.built)
+    told: set[str] = set(packages.names)
+    for each in evidence.code:
+        sure = each.namespace == "import" and each.strength == "used" and each.name.endswith(_MESSAGES)
+        if not sure or each.name in told or places.aside(each.file) or each.name in imports():
+            continue
+        if any(not folder or each.file.startswith(f"{folder}/") for folder in folders):
+            told.add(each.name)
+            yield each
