@@ -18,6 +18,7 @@ from roslab.decide.day import decide_days
 from roslab.decide.decision import Decision
 from roslab.decide.downloads import decide_downloads
 from roslab.decide.kind import decide_kind
+from roslab.decide.launch_needs import packages_lacking
 from roslab.decide.nothing import require_something
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
@@ -129,6 +130,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         needed=asked(evidence, packages, target, kind.answer),
         own=packages.names,
         folder_name=folder_name,
+        launched=packages_lacking(evidence, config, command.answer.command, distro),
     )
     system = decide_system(
         evidence,

@@ -10,10 +10,13 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.launch_calls import launch_calls
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.sought import tried
 from roslab.decide.startable_launches import lacks
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
 from roslab.knowledge.machine_variables import of_every_image
+from roslab.values.dataclass import replace
 
 
 def decide_launch_needs(
@@ -45,14 +48,13 @@ def decide_launch_needs(
         for name, line in launch.variables
         if name not in given and not of_every_image(name)
     ]
-    told += [
-        warn(
-            f"the default command needs the package {asked.name}, which nothing is known to bring, and stops without "
-            "it: give its repository under `source` in roslab.yaml",
-            asked,
+    where = tried(sources.sought)
+    for asked in lacks(evidence, sources.may_hold, ros_distro).get(launch.file, ()):
+        looked = (
+            f"the build looks for it in {where[asked.name]}; where it is not there, " if asked.name in where else ""
         )
-        for asked in lacks(evidence, sources.may_hold, ros_distro).get(launch.file, ())
-    ]
+        what = f"the default command needs the package {asked.name}, which nothing is known to bring, and stops without"
+        told.append(warn(f"{what} it: {looked}give its repository under `source` in roslab.yaml", asked))
     told += [
         Warning_(
             message=f"the default command starts {file}, whose first line names {named}, which the image does not "
@@ -63,6 +65,15 @@ def decide_launch_needs(
         for file, named in launch.foreign
     ]
     return Choice(answer=None, warnings=tuple(told))
+
+
+def packages_lacking(
+    evidence: Evidence, config: Config, command: tuple[str, ...] | str, ros_distro: str | None
+) -> tuple[Dependency, ...]:
+    """Return the packages that the launch file of the default command needs and the repository does not have."""
+    launch = None if isinstance(command, str) or config.compatible else _started(evidence, command)
+    found = lacks(evidence, lambda _: False, ros_distro).get(launch.file, ()) if launch else ()
+    return tuple(replace(asked, strength="declared") for asked in found)
 
 
 def _started(evidence: Evidence, argv: tuple[str, ...]) -> LaunchFile | None:

@@ -277,3 +277,25 @@ def test_what_apt_brings_from_a_source_of_the_page_is_not_compiled_as_well(tree:
     files["mpc/CMakeLists.txt"] += "find_package(acme REQUIRED)\n"
     decision = tree({**files, **_git(f"{LAB}/robo"), "README.md": page, "install.sh": steps})
     assert ("acme" in {each.name for each in decision.source}) is not bool(source)
+
+
+@pytest.mark.parametrize(
+    ("started", "found"),
+    [
+        ('<include file="$(find acme_base)/launch/a.launch"/>', [f"{LAB}/acme_base"]),
+        ('<include file="$(find acme_base)/launch/a.launch" if="$(arg real)"/>', []),
+        ('<include file="$(find gazebo_ros)/launch/empty_world.launch"/>', []),
+    ],
+)
+def test_what_the_default_launch_file_needs_is_looked_for(tree: Tree, started: str, found: list[str]) -> None:
+    files = _git(f"{LAB}/mpc") | _package("mpc", "roscpp")
+    node = '<node pkg="mpc" type="mpc" name="mpc"/>'
+    files["mpc/launch/mpc.launch"] = f"<launch>{node}{started}</launch>\n"
+    files["mpc/launch/other.launch"] = f'<launch>{node}<include file="$(find acme_arm)/a.launch"/></launch>\n'
+    decision = tree(files | {"README.md": "ROS Noetic.\n\n    roslaunch mpc mpc.launch\n"})
+    assert decision.command == ("roslaunch", "mpc", "mpc.launch")
+    assert [*_sought(decision)] == found
+    told = [each.message for each in decision.warnings if "needs the package" in each.message]
+    assert all(
+        f"stops without it: the build looks for it in {url};" in each for each, url in zip(told, found, strict=True)
+    )

@@ -54,8 +54,12 @@ def decide_sources(
     needed: tuple[Dependency, ...],
     own: frozenset[str],
     folder_name: str,
+    launched: tuple[Dependency, ...] = (),
 ) -> Choice[Sources]:
-    """Return the sources; ``needed``: names that a manifest or CMake asks for, ``own``: the repository's packages."""
+    """Return the sources; ``needed``: names that a manifest or CMake asks for, ``own``: the repository's packages.
+
+    ``launched``: packages that only the launch file of the default command needs.
+    """
     date = None if config.compatible else dated(evidence)
     chosen = _Chosen(
         build_tool=build_tool,
@@ -106,7 +110,7 @@ def decide_sources(
         evidence,
         config,
         build_tool=build_tool,
-        needed=used,
+        needed=(*used, *launched),
         known=there,
         before=chosen.before,
     )
