@@ -379,3 +379,24 @@ def test_messages_that_the_code_imports_and_nothing_brings(
     told = [warning for warning in tree(files).warnings if "imports messages of" in warning.message]
     assert [warning.message.split("messages of ")[1].split(",")[0] for warning in told] == names
     assert all((warning.file, warning.line) == ("arm/scripts/a.py", 2) for warning in told)
+
+
+@pytest.mark.parametrize(
+    ("made", "skipped"),
+    [
+        ("add_library(acme_input src/input.cpp)\n", True),
+        ("add_library(acme_input SHARED IMPORTED)\n", False),
+        ("", False),
+    ],
+)
+def test_a_key_that_is_a_library_of_its_own_package(tree: Tree, made: str, skipped: bool) -> None:
+    files = package("driver", "add_subdirectory(src)\n", "acme_input") | {"README.md": "ROS Humble\n"}
+    files |= {
+        "driver/src/CMakeLists.txt": f"{made}add_executable(a a.cpp)\n",
+        ".git/config": '[remote "origin"]\n\turl = https://github.com/lab/a\n',
+    }
+    decision = tree(files | {".git/HEAD": "ref: refs/heads/a\n"})
+    assert ("acme_input" in decision.skip_keys) is skipped
+    assert ("acme_input" not in decision.rosdep) is skipped
+    assert (not any("acme_input" in warning.message for warning in decision.warnings)) is skipped
+    assert (not decision.source) is skipped

@@ -36,8 +36,8 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
     for used in _refused(evidence, chosen):
         row = not_on_index()[canonicalize_name(used.name)]
         if not row.instead:
-            then = f"install it with `custom` or `source` in roslab.yaml ({row.source})"
-            yield warn(f"the code imports {used.name}, which pip cannot install: {row.why}; {then}", used)
+            then = f"install it with `pip`, `custom` or `source` in roslab.yaml ({row.source})"
+            yield warn(f"the code imports {used.name}, which the index of pip does not have: {row.why}; {then}", used)
     if unknown := unknown_modules(evidence, kind, chosen):
         names = ", ".join(each.name for each in unknown[:MOST]) + (", …" if unknown[MOST:] else "")
         message = f"imported and declared nowhere, and no table knows which package brings it: {names}"

@@ -58,6 +58,22 @@ def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Depen
     return tuple(found[name] for name in sorted(found))
 
 
+def own_libraries(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, ...]:
+    """Return the keys that are no packages but libraries which the CMake of their own package compiles."""
+    made = [(project.file, project.made) for project in evidence.cmake if project.made]
+    folders = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
+
+    def of(file: str) -> str | None:
+        inside = (folder for folder in folders if not folder or file.startswith(f"{folder}/"))
+        return max(inside, key=len, default=None)
+
+    return tuple(
+        key.name
+        for key in keys
+        if any(key.name in names and of(file) == key.file.rpartition("/")[0] for file, names in made)
+    )
+
+
 def own_packages(keys: Iterable[Dependency], evidence: Evidence, target: Target) -> dict[str, tuple[Dependency, ...]]:
     """Return the packages of the keys that rosdep does not have and that a list of the repository's own defines."""
     own = {each.name: each for each in evidence.own_keys}

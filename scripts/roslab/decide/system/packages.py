@@ -13,6 +13,7 @@ from roslab.decide.ros.keys import (
     Translated,
     declared_keys,
     of_an_apt_source,
+    own_libraries,
     own_packages,
     together,
     translate,
@@ -121,8 +122,8 @@ def decide_system(
     found.skip = dict.fromkeys((*config.skip_keys, *(key.name for key in keys if key.name in sisters)))
     own = own_packages((key for key in keys if key.name not in found.skip), evidence, target)
     found.skip |= dict.fromkeys(own)
-    unknown = (key for key in keys if not target.knows(key.name) and key.name not in rosdep_keys())
-    found.skip |= dict.fromkeys(sorted(by_page(unknown, evidence)))
+    unknown = [key for key in keys if not target.knows(key.name) and key.name not in rosdep_keys()]
+    found.skip |= dict.fromkeys((*own_libraries(unknown, evidence), *sorted(by_page(unknown, evidence))))
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
     for key in keys:
         if key.name not in found.skip:
