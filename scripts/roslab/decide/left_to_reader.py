@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.candidate import Candidate, is_python, program_of
 from roslab.decide.decision import Warning_
 from roslab.decide.filled_in import filled
 from roslab.decide.reasons import warn
@@ -12,9 +12,19 @@ from roslab.evidence.facts import Evidence, Mention
 
 
 def left_to_reader(page: Candidate, evidence: Evidence) -> tuple[Warning_, ...]:
-    """Return the warnings about the default command, which is a page's."""
+    """Return the warnings about the default command, which is a page's or a guess."""
     said = next((m for m in evidence.mentions if _is(m, page)), None)
-    return tuple(_told(said, page, evidence)) if said else ()
+    return tuple(_told(said, page, evidence) if said else _required(page, evidence))
+
+
+def _required(guess: Candidate, evidence: Evidence) -> Iterator[Warning_]:
+    """Yield a warning where a program that no page starts requires arguments."""
+    words = guess.argv[len(program_of(guess.argv)) :]
+    needed = [m for m in evidence.mentions if m.topic == "positional" and m.source == "code" and m.file == guess.file]
+    if needed and not words and is_python(guess):
+        names = ", ".join(dict.fromkeys(m.value for m in needed))
+        message = f"the default command stops without {names}, which the program requires"
+        yield warn(f"{message}: give it under `command` in roslab.yaml", needed[0])
 
 
 def _is(mention: Mention, page: Candidate) -> bool:

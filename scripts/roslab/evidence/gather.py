@@ -115,6 +115,7 @@ def gather(repository: Repository) -> Evidence:
     programs = {name for each in by_pip for name, _ in each.scripts}
     programs |= {name for each in cmake_projects if not manifests for name, _ in each.executables}
     files = {posixpath.basename(file): file for each in by_pip for file in each.script_files}
+    started = imports.programs(repository)
     by_name = readme.named(own, dict.fromkeys(programs, "") | files)
     sources = (
         *(source for manifest in manifests if not manifest.ignored for source in manifest.sources),
@@ -137,7 +138,7 @@ def gather(repository: Repository) -> Evidence:
         unsafe_hosts=fetched.hosts,
         dockerfiles=author_dockerfile.read(own),
         launch=launch.read(repository),
-        programs=imports.programs(repository),
+        programs=started,
         notebooks=notebooks.alone(own),
         tests=tests.read(repository),
         code=(
@@ -171,6 +172,7 @@ def gather(repository: Repository) -> Evidence:
             *environments.read(own),
             *own_history.read(own),
             *options.read(own, (*prose.mentions, *by_name)),
+            *options.of_programs(own, started, (*prose.mentions, *by_name)),
             *tried.read(own, (*prose.mentions, *by_name)),
             *launchers.read(own, prose.mentions),
             *stops_without.read(own, cmake_projects),

@@ -42,3 +42,11 @@ def test_what_hydra_takes_and_refuses(tree: Tree) -> None:
     assert found.command == ("python", "train.py", "trainer.devices-1", "model=small")
     assert ["refuses the argument trainer.devices-1" in each for each in told(found)] == [False, True]
     assert "leaves to the reader (data.root)" in told(found)[0]
+
+
+@pytest.mark.parametrize(("code", "said"), [(TWO, "config, checkpoint"), (MAYBE, ""), ("print(1)\n", "")])
+def test_arguments_of_a_program_that_no_page_starts(tree: Tree, code: str, said: str) -> None:
+    guarded = f"import numpy\n{code}if __name__ == '__main__':\n    print(1)\n"
+    found = tree({"tools/show.py": guarded, "requirements.txt": "numpy\n", "README.md": "# A viewer\n"})
+    assert found.command[1:] == ("tools/show.py",)
+    assert [each.partition("without ")[2].partition(", which")[0] for each in told(found)] == ([said] if said else [])

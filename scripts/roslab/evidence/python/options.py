@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from itertools import pairwise
+from itertools import islice, pairwise
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import matches_at
+from roslab.evidence.program import Program
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 128 * 1024
 MAX_CALL = 1500
+MOST = 60
+"""Most programs that no page starts of which the arguments are read."""
 _CALL = pattern(r"(?:add_argument|click\.option)\(\s*((?:[\"']-{1,2}[\w-]+[\"']\s*,?\s*)+)")
 _POSITIONAL = pattern(r"add_argument\(\s*[\"']([A-Za-z]\w*)[\"']")
 _LEFT_OUT = pattern(r"\bnargs\s?=\s?(?:[\"'][?*]|argparse\.REMAINDER)")
@@ -52,6 +55,18 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
         told = _options(text) if given else {}
         for name in sorted(given & told.keys()):
             yield replace(mention, topic="option", value=name, text=told[name], file=program, files=(), inside="")
+
+
+def of_programs(repository: Repository, programs: Iterable[Program], mentions: Iterable[Mention]) -> Iterator[Mention]:
+    """Yield the arguments without a dash that programs require which no page starts: nothing gives them any."""
+    started = {file for mention in mentions if mention.topic == "command" for file in mention.files}
+    others = (each for each in programs if each.kind == "main" and each.file not in started)
+    for program in islice(others, MOST):
+        text = repository.read(program.file, limit=MAX_SIZE)
+        for name in _positional(text):
+            yield Mention(
+                topic="positional", value=name, source="code", file=program.file, line=program.line, text=name
+            )
 
 
 def _positional(text: str) -> tuple[str, ...]:
