@@ -77,6 +77,24 @@ def header(path: str, ubuntu: str | None) -> Library | None:
 
 
 @cache
+def cmake_packages(ubuntu: str | None) -> str:
+    """Return lines ``NAME... = PACKAGE...`` of what CMake finds on an Ubuntu, names in lower case.
+
+    A package of ROS that is preferred is the first, as ``ros:NAME``.
+    """
+    found: dict[str, str] = {}
+    for name in _table("cmake"):
+        one = library("cmake", name, ubuntu) if " " not in name else None
+        if one is not None:
+            ros = (f"ros:{one.ros}",) if one.ros else ()
+            found.setdefault(name.lower(), " ".join((*ros, *one.apt, *(one.beside if ros or one.apt else ()))))
+    names: dict[str, list[str]] = {}
+    for name, packages in found.items():
+        names.setdefault(packages, []).append(name)
+    return "".join(f"{' '.join(of)} = {packages}\n" for packages, of in names.items() if packages)
+
+
+@cache
 def packaged(ubuntu: str | None) -> frozenset[str]:
     """Return the packages of libraries that an Ubuntu is known to have."""
     entries = (entries for naming in _TABLES for entries in _table(naming).values())

@@ -633,5 +633,7 @@ def test_what_only_lists_repositories_gets_what_they_need_in_turn_and_loses_none
     )
     (tmp_path / "README.md").write_text("# ROS 2 Humble\n\n    vcs import src < all.repos\n    colcon build\n")
     text = dockerfile(plan_repository(tmp_path).plan)
-    assert " --complete /home/${NB_USER}/ws/src /home/${NB_USER}/ws/src\n" in text
+    assert " --complete --required /home/${NB_USER}/ws/src /home/${NB_USER}/ws/src\n" in text
+    assert "COPY --from=scripts /cmake-jammy.txt /usr/local/share/roslab/\n" in text
+    assert "\noctomap = ros:octomap liboctomap-dev\n" in text
     assert "build-needed" not in text

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from roslab.knowledge.libraries import cmake_packages
 from roslab.render import image_scripts
 
 pytestmark = pytest.mark.usefixtures("scripts_on_path")
@@ -21,21 +22,56 @@ SCRIPT = Path(image_scripts.__path__[0]) / "required-components.sh"
         ("find_package(catkin COMPONENTS\n roscpp\n pcl_ros # or\n tf2)\n", ["ros-noetic-pcl-ros", "ros-noetic-tf2"]),
         ("FIND_PACKAGE( catkin COMPONENTS pcl_ros )", ["ros-noetic-pcl-ros"]),
         ("# find_package(catkin REQUIRED COMPONENTS pcl_ros)\nfind_package(catkin REQUIRED)", []),
-        ("find_package(rclcpp REQUIRED)\nfind_package(Eigen3 REQUIRED)\nfind_package(tf2)", ["ros-noetic-rclcpp"]),
+        ("find_package(rclcpp REQUIRED)\nfind_package(tf2)", ["ros-noetic-rclcpp"]),
+        ("find_package(nowhere REQUIRED)", ["ros-noetic-nowhere"]),
         ("find_package(catkin REQUIRED COMPONENTS ${NEEDED} roscpp)", []),
+        ("find_package(OpenCV 3 REQUIRED)\nfind_package(OpenMP REQUIRED)", ["libopencv-dev"]),
+        ("find_package(SuiteSparse\n  COMPONENTS core\n REQUIRED)", ["libsuitesparse-dev"]),
+        ("find_package(OpenCV)\nfind_package(Mine REQUIRED)\nfind_package(made REQUIRED)", []),
+        ("find_package(Nowhere REQUIRED)\nfind_package(Ceres REQUIRED)", []),
+        ("find_package(G2O REQUIRED)", ["ros-noetic-libg2o"]),
+        ("find_package(octomap REQUIRED)", []),
+        ('option(SHOW "Draw (slow)" OFF)\nif(SHOW)\nfind_package(OpenCV REQUIRED)\nendif()', []),
+        ("option(SHOW)\nif(NOT SHOW)\nelse()\nif(A)\nfind_package(OpenCV REQUIRED)\nendif()\nendif()", []),
+        (
+            "option(SHOW s ON)\nif(SHOW)\nfind_package(OpenCV REQUIRED)\nelse()\nfind_package(PCL REQUIRED)\nendif()",
+            ["libopencv-dev"],
+        ),
+        (
+            "if(WIN32)\nfind_package(PCL REQUIRED)\nelseif(A AND (B OR C))\nfind_package(OpenCV REQUIRED)\nendif()",
+            ["libopencv-dev"],
+        ),
+        ("if(A)\nset(SHOW OFF)\nendif()\nif(SHOW)\nfind_package(OpenCV REQUIRED)\nendif()", ["libopencv-dev"]),
         ("project(mine)\n", []),
     ],
 )
 def test_what_neither_ros_nor_the_workspace_has(tmp_path: Path, cmake: str, packages: list[str]) -> None:
-    for path in ("ros/noetic/share/roscpp", "ws/mine"):
+    for path in (
+        "ros/noetic/share/roscpp",
+        "ros/noetic/share/octomap",
+        "ws/mine",
+        "ws/made",
+        "local/lib/cmake",
+        "table",
+    ):
         (tmp_path / path).mkdir(parents=True)
     (tmp_path / "ws/mine/package.xml").write_text("<package>\n  <name>mine</name>\n</package>\n")
     (tmp_path / "ws/mine/CMakeLists.txt").write_text(cmake)
+    (tmp_path / "ws/made/CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.5)\nproject( Made CXX)\n")
+    (tmp_path / "ws/hidden/inner").mkdir(parents=True)
+    (tmp_path / "ws/hidden/CATKIN_IGNORE").touch()
+    (tmp_path / "ws/hidden/inner/CMakeLists.txt").write_text("find_package(Qt5 REQUIRED)\n")
+    (tmp_path / "local/lib/cmake/CeresConfig.cmake").touch()
+    (tmp_path / "table/cmake-focal.txt").write_text(cmake_packages("focal"))
+    text = SCRIPT.read_text().replace("/usr/local/share/roslab", f"{tmp_path}/table")
     script = tmp_path / "script"
-    script.write_text(SCRIPT.read_text().replace("/opt/ros/", f"{tmp_path}/ros/"))
+    script.write_text(text.replace("/opt/ros/", f"{tmp_path}/ros/").replace("/usr/local/lib", f"{tmp_path}/local/lib"))
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin/apt-cache").write_text('#!/bin/bash\n[[ "$2" = ros-noetic-@(pcl-ros|tf2|rclcpp|libg2o) ]]\n')
+    (tmp_path / "bin/apt-cache").chmod(0o755)
     ran = subprocess.run(
         ["bash", script, tmp_path / "ws"],
-        env=os.environ | {"ROS_DISTRO": "noetic"},
+        env=os.environ | {"ROS_DISTRO": "noetic", "PATH": f"{tmp_path / 'bin'}:{os.environ['PATH']}"},
         capture_output=True,
         text=True,
         check=True,

@@ -1,5 +1,5 @@
 #!/bin/bash
-# usage: install-rosdep-keys [--tables TAG] [--skip KEYS] [--complete] [--before DAY] FOLDER...
+# usage: install-rosdep-keys [--tables TAG] [--skip KEYS] [--complete] [--before DAY] [--required] FOLDER...
 # Installs what the package.xml files below the folders name. Keys that rosdep does not know, or whose packages apt does
 # not have, are named and left out.
 #   --tables TAG  use the tables of ros/rosdistro at this tag: newer ones forget a distro some years after its end;
@@ -7,17 +7,19 @@
 #   --skip KEYS   keys to install nothing for, separated by spaces
 #   --complete    what repositories that were cloned to the last folder ask for, and nothing has, is cloned there too
 #   --before DAY  as of this day (YYYY-MM-DD)
+#   --required    what CMake of what was cloned to the last folder requires is installed, too
 set -euo pipefail
 
 left_out=/usr/local/share/roslab/left-out.txt
 sources=/etc/ros/rosdep/sources.list.d
-tag='' skip='' complete='' completed='' day='' folders=()
+tag='' skip='' complete='' completed='' required='' day='' folders=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --tables) tag="$2" && shift ;;
     --skip) skip="$2" && shift ;;
     --complete) complete=yes ;;
     --before) day="$2" && shift ;;
+    --required) required=yes ;;
     *) folders+=("$1") ;;
   esac
   shift
@@ -111,8 +113,8 @@ else
   if [ -s "${left_out}" ]; then sed 's/^/roslab: left out: /' "${left_out}"; fi
   install_keys --default-yes
 fi
-# CMake of cloned packages may require more of ROS than their package.xml names
-if [ -n "${complete}" ]; then
+# CMake of what is cloned may require more than its package.xml names
+if [ -n "${required}" ]; then
   mapfile -t more < <(required-components "${folders[-1]}")
   if [ "${#more[@]}" -gt 0 ]; then install-optional-apt "${more[@]}"; fi
 fi

@@ -16,6 +16,7 @@ from roslab.knowledge.build_programs import build_programs
 from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.frameworks import same_numbers
 from roslab.knowledge.keys import key
+from roslab.knowledge.libraries import cmake_packages
 from roslab.knowledge.os_releases import archives
 from roslab.knowledge.sonames import sonames
 from roslab.render.layers import shell
@@ -33,6 +34,8 @@ _TABLES: dict[str, Callable[[], str]] = {
     "sonames.txt": sonames,
 }
 """Tables of the program's knowledge that scripts read."""
+_CMAKE = pattern(r"cmake-(\w+)\.txt")
+"""What CMake finds on an Ubuntu, a part of a table."""
 _WHY = "# What is the same in every image, as small scripts; what belongs to this repository begins below them."
 
 
@@ -47,6 +50,8 @@ def stage(image: str) -> str:
 def _text(name: str) -> str:
     if name.endswith(".asc"):
         return key(name.removesuffix(".asc"))
+    if found := _CMAKE.fullmatch(name):
+        return cmake_packages(found[1])
     if name in _TABLES:
         return _TABLES[name]()
     return (_FOLDER / f"{name}.sh").read_text(encoding="utf-8")

@@ -54,18 +54,18 @@ def rosdep(plan: Plan) -> str:
     complete, folders = _complete(plan), rosdep_folders(plan)
     if complete and not files:
         folders = folders * 2  # all that is cloned is wanted
-    if complete:
-        before += "".join(
-            map(
-                shell.copy_script,
-                (UNKNOWN, HOLDING, shell.PACKAGES, "required-components", REQUIRED, "install-optional-apt"),
-            )
-        )
+    called = [UNKNOWN, HOLDING, shell.PACKAGES] if complete else []
+    required = _required(plan)
+    if required:
+        called += ["required-components", REQUIRED, "install-optional-apt"]
+        before += shell.copy_data((f"cmake-{plan.ubuntu or 'other'}.txt",))
+    before += "".join(map(shell.copy_script, called))
     return shell.call(
         "install-rosdep-keys",
         (f" --tables {quote.shell(tag)}" if tag else "")
         + (f" --skip {quote.shell(skip)}" if skip else "")
         + complete
+        + required
         + "".join(f" {folder}" for folder in folders),
         comment="What the package.xml files name; keys that rosdep does not know stop nothing and are told",
         before=before,
@@ -81,6 +81,12 @@ def _complete(plan: Plan) -> str:
         return ""
     day = next((source.before for source in place.sources if source.before), "")
     return " --complete" + (f" --before {quote.shell(day)}" if day else "")
+
+
+def _required(plan: Plan) -> str:
+    """Return the option that installs what CMake of what is cloned requires, ``""`` where nothing is cloned."""
+    place = plan.workspace
+    return "" if plan.compatible or not (place.sources or place.submodules) else " --required"
 
 
 def rosdep_folders(plan: Plan) -> list[str]:
