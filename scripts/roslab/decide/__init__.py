@@ -211,7 +211,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             *(*sources.answer.names, *packages.names, *(each.name for each in downloads.answer)),
             *(name for part in python.answer.native_parts for name in part.files),
         ),
-        addresses=(source.repo or "" for source in (*sources.answer.sources, *sources.answer.submodules)),
+        addresses=(each.repo or "" for each in sources.answer.everything),
         itself=names_of_itself(evidence, folder_name, packages.names),
         added=repositories.answer,
         fetched=(each.url for each in downloads.answer),

@@ -111,6 +111,31 @@ def test_nothing_is_looked_for_where_a_clone_may_hold_it(tree: Tree) -> None:
     assert not _sought(decision)
 
 
+@pytest.mark.parametrize(
+    ("clone", "looked"),
+    [
+        (f"{LAB}/quad2_stuff", True),  # the owner's
+        ("https://github.com/other/best_widgets", True),  # a word of the name
+        ("https://github.com/other/stuff", False),
+        ("https://github.com/other/acme_node", False),  # it has the name of another package
+    ],
+)
+def test_what_a_page_clones_may_hold_a_package_that_it_is_not_called_like(tree: Tree, clone: str, looked: bool) -> None:
+    page = "ROS Noetic.\n\n    cd ~/src\n    git clone https://github.com/lab/drivers\n"
+    page += f"    git clone {clone}.git\n    git clone {LAB}/mpc\n"
+    files = _git(f"{LAB}/mpc") | _package("mpc", "drivers", "acme_widgets", "acme_node")
+    decision = tree(files | {"README.md": page})
+    assert {"drivers"} <= {source.name for source in decision.source if not source.holding}
+    assert any("acme_widgets" in names for url, names in _sought(decision).items() if url == clone) == looked
+    assert any(f"not cloned: {clone}" in each.message for each in decision.warnings) == (clone.endswith("other/stuff"))
+
+
+def test_a_link_with_a_slash_at_its_end_is_one_to_a_repository(tree: Tree) -> None:
+    page = f"ROS Noetic. Have [it]({LAB}/quad-ros-wrapper/) and see [issues]({LAB}/more/issues/).\n"
+    decision = tree(_git(f"{LAB}/mpc") | _package("mpc", "quad_wrapper") | {"README.md": page})
+    assert [*_sought(decision)] == [f"{LAB}/quad-ros-wrapper", f"{LAB}/quad_wrapper"]
+
+
 def test_nothing_is_looked_for_that_only_a_package_needs_which_is_not_built(tree: Tree) -> None:
     files = _git(f"{LAB}/mpc") | _package("mpc", "roscpp") | _package("extra", "quad_x")
     files["mpc/launch/mpc.launch"] = '<launch><node pkg="mpc" type="mpc" name="mpc"/></launch>\n'

@@ -30,6 +30,11 @@ class Sources:
     """The names, in one spelling, that the tree asks for: a clone of such a name is most likely that package alone."""
 
     @property
+    def everything(self) -> tuple[Source, ...]:
+        """What is cloned, and what is looked in."""
+        return (*self.sources, *self.submodules, *self.sought)
+
+    @property
     def with_unknown_packages(self) -> bool:
         """A clone may hold packages whose names are not known: it is no library, nor known to be a single package."""
         return any(self._unknown())

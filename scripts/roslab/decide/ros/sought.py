@@ -13,7 +13,7 @@ from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
-from roslab.decide.ros.source_names import address, plain
+from roslab.decide.ros.source_names import address, plain, telling_words
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.dependency import Dependency, GitSource
@@ -40,24 +40,28 @@ def with_sought(
     build_tool: BuildTool,
     needed: Iterable[Dependency],
     known: AbstractSet[str],
+    cloned: Iterable[GitSource],
     before: str,
 ) -> Choice[Sources]:
     """Return the sources with the repositories in which the build looks for what nothing brings.
 
     ``needed``: names that the build uses, ``known``: what the repository, rosdep and the distribution
-    have; ``before``: the day of which they are taken. None for the old formats, whose images never had them, nor where
-    a source whose packages are not known may hold them.
+    have, ``cloned``: what pages clone; ``before``: the day of which they are taken. None for the old formats, whose
+    images never had them; where a source whose packages are not known may hold them, only what pages clone.
     """
     sources = choice.answer
     build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
     if build is None or config.compatible:
         return choice
-    lacking = _lacking((each for each in needed if not sources.may_hold(each.name)), known | sources.names)
+    lacking = _lacking(needed, known | sources.names)
+    nowhere = [name for name in lacking if not sources.may_hold(name)]
     taken = {address(source.repo or "") for source in (*sources.sources, *sources.submodules)}
     taken |= {address(git.url) for git in evidence.sources if git.into in known}  # itself, under another name
     found = []
     reasons = []
-    for url, names in _addresses(lacking, evidence, known, taken):
+    clones = _cloned(cloned, lacking, evidence)
+    addresses = clones | {url: names for url, names in _addresses(nowhere, evidence, known) if url not in clones}
+    for url, names in [each for each in addresses.items() if address(each[0]) not in taken][:_MOST]:
         name, asked = url.rpartition("/")[2], lacking[names[0]]
         place = Place(file=asked.file, line=asked.line)
         found.append(Source(name=name, repo=f"{url}.git", build=build, before=before, holding=names, place=place))
@@ -114,13 +118,28 @@ def _lacking(needed: Iterable[Dependency], known: AbstractSet[str]) -> Mapping[s
     return found
 
 
-def _addresses(
-    names: Iterable[str], evidence: Evidence, known: AbstractSet[str], taken: AbstractSet[str]
-) -> list[tuple[str, tuple[str, ...]]]:
+def _cloned(cloned: Iterable[GitSource], names: Iterable[str], evidence: Evidence) -> dict[str, tuple[str, ...]]:
+    """Return the addresses of what pages clone, each with the packages that it may hold though it is not called so.
+
+    Those are all where it is of the repository's owner, else those that share a word with it. Not what Ubuntu has.
+    """
+    names = tuple(names)
+    owner = address(evidence.origin).rpartition("/")[0] if evidence.origin else ""
+    found: dict[str, tuple[str, ...]] = {}
+    for git in cloned:
+        in_ubuntu = library("cmake", git.name, None)
+        of_owner = address(git.url).rpartition("/")[0] == owner
+        held = tuple(name for name in names if of_owner or telling_words(name) & telling_words(git.name))
+        if held and not (in_ubuntu and in_ubuntu.apt):
+            found.setdefault(https(git.url).removesuffix(".git"), held)
+    return found
+
+
+def _addresses(names: Iterable[str], evidence: Evidence, known: AbstractSet[str]) -> list[tuple[str, tuple[str, ...]]]:
     """Return the addresses of repositories that may hold packages, most likely first, each with those packages.
 
-    First those that pages at the root link to; then one of the same owner with the name of the package. Not those whose
-    address is ``taken``, nor what is ``known``.
+    First those that pages at the root link to; then one of the same owner with the name of the package. Not what is
+    ``known``.
     """
     names = tuple(names)
     if not names:
@@ -133,7 +152,7 @@ def _addresses(
         url = f"{owner}/{name}"
         if address(url) not in {here, *map(address, found)}:
             found[url] = (name,)
-    return [(url, held) for url, held in found.items() if address(url) not in taken][:_MOST]
+    return list(found.items())
 
 
 def _linked(evidence: Evidence, here: str, known: AbstractSet[str]) -> Iterator[GitSource]:

@@ -77,8 +77,7 @@ def decide_sources(
     lacking = bool(unreleased(needed, known | rosdep_keys()))
     files = vcs_files(evidence, config, ros_distro, lacking=lacking, itself=itself)
     for git in evidence.sources:
-        twice = itself_in(git, itself) or plain(git.name) in own  # the tree has it, changed perhaps
-        if git.kind == "vcs" and git.file in files and not twice:
+        if git.kind == "vcs" and git.file in files and not _twice(git, itself, own):
             library = recipe_at(address(git.url)) if kind == "ros1" and not config.compatible else None
             if library:  # plain CMake, in which catkin sees no package
                 chosen.library(library, git)
@@ -90,7 +89,7 @@ def decide_sources(
     found = clones(evidence, ros_distro)
     exact = {wanted[name].name for name in {plain(git.name) for git in found} if name in wanted}
     for git in found:
-        other = itself_in(git, itself) or plain(git.name) in own or lies_beside(git, evidence)
+        other = _twice(git, itself, own) or lies_beside(git, evidence)
         asked = None if other else asked_for(git, wanted, known | exact)  # no other clone stands for these
         if asked is not None:
             answered.add(asked.name)
@@ -112,8 +111,14 @@ def decide_sources(
         build_tool=build_tool,
         needed=(*used, *launched),
         known=there,
+        cloned=[git for git in found if git.kind == "clone" and not (git.aside or _twice(git, itself, own))],
         before=chosen.before,
     )
+
+
+def _twice(git: GitSource, itself: set[str], own: frozenset[str]) -> bool:
+    """Tell whether the tree has it, changed perhaps."""
+    return itself_in(git, itself) or plain(git.name) in own
 
 
 @dataclass

@@ -13,7 +13,7 @@ from roslab.values.pattern import pattern
 MAX_LINKS = 100
 MAX_DEPTH = 3
 """Of a page whose links count: that of a package may name the library that it alone needs."""
-_LINK = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?!\.?[\w/-])")
+_LINK = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?:/(?![\w.?#/-]))?(?!\.?[\w/-])")
 """A page of a repository itself, not of a file in it."""
 _PINNED = pattern(r"(?:\.git)?\)?[ \t]{0,3}(?:@|\(?(?:at )?commit)[ \t]{0,3}`?\[?`?([0-9a-f]{7,40})(?![\w.])")
 """The commit behind a link: ``[odd](https://…/odd) @ 84bfc56``."""
@@ -54,7 +54,7 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
         refs.setdefault(git.url.rstrip("/").removesuffix(".git"), set()).add(git.ref)
     found: dict[str, GitSource] = {}
     for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
-        url, name = match[0].removesuffix(".git"), match[1].removesuffix(".git").rstrip(".")
+        url, name = match[0].rstrip("/").removesuffix(".git"), match[1].removesuffix(".git").rstrip(".")
         line = text.count("\n", 0, match.start()) + 1
         pinned = _PINNED.match(text, match.end())
         if url not in found or (pinned and not found[url].ref):
