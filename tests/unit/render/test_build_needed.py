@@ -159,3 +159,19 @@ def test_of_a_submodule_what_is_needed_stops_the_build(submodule: Path, broken: 
     assert _run(submodule, "--apart", "deps/serial")[:2] == (2, 2)
     (submodule / "src/mine/deps/serial/server/broken").unlink()
     assert _run(submodule, "--keep", "server", "--apart", "deps/serial")[0] != 0
+
+
+def test_of_what_was_only_tried_what_nothing_is_compiled_with_is_left_out(workspace: Path) -> None:
+    cmake, launch = "find_package(catkin COMPONENTS msgs)\n", '<node pkg="lib"/>\n'
+    _package(workspace, "mine", "mine", "lib", "msgs", CMakeLists__txt=cmake, a__launch=launch)
+    (workspace / "src/clone/lib/broken").touch()
+    code, attempts, passed, said = _run(workspace, "--tried", "clone", "--tried", "absent")
+    assert (code, attempts, passed) == (0, 3, ["docs", "lib", "tool"])
+    assert said.endswith("roslab: left out: lib\n")
+
+
+@pytest.mark.parametrize("broken", ["mine", "clone/msgs"])
+def test_of_what_was_only_tried_what_code_is_compiled_with_stops_the_build(workspace: Path, broken: str) -> None:
+    _package(workspace, "mine", "mine", "lib", CMakeLists__txt="find_package(catkin COMPONENTS lib)\n")
+    (workspace / "src" / broken / "broken").touch()
+    assert _run(workspace, "--tried", "clone")[0] != 0

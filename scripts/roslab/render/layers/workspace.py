@@ -238,6 +238,7 @@ def _needed(plan: Plan) -> str:
         return ""
     kept = "".join(f" --apart {quote.shell(folder)}" for folder in place.apart)
     kept += "".join(f" --keep {name}" for name in dict.fromkeys(_STARTED.findall(line_of(plan.run.command))))
+    kept += "".join(f" --tried {quote.shell(source.name)}" for source in place.sources if source.holding)
     return f"{NEEDED}{kept} {quote.shell(place.folder.removeprefix(f'{WORKSPACE}/'))} "
 
 
