@@ -10,8 +10,8 @@ from typing import Any
 from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import poetry, requirements, uv
 from roslab.evidence.python.backend_limits import backend_limits
+from roslab.evidence.python.extensions import by_install, extensions
 from roslab.evidence.python.manager_lines import GROUP
-from roslab.evidence.python.needs_gpu import needs_gpu
 from roslab.evidence.python.without_module import without_module
 from roslab.repository.checkout import Repository
 from roslab.values import toml
@@ -22,10 +22,6 @@ from roslab.values.requirement_line import requirement
 
 MAX_SIZE = 256 * 1024
 _AMENT = pattern(r"ament_index/resource_index|ament_python")
-_BUILDING = frozenset({"build", "build_ext", "build_py", "build_clib", "develop", "editable_wheel"})
-"""Commands that an editable installation runs."""
-_BUILDS = pattern(r"[\"'](?:cmake|make|ninja|scons|bazel)(?:[\"']|\s(?!sure))")
-"""A program that compiles, as the first word of a command."""
 
 
 def read(repository: Repository) -> tuple[PythonProject, ...]:
@@ -166,7 +162,7 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
         requirements=tuple(asked),
         scripts=tuple((name, line_of(name)) for name in script.scripts),
         script_files=_in(folder, script.script_files),
-        extensions=(*_extensions(text), *_by_install(text, script.commands)),
+        extensions=(*extensions(text), *by_install(text, script.commands)),
         classifiers=script.classifiers,
         setup_imports=tuple(dict.fromkeys(_imported(repository, folder, script.imports))),
     )
@@ -175,33 +171,6 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
 def _in(folder: str, files: Iterable[str]) -> tuple[str, ...]:
     """Return the paths from the root of files in a project's folder."""
     return tuple(posixpath.normpath(posixpath.join(folder, file.strip())) for file in files)
-
-
-def _extensions(text: str) -> tuple[str, ...]:
-    """Return what kinds of code a build script compiles, by the names it uses."""
-    found = []
-    if re.search(r"CUDAExtension|\bnvcc\b|\.cu['\"]", text):
-        found.append("cuda")
-    if re.search(r"CppExtension|\bExtension\s*\(|Pybind11Extension|pybind11", text):
-        found.append("c")
-    if re.search(r"cythonize|[Cc]ython", text):
-        found.append("cython")
-    if re.search(r"CMakeExtension|CMakeBuild|skbuild|scikit_build|['\"]cmake['\"]", text):
-        found.append("cmake")
-    if needs_gpu(text):
-        found.append("gpu")
-    if re.search(r"\bdisable_editable\s*=\s*True\b", text):
-        found.append("not editable")
-    return tuple(found)
-
-
-def _by_install(text: str, commands: tuple[str, ...]) -> Iterator[str]:
-    """Yield how its own ``install`` is called where that alone compiles: an editable installation never runs it.
-
-    https://setuptools.pypa.io/en/latest/userguide/extension.html#adding-commands, read 2026-11-26.
-    """
-    if "install" in commands and _BUILDING.isdisjoint(commands) and _BUILDS.search(text):
-        yield "by install of setuptools" if "setuptools.command.install" in text else "by install"
 
 
 def _imported(repository: Repository, folder: str, modules: tuple[str, ...]) -> Iterator[str]:
@@ -294,7 +263,7 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         requirements=tuple(asked),
         scripts=tuple((script, line_of(script)) for script in scripts),
         script_files=_in(folder, map(str, _list(_table(data, "tool", "setuptools"), "script-files"))),
-        extensions=_extensions(str(backend) + " ".join(each.written for each in build)),
+        extensions=extensions(str(backend) + " ".join(each.written for each in build)),
         classifiers=tuple(line for line in _list(project, "classifiers") if isinstance(line, str)),
         groups=tuple(_listed([*uv.default_groups(data), *poetry.default_groups(of_poetry)], path, line_of)),
         backend_limits=tuple(backend_limits(_table(data, "tool"), path, line_of, build)),
