@@ -166,3 +166,29 @@ def test_copied_packages_are_built(tmp_path: Path, base: str, text: str, *, prob
     files = {"Dockerfile": f"FROM {base}\n{text}\n", "package.xml": "<package/>", "compile.sh": "", "start.sh": ""}
     found = read(tmp_path, files)["Dockerfile"].problem
     assert (found is not None and "builds none of them" in found) is problem
+
+
+GAPS = """\
+FROM ubuntu:20.04
+RUN apt-get install -y libone-dev && \\
+
+# the second
+    apt-get install -y libtwo-dev && \\
+
+    pip3 install \\
+
+        numpy==1.2
+RUN apt-get install -y \\
+    libthree-dev \\
+
+RUN apt-get install -y libfour-dev
+"""
+
+
+def test_an_empty_line_does_not_end_a_continued_instruction_but_the_next_instruction_does(tmp_path: Path) -> None:
+    authored = read(tmp_path, {"Dockerfile": GAPS})["Dockerfile"]
+    assert [(d.name, d.line) for d in authored.dependencies] == [
+        ("libone-dev", 2), ("libtwo-dev", 5), ("libthree-dev", 11), ("libfour-dev", 13),
+    ]  # fmt: skip
+    assert [(asked.written, asked.line) for asked in authored.requirements] == [("numpy==1.2", 9)]
+    assert not authored.problem

@@ -21,6 +21,10 @@ _KNOWN = frozenset(
         "LABEL", "MAINTAINER", "ONBUILD", "RUN", "SHELL", "STOPSIGNAL", "USER", "VOLUME", "WORKDIR",
     }
 )  # fmt: skip
+_GAP = pattern(
+    rf"(?<!\\)(\\[ \t]*\n)((?:[ \t]*(?:#[^\n]*)?\n)+)(?=[ \t]*[^\s#])(?![ \t]*(?:{'|'.join(sorted(_KNOWN))})\s)"
+)
+"""A continued line, and empty lines and comments below it: Docker skips both, and only warns of the empty ones."""
 _HEREDOC = pattern(r"<<-?\s*[\"']?(\w+)[\"']?")
 
 
@@ -38,7 +42,7 @@ def instructions(text: str) -> Iterator[Instruction]:
     """Yield the instructions of a Dockerfile; a line that is no instruction has the name ``""``."""
     heredoc, pending, following = "", Instruction("", "", 0), 0
     body: list[str] = []
-    for line, logical in logical_lines(text):
+    for line, logical in logical_lines(_without_gaps(text)):
         if heredoc:
             if logical.strip() == heredoc:
                 yield Instruction(pending.name, "\n".join((pending.text, *body)), pending.line, script=True)
@@ -59,6 +63,15 @@ def instructions(text: str) -> Iterator[Instruction]:
             pending = pending._replace(text=pending.text[: start.start()] if name == "RUN" else pending.text)
         else:
             yield pending
+
+
+def _without_gaps(text: str) -> str:
+    """Make a comment of each empty line inside a continued instruction, so that it does not end there.
+
+    It ends where the next line begins another instruction: Docker would join the two, and no author wants that. A text
+    with here-documents is left as it is, since in those the shell ends a command at an empty line.
+    """
+    return text if "<<" in text else _GAP.sub(lambda match: match[1] + "#\n" * match[2].count("\n"), text)
 
 
 def argv(text: str) -> tuple[str, ...]:
