@@ -220,6 +220,31 @@ def test_aliases_are_read_once(tmp_path: Path) -> None:
     assert [name for name, _ in named(read(ci, tmp_path, {".travis.yml": text}))] == ["liba", "libb"]
 
 
+@pytest.mark.parametrize(
+    ("path", "text"),
+    [
+        (
+            "wercker.yml",
+            "box: osrf/ros:lunar-desktop-full\nbuild:\n  steps:\n    - script:\n      code: |\n        RUN\n",
+        ),
+        ("shippable.yml", "build:\n  pre_ci_boot:\n    image: osrf/ros:lunar-desktop-full\n  ci:\n    - RUN\n"),
+        (
+            ".semaphore/semaphore.yml",
+            "containers:\n  - image: osrf/ros:lunar-desktop-full\n    commands:\n      - RUN\n",
+        ),
+        (
+            ".woodpecker.yml",
+            "pipeline:\n  build:\n    image: osrf/ros:lunar-desktop-full\n    commands:\n      - RUN\n",
+        ),
+    ],
+)
+def test_services_that_few_use(path: str, text: str, tmp_path: Path) -> None:
+    text = text.replace("RUN", "sudo apt install -y libone-dev")
+    prose = read(ci, tmp_path, {path: text, f"deeper/{path}": text.replace("one", "two")})
+    assert [name for name, _ in named(prose)] == ["libone-dev"]
+    assert [m.value for m in prose.mentions if m.topic == "base"] == ["osrf/ros:lunar-desktop-full"]
+
+
 def test_travis_lists(tmp_path: Path) -> None:
     text = "dist: xenial\naddons:\n  apt:\n    packages:\n    - liba\n    - libb\nscript:\n  - catkin_make\n"
     prose = read(ci, tmp_path, {".travis.yml": text})

@@ -26,11 +26,11 @@ MAX_SIZE = 128 * 1024
 _NAMES = (
     ".travis.yml", ".gitlab-ci.yml", "azure-pipelines.yml", "Jenkinsfile", "appveyor.yml", ".appveyor.yml",
     "bitbucket-pipelines.yml", ".drone.yml",
-    "circle.yml", ".cirrus.yml",
+    "circle.yml", ".cirrus.yml", "wercker.yml", "shippable.yml", ".shippable.yml", ".woodpecker.yml", ".build.yml",
 )  # fmt: skip
 _FOLDERS = pattern(
     r"^(?:\.github/workflows|\.github/actions/[^/]+|\.circleci|\.gitlab(?:-ci)?|\.azure-pipelines|"
-    r"\.jenkins|\.ci)/[^/]+\.ya?ml$"
+    r"\.jenkins|\.ci|\.semaphore|\.buildkite|\.woodpecker|\.builds)/[^/]+\.ya?ml$"
 )
 _OTHER = pattern(
     r"(?:^|/)(?:.*(?:docs?|pages|release|publish|deploy|stale|label|lint|format|windows|macos?|osx|cla|"
@@ -48,7 +48,7 @@ _WITH_MATRIX = pattern(r"([\w.+-]{0,40})\$\{\{ {0,9}matrix\.([A-Za-z]\w*) {0,9}\
 MAX_VALUES = 4
 """Most values of a matrix that are filled in."""
 _IMAGE = pattern(
-    r"^\s*(?:-\s*)?(?:image|container|docker_image|DOCKER_IMAGE|docker)\s*:\s*[\"']?([\w./-]+:[\w.${}-]+)",
+    r"^\s*(?:-\s*)?(?:image|container|docker_image|DOCKER_IMAGE|docker|box)\s*:\s*[\"']?([\w./-]+:[\w.${}-]+)",
     re.MULTILINE,
 )
 _DEBS = pattern(
