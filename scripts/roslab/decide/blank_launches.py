@@ -49,10 +49,13 @@ def with_a_launch_file(argv: tuple[str, ...], launched: Mapping[str, frozenset[s
     """Return a command with the first launch file, by its name, that fits the blank in it; others as they are.
 
     ``launched`` are the launch files of each package. What is left of the name without the blank has to tell something.
+    A name without its last ending gets that of the only file that is called so.
     """
     at = _place(argv)
     if not at or len(argv) <= at or argv[at] in (names := launched.get(argv[at - 1], frozenset())):
         return argv
+    if LAUNCH.search(argv[at]) and (whole := [name for name in names if name in _endings(argv[at])]):
+        return (*argv[:at], *whole, *argv[at + 1 :]) if len(whole) == 1 else argv
     said = LAUNCH.sub("", argv[at])
     parts = _BLANK.split(said)
     if len(parts) < 2 or not any(part.strip("_-.") for part in parts):
@@ -60,6 +63,11 @@ def with_a_launch_file(argv: tuple[str, ...], launched: Mapping[str, frozenset[s
     meant = re.compile(r"\w+".join(map(re.escape, parts)) + re.escape(argv[at][len(said) :]))
     fitting = sorted(name for name in names if meant.fullmatch(name))
     return (*argv[:at], fitting[0], *argv[at + 1 :]) if fitting else argv
+
+
+def _endings(name: str) -> tuple[str, ...]:
+    """Return the names that a page may have shortened: ``map.launch`` for ``map.launch.py``."""
+    return tuple(f"{name}{ending}" for ending in (".py", ".xml", ".yaml", ".yml"))
 
 
 def _place(argv: tuple[str, ...]) -> int:

@@ -57,3 +57,39 @@ def test_a_launch_file_that_is_a_blank_is_the_first_that_its_section_names(
     command = tree({**FILES, "README.md": page}).command
     assert command[:3] == ("roslaunch", "demo", file)
     assert ("auto:=true" in command) == (file != "show.launch")
+
+
+LAUNCHED = (
+    "from better_launch import BetterLaunch, launch_this\n\n@launch_this\ndef main(\n    real: bool = False,\n):\n"
+)
+LAUNCHED += (
+    '    bl = BetterLaunch()\n    if real:\n        bl.node("lab_robot", "driver")\n    bl.node("lab_arm", "arm")\n'
+)
+ROS2 = {
+    "package.xml": "<package><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+    "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n",
+    "launch/show.launch.py": "from launch import LaunchDescription\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("files", "started"),
+    [
+        ({"launch/map.launch.py": LAUNCHED}, "map.launch.py"),
+        ({"launch/map.launch.xml": "<launch/>"}, "map.launch.xml"),
+        ({"launch/map.launch": "<launch><node exec='a'/></launch>", "launch/map.launch.py": LAUNCHED}, "map.launch"),
+        ({"launch/map.launch.xml": "<launch/>", "launch/map.launch.py": LAUNCHED}, "show.launch.py"),  # which of both?
+        ({"launch/map.launch.py": ""}, "show.launch.py"),
+        ({"launch/map.launch.txt": "<launch/>"}, "show.launch.py"),
+    ],
+)
+def test_a_name_without_its_last_ending(tree: Tree, files: dict[str, str], started: str) -> None:
+    page = "ROS Jazzy\n```\nros2 launch demo map.launch\nros2 launch demo show.launch.py\n```\n"
+    assert tree({**ROS2, **files, "README.md": page}).command == ("ros2", "launch", "demo", started)
+
+
+def test_what_a_launch_file_needs_that_describes_nothing(tree: Tree) -> None:
+    page = "ROS Jazzy\n```\nros2 launch demo map.launch.py\n```\n"
+    found = tree({**ROS2, "launch/map.launch.py": LAUNCHED, "README.md": page})
+    told = [each.message for each in found.warnings if "default command needs the package" in each.message]
+    assert ["lab_arm" in each for each in told] == [True]

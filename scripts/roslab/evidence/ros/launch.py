@@ -15,9 +15,10 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import end_of_line, lines_with, matches_at, matching_lines
-from roslab.evidence.ros import launch_programs, launch_variables, reached
+from roslab.evidence.ros import better_launch, launch_programs, launch_variables, reached
 from roslab.evidence.ros.worlds import opens_window
 from roslab.repository.checkout import File, Repository, nearest
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
@@ -91,7 +92,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
     for file in _candidates(repository):
         text = repository.read(file)
         python, xml = file.name.endswith(".py"), _XML.search(file.name) or file.name.endswith(".xml")
-        if python and "LaunchDescription" not in text:
+        if python and not better_launch.is_launch_file(file.name, text):
             continue
         if not python and xml and "<launch" not in text:
             continue
@@ -217,6 +218,10 @@ def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
             seen.add(dependency.name)
             yield dependency
     yield from launch_programs.started_first(text, file, _conditional)
+    for match, conditional in better_launch.named(text):
+        if match[1] not in seen:
+            asked = _of_ros(match[1], match, text, file)
+            yield replace(asked, strength="optional") if conditional else asked
     for match in launch_programs.of_parameters(text):
         if match[1] not in seen:
             yield _of_ros(match[1], match, text, file)

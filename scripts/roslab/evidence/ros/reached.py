@@ -24,11 +24,11 @@ _NODE = pattern(r"<node\s([^>]{0,2000})>")
 _SAID = pattern(r"\b(pkg|type|exec)\s{0,9}=\s{0,9}[\"']([\w.-]{1,80})[\"']")
 _QUOTED = pattern(r"[\"'](?:[\w./-]{0,200}/)?([\w.-]{1,80}\.(?:py|launch\.xml|launch|xacro|urdf))[\"']")
 _LOOKED_UP = pattern(
-    rf"^([ \t]{{0,99}})[^\n#]{{0,200}}\b(?:get_path|get_package_share_directory|get_package_share_path)"
+    rf"^[ \t]{{0,99}}[^\n#]{{0,200}}\b(?:get_path|get_package_share_directory|get_package_share_path)"
     rf"\(\s{{0,9}}[\"']({_PACKAGE})[\"']\s{{0,9}}\)",
     re.MULTILINE,
 )
-"""A package that a program of Python looks for, and the space before the line."""
+"""A package that a program of Python looks for, from the beginning of its line."""
 _DECIDES = pattern(r"(?:try|if|elif|else|except|for|while)\b")
 _HEAD = pattern(r"(?:async[ \t]+)?(?:def|class)\b")
 _COMMENT = pattern(r"<!--.*?-->", re.DOTALL)
@@ -132,7 +132,9 @@ class _Follow:
             text = _always(_without(_COMMENT, text))
             return tuple(self._files(text)), tuple(_asked(m[1], m, text, file) for m in _FOUND.finditer(text))
         if path.endswith(".py"):
-            return (), tuple(_asked(m[2], m, text, file) for m in _LOOKED_UP.finditer(text) if _always_run(text, m))
+            return (), tuple(
+                _asked(m[1], m, text, file) for m in _LOOKED_UP.finditer(text) if always_run(text, m.start())
+            )
         return (), ()
 
     def _started(self, text: str) -> Iterator[str]:
@@ -178,13 +180,17 @@ def _always(text: str) -> str:
     return "".join((*kept, "\n" * rest.count("\n") if depth else rest))
 
 
-def _always_run(text: str, match: re.Match[str]) -> bool:
-    """Tell whether no condition, loop or attempt is around a line of Python: none before the head of its function."""
-    depth = len(match[1])
-    for line in reversed(text[: match.start()].split("\n")):
+def always_run(text: str, at: int) -> bool:
+    """Tell whether no condition, loop or attempt is around a line of Python: none before the head of its function.
+
+    ``at`` is a place on the line.
+    """
+    begin = text.rfind("\n", 0, at) + 1
+    depth = len(text) - begin - len(text[begin:].lstrip(" \t"))
+    for line in reversed(text[:begin].split("\n")):
         bare = line.lstrip()
         indent = len(line) - len(bare)
-        if not bare or bare.startswith("#") or indent >= depth:
+        if not bare or bare.startswith(("#", ")")) or indent >= depth:
             continue
         if _HEAD.match(bare):
             return True
