@@ -28,7 +28,7 @@ def decide_launch_needs(
     sources: Sources,
     ros_distro: str | None,
 ) -> Choice[None]:
-    """Return a warning for each variable, package and interpreter without which the default command stops at once.
+    """Return a warning for each variable, package, interpreter and launch file without which the default command stops.
 
     ``there``: the variables that it has, ``sources``: what is cloned. For its packages and interpreters, what it
     starts is read too.
@@ -63,6 +63,15 @@ def decide_launch_needs(
             line=1,
         )
         for file, named in launch.foreign
+    ]
+    told += [
+        Warning_(
+            message=f"the default command includes {name} of the package {package}, which has no such file, and stops "
+            "there: add it, or set `command` in roslab.yaml",
+            file=file,
+            line=line,
+        )
+        for package, name, file, line in launch.gone
     ]
     return Choice(answer=None, warnings=tuple(told))
 

@@ -26,6 +26,8 @@ class LaunchFile:
     """Of a file with tests: package and program of what it starts that is no file of the tree."""
     reached: tuple[Dependency, ...] = ()
     """Packages that what it starts needs, whatever the arguments are: other launch files, descriptions, programs."""
+    gone: tuple[tuple[str, str, str, int], ...] = ()
+    """What it includes of the tree's packages in any case and they do not have: package, name, and where it does."""
     includes: tuple[str, ...] = ()
     """The names of other files that it names, as it does to include them: ``map.launch``."""
     demands: tuple[str, ...] = ()

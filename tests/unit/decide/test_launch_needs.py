@@ -149,3 +149,37 @@ def test_an_interpreter_of_the_author_s_machine(tree: Tree, first: str, made: st
     told = [warning for warning in tree(files).warnings if "first line names" in warning.message]
     assert [each.message.partition("first line names ")[2].partition(",")[0] for each in told] == found
     assert all((each.file, each.line) == ("scripts/a.py", 1) for each in told)
+
+
+INCLUDE = '<include file="$(find demo)/launch/{name}.launch"{more}/>\n'
+
+
+@pytest.mark.parametrize(
+    ("launch", "more", "where"),
+    [
+        (INCLUDE.format(name="map", more=""), {}, ("launch/demo.launch", 2)),
+        (
+            INCLUDE.format(name="other", more=""),
+            {"launch/other.launch": f"<launch>\n\n{INCLUDE.format(name='map', more='')}</launch>"},
+            ("launch/other.launch", 3),
+        ),
+        (INCLUDE.format(name="map", more=' if="$(arg a)"'), {}, None),
+        (f"<!-- {INCLUDE.format(name='map', more='')} -->", {}, None),
+        (INCLUDE.format(name="map", more=""), {"launch/map.launch.in": "<launch/>"}, None),
+        (INCLUDE.format(name="map", more=""), {"files/map.launch": "<launch/>"}, None),  # it may be installed there
+        (INCLUDE.format(name="map", more="").replace("demo", "nav2_bringup"), {}, None),
+        ('<rosparam command="load" file="$(find demo)/config/a.yaml"/>', {}, None),
+    ],
+)
+def test_launch_files_that_are_nowhere(
+    tree: Tree, launch: str, more: dict[str, str], where: tuple[str, int] | None
+) -> None:
+    page = {"README.md": "`roslaunch demo demo.launch`\n"}
+    decision = tree({**PACKAGE, **page, **more, "launch/demo.launch": f"<launch>\n{launch}{NODE}</launch>"})
+    told = [w for w in decision.warnings if "includes map.launch of the package demo" in w.message]
+    assert [(w.file, w.line) for w in told] == ([where] if where else [])
+
+
+def test_one_that_includes_what_is_nowhere_is_no_guess(tree: Tree) -> None:
+    files = {**PACKAGE, "launch/demo.launch": f"<launch>{INCLUDE.format(name='map', more='')}{NODE}</launch>"}
+    assert tree(files).command == ("bash",)

@@ -8,11 +8,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from roslab.evidence.lex.always_run import always_run
 from roslab.evidence.lex.lines import matches_at
-from roslab.evidence.ros.reached import always_run
 from roslab.values.pattern import pattern
 
-_CALL = pattern(r"\.(?:node|include|component|find)\(\s*[\"']([a-z][a-z0-9_-]{1,60})[\"']\s*,\s*[\"']")
+_CALL = pattern(
+    r"\.(?:node|include|component|find)\(\s*[\"']([a-z][a-z0-9_-]{1,60})[\"']\s*,\s*[\"']([\w./-]{0,80})[\"']"
+)
 _CALLS = (".node(", ".include(", ".component(", ".find(")
 """What its matches begin with."""
 
@@ -26,7 +28,7 @@ def is_launch_file(name: str, text: str) -> bool:
 
 
 def named(text: str) -> Iterator[tuple[re.Match[str], bool]]:
-    """Yield each call that names a package, and whether a condition of Python decides about it."""
+    """Yield each call with a package and what is meant of it, and whether a condition of Python decides about it."""
     if "better_launch" in text:
         for match in matches_at(_CALL, text, *_CALLS):
             yield match, not always_run(text, match.start())

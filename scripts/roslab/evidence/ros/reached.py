@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterator, Mapping
 
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.launch_file import LaunchFile
+from roslab.evidence.lex.always_run import always_run
+from roslab.evidence.ros.gone import included_elsewhere
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -29,8 +31,6 @@ _LOOKED_UP = pattern(
     re.MULTILINE,
 )
 """A package that a program of Python looks for, from the beginning of its line."""
-_DECIDES = pattern(r"(?:try|if|elif|else|except|for|while)\b")
-_HEAD = pattern(r"(?:async[ \t]+)?(?:def|class)\b")
 _COMMENT = pattern(r"<!--.*?-->", re.DOTALL)
 _ASIDE = pattern(r"<(/?)xacro:(?:if|unless|macro)\b")
 """Where a part of a robot description that is not always read begins or ends."""
@@ -52,7 +52,12 @@ def with_reached(
     """
     follow = _Follow(repository, found, folders, conditional)
     return tuple(
-        replace(each, reached=tuple(follow.needs(each)), foreign=tuple(follow.foreign(each)) if each.ros == 1 else ())
+        replace(
+            each,
+            reached=tuple(follow.needs(each)),
+            foreign=tuple(follow.foreign(each)) if each.ros == 1 else (),
+            gone=tuple(follow.gone(each.file)),
+        )
         for each in found
     )
 
@@ -72,16 +77,9 @@ class _Follow:
 
     def needs(self, start: LaunchFile) -> Iterator[Dependency]:
         """Yield each package once that the files need which a launch file loads, but not what it names itself."""
-        taken, waiting = {start.file}, list(self._of(start.file)[0])
         seen = {each.name for each in start.dependencies}
-        while waiting and len(taken) < MOST:
-            path = waiting.pop(0)
-            if path in taken:
-                continue
-            taken.add(path)
-            loads, found = self._of(path)
-            waiting += loads
-            for each in found:
+        for path in self._loaded(start.file):
+            for each in self._of(path)[1] if path != start.file else ():
                 if each.name not in seen:
                     seen.add(each.name)
                     yield each
@@ -92,16 +90,9 @@ class _Follow:
         Not those that catkin starts by a program of its own, which it writes where CMake installs them:
         https://github.com/ros/catkin/blob/noetic-devel/cmake/catkin_install_python.cmake, read 2026-11-26.
         """
-        taken, waiting = {start.file}, list(self._of(start.file)[0])
-        while waiting and len(taken) < MOST:
-            path = waiting.pop(0)
-            if path in taken:
-                continue
-            taken.add(path)
-            waiting += self._of(path)[0]
-            name = posixpath.basename(path)
-            file = next((each for each in self.repository.named(name) if each.path == path), None)
-            if file is not None and path.endswith(".py") and file.size <= MAX_SIZE:
+        for path in self._loaded(start.file):
+            file = self._file(path) if path != start.file and path.endswith(".py") else None
+            if file is not None:
                 named = _ELSEWHERE.match(self.repository.read(file))
                 if named and not self._installed(path):
                     yield path, named[1]
@@ -113,6 +104,27 @@ class _Follow:
         name = posixpath.basename(path)
         return any("catkin_install_python" in (text := self.repository.read(f)) and name in text for f in made)
 
+    def gone(self, start: str) -> Iterator[tuple[str, str, str, int]]:
+        """Yield the launch files that one and those which it loads include, and that are nowhere."""
+        for path in self._loaded(start):
+            file = self._file(path) if path in self.launch else None
+            if file:
+                yield from included_elsewhere(self.repository, file, self.packages, self.conditional)
+
+    def _loaded(self, start: str) -> Iterator[str]:
+        """Yield a launch file and each file once that it loads."""
+        taken, waiting = set[str](), [start]
+        while waiting and len(taken) < MOST:
+            path = waiting.pop(0)
+            if path not in taken:
+                taken.add(path)
+                yield path
+                waiting += self._of(path)[0]
+
+    def _file(self, path: str) -> File | None:
+        found = next((each for each in self.repository.named(posixpath.basename(path)) if each.path == path), None)
+        return found if found and found.size <= MAX_SIZE else None
+
     def _of(self, path: str) -> tuple[tuple[str, ...], tuple[Dependency, ...]]:
         """Return the files that a file loads and the packages that it needs."""
         if path not in self.read:
@@ -120,8 +132,7 @@ class _Follow:
         return self.read[path]
 
     def _reading(self, path: str) -> tuple[tuple[str, ...], tuple[Dependency, ...]]:
-        file = next((each for each in self.repository.named(posixpath.basename(path)) if each.path == path), None)
-        if file is None or file.size > MAX_SIZE:
+        if (file := self._file(path)) is None:
             return (), ()
         text = self.repository.read(file)
         if path in self.launch:
@@ -178,26 +189,6 @@ def _always(text: str) -> str:
         begin, depth = match.start(), max(0, depth - 1) if match[1] else depth + 1
     rest = text[begin:]
     return "".join((*kept, "\n" * rest.count("\n") if depth else rest))
-
-
-def always_run(text: str, at: int) -> bool:
-    """Tell whether no condition, loop or attempt is around a line of Python: none before the head of its function.
-
-    ``at`` is a place on the line.
-    """
-    begin = text.rfind("\n", 0, at) + 1
-    depth = len(text) - begin - len(text[begin:].lstrip(" \t"))
-    for line in reversed(text[:begin].split("\n")):
-        bare = line.lstrip()
-        indent = len(line) - len(bare)
-        if not bare or bare.startswith(("#", ")")) or indent >= depth:
-            continue
-        if _HEAD.match(bare):
-            return True
-        if _DECIDES.match(bare):
-            return bare.startswith("if __name__")
-        depth = indent
-    return True
 
 
 def _asked(name: str, match: re.Match[str], text: str, file: File) -> Dependency:
