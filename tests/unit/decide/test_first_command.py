@@ -1074,3 +1074,25 @@ def test_the_page_of_one_package_among_many_chooses_no_script(tree: Tree, others
     made = tree(files)
     assert any("message.py" in word for word in made.command) == script
     assert "rospack" not in " ".join(made.command)
+
+
+HERE = "https://github.com/lab/demo/tree/main"
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        (f"Shows [odometry]({HERE}/second/README.md) and [maps](first/README.md).\n", "odometry"),
+        ("Shows [odometry](second/).\n", "odometry"),
+        ("Shows [the licence](third/README.md).\n", "map"),
+        ("Shows [odometry](second/README.md).\n```\nroslaunch demo replay.launch\n```\n", "replay"),
+        ("Nothing.\n", "map"),
+    ],
+)
+def test_pages_of_equal_depth_come_in_the_order_of_the_links_to_them(tree: Tree, page: str, command: str) -> None:
+    pages = {
+        "README.md": page,
+        "first/README.md": "```\nroslaunch demo map.launch\n```\n",
+        "second/README.md": "```\n$ $ roslaunch demo odometry.launch\n```\n",
+    }
+    assert tree({**ROS1, **pages}).command == ("roslaunch", "demo", f"{command}.launch")

@@ -61,7 +61,10 @@ def _shown(text: str) -> str:
 
 
 def pages(repository: Repository) -> tuple[File, ...]:
-    """Return the pages that explain how to install or to start, those nearest to the root first."""
+    """Return the pages that explain how to install or to start, those nearest to the root first.
+
+    Of folders that lie equally deep, those come first to which the page at the root links, in the order of its links.
+    """
     return repository.once(_pages)
 
 
@@ -78,7 +81,16 @@ def _pages(repository: Repository) -> tuple[File, ...]:
         if (page and file.path.count("/") <= 3) or docs:
             found.append(file)
     found += _linked(repository, found)
-    found.sort(key=lambda file: (file.path.count("/"), file.folder, bool(_VARIANT.match(file.name)), file.path))
+    places_of = _linked_folders(repository, found)
+    found.sort(
+        key=lambda file: (
+            file.path.count("/"),
+            places_of.get(file.folder, len(places_of)),
+            file.folder,
+            bool(_VARIANT.match(file.name)),
+            file.path,
+        )
+    )
     return tuple(without_translations(found)[:MAX_PAGES])
 
 
@@ -86,6 +98,17 @@ def path_of(link: re.Match[str], page: File) -> str:
     """Return the path that a ``LINK`` of a page leads to, from the root."""
     whole = link[0].startswith(("](http", "](<http")) or link[1]
     return posixpath.normpath(link[2] if whole else posixpath.join(page.folder, link[2]))
+
+
+def _linked_folders(repository: Repository, found: list[File]) -> dict[str, int]:
+    """Return the place of each folder, of a page or itself, among the links of the page at the root."""
+    root = next((f for f in found if not f.folder and f.name.lower().startswith("readme.")), None)
+    if root is None or all(not file.folder for file in found):
+        return {}
+    paths = (path_of(link, root) for link in LINK.finditer(text_of(repository, root)))
+    folders = {file.path: file.folder for file in found} | {file.folder: file.folder for file in found}
+    linked = dict.fromkeys(folders[path] for path in paths if path in folders)
+    return {folder: place for place, folder in enumerate(linked)}
 
 
 def _linked(repository: Repository, found: list[File]) -> list[File]:
