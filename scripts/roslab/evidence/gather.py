@@ -63,6 +63,7 @@ from roslab.evidence.python import (
     from_root,
     imports,
     limits,
+    linked_files,
     locks,
     notebooks,
     options,
@@ -126,6 +127,7 @@ def gather(repository: Repository) -> Evidence:
     sources = (*sources, *native_clones.read(repository, sources, cmake_projects))
     lists = submodules.named(requirements.read(repository), own, prose.requirements)
     made = makefiles.read(own, prose.mentions)
+    by_file = linked_files.read(own)
     listed = any(source.kind == "vcs" for source in sources)  # a repository may hold no more than the list of others
     return Evidence(
         manifests=manifests,
@@ -149,6 +151,7 @@ def gather(repository: Repository) -> Evidence:
             *(gazebo_plugins.read(repository) if manifests else ()),
             *fetched.programs,
             *shared_objects.read(own),
+            *by_file,
         ),
         prose=prose.dependencies,
         prose_pip=(*prose.requirements, *project.not_by_pip(python_projects)),
@@ -177,7 +180,7 @@ def gather(repository: Repository) -> Evidence:
             *launchers.read(own, prose.mentions),
             *stops_without.read(own, cmake_projects),
             *commented.read(own, lists),
-            *(commit_date.read(repository) if manifests or cmake_projects or listed else ()),
+            *(commit_date.read(repository) if manifests or cmake_projects or listed or by_file else ()),
         ),
         worked_on=worked_on.read(repository),
         old_code=extension_code.read(own, python_projects),

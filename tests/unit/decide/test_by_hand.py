@@ -563,6 +563,37 @@ def test_a_library_that_is_linked_by_its_file_below_usr_local(
     assert any("linked by its file" in each.message for each in decision.warnings) is warned
 
 
+EXTENSION = """\
+from setuptools import Extension, setup
+setup(
+    name="demo",
+    install_requires=["torch==1.13.1+cu117"],
+    ext_modules=[Extension("planner", ["a.cpp"], {linked})],
+)
+"""
+
+
+@pytest.mark.parametrize(
+    ("linked", "page", "built", "warned"),
+    [
+        ('extra_objects=["/usr/local/lib/libompl.so"]', True, ["ompl"], False),
+        ('extra_objects=["/usr/local/lib/libompl.so"]', False, [], True),
+        ('libraries=["ompl"]', True, [], False),
+        ('# extra_objects=["/usr/local/lib/libompl.so"]\n', True, [], False),
+    ],
+)
+def test_a_library_that_a_setup_py_links_by_its_file_below_usr_local(
+    tree: Tree, linked: str, *, page: bool, built: list[str], warned: bool
+) -> None:
+    files = {"setup.py": EXTENSION.format(linked=linked), "a.cpp": "#include <ompl/util/Console.h>\nint a;\n"}
+    if page:
+        files["README.md"] = "```\ngit clone git@github.com:ompl/ompl.git ../ompl\ncd ../ompl\ncmake .\n"
+        files["README.md"] += "sudo make install\n```\n"
+    decision = tree(files)
+    assert [source.name for source in decision.source] == built
+    assert any("linked by its file" in each.message for each in decision.warnings) is warned
+
+
 IN_ITS_SECTION = """\
 # Dependencies
 ## {title}

@@ -143,7 +143,8 @@ def _asked(
     made = {(project.top, _bare(target)) for project in evidence.cmake if project.added for target in project.made}
     tops = {project.file: project.top for project in evidence.cmake}
     options = given(evidence)
-    for asked in code_needs(evidence, packages):
+    of_extensions = (dependency for dependency in evidence.code if dependency.namespace == "link")
+    for asked in (*code_needs(evidence, packages), *of_extensions):
         name = _bare(asked.name)
         if name not in offered or len(name) < SHORTEST or waits(asked, options):
             continue

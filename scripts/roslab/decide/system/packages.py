@@ -144,7 +144,8 @@ def decide_system(
             _add(dependency, target, found, known, trusted=trusted, by_hand=by_hand)
     for library, dependency in linked(needed, evidence, target.ubuntu):
         found.recipes.setdefault(library, dependency)
-    found.warnings += lies_elsewhere(needed, evidence, target.ubuntu)
+    of_extensions = ((each, True) for each in evidence.code if each.namespace == "link")
+    found.warnings += lies_elsewhere((*needed, *of_extensions), evidence, target.ubuntu)
     for dependency in compiler_of_cuda(evidence, packages, kind, target.ubuntu) if not target.cuda else ():
         _add(dependency, target, found, known, trusted=True, by_hand=by_hand)
     for apt, asked in apt_for_wheels(python, installed, target.ubuntu, evidence):

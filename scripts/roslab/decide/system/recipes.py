@@ -94,14 +94,20 @@ def linked(
 def lies_elsewhere(
     needed: Iterable[tuple[Dependency, bool]], evidence: Evidence, ubuntu: str | None
 ) -> Iterator[Warning_]:
-    """Yield what the author should know of a library that is linked by a file below /usr/local, and that apt brings."""
+    """Yield what the author should know of a library that is linked by a file below /usr/local, and that apt brings.
+
+    Also of one that a setup.py links so and that no table knows: pip stops there.
+    """
     built = {plain(git.name) for git in evidence.sources if git.installed}
     for dependency, trusted in needed:
         name = dependency.name
         if not (trusted and _by_file(dependency)) or recipe(name, ubuntu) or plain(name) in built:
             continue
-        if (found := library("link", name, ubuntu)) and found.apt:
-            message = f"lib{name} is linked by its file in /usr/local, and {' '.join(found.apt)} puts it elsewhere"
+        found = library("link", name, ubuntu)
+        apt = " ".join(found.apt) if found else ""
+        if apt or dependency.role == "setup":
+            why = f"{apt} puts it elsewhere" if apt else "nothing is known to put it there"
+            message = f"lib{name} is linked by its file in /usr/local, and {why}"
             yield warn(f"{message}: the build stops there; link it by its name, {name}", dependency)
 
 
