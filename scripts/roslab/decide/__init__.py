@@ -12,6 +12,7 @@ from roslab.decide.chains import decide_bases
 from roslab.decide.command import decide_command
 from roslab.decide.cuda.for_extensions import for_extensions
 from roslab.decide.cuda.for_ubuntu import with_an_image_for
+from roslab.decide.cuda.source_packages import with_too_old_sources
 from roslab.decide.cuda.toolkit import by_script, decide_toolkit
 from roslab.decide.cuda.version import NO_CUDA, decide_cuda
 from roslab.decide.day import decide_days
@@ -181,7 +182,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     )
     downloads = decide_downloads(evidence, config, command.answer.command, folder_name, command.answer.page)
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
-    cuda = cuda if on_cuda else NO_CUDA
+    cuda = with_too_old_sources(cuda, everything) if on_cuda else NO_CUDA
     compiling = decide_compiling(
         projects, (*everything, *python.answer.first), cuda.answer.version, evidence.unsafe_hosts, by_script(evidence)
     )
