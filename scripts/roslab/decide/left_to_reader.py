@@ -45,6 +45,12 @@ def _told(said: Mention, page: Candidate, evidence: Evidence) -> Iterator[Warnin
             "under `command` in roslab.yaml",
             said,
         )
+    if numbers := _not_given(page, evidence):
+        yield warn(
+            f"the script of the default command gives options the values {' and '.join(numbers)}, which the page "
+            "leaves out: give them under `command` in roslab.yaml",
+            said,
+        )
     if named := [name for name in dict.fromkeys(gap) if name and options.get(name) != "default"]:
         yield warn(
             f"the default command is without what the page leaves to the reader ({', '.join(named)}): give it under "
@@ -58,3 +64,10 @@ def _told(said: Mention, page: Candidate, evidence: Evidence) -> Iterator[Warnin
                 "under `command` in roslab.yaml",
                 said,
             )
+
+
+def _not_given(page: Candidate, evidence: Evidence) -> list[str]:
+    """Return the parameters of a shell script (``$1``) that it needs and the command does not have."""
+    script, *given = page.argv[1:] if page.argv[0] == "bash" else ("",)
+    found = (m.value for m in evidence.mentions if m.topic == "parameter" and m.file == script)
+    return [f"${number}" for number in dict.fromkeys(found) if int(number) > len(given)]

@@ -208,6 +208,7 @@ class Mention:
         "option", "gazebo", "compared", "skipped", "own_history", "data",
         "image_built", "image_pulled", "pointed", "included", "reference", "libtorch", "fetched", "unpacked", "runs",
         "environment", "elsewhere", "tried", "positional", "refused", "launcher", "stops", "withheld", "entered",
+        "parameter",
     ]  # fmt: skip
     value: str
     source: Literal[

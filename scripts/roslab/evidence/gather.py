@@ -49,6 +49,7 @@ from roslab.evidence.prose import (
     page_lists,
     pointed,
     readme,
+    script_parameters,
     tried,
     worked_on,
 )
@@ -176,6 +177,7 @@ def gather(repository: Repository) -> Evidence:
             *own_history.read(own),
             *options.read(own, (*prose.mentions, *by_name)),
             *options.of_programs(own, started, (*prose.mentions, *by_name)),
+            *script_parameters.read(own, prose.mentions),
             *tried.read(own, (*prose.mentions, *by_name)),
             *launchers.read(own, prose.mentions),
             *stops_without.read(own, cmake_projects),

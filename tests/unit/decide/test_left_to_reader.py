@@ -50,3 +50,25 @@ def test_arguments_of_a_program_that_no_page_starts(tree: Tree, code: str, said:
     found = tree({"tools/show.py": guarded, "requirements.txt": "numpy\n", "README.md": "# A viewer\n"})
     assert found.command[1:] == ("tools/show.py",)
     assert [each.partition("without ")[2].partition(", which")[0] for each in told(found)] == ([said] if said else [])
+
+
+@pytest.mark.parametrize(
+    ("script", "page", "said"),
+    [
+        ("gpu=$1\nseed=$2\npython main.py --gpu $gpu --seed=$seed\n", "sh ./train.sh  # baseline", "$1 and $2"),
+        ("gpu=$1\nseed=$2\npython main.py --gpu $gpu --seed=$seed\n", "sh train.sh 0", "$2"),
+        ("python main.py \\\n  --gpu ${1} \\\n", "bash train.sh", "$1"),
+        ("python main.py --gpu $1\n", "bash train.sh 0", ""),
+        ("gpu=${1:-0}\npython main.py --gpu $gpu\n", "sh train.sh", ""),
+        ("gpu=$1\nif [ -z $gpu ]; then gpu=0; fi\npython main.py --gpu $gpu\n", "sh train.sh", ""),
+        ("run() { python main.py --gpu $1; }\nrun 0\n", "sh train.sh", ""),
+        ("gpu=$1\n# python main.py --gpu $gpu\npython main.py $gpu\n", "sh train.sh", ""),
+        ("gpu=0\npython main.py --gpu $gpu\n", "sh train.sh", ""),
+    ],
+)
+def test_parameters_of_a_script_that_options_need(tree: Tree, script: str, page: str, said: str) -> None:
+    files = {"train.sh": script, "main.py": "import numpy\n", "requirements.txt": "numpy\n"}
+    found = tree({**files, "README.md": f"# Usage\n```\n{page}\n```\n"})
+    assert found.command[:2] == ("bash", "train.sh")
+    about = [each for each in told(found) if "gives options the values" in each]
+    assert [f"values {said}, which" in each for each in about] == [True] * bool(said)
