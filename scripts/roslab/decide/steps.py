@@ -106,11 +106,15 @@ def _answered(step: str, names: set[str]) -> bool:
 
 
 def _cloned(evidence: Evidence, kind: Kind, names: set[str], there: set[str], itself: set[str]) -> Iterator[Warning_]:
-    """Yield a warning for each repository that a page clones and that neither the build nor a table asks for."""
+    """Yield a warning for each repository that a page clones and that neither the build nor a table asks for.
+
+    Also for one that the author's Dockerfile clones, which is not built here.
+    """
     told: dict[str, Warning_] = {}
-    for git in evidence.sources if kind in {"ros1", "ros2", "cpp"} else ():
+    authored = [git for each in evidence.dockerfiles if each.purpose == "project" for git in each.clones]
+    for git in (*evidence.sources, *authored) if kind in {"ros1", "ros2", "cpp"} else ():
         aside = places.vendored(git.file) or places.documentation(git.file) or places.test(git.file)
-        aside = aside or not git.file.endswith(PAGES)
+        aside = aside or not (git.file.endswith(PAGES) or git in authored)
         if git.kind != "clone" or git.strength != "prose" or aside or itself_in(git, itself):
             continue
         if address(git.url) in there or plain(git.name) in names or _in_ubuntu(git):

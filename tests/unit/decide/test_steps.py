@@ -257,3 +257,21 @@ def test_the_source_of_ros_itself_is_in_the_image(tree: Tree, name: str) -> None
     page = f"ROS 2 jazzy\n\n```\nsudo dpkg -i /tmp/{name}.deb\n```\n"
     decision = tree({"package.xml": package, "CMakeLists.txt": "project(demo)\n", "README.md": page})
     assert any("not part of the image" in each.message for each in decision.warnings) is name.startswith("other")
+
+
+@pytest.mark.parametrize(
+    ("path", "copies", "told_of"),
+    [
+        ("docker/Dockerfile.base", "COPY docker/start.sh /", True),
+        ("Dockerfile", "COPY . /ws/src/demo", False),  # it is built itself
+        (".devcontainer/Dockerfile", "COPY docker/start.sh /", False),
+    ],
+)
+def test_a_clone_of_an_authors_dockerfile_that_is_not_built_is_told(
+    tree: Tree, path: str, copies: str, *, told_of: bool
+) -> None:
+    clones = "".join(f"RUN git clone https://github.com/{name}.git\n" for name in ("me/demo", "them/odd_sdk"))
+    build = "RUN apt-get update && apt-get install -y git && catkin_make"
+    files = {path: f"FROM ros:noetic\nWORKDIR /ws/src\n{clones}{copies}\n{build}\n", "docker/start.sh": "ls\n"}
+    message = "not cloned: https://github.com/them/odd_sdk.git, for nothing that is built asks for it by name"
+    assert told(tree, "", **files) == ([(message, path, 4)] if told_of else [])
