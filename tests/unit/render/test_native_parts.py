@@ -59,6 +59,19 @@ def test_the_library_comes_before_pip_and_the_module_after_it(tmp_path: Path) ->
 def test_what_a_project_of_the_tree_installs_is_compiled_after_it(tmp_path: Path) -> None:
     text = dockerfile(planned(tmp_path, {"train.py": CODE, "setup.py": SETUP}))
     assert text.index("COPY --from=native-parts") < text.index("--editable .") < calls(text)[1]
+    (line,) = (line for line in text.split("\n") if "--editable ." in line)
+    assert 'HOME="/home/${NB_USER}" python3 -m pip install' in line  # where its setup.py looks for the library
+
+
+@pytest.mark.parametrize(
+    ("files", "more"),
+    [({"setup.py": SETUP.replace("mujoco-py", "gym")}, ""), ({"setup.py": SETUP}, "secrets: [netrc]\n")],
+)
+def test_other_projects_are_installed_with_the_home_of_root(tmp_path: Path, files: dict[str, str], more: str) -> None:
+    settings = {"roslab.yaml": f"format: 3\n{more}"} if more else {}
+    text = dockerfile(planned(tmp_path, {"train.py": CODE.replace("mujoco_py", "gym"), **files, **settings}))
+    assert "--editable ." in text
+    assert 'HOME="/home/${NB_USER}" python3 -m pip' not in text
 
 
 def test_a_conda_environment_is_made_with_the_library(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ from roslab.knowledge.tools import OLD_METADATA, python2_installers, tool_image
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import building, caches, conda_lines, locks, manifests, secrets, shell
+from roslab.values.secret import NETRC
 
 GET_PIP = "https://bootstrap.pypa.io/pip/2.7/get-pip.py"
 DOWNLOADS = "/tmp/pip-downloads"  # noqa: S108 - a folder of the image while it is built
@@ -229,6 +230,8 @@ def projects(plan: Plan) -> str:
     isolation = " --no-build-isolation" if plan.python.first else ""
     pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{isolation}{pip_options(plan.python.options)}"
     pip = "".join(f"{name}={quote.shell(flags)} " for name, flags in building.macros(plan)) + pip
+    if plan.python.native_parts and NETRC not in plan.secrets:  # a setup.py looks for them at home; root's has a .netrc
+        pip = f'HOME="/home/${{NB_USER}}" {pip}'
     unseen = [folder for folder in folders if folder in plan.python.unseen]
     whole = [folder for folder in folders if folder not in (*plan.python.alone, *unseen)]
     alone = [folder for folder in folders if folder in plan.python.alone]
