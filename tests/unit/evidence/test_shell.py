@@ -109,6 +109,7 @@ def test_programs_and_build_tools_are_mentioned() -> None:
     assert found == {
         ("build_tool", "catkin_tools"),
         ("command", "roslaunch pkg a.launch x:=1"),
+        ("entered", "e"),
         ("python", "3.8"),
         ("command", "python train.py --go"),
     }
