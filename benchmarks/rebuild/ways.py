@@ -10,12 +10,14 @@ import time
 from collections.abc import Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from unittest.mock import patch
 
 from benchmarks.rebuild.builds import Builder, FailedBuildError, Figures, Registry, builder, figures, registry
 from benchmarks.rebuild.repositories import Change
 
+from lab import engine
 from roslab.engine.docker import native_platform
 from roslab.github.tree import Carrier, keep, source_of, take
 from roslab.pipeline import plan_repository
@@ -142,8 +144,16 @@ def _measure_container(
         _docker("rmi", "--force", name)
 
 
+@cache
+def _host() -> str:
+    return engine.host() or engine.own_host()
+
+
 def _docker(*words: str | Path) -> None:
-    done = subprocess.run(["docker", *map(str, words)], capture_output=True, text=True, timeout=3600, check=False)
+    """Call the lab's engine. Raises ``FailedBuildError``."""
+    environment = {**os.environ, "DOCKER_HOST": _host()}
+    command = ["docker", *map(str, words)]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=3600, check=False)
     if done.returncode:
         raise FailedBuildError(f"docker {words[0]}: {(done.stdout + done.stderr)[-6000:]}")
 
