@@ -21,6 +21,12 @@ def _given() -> tuple[str, ...]:
     return tuple(row["begins"] for row in rows("shared_objects_given"))
 
 
+def table() -> str:
+    """Return what ``package_of`` knows beside the rule: a line for each library, and ``NAME* -`` for a beginning."""
+    tabled = (f"{library} {package}" for library, package in _tabled().items())
+    return "\n".join((*tabled, *(f"{begins}* -" for begins in _given())))
+
+
 def package_of(soname: str) -> str | None:
     """Return the package that holds a library, ``None`` for those that are everywhere or that apt does not bring.
 

@@ -129,7 +129,13 @@ class Workspace:
 def workspace(
     decision: Decision, config: Config, sisters: tuple[Source, ...], name: str, unread: tuple[str, ...] = ()
 ) -> Workspace:
-    """Return what is compiled; ``name`` is the image's, which the repository's folder has too."""
+    """Return what is compiled; ``name`` is the image's, which the repository's folder has too.
+
+    Of the names that are ``unread``, none stays in which a manifest lies.
+    """
+    python = decision.python
+    manifests = (*decision.packages, *python.manifests, *python.requirements, python.conda_file or "")
+    copied = {path.partition("/")[0] for path in manifests}
     ros = decision.kind in ("ros1", "ros2")
     in_workspace = decision.workspace != "none" and not (ros and decision.build_tool not in ROS_TOOLS)
     folder = name
@@ -157,8 +163,8 @@ def workspace(
         downloads=decision.downloads,
         python_path=decision.python_path,
         variables=decision.variables,
-        python_projects=decision.python.projects,
-        unread=unread,
+        python_projects=python.projects,
+        unread=tuple(each for each in unread if each not in copied),
         native=decision.native,
         without=decision.without,
         links=tuple(links),

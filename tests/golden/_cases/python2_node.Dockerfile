@@ -43,8 +43,8 @@ COPY --chmod=755 <<'EOF' /install-wheel-libraries
 @@ _constant/install-wheel-libraries @@
 EOF
 
-COPY <<'EOF' /sonames.txt
-@@ _constant/sonames.txt @@
+COPY <<'EOF' /shared-objects.txt
+@@ _constant/shared-objects.txt @@
 EOF
 
 COPY --chmod=755 <<'EOF' /roslab-entrypoint
@@ -128,7 +128,7 @@ RUN --mount=type=cache,id=pip-python2_node-${TARGETARCH},target=/root/.cache/pip
 
 # Libraries of the system that the Python packages are linked with
 COPY --from=scripts /install-wheel-libraries /usr/local/bin/
-COPY --from=scripts /sonames.txt /usr/local/share/roslab/
+COPY --from=scripts /shared-objects.txt /usr/local/share/roslab/
 RUN --mount=type=cache,id=apt-lists-python2_node-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
     install-wheel-libraries python2
 

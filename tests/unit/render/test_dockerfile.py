@@ -206,6 +206,13 @@ def test_what_no_build_file_names_is_blank_for_the_compilation_and_whole_in_the_
     assert "RUN" not in image, "an edit of these repeats no step"
 
 
+def test_no_folder_is_blank_in_which_a_manifest_lies() -> None:
+    lists = Python(version="3.8", manager="system", manifests=("docs/requirements.txt",))
+    found = decision(packages=("talker/package.xml", "test/sync/package.xml"), python=lists)
+    made = make_plan(found, Config(), folder_name="paper", unread=("README.md", "docs", "media", "test"))
+    assert made.workspace.unread == ("README.md", "media")
+
+
 def test_a_repository_that_is_a_workspace_is_copied_before_what_was_compiled() -> None:
     """It may hold a folder devel of its own."""
     found = plan()

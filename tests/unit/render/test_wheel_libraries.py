@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from roslab.knowledge.sonames import sonames
+from roslab.knowledge.shared_objects import table
 
 SCRIPT = Path(__file__).parents[3] / "scripts/roslab/render/image_scripts/install-wheel-libraries.sh"
 MODULE = next(Path(yaml.__file__).parent.glob("_yaml*.so"), None)
@@ -25,8 +25,10 @@ def folder(tmp_path: Path) -> Path:
     """A Python whose packages all lie in one folder, and an apt that writes down what it is asked for."""
     if MODULE is None or THREADS not in MODULE.read_bytes() or not all(map(shutil.which, ("bash", "ldd"))):
         pytest.skip("PyYAML brings a module for Linux's C library, and ldd reads it")
-    (tmp_path / "sonames.txt").write_text(sonames() + "\nlibodd-2.so.0 libodd2.0-0\n")
-    text = SCRIPT.read_text().replace("/usr/local/share/roslab/sonames.txt", str(tmp_path / "sonames.txt"))
+    (tmp_path / "shared-objects.txt").write_text(table() + "\nlibodd-2.so.0 libodd2.0-0\n")
+    text = SCRIPT.read_text().replace(
+        "/usr/local/share/roslab/shared-objects.txt", str(tmp_path / "shared-objects.txt")
+    )
     programs = {
         "install-wheel-libraries": text,
         "install-optional-apt": f'#!/bin/sh\necho "$@" >{tmp_path}/asked\n',

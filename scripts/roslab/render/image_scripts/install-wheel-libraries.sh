@@ -2,12 +2,12 @@
 # usage: install-wheel-libraries PYTHON
 # Installs the system's libraries that the modules of a Python are linked with and do not bring: a wheel may take those of
 # X11, OpenGL and GLib for granted (PEP 513), and many take more. The package of a library has its name by Debian's rule
-# (https://www.debian.org/doc/debian-policy/ch-sharedlibs.html#run-time-shared-libraries) or by sonames.txt. What apt does
-# not know is left out; what belongs to a driver or to CUDA comes from elsewhere. Libraries of a package that no module of
+# (https://www.debian.org/doc/debian-policy/ch-sharedlibs.html#run-time-shared-libraries) or by shared-objects.txt, which
+# also says what comes from elsewhere (NAME* -). What apt does not know is left out. Libraries of a package that no module of
 # it is linked with may be plugins that nothing loads: they bring nothing.
 set -euo pipefail
 
-table=/usr/local/share/roslab/sonames.txt
+table=/usr/local/share/roslab/shared-objects.txt
 work="$(mktemp --directory)"
 # Without the distribution's own packages, for which apt has brought everything
 "$1" -c 'import sys; print("\n".join([p for p in sys.path if p.endswith("-packages") and not p.startswith("/usr/lib/")]))' \
@@ -29,8 +29,11 @@ if [ ! -s "${work}/modules" ]; then rm -rf "${work}" && exit; fi
 
 packages=()
 while read -r library; do
-  if [[ "${library}" =~ ^lib(cu(da|dnn|blas|fft|file|inj|pti|rand|solver|sparse|tensor)|nv|nccl|npp|python) ]]; then continue; fi
-  known="$(sed --quiet "s/^${library//./[.]} //p" "${table}")"
+  known="$(awk -v library="${library}" '
+    $1 == library { found = $2 }
+    /[*] -$/ && !found && index(library, substr($1, 1, length($1) - 1)) == 1 { found = $2 }
+    END { print found }' "${table}")"
+  if [ "${known}" = - ]; then continue; fi
   name="${library%%.so*}" number="${library#*.so}"
   name="${name,,}" name="${name//_/-}" number="${number#.}"
   if [[ "${name}" =~ [0-9]$ && -n "${number}" ]]; then name+=-; fi

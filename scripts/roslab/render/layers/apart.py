@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.plan.workspace import WORKSPACE
 from roslab.render import quote
-from roslab.render.layers import manifests, program, workspace
+from roslab.render.layers import program, workspace
 from roslab.render.layers.workspace import HOME, WS
 
 SOURCE = "source"
@@ -20,8 +20,7 @@ def source_stage(plan: Plan) -> str:
     blank file takes the place of a folder, too.
     """
     lines = [f"FROM scratch AS {SOURCE}", "COPY . /"]
-    copied = {name.partition("/")[0] for name in manifests.whole(plan)}
-    if names := [name for name in plan.workspace.unread if name not in copied]:
+    if names := plan.workspace.unread:
         lines.insert(0, "# The source without what no build file names: an edit of that compiles nothing again")
         lines += [f"COPY --link {' '.join(f'<<{name}' for name in names)} /", *names]
     return "\n".join(lines)

@@ -36,7 +36,7 @@ def of_conda(plan: Plan) -> tuple[str, ...]:
 
 def stage(plan: Plan) -> str:
     """Set the manifests apart out of the whole source, where they are too many to be copied by name."""
-    files = whole(plan)
+    files = _all(plan)
     if len(_folders(files)) <= MOST_FOLDERS:
         return ""
     copy = f"cp --parents --target-directory={FOLDER}{shell.words(quote.path(name) for name in files)}"
@@ -50,7 +50,7 @@ def copy(plan: Plan, files: Iterable[str]) -> str:
     folders = _folders(files)
     if not folders:
         return ""
-    if len(_folders(whole(plan))) > MOST_FOLDERS:
+    if len(_folders(_all(plan))) > MOST_FOLDERS:
         return f"COPY --from=manifests {FOLDER}/ {FOLDER}/\n"
     return "".join(
         f"COPY {quote.copy(names, posixpath.normpath(posixpath.join(FOLDER, folder)) + '/')}\n"
@@ -58,8 +58,7 @@ def copy(plan: Plan, files: Iterable[str]) -> str:
     )
 
 
-def whole(plan: Plan) -> tuple[str, ...]:
-    """Return all manifests, sorted."""
+def _all(plan: Plan) -> tuple[str, ...]:
     return tuple(sorted({*of_rosdep(plan), *of_pip(plan), *of_conda(plan)}))
 
 

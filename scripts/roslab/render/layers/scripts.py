@@ -18,7 +18,7 @@ from roslab.knowledge.frameworks import same_numbers
 from roslab.knowledge.keys import key
 from roslab.knowledge.libraries import cmake_packages
 from roslab.knowledge.os_releases import archives
-from roslab.knowledge.sonames import sonames
+from roslab.knowledge.shared_objects import table as shared_objects
 from roslab.render.layers import shell
 from roslab.values.pattern import pattern
 
@@ -31,7 +31,7 @@ _TABLES: dict[str, Callable[[], str]] = {
     "build-programs.txt": build_programs,
     "git-hosts.txt": lambda: "\n".join(sorted(public_hosts())),
     "released-together.txt": same_numbers,
-    "sonames.txt": sonames,
+    "shared-objects.txt": shared_objects,
 }
 """Tables of the program's knowledge that scripts read."""
 _CMAKE = pattern(r"cmake-(\w+)\.txt")

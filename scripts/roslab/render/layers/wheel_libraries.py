@@ -26,7 +26,7 @@ def _install(plan: Plan) -> str:
         "install-wheel-libraries",
         f" {python.interpreter(plan)}",
         comment="Libraries of the system that the Python packages are linked with",
-        before=shell.copy_data(("sonames.txt",)) + shell.copy_script("install-optional-apt"),
+        before=shell.copy_data(("shared-objects.txt",)) + shell.copy_script("install-optional-apt"),
         secrets=secrets.for_apt(plan),
         around=locks.apt(plan, "libraries"),
     )
