@@ -115,7 +115,6 @@ class PythonProject:
     """Modules that its setup.py imports; ``.`` for the package that it installs."""
     groups: tuple[Requirement, ...] = ()
     """What uv installs with it by default, which pip does not."""
-    backend_limits: tuple[Requirement, ...] = ()  # for newer backends refuse its settings
 
     @property
     def refused(self) -> bool:

@@ -27,6 +27,18 @@ COPY --chmod=755 <<'EOF' /pip-cache
 @@ _constant/pip-cache @@
 EOF
 
+COPY --chmod=755 <<'EOF' /ask-pip-again
+@@ _constant/ask-pip-again @@
+EOF
+
+COPY <<'EOF' /build-limits.txt
+@@ _constant/build-limits.txt @@
+EOF
+
+COPY <<'EOF' /build-programs.txt
+@@ _constant/build-programs.txt @@
+EOF
+
 
 FROM ubuntu:22.04
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
@@ -67,11 +79,14 @@ ENV MAMBA_ROOT_PREFIX=/opt/mamba \
     CONDA_PREFIX=/opt/conda \
     PATH=/opt/conda/bin:${PATH}
 COPY --from=scripts /pip-cache /usr/local/bin/
+COPY --from=scripts /ask-pip-again /usr/local/bin/
+COPY --from=scripts /build-limits.txt /build-programs.txt /usr/local/share/roslab/
 RUN --mount=type=cache,id=pip-conda_environment-${TARGETARCH},target=/root/.cache/pip,sharing=locked \
     export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
  && take-pip-part /tmp/manifests/environment.yml \
  && CONDA_CHANNELS=defaults PIP_CACHE_DIR=/tmp/pip-downloads micromamba create --yes --quiet --prefix /opt/conda --file /tmp/manifests/environment.yml \
  && micromamba clean --all --yes --quiet \
+ && source ask-pip-again \
  && (cd /tmp/manifests && python3 -m pip install "$(pip-cache)" --upgrade --requirement environment.yml.pip) \
  && rm -rf /tmp/pip-downloads
 

@@ -27,6 +27,18 @@ COPY --chmod=755 <<'EOF' /pip-cache
 @@ _constant/pip-cache @@
 EOF
 
+COPY --chmod=755 <<'EOF' /ask-pip-again
+@@ _constant/ask-pip-again @@
+EOF
+
+COPY <<'EOF' /build-limits.txt
+@@ _constant/build-limits.txt @@
+EOF
+
+COPY <<'EOF' /build-programs.txt
+@@ _constant/build-programs.txt @@
+EOF
+
 COPY --chmod=755 <<'EOF' /install-wheel-libraries
 @@ _constant/install-wheel-libraries @@
 EOF
@@ -97,8 +109,11 @@ ENV MUJOCO_GL=egl
 # Requirement files
 COPY requirements.txt /tmp/manifests/
 COPY --from=scripts /pip-cache /usr/local/bin/
+COPY --from=scripts /ask-pip-again /usr/local/bin/
+COPY --from=scripts /build-limits.txt /build-programs.txt /usr/local/share/roslab/
 RUN --mount=type=cache,id=pip-offscreen-${TARGETARCH},target=/root/.cache/pip,sharing=locked \
     export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
+ && source ask-pip-again \
  && python3 -m pip install "$(pip-cache)" --requirement /tmp/manifests/requirements.txt
 
 # Libraries of the system that the Python packages are linked with

@@ -50,7 +50,7 @@ def test_an_old_repository_gets_packages_and_a_python_of_its_time(tmp_path: Path
 def test_a_repository_that_is_worked_on_is_not_touched(tmp_path: Path) -> None:
     planned = committed(tmp_path, PYTHON, long_ago())
     assert planned.plan.python.day is None
-    assert "index-as-of" not in dockerfile(planned.plan)
+    assert "$(index-as-of" not in dockerfile(planned.plan)
     assert not [reason for reason in planned.decision.reasons if reason.question == "pip_date"]
 
 

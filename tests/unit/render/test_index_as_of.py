@@ -175,13 +175,26 @@ def step(tmp_path: Path, index: str) -> Iterator[list[subprocess.Popen[str]]]:
             os.killpg(process.pid, signal.SIGKILL)
 
 
-def ran(step: list[subprocess.Popen[str]], folder: Path, index: str, commands: str, before: str = ":") -> str:
-    """Return what a step prints after the index was changed; ``before`` is run before that."""
+OF_DAY = f'eval "$(index-as-of {DAY} --or-today)"'
+TODAY = "source ask-pip-again"
+either = pytest.mark.parametrize("start", [OF_DAY, TODAY])
+
+
+def ran(
+    step: list[subprocess.Popen[str]],
+    folder: Path,
+    index: str,
+    commands: str,
+    *,
+    before: str = ":",
+    start: str = OF_DAY,
+) -> str:
+    """Return what a step prints after its ``start``; ``before`` is run before that."""
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("PIP_", "GIT_"))}
     path = f"{folder}:{Path(sys.executable).parent}:{environment['PATH']}"
     with (folder / "said").open("w") as said:
         process = subprocess.Popen(
-            ["bash", "-ec", f'{before}\neval "$(index-as-of {DAY} --or-today)"\n{commands}'],
+            ["bash", "-ec", f"{before}\n{start}\n{commands}"],
             env=environment | {"PATH": path, "PIP_INDEX_URL": index, "no_proxy": "127.0.0.1"},
             stdout=subprocess.PIPE,
             stderr=said,
@@ -245,18 +258,19 @@ def test_a_lower_bound_that_is_newer_than_the_day_gets_newer_versions(
     assert ("no version of plain" in (tmp_path / "said").read_text()) == (">" in asked)
 
 
+@either
 @pytest.mark.parametrize(
     ("listed", "got"),
     [("gone==2.1.21", "2.1.25"), ("gone == 2.1.21 ; python_version > '3'", "2.1.25"), ("gone==2.1.30", "2.1.30")],
 )
 def test_an_exact_version_that_is_gone_becomes_the_next_of_its_minor_one(
-    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, listed: str, got: str
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, *, start: str, listed: str, got: str
 ) -> None:
     (tmp_path / "list.txt").write_text(f"plain\n{listed}\n")
     install = f"python3 -m pip install --quiet --no-cache-dir --target {tmp_path}/got"
     for arguments in (f"--requirement {tmp_path}/list.txt", f'plain "{listed}"'):
         command = f"{install} {arguments}\nls {tmp_path}/got\nrm -r {tmp_path}/got"
-        assert f"gone-{got}.dist-info" in ran(step, tmp_path, f"{index}/simple/", command)
+        assert f"gone-{got}.dist-info" in ran(step, tmp_path, f"{index}/simple/", command, start=start)
     assert ("the index no longer has gone 2.1.21: 2.1.25 is taken" in (tmp_path / "said").read_text()) == (
         got not in listed
     )
@@ -269,15 +283,16 @@ def test_a_version_that_is_gone_is_replaced_by_none_of_another_minor_one(
     assert ran(step, tmp_path, f"{index}/simple/", f"{install} || echo failed").strip() == "failed"
 
 
+@either
 @pytest.mark.parametrize("known", [True, False])
-def test_what_a_cython_of_the_day_does_not_compile_gets_an_older_one(
-    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, *, known: bool
+def test_what_a_new_cython_does_not_compile_gets_an_older_one(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, start: str, *, known: bool
 ) -> None:
     table, script = tmp_path / "build-limits.txt", tmp_path / "ask-pip-again"
     table.write_text(build_limits() + "\n" if known else "")
     script.write_text(script.read_text().replace("/usr/local/share/roslab/build-limits.txt", str(table)))
     install = f"python3 -m pip install --target {tmp_path}/made --quiet --no-cache-dir needs || echo failed"
-    output = ran(step, tmp_path, f"{index}/simple/", install)
+    output = ran(step, tmp_path, f"{index}/simple/", install, start=start)
     said = (tmp_path / "said").read_text()
     assert (tmp_path / "made/needs-1.0.dist-info").exists() is known
     assert ("failed" in output.split()) is not known
@@ -285,26 +300,44 @@ def test_what_a_cython_of_the_day_does_not_compile_gets_an_older_one(
     assert ("Error compiling Cython file:" in said) is not known  # what stops the build is seen
 
 
-def test_a_program_that_a_build_lacks_comes_from_pip(
+def test_what_is_built_beside_a_new_cython_gets_an_older_one_there(
     step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+) -> None:
+    table, script = tmp_path / "build-limits.txt", tmp_path / "ask-pip-again"
+    table.write_text(build_limits() + "\n")
+    script.write_text(script.read_text().replace("/usr/local/share/roslab/build-limits.txt", str(table)))
+    subprocess.run([sys.executable, "-m", "venv", tmp_path / "own"], check=True)
+    install = f"""export PATH={tmp_path}/own/bin:$PATH
+        python3 -m pip install --quiet --no-cache-dir cython
+        python3 -m pip install --quiet --no-cache-dir --no-build-isolation needs
+        ls {tmp_path}/own/lib/python*/site-packages"""
+    installed = ran(step, tmp_path, f"{index}/simple/", install, start=TODAY).split()
+    assert {"needs-1.0.dist-info", "cython-0.29.36.dist-info"} <= set(installed)
+    assert "roslab: it is built beside what is installed: pip installs cython<3" in (tmp_path / "said").read_text()
+
+
+@either
+def test_a_program_that_a_build_lacks_comes_from_pip(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, start: str
 ) -> None:
     table, script = tmp_path / "build-programs.txt", tmp_path / "ask-pip-again"
     table.write_text(build_programs() + "\n")
     script.write_text(script.read_text().replace("/usr/local/share/roslab/build-programs.txt", str(table)))
     before = f"export PIP_TARGET={tmp_path}/made BROUGHT={tmp_path}/made"
     install = "python3 -m pip install --quiet --no-cache-dir wrapped || echo failed"
-    output = ran(step, tmp_path, f"{index}/simple/", install, before=before)
+    output = ran(step, tmp_path, f"{index}/simple/", install, before=before, start=start)
     said = (tmp_path / "said").read_text()
     assert "failed" not in output.split(), said
     assert (tmp_path / "made/wrapped-1.0.dist-info").exists()
     assert said.count("calls a program that is not there: pip installs swig") == 1
 
 
+@either
 def test_of_requirements_that_contradict_each_other_the_first_decides(
-    step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, start: str
 ) -> None:
     install = f"python3 -m pip install --target {tmp_path}/made --quiet left right"
-    ran(step, tmp_path, f"{index}/simple/", install)
+    ran(step, tmp_path, f"{index}/simple/", install, start=start)
     assert sorted(each.name for each in (tmp_path / "made").glob("*.dist-info")) == [
         "left-1.0.dist-info",
         "right-1.0.dist-info",

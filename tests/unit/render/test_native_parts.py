@@ -50,7 +50,7 @@ def test_the_library_comes_before_pip_and_the_module_after_it(tmp_path: Path) ->
     fetched = text.index("https://www.roboti.us/download/mujoco200_linux.zip")
     brought = text.index("COPY --from=native-parts")
     (compiled,) = calls(text)
-    assert fetched < brought < text.index("--requirement") < compiled < text.index("# The source\n")
+    assert fetched < brought < text.index("# Requirement files") < compiled < text.index("# The source\n")
     assert "MUJOCO_PY_MUJOCO_PATH=/home/${NB_USER}/.mujoco/mujoco200 \\\n" in text
     library = 'LD_LIBRARY_PATH="/home/${NB_USER}/.mujoco/mujoco200/bin${LD_LIBRARY_PATH:+:${LD_LIBRARY_PATH}}"\n'
     assert library in text

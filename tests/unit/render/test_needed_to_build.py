@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import pytest
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
 
+SCRIPTS = Path(__file__).parents[3] / "scripts/roslab/render/image_scripts"
 PIP = """\
 #!/bin/bash
 echo "$*" >>"${CALLS}"
@@ -32,6 +34,7 @@ def calls(tmp_path: Path, requirements: str, alone: int) -> list[str]:
     for name, script in (("python3", PIP), ("pip-cache", "#!/bin/bash\necho --no-cache-dir\n")):
         (programs / name).write_text(script)
         (programs / name).chmod(0o755)
+    shutil.copy(SCRIPTS / "ask-pip-again.sh", programs / "ask-pip-again")
     log = tmp_path / "calls"
     environment = {"PATH": f"{programs}:/usr/bin:/bin", "CALLS": str(log), "ALONE": str(alone)}
     done = subprocess.run(["bash", "-euo", "pipefail", "-c", step[1]], env=environment, timeout=60, check=False)

@@ -289,9 +289,6 @@ def _reasons(chosen: Chosen) -> Iterator[Reason]:
         yield because("dependencies", file.file, "requirements of the project", file, weight=Weight.MANIFEST)
     for project in chosen.projects:
         yield because("dependencies", project.folder or ".", "installable project", project, weight=Weight.MANIFEST)
-        for limit in project.backend_limits:
-            why = f"newer releases refuse a setting of {limit.file}"
-            yield because("dependencies", limit.text, why, limit, weight=Weight.BOUND)
     for asked in chosen.declared:
         why = f"{asked.file} declares it; its backend finds no module to install"
         yield because("dependencies", asked.text, why, asked, weight=Weight.MANIFEST)

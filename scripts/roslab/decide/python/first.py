@@ -23,11 +23,10 @@ def first(
     If there is anything, the projects are built in the image's own environment, which then needs their build
     requirements too.
     """
-    limits = [each for project in projects for each in project.backend_limits]
-    limited_first = sorted((each for each in (*asked, *limits) if each.name), key=lambda each: not each.limited)
+    limited_first = sorted((each for each in asked if each.name), key=lambda each: not each.limited)
     by_name = {each.key: each for each in reversed(limited_first)}
     extensions = {extension for project in projects for extension in project.extensions if not _isolated(project)}
-    needs = [*limits, *(stated(name) for each in asked for name in build_needs().get(each.key, ()))]
+    needs = [stated(name) for each in asked for name in build_needs().get(each.key, ())]
     if "cuda" in extensions or ("c" in extensions and "torch" in by_name):
         needs += [stated("numpy"), stated("torch")]
     elif "cython" in extensions or "c" in extensions:

@@ -9,7 +9,6 @@ from typing import Any
 
 from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import poetry, requirements, uv
-from roslab.evidence.python.backend_limits import backend_limits
 from roslab.evidence.python.extensions import by_install, extensions
 from roslab.evidence.python.manager_lines import GROUP
 from roslab.evidence.python.without_module import without_module
@@ -74,7 +73,6 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
         classifiers=tuple(dict.fromkeys(line for part in parts for line in part.classifiers)),
         setup_imports=next((part.setup_imports for part in parts if part.setup_imports), ()),
         groups=tuple(each for part in parts for each in part.groups),
-        backend_limits=tuple(each for part in parts for each in part.backend_limits),
     )
 
 
@@ -266,7 +264,6 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         extensions=extensions(str(backend) + " ".join(each.written for each in build)),
         classifiers=tuple(line for line in _list(project, "classifiers") if isinstance(line, str)),
         groups=tuple(_listed([*uv.default_groups(data), *poetry.default_groups(of_poetry)], path, line_of)),
-        backend_limits=tuple(backend_limits(_table(data, "tool"), path, line_of, build)),
     )
 
 

@@ -1,27 +1,29 @@
 #!/bin/bash
-# For a shell that reads it after index-as-of with --or-today: calls pip again where it failed for something that can be done
-# about. Where pip finds no version that is asked for, by a lower bound that is newer than the day, that package's newer ones
-# are there the next time; an exact version that is gone from the index becomes the next one with the same first two numbers,
-# if there is one. Where the requirements contradict each other, the first that names a package decides, as in pip before
-# 20.3: of their time many lists were never resolved. Where a package cannot be built with a Cython or setuptools of the day,
-# as its messages say (build-limits.txt), older ones are taken: its own day may be long before. A program that a package is
-# built with and does not ask pip for (build-programs.txt) is installed by pip. What a package prints while it is built is
-# shown at the end: a pip that writes a log has it there alone.
+# usage: source ask-pip-again
+# For a shell that reads it: calls pip again where it failed for something that can be done about. Where the requirements
+# contradict each other, the first that names a package decides, as in pip before 20.3: many lists were never resolved as a
+# whole. Where a package cannot be built with a new Cython or setuptools, as its messages say (build-limits.txt), an older one
+# builds it: where packages are built apart, by a constraint; where that did not help, pip installs it beside them. A program
+# that a package is built with and does not ask pip for (build-programs.txt) is installed by pip. An exact version that is
+# gone from the index becomes the next one with the same first two numbers, if there is one. Where index-as-of serves the
+# index of a day (--or-today) and a lower bound is newer than it, that package's newer versions are there the next time.
+# What a package prints while it is built is shown at the end: a pip that writes a log has it there alone.
 set -eo pipefail # as the steps that read it have
+notes="${INDEX_AS_OF:-$(mktemp -u /dev/shm/ask-pip-again.XXXXXX)}" # with what each is after this name
 
 roslab_pip() {
-  local log="${INDEX_AS_OF}.log"
+  local log="${notes}.log"
   if [ "${2:-} ${3:-}" != '-m pip' ]; then
     command "$@"
     return
   fi
   if roslab_call "$@"; then return; fi
   # Without the times of the log's lines
-  grep -m 1 -B 60 -E 'ERROR: .*(exited with|errored out)' "${log}" 2>/dev/null | sed 's/^[0-9T:,-]* //' >&2
+  grep -m 1 -B 60 -E 'ERROR: .*(exited with|errored out)' "${log}" 2>/dev/null | sed 's/^[0-9T:,-]* //' >&2 || true
   return 1
 }
 roslab_call() {
-  local free="${INDEX_AS_OF}" first=--use-deprecated=legacy-resolver name
+  local first=--use-deprecated=legacy-resolver name
   local call=("$@")
   until rm -f "${log}" && PIP_LOG="${log}" command "${call[@]}"; do
     if grep -q -E 'Cannot install .* conflicting dependencies|error: resolution-too-deep' "${log}" 2>/dev/null && [ "${call[-1]}" != "${first}" ]; then
@@ -30,38 +32,58 @@ roslab_call() {
       call+=("${first}")
       continue
     fi
-    if roslab_older_builder || roslab_program "${call[0]}"; then continue; fi
+    if roslab_older_builder "${call[0]}" || roslab_program "${call[0]}"; then continue; fi
     name="$(sed -n 's/.*No matching distribution found for \([A-Za-z0-9._-]*\).*/\1/p' "${log}" 2>/dev/null | tail -n 1)"
     if [ -z "${name}" ]; then return 1; fi
-    if grep -q -x -F "${name}" "${free}" 2>/dev/null; then
+    if [ -z "${INDEX_AS_OF:-}" ] || grep -q -x -F "${name}" "${INDEX_AS_OF}" 2>/dev/null; then
       roslab_next_version "${name}" || return 1
       continue
     fi
-    echo "${name}" >>"${free}"
+    echo "${name}" >>"${INDEX_AS_OF}"
     echo "roslab: no version of ${name} that was there on the day fits what is asked for: newer ones are taken" >&2
   done
 }
 # Takes an older release of what builds packages, where the output says that a package does not suit it
-roslab_older_builder() {
-  local package below pattern limits=/usr/local/share/roslab/build-limits.txt
+roslab_older_builder() { # PYTHON
+  local package below pattern older limits=/usr/local/share/roslab/build-limits.txt
   if [ ! -e "${limits}" ]; then return 1; fi
   while read -r package below pattern; do
-    if grep -q -E "${pattern}" "${log}" 2>/dev/null &&
-      ! grep -q -x -F "${package} ${below}" "${INDEX_AS_OF}.below" 2>/dev/null; then
-      echo "${package} ${below}" >>"${INDEX_AS_OF}.below"
+    if ! grep -q -E "${pattern}" "${log}" 2>/dev/null; then continue; fi
+    older="${package}<${below}"
+    if ! grep -q -x -F "${older}" "${notes}.older" 2>/dev/null; then
+      echo "${older}" >>"${notes}.older"
       echo "roslab: what is built here does not suit ${package} ${below} and newer: an older one is taken" >&2
+      # Until 25.3 all constraints of pip hold where it builds, from then on these alone
+      export PIP_BUILD_CONSTRAINT="${notes}.older"
+      if command "$1" -m pip install --help </dev/null | grep -q -e --build-constraint; then return; fi
+      case " ${PIP_CONSTRAINT:-} " in
+        *" ${notes}.older "*) ;;
+        *) export PIP_CONSTRAINT="${PIP_CONSTRAINT:+${PIP_CONSTRAINT} }${notes}.older" ;;
+      esac
+      return
+    fi
+    if roslab_newer_beside "$1" && ! grep -q -x -F "${older}" "${notes}.beside" 2>/dev/null; then
+      echo "${older}" >>"${notes}.beside"
+      echo "roslab: it is built beside what is installed: pip installs ${older}" >&2
+      command "$1" -m pip install --no-cache-dir "${older}" </dev/null
       return
     fi
   done <"${limits}"
   return 1
+}
+# Tells whether a release of $package that is too new is installed
+roslab_newer_beside() { # PYTHON
+  local version
+  version="$(command "$1" -m pip show "${package}" 2>/dev/null </dev/null | sed -n 's/^Version: \([0-9]*\).*/\1/p')"
+  [ "${version:-0}" -ge "${below}" ]
 }
 # Installs a program that a build lacks, each once
 roslab_program() { # PYTHON
   local package pattern programs=/usr/local/share/roslab/build-programs.txt
   if [ ! -e "${programs}" ]; then return 1; fi
   while read -r package pattern; do
-    if grep -q -E "${pattern}" "${log}" 2>/dev/null && ! grep -q -x -F "${package}" "${INDEX_AS_OF}.programs" 2>/dev/null; then
-      echo "${package}" >>"${INDEX_AS_OF}.programs"
+    if grep -q -E "${pattern}" "${log}" 2>/dev/null && ! grep -q -x -F "${package}" "${notes}.programs" 2>/dev/null; then
+      echo "${package}" >>"${notes}.programs"
       echo "roslab: what is built here calls a program that is not there: pip installs ${package}" >&2
       command "$1" -m pip install --no-cache-dir "${package}" </dev/null
       return

@@ -169,18 +169,8 @@ def outdated(files):
     return [file for file in wheels if version(file) in set(map(version, sources))]
 
 
-def limited(name, files):
-    """Leave out the files of a package that builds others and was too new for one of them."""
-    if not os.path.exists(FREE + ".below"):
-        return files
-    with open(FREE + ".below") as limits:
-        found = [int(line.split()[1]) for line in limits if line.split()[:1] == [name]]
-    return [file for file in files if number(file)[:1] < [min(found)]] if found else files
-
-
 def page(name, knows_yanked):
     address, files = files_of(name)
-    files = limited(name, files)
     kept = files if free(name) else of_day(name, files) + beside(name, files)
     old = outdated(kept)
     kept = [file for file in kept if file not in old]

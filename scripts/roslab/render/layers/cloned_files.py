@@ -19,5 +19,5 @@ def install(plan: Plan) -> str:
         f" {python.interpreter(plan)} {options} --{files}",
         comment="Requirement files of submodules, which could not be read before",
         before=shell.copy_script("install-optional-pip"),
-        secrets=secrets.for_pip(plan),
+        secrets=secrets.for_tries_of_pip(plan),
     )

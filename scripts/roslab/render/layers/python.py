@@ -126,7 +126,7 @@ def _conda(plan: Plan) -> str:
     create = (
         f"{more}PIP_CACHE_DIR={DOWNLOADS} micromamba create --yes --quiet --prefix /opt/conda {source}",
         "micromamba clean --all --yes --quiet",
-        *(secrets.day(plan) if after else ()),
+        *(secrets.helped(plan) if after else ()),
         *after,
         f"rm -rf {DOWNLOADS}",
     )
@@ -192,7 +192,7 @@ def guessed_packages(plan: Plan) -> str:
         "install-optional-pip",
         f" {interpreter(plan)} {options} --{shell.words(plan.python.pip_guessed)}",
         comment="Imported or named in a page, declared nowhere else: none of them stops the build",
-        secrets=secrets.for_pip(plan),
+        secrets=secrets.for_tries_of_pip(plan),
     )
 
 

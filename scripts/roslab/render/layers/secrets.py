@@ -18,6 +18,8 @@ User = Literal["root", "user"]
 """Whose home folder and whose rights the step has."""
 HOMES: dict[str, str] = {"root": "/root", "user": f"/home/{quote.USER}"}
 APT_FILE = "/etc/apt/auth.conf.d/roslab.conf"
+AGAIN = "ask-pip-again"
+"""The script that calls pip again where it failed for something that can be done about."""
 FOLDER = "/run/secrets"
 """Where BuildKit mounts a secret if nothing else is said."""
 GIT_SSH = "ssh -o BatchMode=yes -o StrictHostKeyChecking=accept-new -o UserKnownHostsFile=/dev/null"
@@ -45,6 +47,12 @@ NONE = Secrets()
 def for_pip(plan: Plan) -> Secrets:
     """Return what pip needs: what it downloaded before, the private index, and logins for packages from git."""
     return _of(plan, (PIP_INDEX, NETRC, SSH), "root", first=before_pip(plan), mounted=caches.pip_downloads(plan))
+
+
+def for_tries_of_pip(plan: Plan) -> Secrets:
+    """Return what a script needs that calls pip for each package, so that a failure stops nothing."""
+    first = (REPEATABLE, *(of_pip_day(plan) or as_of(plan)))
+    return _of(plan, (PIP_INDEX, NETRC, SSH), "root", first=first, mounted=caches.pip_downloads(plan))
 
 
 def for_conda(plan: Plan, *, pip: bool) -> Secrets:
@@ -76,12 +84,12 @@ def for_both(plan: Plan) -> Secrets:
 
 def before_pip(plan: Plan) -> tuple[str, ...]:
     """Return the commands before those of pip: they write the same bytes again, of the plan's day if it has one."""
-    return (REPEATABLE, *day(plan))
+    return (REPEATABLE, *helped(plan))
 
 
-def day(plan: Plan) -> tuple[str, ...]:
-    """Return the command that gives pip the index of a day, none without one."""
-    return of_pip_day(plan) or as_of(plan)
+def helped(plan: Plan) -> tuple[str, ...]:
+    """Return the command that gives pip the index of a day or, unless all is of one, calls it again where it fails."""
+    return of_pip_day(plan) or as_of(plan) or (f"source {AGAIN}",)
 
 
 def of_pip_day(plan: Plan) -> tuple[str, ...]:

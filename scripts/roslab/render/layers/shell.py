@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from roslab.render import quote
-from roslab.render.layers.secrets import NONE, Secrets
+from roslab.render.layers.secrets import AGAIN, NONE, Secrets
 from roslab.values.dataclass import dataclass
 
 JOBS = '"$(compile-jobs)"'
@@ -20,6 +20,8 @@ installed stays, without its times: ``roslab lock`` reads it. The lists are in a
 SET_JOBS = f"jobs={JOBS}"
 CHECKOUT = "checkout-branch"
 """The script that checks out a branch which may be gone."""
+AGAIN_TABLES = ("build-limits.txt", "build-programs.txt")
+"""What the script that calls pip again knows."""
 PACKAGES = "workspace-packages"
 """The script that says which packages of a workspace need which."""
 _PRINTING = ("compile-jobs", "index-as-of", "pip-cache")
@@ -55,9 +57,10 @@ def run(*commands: str, comment: str = "", secrets: Secrets = NONE, around: Arou
     body += " \\\n && ".join((*secrets.commands, *around.first, *commands, *around.last))
     said = "\n".join((*secrets.commands, *around.first, *commands))
     scripts = "".join(copy_script(name) for name in _PRINTING if f'"$({name}' in said)
-    if "--or-today" in said:
-        tables = ("released-together.txt", "build-limits.txt", "build-programs.txt")
-        scripts += copy_script("ask-pip-again") + copy_data(tables)
+    of_day = "--or-today" in said
+    if of_day or f"source {AGAIN}" in said:
+        tables = ("released-together.txt", *AGAIN_TABLES) if of_day else AGAIN_TABLES
+        scripts += copy_script(AGAIN) + copy_data(tables)
     scripts += copy_script(CHECKOUT) if f"{CHECKOUT} " in said else ""
     return f"{comment_lines(comment)}{scripts}{around.before}RUN {body}"
 
