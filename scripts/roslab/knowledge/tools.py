@@ -9,6 +9,13 @@ from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass, replace
 
 INSTALLERS = ("pip", "setuptools", "wheel")
+WITHOUT_PKG_RESOURCES = "82"
+"""The first setuptools without pkg_resources, which many packages import and few ask for.
+
+https://setuptools.pypa.io/en/latest/history.html#v82-0-0, read 2026-11-26.
+"""
+NEWEST = ("pip", f"setuptools<{WITHOUT_PKG_RESOURCES}", "wheel")
+"""Lines for the newest that serve."""
 PIXI = "pixi.toml"
 JUPYTER = ("jupyterlab", "notebook", "bash_kernel")
 
@@ -17,7 +24,7 @@ JUPYTER = ("jupyterlab", "notebook", "bash_kernel")
 class PythonTools:
     """Requirement lines of the tools; each pin has a marker, so that it holds only for an interpreter that old."""
 
-    installers: tuple[str, ...] = INSTALLERS
+    installers: tuple[str, ...] = NEWEST
     jupyter: tuple[str, ...] = JUPYTER
     pinned: bool = False
     """The interpreter is too old for their newest versions."""
@@ -57,9 +64,11 @@ def _lenient(line: str) -> str:
 
 
 def why_bounded(line: str) -> str:
-    """Return why a requirement line of pip or its companions leaves out the newest versions, ``""`` if it does not."""
+    """Return why a requirement line of pip or its companions leaves out more than usual, ``""`` if it does not."""
     pin, _, marker = line.partition(";")
-    if "<" not in pin or marker.strip().startswith("python_version >="):  # for a newer Python than the image's alone
+    if (
+        "<" not in pin or line in NEWEST or marker.strip().startswith("python_version >=")
+    ):  # for a newer Python than the image's alone
         return ""
     of_python = {each for tools in _table().values() for each in tools.installers if "<" in each.partition(";")[0]}
     if pin in python2_installers() or line.startswith(tuple(of_python)):
@@ -96,9 +105,10 @@ def _lines(row: dict[str, str], names: tuple[str, ...]) -> tuple[str, ...]:
     major, minor = map(int, row["python"].split("."))
     after = f"{major}.{minor + 1}"
     lines: list[str] = []
+    newest = dict(zip(INSTALLERS, NEWEST, strict=True))
     for name in names:
         if pin := row[name]:
-            lines += [f'{pin}; python_version < "{after}"', f'{name}; python_version >= "{after}"']
+            lines += [f'{pin}; python_version < "{after}"', f'{newest.get(name, name)}; python_version >= "{after}"']
         else:
             lines.append(name)
     return tuple(lines)

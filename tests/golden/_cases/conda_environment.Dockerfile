@@ -84,7 +84,7 @@ COPY --from=scripts /build-limits.txt /build-programs.txt /usr/local/share/rosla
 RUN --mount=type=cache,id=pip-conda_environment-${TARGETARCH},target=/root/.cache/pip,sharing=locked \
     export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
  && take-pip-part /tmp/manifests/environment.yml \
- && CONDA_CHANNELS=defaults PIP_CACHE_DIR=/tmp/pip-downloads micromamba create --yes --quiet --prefix /opt/conda --file /tmp/manifests/environment.yml \
+ && CONDA_CHANNELS=defaults MAMBA_PINNED_PACKAGES='setuptools<82' PIP_CACHE_DIR=/tmp/pip-downloads micromamba create --yes --quiet --prefix /opt/conda --file /tmp/manifests/environment.yml \
  && micromamba clean --all --yes --quiet \
  && source ask-pip-again \
  && (cd /tmp/manifests && python3 -m pip install "$(pip-cache)" --upgrade --requirement environment.yml.pip) \

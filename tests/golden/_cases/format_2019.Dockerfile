@@ -89,7 +89,7 @@ RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
       'pip<22; python_version < "3.7"' \
       'pip; python_version >= "3.7"' \
       'setuptools<60; python_version < "3.7"' \
-      'setuptools; python_version >= "3.7"' \
+      'setuptools<82; python_version >= "3.7"' \
       'wheel<0.38; python_version < "3.7"' \
       'wheel; python_version >= "3.7"'
 
@@ -101,7 +101,7 @@ RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
       'pip<22; python_version < "3.7"' \
       'pip; python_version >= "3.7"' \
       'setuptools<60; python_version < "3.7"' \
-      'setuptools; python_version >= "3.7"' \
+      'setuptools<82; python_version >= "3.7"' \
       'wheel<0.38; python_version < "3.7"' \
       'wheel; python_version >= "3.7"' \
  && /opt/jupyter/bin/python -m pip install --no-cache-dir \

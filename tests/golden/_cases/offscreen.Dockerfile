@@ -100,7 +100,7 @@ RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
  && sed --in-place '/^include-system-site-packages/s/false/true/' /opt/venv/pyvenv.cfg \
  && python3 -m pip install --no-cache-dir --upgrade \
       pip \
-      setuptools \
+      'setuptools<82' \
       wheel
 
 # What the build or a program reads

@@ -108,7 +108,7 @@ RUN export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
       'pip<21; python_version < "2.8"' \
       'pip; python_version >= "2.8"' \
       'setuptools<45; python_version < "2.8"' \
-      'setuptools; python_version >= "2.8"' \
+      'setuptools<82; python_version >= "2.8"' \
       'wheel<0.38; python_version < "2.8"' \
       'wheel; python_version >= "2.8"'
 

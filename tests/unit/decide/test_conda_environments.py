@@ -124,8 +124,24 @@ def test_a_torch_of_conda_from_before_mkl_2024_1_keeps_it_out(
     for path, text in files.items():
         (tmp_path / path).write_text(text, encoding="utf-8")
     plan = plan_repository(tmp_path).plan
-    assert plan.python.conda_limits == (("mkl<2024.1",) if limited else ())
-    assert ("MAMBA_PINNED_PACKAGES='mkl<2024.1' " in dockerfile(plan)) is limited
+    assert plan.python.conda_limits == (*(("mkl<2024.1",) if limited else ()), "setuptools<82")
+    assert ("MAMBA_PINNED_PACKAGES='mkl<2024.1,setuptools<82' " in dockerfile(plan)) is limited
+
+
+@pytest.mark.parametrize(
+    ("packages", "limits"),
+    [
+        (["python=3.9"], ("setuptools<82",)),
+        (["python"], ()),
+        (["python=3.9", "setuptools=65"], ()),
+        (["python=3.9", "setuptools"], ("setuptools<82",)),
+    ],
+)
+def test_an_environment_keeps_pkg_resources(tmp_path: Path, packages: list[str], limits: tuple[str, ...]) -> None:
+    listed = "".join(f"- {package}\n" for package in packages)
+    (tmp_path / "environment.yml").write_text(f"channels: [conda-forge]\ndependencies:\n{listed}")
+    (tmp_path / "train.py").write_text("import json\n")
+    assert plan_repository(tmp_path).plan.python.conda_limits == limits
 
 
 def test_condas_name_of_opencvs_module_is_what_the_code_imports(tree: Tree) -> None:

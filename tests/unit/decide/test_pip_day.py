@@ -133,7 +133,7 @@ def test_the_newest_framework_of_a_day() -> None:
 
 
 def test_pip_reads_the_metadata_of_old_packages() -> None:
-    assert for_old_packages(python_tools("3.12", None)).installers == ("pip<24.1", "setuptools", "wheel")
+    assert for_old_packages(python_tools("3.12", None)).installers == ("pip<24.1", "setuptools<82", "wheel")
     old = for_old_packages(python_tools("3.6", None))
     assert old.installers[:2] == ('pip<22; python_version < "3.7"', 'pip<24.1; python_version >= "3.7"')
     assert replace(old, installers=()) == replace(python_tools("3.6", None), installers=())
