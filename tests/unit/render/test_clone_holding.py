@@ -60,6 +60,26 @@ def test_it_is_kept_with_what_the_package_needs_of_it(tmp_path: Path, remote: Pa
     assert {"quad_x", "quad_msgs"} <= {*said.split()}
 
 
+@pytest.mark.parametrize(
+    ("file", "text"),
+    [
+        ("launch/x.launch", '<include file="$(find quad_viewer)/launch/view.launch"/>'),
+        ("launch/x.launch", '<node pkg="quad_viewer" type="view" name="view"/>'),
+        ("launch/x.launch.py", "Node(package='quad_viewer', executable='view')"),
+        ("launch/x.launch.py", 'share = get_package_share_directory("quad_viewer")'),
+        ("launch/x.launch.xml", '<include file="$(find-pkg-share quad_viewer)/launch/view.launch.xml"/>'),
+        ("urdf/x.urdf.xacro", '<mesh filename="package://quad_viewer/meshes/x.stl"/>'),
+    ],
+)
+def test_what_its_launch_files_and_models_find_is_kept(tmp_path: Path, remote: Path, file: str, text: str) -> None:
+    (remote / "quad_x" / file).parent.mkdir()
+    (remote / "quad_x" / file).write_text(text)
+    _git(remote, "add", ".")
+    _git(remote, "commit", "--quiet", "--message", "second")
+    _, _, passed = _run(tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_x")
+    assert passed == ["group", "quad_y"]
+
+
 def test_no_marker_hides_a_package_below(tmp_path: Path, remote: Path) -> None:
     _, _, passed = _run(tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_y")
     assert passed == ["quad_msgs", "quad_viewer", "quad_x"]

@@ -1,7 +1,8 @@
 #!/bin/bash
 # usage: workspace-packages needed|hide FOLDER [--without PATH [--but PATH]...] NAME...
 # Of the packages below a folder, but those below a path that is left out, and not below what is left in it:
-#   needed  prints the named ones and what they need in turn, each with its package.xml behind a tab
+#   needed  prints the named ones and what they need in turn, each with its package.xml behind a tab: what their package.xml
+#           names and what their launch files and models find
 #   hide    puts the markers by which catkin and colcon pass by into all but the named ones, and prints their names
 # What lies in a folder with such a marker is none of them.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
@@ -13,6 +14,14 @@ while [[ "${1:-}" = --* ]]; do
   shift 2
 done
 tag() { sed --quiet --regexp-extended "s:.*<($2)( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\3:p" "$1"; }
+# Prints the packages that launch files and models below a folder find or start
+found_by() {
+  local name='[[:space:]]*["'"'"']?[A-Za-z][A-Za-z0-9_-]*'
+  { grep --recursive --no-filename --only-matching --extended-regexp \
+    --include='*.launch' --include='*.launch.*' --include='*launch*.py' --include='*.xacro' --include='*.urdf' --include='*.sdf' --include='*.test' \
+    "([$][(](find|find-pkg-share|find-pkg-prefix) +|package://|(pkg|package) *=|(FindPackageShare|FindPackagePrefix|get_package_share_directory|get_package_prefix|get_package_share_path)[(])${name}" \
+    "$1" || true; } | sed --regexp-extended 's:.*[^A-Za-z0-9_-]::' | sort --unique
+}
 
 marked=()
 while read -r path; do marked+=(-path "${path}" -o); done < <(
@@ -36,7 +45,7 @@ while [ "${#queue[@]}" -gt 0 ]; do
     named["${name}"]=yes
     if [ "${what}" = hide ]; then continue; fi
     printf '%s\t%s\n' "${name}" "${manifest}"
-    mapfile -t -O "${#more[@]}" more < <(tag "${manifest}" '[a-z_]*depend')
+    mapfile -t -O "${#more[@]}" more < <(tag "${manifest}" '[a-z_]*depend' && found_by "$(dirname "${manifest}")")
   done
   queue=("${more[@]}")
 done
